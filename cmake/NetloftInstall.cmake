@@ -47,4 +47,4 @@ foreach(archive libexpat1-dev libhdf5-dev libmumps-seq-dev libopenblas-serial-de
   endif()
 endforeach()
 install(FILES CHANGELOG.md DESTINATION share/doc/netloft)
-install(FILES io/scene/SCENE.md io/gear/GEAR.md io/hdf5/LAYOUT.md DESTINATION share/doc/netloft)
+install(FILES io/scenes/SCENE.md io/gears/GEAR.md io/formats/hdf5/LAYOUT.md DESTINATION share/doc/netloft)

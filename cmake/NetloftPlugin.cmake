@@ -6,6 +6,9 @@
 # in a folder of that name beside it; the loader takes the newest build the processor runs. With NETLOFT_STATIC the
 # same sources go into the program under a symbol of their own.
 #
+# netloft_shipped_plugins(FOLDERS…) does so for folders of this tree, each a plugin of its name made of all its sources, which
+# may include headers by path. NETLOFT_X86_64_V3 is the caller's: OFF where no kernel would gain by the second build.
+#
 # After find_package(netloft) it goes to the folder of the build, for any processor; NETLOFT_X86_64_V3 adds the other
 # build. `ctest` then asks `netloft test` about it, runs each of TESTS, and runs each of SCENES with it.
 include_guard(GLOBAL)
@@ -31,6 +34,23 @@ function(netloft_add_plugin name)
   if(TARGET netloft::program)
     netloft_add_plugin_tests(${name})
   endif()
+endfunction()
+
+function(netloft_shipped_plugins)
+  foreach(folder IN LISTS ARGN)
+    get_filename_component(name ${folder} NAME)
+    file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    netloft_add_plugin(${name} ${sources})
+    foreach(target ${name} ${name}_v3 netloft_plugin_${name})
+      if(TARGET ${target})
+        target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ${NETLOFT_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+      endif()
+    endforeach()
+    if(TARGET ${name})
+      add_dependencies(netloft_plugins ${name})
+    endif()
+  endforeach()
 endfunction()
 
 function(netloft_add_static_plugin name)

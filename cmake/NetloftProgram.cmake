@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_program(NAME SOURCES…): a program with the command line of Netloft's own, the plugins, and the same BLAS, so
+# netloft_add_program(NAME SOURCES…): a program with the command line of Netloft's own, the plugins, and the same BLAS, so
 # that it computes the same bits.
 include_guard(GLOBAL)
 include(NetloftBlas)
 
-function(netloft_program name)
+function(netloft_add_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE netloft_command_line)
   # The dynamic linker looks a name up in one library after the other, in the order in which they were linked. Of shared

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_add_sundials(NAME ARCHIVES… SOURCES FILES…): the adapter to a part of SUNDIALS, in the folder that calls, built
+# netloft_add_sundials(FOLDER ARCHIVES…): the adapter to a part of SUNDIALS, the plugin in that folder, built
 # where SUNDIALS 6 is there with static libraries (Debian: libsundials-dev): the plugin has them inside. ARCHIVES are those
 # of that part; each has to stand before those that it uses.
-function(netloft_add_sundials name)
-  cmake_parse_arguments(PARSE_ARGV 1 of "" "" "ARCHIVES;SOURCES")
+function(netloft_add_sundials folder)
+  cmake_parse_arguments(PARSE_ARGV 1 of "" "" "ARCHIVES")
+  get_filename_component(name ${folder} NAME)
   find_path(SUNDIALS_INCLUDE_DIR sundials/sundials_context.h)
   mark_as_advanced(SUNDIALS_INCLUDE_DIR)
   set(found ${SUNDIALS_INCLUDE_DIR})
@@ -21,13 +22,7 @@ function(netloft_add_sundials name)
     return()
   endif()
 
-  netloft_add_plugin(${name} ${of_SOURCES})
-  foreach(target ${name} ${name}_v3)
-    if(TARGET ${target})
-      target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-      target_include_directories(${target} SYSTEM PRIVATE ${SUNDIALS_INCLUDE_DIR})
-      target_link_libraries(${target} PRIVATE ${archives} m)
-    endif()
-  endforeach()
-  add_dependencies(netloft_plugins ${name})
+  netloft_shipped_plugins(${folder})
+  target_include_directories(${name} SYSTEM PRIVATE ${SUNDIALS_INCLUDE_DIR})
+  target_link_libraries(${name} PRIVATE ${archives} m)
 endfunction()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_test(NAME SOURCES files… LIBRARIES targets… [OPTIONS flags…] [SLOW|LONG]): one GoogleTest program, each of its tests known
-# to ctest. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW: minutes under sanitizers, so that
+# netloft_test(NAME [ROOMS folders…] [EXCEPT files…] [SOURCES files…] LIBRARIES targets… [OPTIONS flags…] [SLOW|LONG]): one GoogleTest program, each of
+# its tests known to ctest. Its sources are *_test.cpp in ROOMS, each room compiled as one (NetloftLibrary.cmake), and SOURCES. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW: minutes under sanitizers, so that
 # .ci/run tries it without them alone; LONG: .ci/run leaves it to tests/nightly.
 #
 # With NETLOFT_TEST_PROGRAMS ctest knows the program as one test instead, which starts once: for sanitizers, which take
@@ -20,8 +20,9 @@ add_custom_target(netloft_sanitized)  # what .ci/run builds a second time, with 
 option(NETLOFT_TEST_PROGRAMS "Let ctest know each program of tests, not each test of it" OFF)
 
 function(netloft_test name)
-  cmake_parse_arguments(arg "SLOW;LONG" "" "SOURCES;LIBRARIES;OPTIONS" ${ARGN})
+  cmake_parse_arguments(arg "SLOW;LONG" "" "ROOMS;EXCEPT;SOURCES;LIBRARIES;OPTIONS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
+  netloft_sources(${name} ROOMS ${arg_ROOMS} ENDING _test.cpp EXCEPT ${arg_EXCEPT})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} netloft_test_folders GTest::gtest GTest::gtest_main)
   if(arg_OPTIONS)
     target_compile_options(${name} PRIVATE ${arg_OPTIONS})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/problem/solution.hpp"
+#include "framework/judging/solution.hpp"
 #include "framework/registry/registry.hpp"
 
 #include <list>

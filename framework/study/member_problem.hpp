@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/assembler/assembler.hpp"
-#include "framework/problem/factors.hpp"
-#include "framework/problem/limits.hpp"
+#include "framework/balance/factors.hpp"
+#include "framework/balance/limits.hpp"
 #include "framework/study/member_kernels.hpp"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/study/running_study.hpp"
 
-#include "framework/problem/reasons.hpp"
+#include "framework/judging/reasons.hpp"
 #include "framework/registry/hand_out.hpp"
 #include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"

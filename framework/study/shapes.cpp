@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/study/shapes.hpp"
 
-#include "framework/problem/correction.hpp"
+#include "framework/judging/correction.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/assembler/assembler.hpp"
-#include "framework/problem/factorisation.hpp"
-#include "framework/problem/work.hpp"
+#include "framework/balance/factorisation.hpp"
+#include "framework/balance/work.hpp"
 #include "framework/study/levels.hpp"
 #include "framework/study/variants.hpp"
 

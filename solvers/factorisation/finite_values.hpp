@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "framework/problem/factorisation.hpp"
+#include "framework/balance/factorisation.hpp"
 
 namespace netloft {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/problem/factorisation.hpp"
+#include "framework/balance/factorisation.hpp"
 #include "solvers/factorisation/matrix_kernels.hpp"
 #include "solvers/factorisation/node_ordering.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/problem/factorisation.hpp"
+#include "framework/balance/factorisation.hpp"
 
 namespace netloft {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include "framework/problem/factorisation.hpp"
+#include "framework/balance/factorisation.hpp"
 #include "solvers/factorisation/node_ordering.hpp"
 
 namespace netloft {

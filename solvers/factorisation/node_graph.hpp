@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "framework/problem/factorisation.hpp"
+#include "framework/balance/factorisation.hpp"
 
 namespace netloft {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/problem/factorisation.hpp"
+#include "framework/balance/factorisation.hpp"
 
 namespace netloft {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "framework/problem/factorisation.hpp"
+#include "framework/balance/factorisation.hpp"
 #include "solvers/factorisation/node_ordering.hpp"
 
 namespace netloft {

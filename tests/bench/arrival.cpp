@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/case/case.hpp"
-#include "io/toml/diagnostics.hpp"
+#include "io/runs/case.hpp"
+#include "io/formats/toml/diagnostics.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/folders.hpp"
 

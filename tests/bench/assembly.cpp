@@ -3,7 +3,7 @@
 // What assembly costs: ns per bar and per triangle for the residual, and for residual and tangent, gather and
 // scatter included; and its share of one Newton step (assembly, factorisation, solve) at growing size.
 // Best of repeats, one thread; compare rows of one run only, the machine may be shared.
-#include "framework/problem/verdict.hpp"
+#include "framework/judging/verdict.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"

@@ -3,8 +3,8 @@
 // bench_outputs [FOLDER]: what an output of a motion costs on its way to the disk, the result at the end
 // included, and how many calls of the system read or write. Beside it stands the plain way that keeps each
 // output from a kill, too: an HDF5 file that is flushed at every output.
-#include "io/hdf5/fold.hpp"
-#include "io/hdf5/result_file.hpp"
+#include "io/formats/hdf5/fold.hpp"
+#include "io/formats/hdf5/result_file.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -16,22 +16,22 @@ import re
 import sys
 from pathlib import Path
 
-READ = """io/scene/keys.cpp solvers/strategies/auto/* solvers/strategies/coarse-to-fine/* solvers/strategies/direct/*
-solvers/strategies/stiffness-steps/* solvers/strategies/pseudo-time/* solvers/strategies/relaxed/* solvers/tension/* solvers/newton/*
-solvers/ptc/* solvers/common/round_off.hpp solvers/relaxation/* framework/problem/convergence.*
-framework/problem/assessment.* framework/problem/correction.* framework/problem/growth.* framework/problem/arnoldi.*
-framework/problem/cayley.* framework/problem/linear_motion.* framework/problem/static_problem.* framework/problem/limits.*
-framework/problem/work.*
+READ = """io/scenes/reading/keys.cpp solvers/strategies/auto/* solvers/strategies/coarse-to-fine/* solvers/strategies/direct/*
+solvers/strategies/stiffness-steps/* solvers/strategies/pseudo-time/* solvers/strategies/relaxed/* solvers/strategies/tension/* solvers/methods/newton/*
+solvers/methods/ptc/* solvers/adapters/common/round_off.hpp solvers/methods/relaxation/* framework/balance/convergence.*
+framework/judging/assessment.* framework/judging/correction.* framework/judging/growth.* framework/judging/arnoldi.*
+framework/judging/cayley.* framework/judging/linear_motion.* framework/balance/static_problem.* framework/balance/limits.*
+framework/balance/work.*
 framework/study/running_study.* framework/study/study_host.*
 framework/study/known_stages.* framework/study/shapes.* framework/include/netloft/strategy.hpp
 framework/include/netloft/imbalance.hpp framework/include/netloft/scatter.hpp""".split()
 # Methods that `auto` does not ask for, and what users ask of an analysis besides.
 NOT_ITS_OWN = {
-    "io/scene/keys.cpp": None,
+    "io/scenes/reading/keys.cpp": None,
 }
-ONLY = {"io/scene/keys.cpp": {"tolerance", "max_iterations", "work"}}
+ONLY = {"io/scenes/reading/keys.cpp": {"tolerance", "max_iterations", "work"}}
 # Formulas of members' geometry, with nothing to decide.
-GEOMETRY = {"solvers/tension/second_order_cone.hpp", "solvers/tension/members.hpp"}
+GEOMETRY = {"solvers/strategies/tension/second_order_cone.hpp", "solvers/strategies/tension/members.hpp"}
 INDEX = re.compile(r"\[|std::size_t|axis|std::array|sizeof|char |squared\(|reserve\(")
 
 # A fragment of the line, what it is: no other number would do as well, or any other would.

@@ -3,7 +3,7 @@
 // What the exact tangent of drag is worth: iterations, factorisations and time to 1e-8 for the hanging panel
 // across a current, with the tangent of drag whole, its symmetric part alone, or left out. Times are of one
 // run on one machine: compare rows.
-#include "framework/problem/verdict.hpp"
+#include "framework/judging/verdict.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The model of work (framework/problem/work.hpp) against measured CPU time, on panels in still water and in a
+// The model of work (framework/balance/work.hpp) against measured CPU time, on panels in still water and in a
 // current and on a trawl: operations by the model over microseconds measured, which would be the same number
 // in all columns if the model were exact; and the price of each operation in factorisations, by the model
 // and as measured.
 //
 //   bench_work_model [LARGEST]    most unknowns of a scene; else 100 000
 #include "framework/assembler/assembler.hpp"
-#include "framework/problem/work.hpp"
+#include "framework/balance/work.hpp"
 #include "framework/registry/registry.hpp"
 #include "framework/scene/plan.hpp"
-#include "io/scene/read_scene.hpp"
-#include "io/toml/diagnostics.hpp"
+#include "io/scenes/reading/read_scene.hpp"
+#include "io/formats/toml/diagnostics.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nonsense for whoever reads a catalogue: each input is the one file of a folder of parts.
-#include "io/catalogue/catalogue.hpp"
+#include "io/gears/catalogue/catalogue.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,8 +2,8 @@
 // Nonsense for everything that reads gears and meshes of other programs. An input is a .don, a zero byte and
 // its .mdg; a .don alone, which is divided; a table of nodes and bars; a mooring; or a mesh of ours, of VTK
 // or an OBJ. What is imported must be a mesh that can be read again, in every format.
-#include "io/import/femnet_scene.hpp"
-#include "io/import/moordyn.hpp"
+#include "io/scenes/import/femnet_scene.hpp"
+#include "io/scenes/import/moordyn.hpp"
 
 #include <cstdint>
 #include <cstdlib>

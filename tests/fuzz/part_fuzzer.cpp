@@ -3,10 +3,10 @@
 // changed: records left out, repeated, of another kind, with other bytes in them, all with the right
 // checksums, and then bytes of the file. It is read and reported as a result, and a run goes on from it. What
 // HDF5 itself reads of a journal, the image of what was known at the start, stays whole.
-#include "io/dynamics/checkpoint.hpp"
-#include "io/hdf5/series_journal.hpp"
-#include "io/result/result_report.hpp"
-#include "io/result/tables.hpp"
+#include "io/results/motion/checkpoint.hpp"
+#include "io/formats/hdf5/series_journal.hpp"
+#include "io/results/text/result_report.hpp"
+#include "io/results/text/tables.hpp"
 #include "tests/fuzz/choices.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nonsense for everything that works on a net plan: each input is read, checked, drawn and made a gear of.
-#include "io/gear/check.hpp"
-#include "io/gear/drawing.hpp"
-#include "io/gear/gear.hpp"
-#include "io/gear/read_plan.hpp"
+#include "io/gears/plan/check.hpp"
+#include "io/gears/drawing/drawing.hpp"
+#include "io/gears/plan/gear.hpp"
+#include "io/gears/plan/read_plan.hpp"
 #include "tests/folders.hpp"
 
 #include <cstdint>

@@ -3,10 +3,10 @@
 // stay whole: each input says how a good result is changed through HDF5: objects and attributes removed,
 // renamed, replaced by others of another type or extent, numbers overwritten. Then it is read, reported and
 // drawn as any other.
-#include "io/mesh/mesh.hpp"
-#include "io/result/materials.hpp"
-#include "io/result/result_report.hpp"
-#include "io/result/tables.hpp"
+#include "io/formats/mesh/mesh.hpp"
+#include "io/results/file/materials.hpp"
+#include "io/results/text/result_report.hpp"
+#include "io/results/text/tables.hpp"
 #include "tests/fuzz/choices.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 

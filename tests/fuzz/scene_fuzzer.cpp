@@ -3,7 +3,7 @@
 // library at hand. What is read without an error is planned and assembled, if it is small.
 #include "framework/assembler/assembler.hpp"
 #include "framework/scene/plan.hpp"
-#include "io/scene/read_scene.hpp"
+#include "io/scenes/reading/read_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 

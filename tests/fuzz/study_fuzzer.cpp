@@ -2,9 +2,9 @@
 // Nonsense for whoever reads the files of a study. The first byte of an input says what the rest is: `m` a
 // manifest, `r` the record of an item, whose checksum is put right, so that it becomes a table and plots;
 // else a study file, which is planned if it is small.
-#include "io/files/whole_file.hpp"
-#include "io/sweep/manifest.hpp"
-#include "io/sweep/study_plots.hpp"
+#include "io/formats/files/whole_file.hpp"
+#include "io/studies/sweep/manifest.hpp"
+#include "io/studies/sweep/study_plots.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 
 #include <zlib.h>

@@ -1,21 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Does the repository keep its rules: folders, includes, names, links, lengths, words? Says every breach, one a line as
-# file:line, and exits 1 if there is any. Checks that are named on the command line are run beside those of the list.
+# file:line, and exits 1 if there is any. With names of checks (check_floors) it makes only those.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 rooms=(framework plugins solvers io)
 breaches=0
 
-checks=(check_top_level check_arrows check_floors check_readmes check_first_lines check_documents check_component_names
+checks=(check_top_level check_arrows check_floors check_doors check_readmes check_first_lines check_documents check_component_names
         check_linear_algebra check_function_lengths check_words check_promises check_one_definition)
 
 main() {
   local check
   mapfile -d '' -t files < <(list_files)
   ((${#files[@]})) || breach 'no files found: the check looks in the wrong place'
-  for check in "${checks[@]}" "$@"; do "$check"; done
+  (($# == 0)) || checks=("$@")
+  for check in "${checks[@]}"; do "$check"; done
   ((breaches == 0)) || { echo "$breaches breaches of the rules" && exit 1; }
   echo "${#files[@]} files keep the rules"
 }
@@ -47,16 +48,32 @@ check_arrows() {
   forbid_headers framework 'toml(\+\+|plusplus)?[./]|hdf5|H5|highfive/' 'no TOML and no HDF5 in the framework'
 }
 
-# Folders of the framework stand on one another in the order of the table in its README.
+# Folders of the framework, and wings of io, stand on one another in the order of the table in their README.
 check_floors() {
-  local folders=() above i
-  mapfile -t folders < <(grep -oE '^\| `[a-z]+/' framework/README.md | tr -d '|`/ ')
-  ((${#folders[@]} >= 5)) || breach 'framework/README.md: no table of folders found'
+  check_floors_of framework '^\| `[a-z]+/'
+  check_floors_of io '^\| \[`[a-z]+/'
+}
+
+# check_floors_of ROOM ROW: the table is the lines that begin as ROW, an expression, does.
+check_floors_of() {
+  local room=$1 folders=() above i
+  mapfile -t folders < <(grep -oE "$2" "$room/README.md" | tr -d '[|`/ ')
+  ((${#folders[@]} >= 8)) || breach "$room/README.md: no table of folders found"
   for ((i = 0; i + 1 < ${#folders[@]}; ++i)); do
-    [[ -d framework/${folders[i]} ]] || continue
+    [[ -d $room/${folders[i]} ]] || continue
     above=$(IFS='|' && echo "${folders[*]:i+1}")
-    forbid_headers "framework/${folders[i]}" "framework/($above)/" "the README of the framework has it below"
+    forbid_headers "$room/${folders[i]}" "$room/($above)/" "the README of $room has it below"
   done
+}
+
+# A wing of io includes of another only the headers that the README of that one names as its door.
+check_doors() {
+  local hit file header wing
+  while IFS= read -r hit; do
+    file=${hit%%:*} header=${hit##*\"io/} header=${header%%\"*} wing=${header%%/*}
+    [[ $file == io/$wing/* ]] || grep -qF "\`${header#*/}\`" "io/$wing/README.md" ||
+      breach "$file: includes io/$header, which the README of io/$wing does not name"
+  done < <(grep_in io/ '\.(hpp|cpp)$' -E '^#include "io/')
 }
 
 forbid_includes() { forbid_headers "$1" "(\.\./|netloft/)*($2)/" "$3"; }
@@ -146,9 +163,9 @@ check_component_names() {
 
 # Numerics belong to solvers and the framework; io hands problems on. Exempt, with the reason:
 numerics_of_io=(
-  io/gear/node_graph.cpp      # least squares for the initial shape of a net: geometry, before there is a problem
-  io/compare/polish.cpp       # brings a reference to the round-off floor, through the boundary that solvers have
-  io/cli/templates/solver/my_solver.cpp io/cli/templates/solver/my_solver_test.cpp  # a solver to begin with
+  io/gears/meshing/node_graph.cpp      # least squares for the initial shape of a net: geometry, before there is a problem
+  io/studies/compare/polish.cpp       # brings a reference to the round-off floor, through the boundary that solvers have
+  io/program/templates/solver/my_solver.cpp io/program/templates/solver/my_solver_test.cpp  # a solver to begin with
 )
 
 check_linear_algebra() {
@@ -252,7 +269,7 @@ tables_of_rows=(
   framework/conformance/solver_conformance.cpp:solver_table
   framework/conformance/integrator_conformance.cpp:integrator_table
   framework/conformance/strategy_conformance.cpp:strategy_table
-  solvers/tension/strategies.cpp:describe
+  solvers/strategies/tension/strategies.cpp:describe
 )
 
 # Words that were ours alone, and what the field calls them. Only forms that are no plain English are looked for.

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks the /VTKHDF group of result files against the VTKHDF 2.0 rules and Netloft's layout (io/hdf5/LAYOUT.md).
+"""Checks the /VTKHDF group of result files against the VTKHDF 2.0 rules and Netloft's layout (io/formats/hdf5/LAYOUT.md).
 
     check_vtkhdf.py FILE...      exit 0: every rule holds; 1: each broken rule on a line of its own
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the journal NAME.hdf.part of a motion as io/hdf5/LAYOUT.md describes it, independently of the program.
+"""Reads the journal NAME.hdf.part of a motion as io/formats/hdf5/LAYOUT.md describes it, independently of the program.
 
     journal.py FILE...      prints how many outputs each holds and how the motion stands
 """

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Rigid bodies against closed forms: at rest on a rope, swinging about a hinge, tumbling freely.
-#include "framework/problem/time_march.hpp"
+#include "framework/motion/time_march.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"
 

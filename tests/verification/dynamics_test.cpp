@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Time schemes on scenes of the gear library: orders by halving the step, energies, equilibria by dynamics.
-#include "io/case/case.hpp"
+#include "io/runs/case.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 

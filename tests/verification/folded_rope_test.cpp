@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "io/case/case.hpp"
-#include "io/report/run_result.hpp"
+#include "io/runs/case.hpp"
+#include "io/results/figures/run_result.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 

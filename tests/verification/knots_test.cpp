@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/case/case.hpp"
+#include "io/runs/case.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/scene/read_scene.hpp"
+#include "io/scenes/reading/read_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 

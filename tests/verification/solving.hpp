@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/problem/verdict.hpp"
+#include "framework/judging/verdict.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Winches that hold a tension in a motion, against closed forms, and what they do in the energy budget.
-#include "io/case/case.hpp"
+#include "io/runs/case.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 

@@ -31,7 +31,7 @@ class Gears(InFreshFolder):
                 self.assertIn(panel, texts)
 
     def test_the_plans_on_the_page_can_be_sewn(self):
-        page = (SOURCE / "io/gear/GEAR.md").read_text()
+        page = (SOURCE / "io/gears/GEAR.md").read_text()
         plans = re.findall(r"^```toml (\S+)\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
         self.assertEqual(len(plans), len(re.findall("^```toml", page, re.MULTILINE)), "every plan has a name")
         self.assertEqual(len(plans), 3)

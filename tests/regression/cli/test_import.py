@@ -81,7 +81,7 @@ class Imports(InFreshFolder):
         return ended.json()["results"]
 
     def test_the_table_on_its_page_is_two_ropes_and_a_weight(self):
-        page = (SOURCE / "io/import/TABLE.md").read_text()
+        page = (SOURCE / "io/scenes/import/TABLE.md").read_text()
         self.write("gear.csv", page.split("```csv\n")[1].split("```")[0])
         self.imported("table", "gear.csv")
         depth = -self.solved('z = { of = "rope.node-1", take = "z" }\n')["z"]

@@ -14,7 +14,7 @@ except ImportError:
     jsonschema = None
 
 SCENES = sorted((SOURCE / "gear-library" / "scenes").rglob("*.toml"))
-PAGE = SOURCE / "io" / "scene" / "SCENE.md"
+PAGE = SOURCE / "io" / "scenes" / "SCENE.md"
 
 
 def is_whole(scene):
@@ -114,7 +114,7 @@ class Schema(InFreshFolder):
         prose = re.sub(r"```.*?```", "", PAGE.read_text(), flags=re.S)
         words = set(re.findall(r"[\w-]+", " ".join(re.findall(r"`([^`]+)`", prose))))
         missing = sorted({key for key in keys_of(self.schema)} - words)
-        self.assertEqual(missing, [], "io/scene/SCENE.md does not speak of them")
+        self.assertEqual(missing, [], "io/scenes/SCENE.md does not speak of them")
 
 
 class Page(InFreshFolder):

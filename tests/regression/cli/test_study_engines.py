@@ -127,7 +127,7 @@ class Scripts(Engines):
 @unittest.skipUnless(SNAKEMAKE, "snakemake is not installed (Debian: snakemake)")
 class BySnakemake(Engines):
     def test_the_rule_of_the_page_computes_the_study(self):
-        page = (local_slurm.Path(os.environ["NETLOFT_SOURCE_DIR"]) / "io/sweep/STUDY.md").read_text()
+        page = (local_slurm.Path(os.environ["NETLOFT_SOURCE_DIR"]) / "io/studies/STUDY.md").read_text()
         rule = page.split("```python Snakefile\n")[1].split("```")[0]
         (self.folder / "Snakefile").write_text(rule.replace("speeds", "s"))
         shutil.rmtree(self.folder / "s.study")

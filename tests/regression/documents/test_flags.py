@@ -160,7 +160,7 @@ class Flags(unittest.TestCase):
                 self.assertIn(flag, {*known, *known.values()}, line)
 
     def test_the_table_of_solvers_has_the_parameters_that_the_program_has(self):
-        page = (SOURCE / "io/scene/SCENE.md").read_text()
+        page = (SOURCE / "io/scenes/SCENE.md").read_text()
         for solver in ("newton", "ptc", "relaxation", "lbfgs"):
             cell = re.search(rf"^\| `{solver}` \| (.*) \|$", page, re.MULTILINE)[1]
             listed = set(re.findall(r"`(\w+)`", cell))

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/command.hpp"
 
-#include "io/cli/commands.hpp"
-#include "io/cli/error_json.hpp"
-#include "io/cli/replaced_file.hpp"
-#include "io/cli/session.hpp"
-#include "io/cli/terminal.hpp"
-#include "io/cli/watchdog.hpp"
-#include "io/files/whole_file.hpp"
-#include "io/scene/dynamics.hpp"
+#include "io/program/session/commands.hpp"
+#include "io/program/session/error_json.hpp"
+#include "io/program/session/replaced_file.hpp"
+#include "io/program/session/session.hpp"
+#include "io/program/session/terminal.hpp"
+#include "io/program/session/watchdog.hpp"
+#include "io/formats/files/whole_file.hpp"
+#include "io/scenes/reading/dynamics.hpp"
 #include "tests/stability/suite/matrix.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/draw.hpp"
 
-#include "io/units/units.hpp"
+#include "io/formats/units/units.hpp"
 
 namespace netloft::hard_cases {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/toml/table_reader.hpp"
-#include "io/variables/dice.hpp"
+#include "io/formats/toml/table_reader.hpp"
+#include "io/scenes/water/dice.hpp"
 
 #include <map>
 #include <string>

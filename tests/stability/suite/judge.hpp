@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/problem/verdict.hpp"
+#include "framework/judging/verdict.hpp"
 #include "tests/stability/suite/suite.hpp"
 
 #include <array>
@@ -64,7 +64,7 @@ struct Ended {
   std::size_t unknowns = 0;
   bool conservative = true;  // energies tell which of two places is the better one
   /// The suite's own finding: the host's where forces have an energy, else by the growth of a disturbance
-  /// (framework/problem/growth.hpp), which is asked of every claim of success.
+  /// (framework/judging/growth.hpp), which is asked of every claim of success.
   Stability stability = Stability::unknown;
   bool out_of_budget = false;
   bool unfit = false;  // the solver needs what the problem does not have

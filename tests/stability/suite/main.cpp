@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/cli/command_line/program.hpp"
+#include "io/program/command_line/program.hpp"
 #include "tests/stability/suite/command.hpp"
 
 int main(int argc, char** argv) {

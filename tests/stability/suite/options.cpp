@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/options.hpp"
 
-#include "io/cli/command_line/shared.hpp"
+#include "io/program/command_line/shared.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/cli/options.hpp"
+#include "io/program/session/options.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/references.hpp"
 
-#include "io/files/whole_file.hpp"
+#include "io/formats/files/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/run.hpp"
 
-#include "framework/problem/growth.hpp"
+#include "framework/judging/growth.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/case/case.hpp"
+#include "io/runs/case.hpp"
 #include "tests/stability/suite/references.hpp"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/start.hpp"
 
-#include "io/variables/dice.hpp"
+#include "io/scenes/water/dice.hpp"
 
 #include <algorithm>
 #include <cmath>

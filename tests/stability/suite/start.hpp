@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/scene/scene.hpp"
-#include "io/toml/table_reader.hpp"
+#include "io/formats/toml/table_reader.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/suite.hpp"
 
-#include "io/toml/document.hpp"
+#include "io/formats/toml/document.hpp"
 #include "tests/stability/suite/draw.hpp"
 
 #include <algorithm>

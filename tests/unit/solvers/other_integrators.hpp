@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "framework/conformance/practice_motion.hpp"
-#include "io/case/case.hpp"
+#include "io/runs/case.hpp"
 #include "tests/folders.hpp"
-#include "tests/unit/framework/problem/oscillator.hpp"
+#include "tests/unit/framework/balance/oscillator.hpp"
 
 namespace netloft::test {
 

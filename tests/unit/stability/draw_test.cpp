@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/draw.hpp"
 
-#include "tests/unit/io/toml/scratch.hpp"
+#include "tests/unit/io/formats/toml/scratch.hpp"
 
 namespace netloft::hard_cases {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "framework/problem/growth.hpp"
+#include "framework/judging/growth.hpp"
 
-#include "io/case/case.hpp"
+#include "io/runs/case.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/start.hpp"
 
-#include "tests/unit/io/toml/scratch.hpp"
+#include "tests/unit/io/formats/toml/scratch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "tests/stability/suite/suite.hpp"
 
 #include "tests/folders.hpp"
-#include "tests/unit/io/toml/scratch.hpp"
+#include "tests/unit/io/formats/toml/scratch.hpp"
 
 #include <algorithm>
 #include <set>

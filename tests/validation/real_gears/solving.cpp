@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/validation/real_gears/solving.hpp"
-#include "framework/problem/time_march.hpp"
+#include "framework/motion/time_march.hpp"
 #include "tests/folders.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/bodies.hpp"
 
-#include "framework/problem/node_masses.hpp"
+#include "framework/motion/node_masses.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"

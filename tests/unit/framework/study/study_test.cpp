@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "framework/problem/work.hpp"
+#include "framework/balance/work.hpp"
 #include "framework/registry/hand_out.hpp"
 #include "framework/study/study_host.hpp"
 #include "solvers/factorisation/factorisation.hpp"

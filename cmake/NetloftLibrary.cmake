@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# netloft_library(NAME ROOMS folders… [ALONE sources…] [EXCEPT sources…] [PUBLIC libraries…] [PRIVATE libraries…]): a static
+# library of all sources in these folders of the calling one ("." is that one itself).
+#
+# With NETLOFT_UNITY each room is compiled as one source, because most sources take longer to read headers than for all
+# else: names without linkage have to be unique within a room. ALONE are sources that stay apart, because of options of
+# their own or of large headers. EXCEPT are those that the caller adds himself, or leaves out.
+include_guard(GLOBAL)
+
+function(netloft_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ROOMS;ALONE;EXCEPT;PUBLIC;PRIVATE")
+  add_library(${name} STATIC)
+  netloft_sources(${name} ROOMS ${arg_ROOMS} ALONE ${arg_ALONE} EXCEPT ${arg_EXCEPT})
+  target_link_libraries(${name} PUBLIC netloft_root ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+endfunction()
+
+# netloft_sources(TARGET ROOMS folders… [ENDING text] [ALONE sources…] [EXCEPT sources…]): the same for a target that is there
+# already; ENDING, .cpp by default, chooses its sources.
+function(netloft_sources target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ENDING" "ROOMS;ALONE;EXCEPT")
+  if(NOT arg_ENDING)
+    set(arg_ENDING .cpp)
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${NETLOFT_UNITY} UNITY_BUILD_MODE GROUP)
+  foreach(room IN LISTS arg_ROOMS)
+    file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${room}/*${arg_ENDING})
+    list(REMOVE_ITEM sources ${arg_EXCEPT} "")
+    string(MAKE_C_IDENTIFIER ${target}_${room} group)
+    set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${group})
+    target_sources(${target} PRIVATE ${sources})
+  endforeach()
+  if(arg_ALONE)
+    set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+endfunction()

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/balance/configuration.hpp"
+#include "framework/balance/factors.hpp"
+#include "framework/balance/limits.hpp"
+#include "framework/balance/matrices.hpp"
+#include "framework/balance/observer.hpp"
+#include "framework/balance/scales.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC, where all forces of a scene are.
+std::uint32_t traits_of(const Assembler& assembler);
+
+/// A solver with its parameters.
+struct SolverChoice {
+  const SolverType* type = nullptr;
+  const void* parameters = nullptr;
+};
+
+/// Lets `solver` work on a problem, and says on whose account as long as it does (plugin_call.hpp).
+netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem);
+
+/// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
+/// ones.
+struct Balance {
+  double residual = 0;        // largest nodal residual [N]
+  double scale = 0;           // largest nodal load [N]
+  std::uint32_t worst = 0;    // node of the largest residual
+  double floor = 0;           // what rounding of the positions is worth [N]
+  bool balanced = false;      // by convergence.hpp
+  bool at_round_off = false;  // but not within the tolerance
+
+  Convergence convergence() const {
+    if (!balanced) return Convergence::none;
+    return at_round_off ? Convergence::at_round_off : Convergence::within_tolerance;
+  }
+};
+
+/// The largest moves of a node from one accepted point to the next, summed up.
+class PathLength {
+ public:
+  /// [m], up to u.
+  double up_to(std::span<const double> u);
+
+ private:
+  std::vector<double> last_;  // u of the point before
+  double sum_ = 0;            // [m]
+};
+
+/// r(u) = 0 of a static scene, or of a step in time: what a solver sees, with the host's statistics behind
+/// it. Counts and times every call, and decides on convergence. Where nodes are, what is large, the matrices
+/// and their factors are parts with names of their own.
+class StaticProblem {
+ public:
+  StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits, Observer observer = {});
+
+  netloft_problem& interface() { return interface_; }
+  const Statistics& statistics() const { return statistics_; }
+  const std::vector<IterationRecord>& history() const { return history_; }
+  Stop stop() const { return stop_; }
+  const char* solver_message() const { return message_; }
+  /// Whether forces overflowed in the last evaluation.
+  bool met_bad_numbers() const { return bad_numbers_; }
+  /// The last evaluation ended with an element's error, which the assembler's fault tells.
+  bool met_error() const { return met_error_; }
+  void keep_message(const char* text);
+  std::string factorisation_name() const { return factors_.description(); }
+  const FactorResult& last_factor() const { return factors_.last_result(); }
+
+  /// Residual over all dofs and energy at displacements u, computed anew. False: it met bad numbers, or see
+  /// the assembler's fault.
+  bool recompute(std::span<const double> u, std::vector<double>& x, std::vector<double>& residual,
+                 double& energy);
+  Balance balance(std::span<const double> x, std::span<const double> residual);
+  /// A balance as convergence.hpp judges it.
+  Imbalance imbalance_of(const Balance& b);
+  Scales& scales() { return scales_; }
+  const Scales& scales() const { return scales_; }
+  /// From now on this step is the problem, until the next.
+  void begin(const StepProblem& step);
+  /// From now on u counts from positions `base`, where the problem is all but solved (Configuration).
+  void count_from(std::vector<double> base);
+  /// Over all dofs at u [m].
+  const std::vector<double>& positions(std::span<const double> u);
+  /// What those of the last evaluation round off [m]; empty where displacements count from the start.
+  const std::vector<double>& low_digits() const { return configuration_.low_digits(); }
+  /// The next solution starts without a factor, as if nothing had been solved before.
+  void forget_factor() { factors_.forget(); }
+  bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
+  /// The linear stiffness is evaluated anew when it is next needed: what elements are made of has changed.
+  void forget_metric() { matrices_.forget_metric(); }
+  /// The exact tangent at u, factorised with `shift` times the metric.
+  netloft_factor factorise_at(std::span<const double> u, double shift);
+
+ private:
+  int evaluate(std::uint32_t want, const double* u, double* energy, double* residual);
+  int evaluate_both(const double* u, double* energy, double* residual, double* gradient);
+  int factorise(int matrix, double shift);
+  int factorise_between(double share, double shift);
+  int solve(const double* rhs, double* x);
+  int multiply(int matrix, double shift, const double* x, double* y);
+  int row_sums(int matrix, double shift, double* y);
+  int progress(const double* u, double energy, const double* residual, const char* note);
+  double step_length(const double* du) const;
+
+  std::size_t size() const { return u_.size(); }
+  Request begin_evaluation(const double* u, double* energy);
+  int find_forces(const Request& request, const double* u, double* residual, double* gradient = nullptr);
+  netloft_factor factorise_sum(std::span<const double> sum, bool may_be_indefinite);
+  void find_reactions(const double* u, const double* residual);
+  void keep_record(const Balance& b, double energy, const char* note);
+  Stop stop_at(std::span<const double> u, bool has_arrived);
+  bool does_not_settle(std::span<const double> u);
+  bool has_run_away(std::span<const double> x) const;
+  double rounding_at(std::int32_t unknown, std::span<const double> x) const;
+
+  Assembler& assembler_;
+  Limits limits_;
+  Observer observer_;
+  netloft_problem interface_{};
+  Statistics statistics_;
+  Scales scales_;
+  Configuration configuration_;
+  Matrices matrices_;
+  Factors factors_;
+  std::vector<IterationRecord> history_;
+  Stop stop_ = Stop::none;
+  int iterations_before_ = 0;  // of steps that are done
+  PathLength path_;
+  bool bad_numbers_ = false, met_error_ = false;
+  double begun_ = 0, begun_cpu_ = 0;  // [s]
+  char message_[256] = "";
+  std::vector<double> u_, residual_, gradient_;
+  std::vector<double> reactions_of_;  // u that the reactions in residual_ are of; empty: of none
+};
+
+}  // namespace netloft

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/balance/work.hpp"
+
+#include "framework/assembler/assembler.hpp"
+
+#include <cmath>
+
+namespace netloft {
+
+namespace {
+
+// a, b, c, d of (3) and (4), as measured by tests/bench/work_model.cpp.
+constexpr double kPerEntry = 20, kPerEntryOfCholesky = 250, kPerResidual = 4, kPerMatrix = 12;
+
+struct FactorSize {
+  double flops = 0, entries = 0;
+};
+
+FactorSize estimate_factor(const SparsePattern& pattern) {
+  const double nodes = std::max(2.0, pattern.size / 3.0), sides = pattern.symmetric ? 1 : 2;
+  return {sides * 27 * 2 * 829.0 / 84 * std::pow(nodes, 1.5),
+          sides * 9 * 31.0 / 4 * nodes * std::log2(nodes)};
+}
+
+FactorSize analyse_factor(const SparsePattern& pattern, const MakeFactorisation& make) {
+  const auto factorisation =
+      make(pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+  factorisation->analyse(pattern);
+  const FactorSize size{factorisation->factor_flops(), factorisation->factor_entries()};
+  return size.flops > 0 ? size : estimate_factor(pattern);
+}
+
+/// S.
+double size_of_elements(const Assembler& assembler) {
+  double sum = 0;
+  for (const auto& family : assembler.families()) {
+    const double dofs = family->type().dofs();
+    sum += static_cast<double>(family->size() * family->active_terms().size()) * dofs * dofs;
+  }
+  return sum;
+}
+
+}  // namespace
+
+WorkModel make_work_model(const Assembler& assembler, const MakeFactorisation& make) {
+  if (assembler.pattern().size == 0) return {};
+  const FactorSize factor = analyse_factor(assembler.pattern(), make);
+  const double elements = size_of_elements(assembler);
+  WorkModel model;
+  const double per_entry = assembler.pattern().symmetric ? kPerEntryOfCholesky : kPerEntry;
+  model.factorisation = factor.flops + per_entry * factor.entries;  // (3)
+  model.solution = kPerEntry * factor.entries;                      // (4)
+  model.residual = kPerResidual * elements;
+  model.matrix = kPerMatrix * elements;
+  model.unit = model.of_iteration();
+  return model;
+}
+
+}  // namespace netloft

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/judging/assessment.hpp"
+
+#include "framework/judging/correction.hpp"
+#include "framework/judging/growth.hpp"
+#include "framework/judging/reasons.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace netloft {
+
+namespace {
+
+/// A direction is neutral when the linear stiffness times what a matrix rounds off makes it stable.
+Stability find_stability(StaticProblem& problem, std::span<const double> u) {
+  if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
+  const netloft_factor shifted = problem.factorise_at(u, kRoundingOfMatrix);
+  if (shifted == NETLOFT_FACTOR_OK) return Stability::neutral;
+  return shifted == NETLOFT_NOT_POSITIVE ? Stability::unstable : Stability::unknown;
+}
+
+bool is_convex_at(StaticProblem& problem, std::span<const double> u) {
+  const Stability stability = find_stability(problem, u);
+  return stability == Stability::stable || stability == Stability::neutral;
+}
+
+/// Where the solver finds no way on, at a convex place, and the host none either: its own step of Newton's
+/// leads away from balance, for what is slack here is taut there, and what it would gain,
+///   g = ½ r·K⁻¹ r,                                                                        (1)
+/// is next to nothing (convergence.hpp).
+bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<double> u) {
+  if (!problem.conservative() || !has_nothing_to_gain(problem.imbalance_of(a.balance), 0, 1) ||
+      !is_convex_at(problem, u))
+    return false;
+  std::vector<double> step(u.size()), x, residual;
+  if (!solve_for_correction(problem, a.residual, step)) return false;
+  const double gain = -0.5 * std::inner_product(step.begin(), step.end(), a.residual.begin(), 0.0);
+  if (!has_nothing_to_gain(problem.imbalance_of(a.balance), gain, problem.scales().gear_size())) return false;
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
+  double energy = 0;
+  return !problem.recompute(u, x, residual, energy) ||
+         problem.balance(x, residual).residual > a.balance.residual;
+}
+
+/// Estimates how far u is from the equilibrium; the factor that its stability was found by is used again.
+void find_correction(Assessment& a, StaticProblem& problem, const AssembledScene& scene,
+                     std::vector<double> u) {
+  std::vector<double> step(u.size());
+  const bool has_factor =
+      problem.conservative() && (a.stability == Stability::stable || a.stability == Stability::neutral);
+  if (!(has_factor ? solve_for_correction(problem, a.residual, step)
+                   : find_correction(problem, u, a.residual, step)))
+    return;
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
+  a.correction.x = problem.positions(u);
+  a.correction.x_low = problem.low_digits();
+  std::vector<double> way(a.x.size());
+  for (std::size_t i = 0; i < way.size(); ++i) way[i] = a.correction.x[i] - a.x[i];
+  if (!a.x_low.empty())
+    for (std::size_t i = 0; i < way.size(); ++i) way[i] += a.correction.x_low[i] - a.x_low[i];
+  a.correction.length =
+      largest_node_distance(scene.scene, scene.assembler.numbering(), std::vector<double>(way.size()), way);
+}
+
+Stability stability_of(GrowthVerdict verdict) {
+  switch (verdict) {
+    case GrowthVerdict::none:
+      return Stability::stable;
+    case GrowthVerdict::marginal:
+      return Stability::marginal;
+    case GrowthVerdict::grows:
+      return Stability::unstable;
+    default:
+      return Stability::unknown;
+  }
+}
+
+/// Of a gear that has come to rest at x: what moves on from there is resisted by friction with that past, not
+/// with the one before the gear came there.
+Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double gear_size) {
+  Assembler& assembler = scene.assembler;
+  const std::vector<double> past = assembler.memory();
+  if (!assembler.remember(a.x)) return {.verdict = GrowthVerdict::unknown};
+  Growth growth = find_growth(assembler, rest_place(a, gear_size), scene.make);
+  assembler.set_memory(past);
+  return growth;
+}
+
+/// Where forces have no energy.
+void find_what_grows(Assessment& a, const AssembledScene& scene, double gear_size) {
+  Growth growth = find_growth_at_rest(scene, a, gear_size);
+  a.stability = stability_of(growth.verdict);
+  a.judging.add(growth.cost);
+  if (!growth.grows()) return;
+  if (growth.swings()) a.stability = Stability::swinging;
+  a.growing = {std::move(growth.mode), std::move(growth.mode_later), growth.rate, growth.frequency};
+}
+
+/// Whether `a` is the equilibrium that was judged: they are in one place, and the estimated errors of both,
+/// which are distances from the equilibrium, reach from one to the other.
+bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem& problem,
+             const AssembledScene& scene) {
+  const Assessment& before = judged.assessment;
+  if (before.x.size() != a.x.size() || judged.memory != scene.assembler.memory()) return false;
+  const double apart = largest_node_distance(scene.scene, scene.assembler.numbering(), before.x, a.x);
+  return apart == 0 || (apart <= before.correction.length + a.correction.length &&
+                        apart <= kSamePlace * problem.scales().gear_size());
+}
+
+/// What is left open is asked again.
+bool is_decided(Stability s) {
+  return s == Stability::stable || s == Stability::swinging || s == Stability::unstable;
+}
+
+void take_stability(Assessment& a, const Assessment& of) {
+  a.stability = of.stability;
+  a.growing = of.growing;
+}
+
+/// Where the solver ended there are no forces, or none that are numbers.
+void judge_without_forces(Assessment& a, const StaticProblem& problem, const AssembledScene& of) {
+  const auto& [scene, assembler, make] = of;
+  if (!problem.met_bad_numbers()) {
+    a.at_fault = assembler.fault_place(scene);
+    a.reason = "the solver ended at a state without forces: " + assembler.fault_sentence(scene);
+    return;
+  }
+  std::size_t first = 0;
+  while (first + 1 < a.residual.size() && std::isfinite(a.residual[first])) ++first;
+  a.at_fault = assembler.node_name(scene, assembler.numbering().node(Dof(first)));
+  a.reason = "the solver ended at a state where forces overflowed, such as at " + a.at_fault;
+}
+
+SolveStatus status_of(const Assessment& a, const StaticProblem& problem, const Judging& how) {
+  const bool is_refused =
+      a.stability == Stability::unstable || (a.stability == Stability::swinging && !how.accept_swinging);
+  if (a.balance.balanced) return is_refused ? SolveStatus::unstable : SolveStatus::converged;
+  return problem.stop() == Stop::interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
+}
+
+/// Where the tangent of an energy was first found not to be positive definite.
+std::string first_not_convex(const StaticProblem& problem, const Assembler& assembler, const Scene& scene) {
+  return "its tangent is not positive definite, first met at " +
+         assembler.node_name(scene,
+                             assembler.numbering().node(Dof(std::max(0, problem.last_factor().column))));
+}
+
+/// Counts of `now` that `before` had not.
+Statistics since(const Statistics& before, const Statistics& now) {
+  Statistics b;
+  b.energies = now.energies - before.energies;
+  b.residuals = now.residuals - before.residuals;
+  b.matrices = now.matrices - before.matrices;
+  b.solves = now.solves - before.solves;
+  b.factorisations = now.factorisations - before.factorisations;
+  b.refused_factorisations = now.refused_factorisations - before.refused_factorisations;
+  return b;
+}
+
+}  // namespace
+
+Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judging& how,
+                  std::span<const double> u, netloft_outcome outcome) {
+  const auto& [scene, assembler, make] = of;
+  const Statistics before = problem.statistics();
+  const std::string ending = why_it_ended(outcome, problem, assembler, scene);
+  Assessment a;
+  const bool evaluated = problem.recompute(u, a.x, a.residual, a.energy);
+  a.x_low = problem.low_digits();
+  if (!evaluated) {
+    judge_without_forces(a, problem, of);
+    a.judging = since(before, problem.statistics());
+    return a;
+  }
+  a.balance = problem.balance(a.x, a.residual);
+  if (outcome == NETLOFT_STEP_TOO_SHORT && !a.balance.balanced)
+    a.balance.balanced = a.balance.at_round_off = no_step_helps(a, problem, {u.begin(), u.end()});
+  std::string why_unstable;
+  bool is_known = false;
+  if (a.balance.balanced && problem.conservative()) {
+    a.stability = find_stability(problem, u);
+    why_unstable = first_not_convex(problem, assembler, scene);
+  }
+  if (a.balance.balanced) find_correction(a, problem, of, {u.begin(), u.end()});
+  if (a.balance.balanced && !problem.conservative() && how.ask_growth) {
+    is_known = how.known && is_same(*how.known, a, problem, of);
+    if (is_known)
+      take_stability(a, how.known->assessment);
+    else
+      find_what_grows(a, of, problem.scales().gear_size());
+    why_unstable = what_grows(a, assembler, scene);
+  }
+  a.status = status_of(a, problem, how);
+  const std::string worst = assembler.node_name(scene, a.balance.worst);
+  a.at_fault = a.growing.mode.empty() ? worst : where_it_grows(a, assembler, scene);
+  a.reason = reason_of(a, ending, worst, why_unstable);
+  if (how.known && !is_known && is_decided(a.stability)) *how.known = {a, assembler.memory()};
+  a.judging.add(since(before, problem.statistics()));
+  return a;
+}
+
+RestPlace rest_place(const Assessment& a, double gear_size) {
+  const double reach = kSamePlace * gear_size;
+  return {.x = a.x,
+          .x_low = a.x_low,
+          .after = a.correction.x,
+          .after_low = a.correction.x_low,
+          .share = a.correction.length > reach ? reach / a.correction.length : 1};
+}
+
+Assessment assess_static(const AssembledScene& scene, std::span<const double> u, const Limits& limits) {
+  StaticProblem problem(scene.assembler, scene.make, limits);
+  return assess(problem, scene, limits.judging, u, NETLOFT_STOPPED);
+}
+
+const char* name_of(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::converged:
+      return "converged";
+    case SolveStatus::unstable:
+      return "unstable";
+    case SolveStatus::interrupted:
+      return "interrupted";
+    default:
+      return "not converged";
+  }
+}
+
+const char* name_of(Stability stability) {
+  switch (stability) {
+    case Stability::stable:
+      return "stable";
+    case Stability::neutral:
+      return "neutral";
+    case Stability::marginal:
+      return "marginal";
+    case Stability::swinging:
+      return "swinging";
+    case Stability::unstable:
+      return "unstable";
+    default:
+      return "unknown";
+  }
+}
+
+}  // namespace netloft

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/judging/growth.hpp"
+
+#include "framework/judging/arnoldi.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <utility>
+
+namespace netloft {
+
+namespace {
+
+// σ of (4): the least, and by how much another is tried where it is an eigenvalue: any other will do. What is
+// slower than 1e-4/s, tenfold in six hours, is not seen.
+constexpr double kLeastSigma = 1e-3, kAside = 1.3;
+// Steps of Arnoldi's, and as many again if these do not tell; powers over which growth is measured, and how
+// often at most.
+constexpr int kSteps = 24;
+// How far beyond the unit circle a Ritz value is looked at: half of where the band (6) ends with σ kOff times
+// off |s|, a fifth of what it is at its best. Growth by powers that still falls by this from one measure to
+// the next may be passing.
+constexpr double kBeyond = (kGrows - 1) / kOff;
+// c of (6) where the band of marginal growth ends.
+constexpr double kLeastShare = (kGrows * kGrows - 1) / (kGrows * kGrows + 1);
+
+using Vector = Eigen::VectorXd;
+using Complex = std::complex<double>;
+
+/// A vector under powers of A, kept at length 1.
+class Powers {
+ public:
+  Powers(Cayley& A) : A_(A), z_(A.start()) {}
+
+  /// Growth per power, averaged over so many.
+  double grow(int powers) {
+    double logarithm = 0;
+    for (int k = 0; k < powers; ++k) {
+      z_ = A_ * z_;
+      const double length = std::sqrt(z_.dot(A_.weighed(z_)));
+      if (!std::isfinite(length)) return std::numeric_limits<double>::infinity();
+      if (length == 0) return 0;
+      logarithm += std::log(length);
+      z_ /= length;
+    }
+    return std::exp(logarithm / powers);
+  }
+
+  GrowthVerdict judge() {
+    double before = grow(kSteps), growth = grow(kSteps);
+    for (int measure = 1; growth > kGrows && measure < kSteps; ++measure) {
+      before = std::exchange(growth, grow(kSteps));
+      if (growth > (1 - kBeyond) * before) return GrowthVerdict::grows;
+    }
+    return growth > kGrows ? GrowthVerdict::marginal : GrowthVerdict::none;
+  }
+  const Vector& vector() const { return z_; }
+
+ private:
+  Cayley& A_;
+  Vector z_;
+};
+
+/// The largest entry of y has no imaginary part then.
+void take_mode(const Eigen::VectorXcd& y, Growth& g) {
+  Eigen::Index largest = 0;
+  y.cwiseAbs2().maxCoeff(&largest);
+  const Eigen::VectorXcd turned = y / y[largest];
+  const double length = turned.real().norm();
+  const Vector now = turned.real() / length, later = turned.imag() / length;
+  g.mode.assign(now.begin(), now.end());
+  if (g.frequency > 0) g.mode_later.assign(later.begin(), later.end());
+}
+
+Growth growth_of(const RitzPair& pair, const Cayley& A) {
+  const Complex s = A.rate(pair.theta);
+  const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
+  if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};  // powers saw it grow
+  Growth g{.verdict = GrowthVerdict::grows};
+  const double c = std::min(1.0, s.real() / std::abs(s));
+  g.per_power = std::sqrt((1 + c) / (1 - c));  // (6)
+  g.rate = s.real();
+  g.frequency = std::abs(s.imag());
+  take_mode(y, g);
+  const bool is_for_damping_to_tell = !A.is_damped() && g.swings();
+  if (g.per_power <= kGrows || is_for_damping_to_tell || A.is_in_doubt(s, y)) {
+    g.verdict = GrowthVerdict::marginal;
+    g.per_power = std::min(g.per_power, kGrows);
+  }
+  return g;
+}
+
+/// Where the largest Ritz value is not known.
+Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
+  Powers powers(A);
+  const GrowthVerdict verdict = powers.judge();
+  if (verdict != GrowthVerdict::grows) return {.verdict = verdict};
+  arnoldi.begin(powers.vector());
+  arnoldi.extend(kSteps);
+  return growth_of(arnoldi.outermost(kBeyond), A);
+}
+
+/// With the residual that A itself leaves: rounding keeps that of the recurrence, which is as small, from
+/// holding.
+RitzPair checked(Cayley& A, RitzPair pair) {
+  const Vector real = pair.vector.real(), imaginary = pair.vector.imag();
+  Eigen::VectorXcd rest = -pair.theta * pair.vector;
+  rest.real() += A * real;
+  rest.imag() += A * imaginary;
+  const auto square = [&](const Vector& z) { return z.dot(A.weighed(z)); };
+  const double ratio = (square(rest.real()) + square(rest.imag())) / (square(real) + square(imaginary));
+  pair.residual = ratio >= 0 ? std::max(pair.residual, std::sqrt(ratio)) : RitzPair{}.residual;
+  return pair;
+}
+
+/// For the σ that A has.
+Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
+  arnoldi.begin(A.start());
+  for (const int steps : {kSteps, 2 * kSteps}) {
+    arnoldi.extend(steps);
+    const RitzPair pair = arnoldi.outermost(kBeyond);
+    if (std::isnan(pair.beyond())) return {.verdict = GrowthVerdict::unknown};
+    if (pair.beyond() <= kBeyond) return {};
+    if (pair.is_known() && checked(A, pair).is_known()) return growth_of(pair, A);
+  }
+  return growth_by_powers(A, arnoldi);
+}
+
+double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
+
+/// Steps to the greatest σ, the first that is as fast as what may grow: it sees kOff times as far.
+int steps_of_sigma(double fastest) {
+  int steps = 0;
+  while (sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;
+  return steps;
+}
+
+}  // namespace
+
+Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make) {
+  Growth most;
+  Statistics cost;
+  if (is_stable_by_energy(pattern, motion, make, cost)) return {.cost = cost};
+  const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
+  factorisation->analyse(pattern);
+  Cayley A(pattern, motion, *factorisation, cost);
+  Arnoldi arnoldi(A);
+  const auto is_decided = [&] {
+    return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
+  };
+  // What swings does not hide what diverges more slowly.
+  for (int step = steps_of_sigma(fastest_growth(pattern, motion, kLeastShare)); step >= 0 && !is_decided();
+       --step) {
+    const double sigma = sigma_at(step);
+    Growth growth{.verdict = GrowthVerdict::unknown};
+    if (A.set(sigma) || A.set(kAside * sigma)) growth = growth_by(A, arnoldi);
+    const bool diverges = growth.grows() && !growth.swings();
+    if (growth.verdict > most.verdict || diverges) most = std::move(growth);
+  }
+  most.cost = cost;
+  return most;
+}
+
+Growth find_growth(Assembler& assembler, const RestPlace& place, const MakeFactorisation& make) {
+  LinearMotion motion;
+  if (!linearise(assembler, place, motion)) return {.verdict = GrowthVerdict::unknown};
+  Growth growth = find_growth(assembler.pattern(), motion, make);
+  growth.cost.matrices += kMatricesOfMotion;
+  return growth;
+}
+
+}  // namespace netloft

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/judging/reasons.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace netloft {
+
+namespace {
+
+std::string newtons(double force) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g N", force);
+  return text;
+}
+
+std::string seconds(double time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g s", time);
+  return text;
+}
+
+std::string what_rounds(const Assessment& a) { return a.x_low.empty() ? "positions" : "elements' lengths"; }
+
+std::string why_not_balanced(const Assessment& a) {
+  if (a.balance.residual > a.balance.floor) return "";
+  return "; rounding of the " + what_rounds(a) + " alone is worth " + newtons(a.balance.floor) +
+         ": its stiffness is too high for what it carries";
+}
+
+std::string why_round_off(const Assessment& a) {
+  if (!a.balance.at_round_off) return "";
+  if (a.balance.residual <= a.balance.floor)
+    return "; at the round-off of the " + what_rounds(a) + ", which the tolerance is below";
+  return "; no step brings it closer, and what one could gain is below the rounding of the energy";
+}
+
+std::string what_of_stability(const Assessment& a) {
+  if (a.stability == Stability::neutral)
+    return "; something in it can move without any force (slack netting or rope)";
+  if (a.stability == Stability::marginal)
+    return "; it is close to where small disturbances begin to grow: whether they do is not certain";
+  return "";
+}
+
+std::string why_it_stopped(const StaticProblem& problem) {
+  switch (problem.stop()) {
+    case Stop::iterations:
+      return "the limit of " + std::to_string(problem.statistics().iterations) + " iterations was reached";
+    case Stop::time:
+      return kTimeIsOver;
+    case Stop::work:
+      return "its budget of work was used up";
+    case Stop::interrupted:
+      return "interrupted";
+    case Stop::ran_away:
+      return "it runs away: nothing holds what drives it";
+    case Stop::unsettled:
+      return "it goes on moving and does not come to rest";
+    default:
+      return "the solver stopped by itself";
+  }
+}
+
+/// How far each node goes in what grows.
+std::vector<double> node_moves(const Assessment& a, const Assembler& assembler) {
+  std::vector<double> squares;
+  for (const auto* u : {&a.growing.mode, &a.growing.mode_later})
+    for (std::size_t i = 0; i < u->size(); ++i) {
+      const std::size_t node = assembler.numbering().node(Dof(i));
+      if (node >= squares.size()) squares.resize(node + 1, 0.0);
+      squares[node] += (*u)[i] * (*u)[i];
+    }
+  for (double& square : squares) square = std::sqrt(square);
+  return squares;
+}
+
+std::uint32_t furthest(const std::vector<double>& moves) {
+  return static_cast<std::uint32_t>(std::max_element(moves.begin(), moves.end()) - moves.begin());
+}
+
+}  // namespace
+
+std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
+                         const Scene& scene) {
+  switch (outcome) {
+    case NETLOFT_STOPPED:
+      return why_it_stopped(problem);
+    case NETLOFT_STEP_TOO_SHORT:
+      return "no step brings it closer to balance" +
+             (assembler.fault().status == NETLOFT_OUTSIDE_DOMAIN
+                  ? ", and some led to a state without forces: " + assembler.fault_sentence(scene)
+                  : std::string());
+    case NETLOFT_LINEAR_SOLVE: {
+      if (problem.last_factor().status == FactorStatus::out_of_memory)
+        return "there is not enough memory, or room in files, for the factor of its matrix";
+      const auto column = problem.last_factor().column;
+      return "the tangent stiffness is singular" +
+             (column >= 0
+                  ? ", first met at " + assembler.node_name(scene, assembler.numbering().node(Dof(column)))
+                  : std::string());
+    }
+    case NETLOFT_LEFT_DOMAIN:
+      return problem.met_bad_numbers() ? "forces overflowed"
+                                       : "a state without forces was met: " + assembler.fault_sentence(scene);
+    case NETLOFT_NOT_FINITE:
+      return "forces overflowed";
+    default:
+      if (problem.met_error()) return "an element failed: " + assembler.fault_sentence(scene);
+      return std::string("the solver failed") +
+             (problem.solver_message()[0] ? std::string(": ") + problem.solver_message() : "");
+  }
+}
+
+std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
+  std::string text = "a small disturbance grows";
+  if (a.growing.rate > 0) text += " tenfold in " + seconds(std::log(10) / a.growing.rate);
+  if (flutters(a))
+    text += ", swinging with a period of " + seconds(2 * std::numbers::pi / a.growing.frequency);
+  if (a.growing.mode.empty()) return text;
+  const auto moves = node_moves(a, assembler);
+  const double most = moves[furthest(moves)];
+  const auto many =
+      std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= 0.1 * most; });
+  return text + ", most at " + where_it_grows(a, assembler, scene) + "; " + std::to_string(many) + " of " +
+         std::to_string(moves.size()) + " nodes move a tenth as far or more";
+}
+
+std::string where_it_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
+  return assembler.node_name(scene, furthest(node_moves(a, assembler)));
+}
+
+std::string balance_text(const Balance& balance, const std::string& worst) {
+  return "largest residual " + newtons(balance.residual) + " at " + worst + ", largest load " +
+         newtons(balance.scale);
+}
+
+std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
+                      const std::string& why_unstable) {
+  const std::string balance = balance_text(a.balance, worst);
+  if (!a.balance.balanced) return ending + "; " + balance + why_not_balanced(a);
+  const std::string balanced = balance + why_round_off(a) + what_of_stability(a);
+  if (a.stability == Stability::swinging && a.status == SolveStatus::converged)
+    return balanced + "; it does not rest there: " + why_unstable;
+  if (a.status != SolveStatus::unstable) return balanced;
+  return "a stationary point, but not a stable one: " + why_unstable + "; " + balanced;
+}
+
+}  // namespace netloft

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/judging/assessment.hpp"
+
+namespace netloft {
+
+constexpr const char* kTimeIsOver = "the time limit was reached";
+
+/// Why a solver returned, as a sentence: "the limit of 300 iterations was reached".
+std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
+                         const Scene& scene);
+
+/// "a small disturbance grows tenfold in 2.3 s, swinging with a period of 5.9 s, most at net node 4; 12 of
+/// 900 nodes move a tenth as far or more"
+std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
+
+/// The node that what grows moves furthest. Something must grow.
+std::string where_it_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
+
+/// The sentence on an assessment whose status and stability are known. `ending` is why the solver returned,
+/// `why_unstable` what says that it is not stable.
+std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
+                      const std::string& why_unstable);
+
+/// "largest residual 3.2e-05 N at net node 4, largest load 120 N"
+std::string balance_text(const Balance& balance, const std::string& worst);
+
+}  // namespace netloft

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/motion/achieved_accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft {
+
+namespace {
+
+// Steps of the march that another one is compared with, over its own: longer where they may be.
+constexpr double kLonger = 2, kShorter = 0.5;
+// By how much the mean steps of both must differ: what is alike cannot tell how far it is off.
+constexpr double kTold = 0.1;
+
+}  // namespace
+
+MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability) {
+  MarchSettings s = settings;
+  s.check = s.judged = false;
+  s.pace = is_bounded_by_stability ? kShorter : kLonger;
+  if (s.step > 0) s.step *= s.pace;
+  s.longest_step *= s.pace;
+  s.output_interval *= s.pace;
+  return s;
+}
+
+void note_step_error(const StepControl& control, const Numbering& numbering, std::span<const double> error,
+                     double t, MarchState& state) {
+  const double largest = control.error_over_tolerated(error) * control.allowed();
+  state.error_sum += largest;
+  if (largest <= state.largest_error) return;
+  state.largest_error = largest;
+  state.largest_at = t;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < error.size(); ++i)
+    if (std::abs(error[i]) > std::abs(error[worst])) worst = i;
+  state.largest_of = numbering.node(Dof(worst));
+}
+
+void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
+                     double longer, MarchState& state) {
+  if (!(std::abs(longer - 1) >= kTold)) return;  // nor where it is not known
+  for (std::size_t i = 0; i < here.size(); i += 3) {
+    const double apart =
+        std::hypot(here[i] - there[i], here[i + 1] - there[i + 1], here[i + 2] - there[i + 2]);
+    const double error = apart == 0 ? 0 : apart / std::min(1.0, std::abs(longer - 1));  // (1)
+    if (!(error <= state.path_error)) {
+      state.path_error = error;
+      state.path_at = t;
+      state.path_of = i / 3;
+    }
+  }
+}
+
+AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings& settings,
+                                   const StepControl& control, const MarchState& state,
+                                   const std::string& why_lost) {
+  AchievedAccuracy a{
+      .asked = settings.accuracy, .element = control.element_size(), .allowed = control.allowed()};
+  a.largest = state.largest_error;
+  a.t = state.largest_at;
+  a.sum = state.error_sum;
+  if (a.largest > 0) a.node = of.assembler.node_name(of.scene, static_cast<std::uint32_t>(state.largest_of));
+  if (!settings.check) return a;
+  a.is_checked = true;
+  a.path = state.path_error / control.element_size();
+  a.path_at = state.path_at;
+  a.path_of =
+      std::isfinite(a.path) ? of.scene.node_name(static_cast<std::uint32_t>(state.path_of)) : why_lost;
+  return a;
+}
+
+}  // namespace netloft

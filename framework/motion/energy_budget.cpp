@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/motion/energy_budget.hpp"
+
+#include <netloft/vectors.hpp>
+
+#include <algorithm>
+
+namespace netloft {
+
+namespace {
+
+/// What resists a rate and no flow of water; it has no memory, so that any point can be asked.
+bool is_damper(const netloft_term& term) {
+  return (term.traits & NETLOFT_READS_VELOCITY) && (term.traits & NETLOFT_NEEDS_MOTION) &&
+         !(term.traits & (NETLOFT_NEEDS_FLOW | NETLOFT_READS_GROUND));
+}
+
+}  // namespace
+
+EnergyBudget::EnergyBudget(Assembler& assembler, double mass_damping)
+    : assembler_(assembler),
+      state_(assembler, 0),
+      mass_damping_(mass_damping),
+      is_guided_(assembler.is_guided()),
+      zero_(static_cast<std::size_t>(assembler.numbering().unknowns()), 0.0),
+      scratch_(assembler.numbering().dofs()) {
+  const auto account = [](std::vector<Account>& all, const std::string& name) -> Account& {
+    for (auto& a : all)
+      if (a.name == name) return a;
+    return all.emplace_back(Account{name, {}});
+  };
+  for (std::size_t f = 0; f < assembler.families().size(); ++f)
+    for (std::size_t t = 0; t < assembler.families()[f]->active_terms().size(); ++t) {
+      const netloft_term& term = assembler.families()[f]->active_terms()[t];
+      reads_time_ |= (term.traits & (NETLOFT_READS_TIME | NETLOFT_READS_WAVES)) != 0;
+      Account& to = term.traits & NETLOFT_READS_ACCELERATION ? inertia_
+                    : term.traits & NETLOFT_CONSERVATIVE     ? account(stored_, term.name)
+                                                             : account(work_, term.name);
+      to.terms.emplace_back(f, t);
+      to.in_the_middle |= is_damper(term);
+    }
+  for (Moment* m : {&now_, &next_}) m->works.resize(work_.size());
+}
+
+bool EnergyBudget::begin(double t, std::span<const double> u, std::span<const double> v,
+                         std::span<const double> a) {
+  place(t, u, v, a, now_);
+  double energy = 0;
+  if (!find_forces(now_) || !find_energies(now_.x, t, energy, true)) return false;
+  for (Account& s : stored_) s.first = s.value;
+  first_kinetic_ = kinetic_;
+  return true;
+}
+
+bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const double> v,
+                           std::span<const double> a, const MeanStep* mean) {
+  place(t, u, v, a, next_);
+  keep_values();
+  if (reads_time_ && !add_winches(mean ? mean->t : t)) return false;
+  const double kinetic_before = kinetic_;
+  double energy = 0;
+  if (!find_forces(next_) || !find_energies(next_.x, t, energy, true)) return false;
+  if (!(mean ? add_means(*mean, kinetic_before) : add_ends())) return false;
+  state_.set(t, u, v, a);
+  std::swap(now_, next_);
+  return true;
+}
+
+void EnergyBudget::keep_values() {
+  before_ = sums();
+  before_.push_back(kinetic_);
+  for (const Account& s : stored_) before_.push_back(s.value);
+}
+
+void EnergyBudget::retract() {
+  set_sums(before_);
+  auto value = before_.end() - static_cast<std::ptrdiff_t>(stored_.size()) - 1;
+  kinetic_ = *value++;
+  for (Account& s : stored_) s.value = *value++;
+  std::swap(now_, next_);
+}
+
+/// (7): half of it at the old place and half at the new one; of a step by mean forces what energies change by
+/// and mean forces do not.
+bool EnergyBudget::add_winches(double reached) {
+  double early[2], late[2];
+  if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, next_.t, late[0], false) ||
+      !find_energies(next_.x, now_.t, early[1], false) || !find_energies(next_.x, next_.t, late[1], false))
+    return false;
+  if (reached == next_.t) {
+    winches_ += 0.5 * (late[0] - early[0] + late[1] - early[1]);
+    return true;
+  }
+  if (early[0] == late[0] && early[1] == late[1]) return true;
+  std::vector<double> u(zero_.size());
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.5 * (now_.q[i] + next_.q[i]);
+  force_.assign(scratch_.size(), 0.0);
+  middle_ = now_.x;
+  assembler_.place(u, middle_, reached);
+  const StepEnds ends{now_.x.data(), next_.x.data(), next_.t - now_.t, 0};
+  if (!assembler_.evaluate(middle_, {.conservative_only = true,
+                                     .residual = force_.data(),
+                                     .motion = {.time = reached},
+                                     .between = &ends}))
+    return false;
+  winches_ += late[1] - early[0] - done(force_, force_);
+  return true;
+}
+
+bool EnergyBudget::add_ends() {
+  if (!add_works() || !find_entrained()) return false;
+  damped_ += done(now_.damping, next_.damping);
+  holds_ += done(now_.holds, next_.holds);
+  return true;
+}
+
+/// (8); the rates of what is guided are those of its way, for which nothing is missing between them and it.
+bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
+  state_.set(mean.t, mean.u, mean.v, mean.a);
+  middle_ = state_.x();
+  const Kinematics motion = state_.motion();
+  for (Account& work : work_) {
+    if (!sum_force(work, middle_, motion, force_)) return false;
+    work.value += done(force_, force_);
+  }
+  if (!sum_force(inertia_, middle_, motion, force_)) return false;
+  find_mean_rates();
+  const double h = next_.t - now_.t;
+  for (std::size_t i = zero_.size(); i < mean_own_rates_.size(); ++i)
+    mean_own_rates_[i] = (next_.q[i] - now_.q[i]) / h;
+  entrained_ += h * dot(force_, mean_own_rates_) - (kinetic_ - kinetic_before);
+  if (is_guided_) holds_ += done(mean.reactions, mean.reactions, zero_.size());
+  if (mass_damping_ == 0) return true;
+  Kinematics as_rates = motion;
+  as_rates.v = nullptr;
+  as_rates.a = state_.v().data();
+  if (!sum_force(inertia_, middle_, as_rates, force_)) return false;
+  damped_ += mass_damping_ * done(force_, force_);
+  return true;
+}
+
+/// q takes unknowns as displacements and held dofs as positions: of those only guided ones ever change.
+void EnergyBudget::place(double t, std::span<const double> u, std::span<const double> v,
+                         std::span<const double> a, Moment& to) {
+  const auto put = [](std::span<const double> own, std::vector<double>& all) {
+    std::copy(own.begin(), own.end(), all.begin());
+  };
+  state_.set(t, zero_, zero_, zero_);
+  to.q = state_.x();
+  to.rates = state_.v();
+  put(u, to.q);
+  put(v, to.rates);
+  state_.set(t, u, v, a);
+  to.t = t;
+  to.x = state_.x();
+  to.v = state_.v();
+}
+
+/// (5)
+bool EnergyBudget::add_works() {
+  const double h = next_.t - now_.t;
+  middle_.resize(now_.x.size());
+  secant_.resize(now_.x.size());
+  for (std::size_t i = 0; i < now_.x.size(); ++i) {
+    middle_[i] = 0.5 * (now_.x[i] + next_.x[i]);
+    secant_[i] = (next_.x[i] - now_.x[i]) / h;
+  }
+  for (std::size_t k = 0; k < work_.size(); ++k) {
+    if (!work_[k].in_the_middle) {
+      work_[k].value += done(now_.works[k], next_.works[k]);
+      continue;
+    }
+    Kinematics motion;
+    motion.time = now_.t + 0.5 * h;
+    motion.v = secant_.data();
+    if (!sum_force(work_[k], middle_, motion, force_)) return false;
+    work_[k].value += done(force_, force_);
+  }
+  return true;
+}
+
+void EnergyBudget::find_mean_rates() {
+  mean_rates_.resize(now_.v.size());
+  mean_own_rates_.resize(now_.v.size());
+  for (std::size_t i = 0; i < now_.v.size(); ++i) {
+    mean_rates_[i] = 0.5 * (now_.v[i] + next_.v[i]);
+    mean_own_rates_[i] = 0.5 * (now_.rates[i] + next_.rates[i]);
+  }
+}
+
+/// (4), with the velocity in the middle of the step: M v there, by the masses of its end and of its start.
+bool EnergyBudget::find_entrained() {
+  find_mean_rates();
+  Kinematics as_rates;
+  as_rates.a = mean_rates_.data();
+  if (!sum_force(inertia_, now_.x, as_rates, momentum_) || !sum_force(inertia_, next_.x, as_rates, turned_))
+    return false;
+  entrained_ -= 0.5 * (dot(turned_, mean_own_rates_) - dot(momentum_, mean_own_rates_));
+  entrained_ += done(now_.turning, next_.turning);
+  return true;
+}
+
+bool EnergyBudget::restate(double t, std::span<const double> u, std::span<const double> v,
+                           std::span<const double> a) {
+  place(t, u, v, a, now_);
+  return find_forces(now_);
+}
+
+/// state_ stands at the moment.
+bool EnergyBudget::find_turning(Moment& m) {
+  m.turning.clear();
+  if (!assembler_.has_bodies()) return true;
+  std::vector<double> v(m.rates.begin(), m.rates.begin() + static_cast<std::ptrdiff_t>(zero_.size())),
+      all_v(m.x.size()), all_a(m.x.size());
+  assembler_.move(m.t, m.x, v, zero_, all_v, all_a);
+  return sum_force(inertia_, m.x, {.time = m.t, .v = all_v.data(), .a = all_a.data()}, m.turning);
+}
+
+/// state_ stands at the moment.
+bool EnergyBudget::find_forces(Moment& m) {
+  const Kinematics motion = state_.motion();
+  for (std::size_t k = 0; k < work_.size(); ++k)
+    if (!work_[k].in_the_middle && !sum_force(work_[k], m.x, motion, m.works[k])) return false;
+  Kinematics as_rates = motion;
+  as_rates.v = nullptr;
+  as_rates.a = state_.v().data();  // inertia for a = v is M v
+  if (!sum_force(inertia_, m.x, as_rates, m.damping)) return false;
+  kinetic_ = 0.5 * dot(m.damping, m.rates);  // (3)
+  if (!find_turning(m)) return false;
+  for (double& f : m.damping) f *= mass_damping_;
+  m.holds.assign(is_guided_ ? m.q.size() : 0, 0.0);
+  if (!is_guided_) return true;
+  if (!assembler_.evaluate(m.x, {.residual = m.holds.data(), .motion = motion})) return false;
+  for (std::size_t i = 0; i < m.holds.size(); ++i)
+    m.holds[i] = i < zero_.size() ? 0 : m.holds[i] + m.damping[i];
+  return true;
+}
+
+bool EnergyBudget::find_energies(const std::vector<double>& x, double t, double& sum, bool keep) {
+  sum = 0;
+  for (Account& account : stored_) {
+    double energy = 0;
+    for (const auto& [family, term] : account.terms) {
+      double part = 0;
+      if (!assembler_.term_energy(x, family, term, part, {.time = t})) return false;
+      energy += part;
+    }
+    if (keep) account.value = energy;
+    sum += energy;
+  }
+  return true;
+}
+
+bool EnergyBudget::sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
+                             std::vector<double>& force) {
+  force.assign(scratch_.size(), 0.0);
+  for (const auto& [family, term] : account.terms) {
+    if (!assembler_.evaluate_term(x, family, term, scratch_, motion)) return false;
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] += scratch_[i];
+  }
+  return true;
+}
+
+/// Work between now_ and next_, by the trapezoidal rule, of the degrees of freedom after the first `from`.
+double EnergyBudget::done(const std::vector<double>& before, const std::vector<double>& after,
+                          std::size_t from) const {
+  double sum = 0;
+  for (std::size_t i = from; i < after.size(); ++i)
+    sum += 0.5 * (before[i] + after[i]) * (next_.q[i] - now_.q[i]);
+  return sum;
+}
+
+std::vector<std::string> EnergyBudget::names() const {
+  std::vector<std::string> names = {"kinetic"};
+  for (const auto& s : stored_) names.push_back(s.name);
+  names.push_back("entrained");
+  for (const auto& w : work_) names.push_back(w.name + "_work");
+  names.insert(names.end(), {"mass_damping_work", "work_of_holds", "work_of_winches", "numerical"});
+  return names;
+}
+
+std::vector<double> EnergyBudget::values() const {
+  std::vector<double> values = {kinetic_};
+  for (const auto& s : stored_) values.push_back(s.value);
+  values.push_back(entrained_);
+  for (const auto& w : work_) values.push_back(w.value);
+  values.insert(values.end(), {damped_, holds_, winches_, numerical()});
+  return values;
+}
+
+double EnergyBudget::numerical() const {  // (7)
+  double gained = kinetic_ - first_kinetic_ + entrained_, spent = damped_;
+  for (const auto& s : stored_) gained += s.value - s.first;
+  for (const auto& w : work_) spent += w.value;
+  return holds_ + winches_ - gained - spent;
+}
+
+EnergyBudget::Totals EnergyBudget::totals() const {
+  Totals all{kinetic_, 0, numerical(), {holds_, winches_}};
+  for (const auto& s : stored_) all.stored += s.value;
+  for (const auto& w : work_) all.given.push_back(-w.value);
+  return all;
+}
+
+std::vector<double> EnergyBudget::sums() const {
+  std::vector<double> sums = {first_kinetic_, entrained_, damped_, holds_, winches_};
+  for (const auto& s : stored_) sums.push_back(s.first);
+  for (const auto& w : work_) sums.push_back(w.value);
+  return sums;
+}
+
+void EnergyBudget::set_sums(std::span<const double> sums) {
+  first_kinetic_ = sums[0];
+  entrained_ = sums[1];
+  damped_ = sums[2];
+  holds_ = sums[3];
+  winches_ = sums[4];
+  std::size_t k = 5;
+  for (auto& s : stored_) s.first = sums[k++];
+  for (auto& w : work_) w.value = sums[k++];
+}
+
+}  // namespace netloft

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/balance/moving_state.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// Where energy is and where it has gone since the start. With r_k the residual of term k, q the degrees of
+/// freedom, and sums over the steps by the trapezoidal rule,
+///   Σ_k ∫ r_k·dq = ∫ reaction·dq          over all terms, from F = 0                     (1)
+///   stored_k = E_k                        terms with an energy                           (2)
+///   kinetic = ½ v·M v                                                                    (3)
+///   entrained = ∫ r_M(0, v)·dq − ½ ∫ v·(dM/dt) v dt
+///                                         what added mass takes from the gear as it turns (4)
+///   dissipated_k = ∫ r_k·dq               drag, damping, friction; negative: they push   (5)
+///     of dampers r_k in the middle of each step, at the rate Δx/h: what sets in within a step, at the speed
+///     of its end, would else be counted as if it had acted half of the way
+///   work_of_holds = ∫ reaction·dq         of those that are moved                        (6)
+///   work_of_winches = ∫ ∂E/∂t dt          lengths that change in time                    (7)
+///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     what the scheme took: zero if (1) held at all times
+/// r_M(0, v) is what inertia gives without acceleration: of rigid bodies that turn, whose (4) is then zero.
+/// For the trapezoidal rule on a linear system (1) holds exactly, and so does the budget.
+///
+/// Of a scheme whose mean forces do the work of a step (MeanStep), sums are over those and not by the
+/// trapezoidal rule: of each step with ends 0 and 1, f in its middle and h its length,
+///   (5) f_k·Δq,   (6) reaction·Δq,   (7) the change of E(x₁) and E(x₀) from their own times to the middle's
+///   (4) h f_M·½(v₀ + v₁) − Δ(3),  f_M the force of inertia                               (8)
+/// so that (1) holds to the tolerance of the solver, and `numerical` is what the damping of the scheme took.
+class EnergyBudget {
+ public:
+  EnergyBudget(Assembler& assembler, double mass_damping);
+
+  /// Takes a state as the beginning. False: see the assembler's fault().
+  bool begin(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
+  /// A step has led to a new state, by the mean forces of `mean` if that is not null.
+  bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
+               const MeanStep* mean = nullptr);
+  /// The last step is not made: back to the state before it.
+  void retract();
+  /// Finds the forces of the last state anew, once elements remember it.
+  bool refresh() { return find_forces(now_); }
+  /// The last state again, whose rotations are counted in another way now.
+  bool restate(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
+
+  /// Names and values [J], in one order.
+  std::vector<std::string> names() const;
+  std::vector<double> values() const;
+  /// What there is and what has been done so far, for who asks whether it can be.
+  struct Totals {
+    double kinetic = 0, stored = 0, numerical = 0;
+    std::vector<double> given;  // by holds, by winches, by each force without an energy; negative: taken
+  };
+  Totals totals() const;
+  /// Everything that `begin` at the same state does not find, and back.
+  std::vector<double> sums() const;
+  void set_sums(std::span<const double> sums);
+
+ private:
+  /// All active terms of one name. An energy has a value of the moment, everything else a sum of work.
+  struct Account {
+    std::string name;
+    std::vector<std::pair<std::size_t, std::size_t>> terms;  // (family, term)
+    bool in_the_middle = false;                              // a damper of (5)
+    double value = 0, first = 0;
+  };
+  /// A state, and the forces there over all dofs, as residuals.
+  struct Moment {
+    double t = 0;
+    std::vector<double> x, v, q, rates;           // q, rates: of unknowns and guided dofs
+    std::vector<std::vector<double>> works;       // per account of work_
+    std::vector<double> damping, holds, turning;  // turning: r_M(0, v) of (4), where there are bodies
+  };
+
+  void place(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
+             Moment& to);
+  bool find_forces(Moment& m);
+  bool find_turning(Moment& m);
+  bool find_energies(const std::vector<double>& x, double t, double& sum, bool keep);
+  bool sum_force(const Account& account, const std::vector<double>& x, const Kinematics& motion,
+                 std::vector<double>& force);
+  void keep_values();
+  bool add_ends();
+  bool add_means(const MeanStep& mean, double kinetic_before);
+  bool find_entrained();
+  void find_mean_rates();
+  bool add_works();
+  bool add_winches(double reached);
+  double numerical() const;
+  double done(const std::vector<double>& before, const std::vector<double>& after,
+              std::size_t from = 0) const;
+
+  Assembler& assembler_;
+  MovingState state_;
+  double mass_damping_;
+  bool is_guided_, reads_time_ = false;
+  std::vector<Account> stored_, work_;
+  Account inertia_;
+  Moment now_, next_;
+  double kinetic_ = 0, first_kinetic_ = 0, entrained_ = 0, damped_ = 0, holds_ = 0, winches_ = 0;
+  std::vector<double> before_;  // sums() and energies before the last step
+  std::vector<double> zero_, scratch_, mean_rates_, mean_own_rates_, momentum_, turned_, middle_, secant_,
+      force_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/motion/highest_frequency.hpp"
+
+#include <netloft/vectors.hpp>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace netloft {
+
+namespace {
+
+constexpr int kMostSteps = 60;
+/// A mode that is orthogonal to the known one begins as a part of kOthers/√n, and has to outgrow it: with
+/// fewer steps than these its residual could be small before it is seen.
+constexpr int kLeastSteps = 12;
+constexpr double kOthers = 0.1, kResidual = 0.05;
+/// Over the largest α: what is left of β by rounding where the vectors so far hold all modes that the first
+/// one had. Going on from there gives copies of modes, over which the QR algorithm may not converge.
+constexpr double kExhausted = 1e-10;
+
+/// Numbers in [-1, 1) that look random and are always the same (Knuth's MMIX generator).
+std::vector<double> noise(std::size_t size) {
+  std::vector<double> x(size);
+  std::uint64_t seed = 1;
+  for (double& v : x) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    v = static_cast<double>(static_cast<std::int64_t>(seed)) * 0x1p-63;
+  }
+  return x;
+}
+
+/// (1), step by step. Holds M q beside q, which (1) gives as well: one division by M is all a step takes.
+class Lanczos {
+ public:
+  Lanczos(const Pencil& pencil, std::vector<double> start)
+      : pencil_(pencil), q_(std::move(start)), p_(q_.size()), before_(q_.size()), w_(q_.size()) {
+    pencil.mass(q_, p_);
+    const double length = std::sqrt(dot(q_, p_));
+    ended_ = !(length > 0);
+    for (std::size_t i = 0; i < q_.size() && !ended_; ++i) {
+      q_[i] /= length;
+      p_[i] /= length;
+    }
+  }
+  bool has_ended() const { return ended_; }
+  const std::vector<double>& vector() const { return q_; }
+
+  void step() {
+    pencil_.stiffness(q_, w_);
+    alpha_.push_back(dot(q_, w_));
+    const double back = beta_.empty() ? 0 : beta_.back();
+    for (std::size_t i = 0; i < w_.size(); ++i) w_[i] -= alpha_.back() * p_[i] + back * before_[i];
+    before_.swap(p_);
+    pencil_.divide_by_mass(w_, q_);
+    beta_.push_back(std::sqrt(std::max(0.0, dot(q_, w_))));
+    scale_ = std::max(scale_, std::abs(alpha_.back()));
+    ended_ = !(beta_.back() > kExhausted * scale_);
+    for (std::size_t i = 0; i < w_.size() && !ended_; ++i) {
+      q_[i] /= beta_.back();
+      p_[i] = w_[i] / beta_.back();
+    }
+  }
+
+  struct Ritz {
+    double value = 0, residual = 0;
+    Eigen::VectorXd vector;  // in the vectors of the steps
+  };
+  Ritz largest() const {
+    const auto count = static_cast<Eigen::Index>(alpha_.size());
+    if (count == 0) return {};
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all;
+    all.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(alpha_.data(), count),
+                               Eigen::Map<const Eigen::VectorXd>(beta_.data(), count - 1));
+    if (all.info() != Eigen::Success) return {bound(), 0, Eigen::VectorXd::Unit(count, 0)};
+    const Eigen::VectorXd s = all.eigenvectors().col(count - 1);
+    return {all.eigenvalues()(count - 1), beta_.back() * std::abs(s(count - 1)), s};
+  }
+
+ private:
+  /// Of the Ritz values, by Gershgorin's circles.
+  double bound() const {
+    double largest = 0;
+    for (std::size_t k = 0; k < alpha_.size(); ++k)
+      largest = std::max(largest, alpha_[k] + (k > 0 ? beta_[k - 1] : 0) + beta_[k]);
+    return largest;
+  }
+
+  const Pencil& pencil_;
+  std::vector<double> q_, p_, before_, w_;  // p = M q, before_ = M q₋
+  std::vector<double> alpha_, beta_;
+  double scale_ = 0;  // largest α
+  bool ended_ = false;
+};
+
+double frequency(const Lanczos::Ritz& ritz) { return std::sqrt(std::max(0.0, ritz.value + ritz.residual)); }
+
+void scale(const Pencil& pencil, std::vector<double>& x, double to) {
+  std::vector<double> p(x.size());
+  pencil.mass(x, p);
+  const double length = std::sqrt(dot(x, p));
+  for (double& v : x) v *= length > 0 ? to / length : 0;
+}
+
+}  // namespace
+
+/// The steps are made twice, so that their vectors need not be kept.
+HighestMode find_highest_mode(const Pencil& pencil) {
+  Lanczos first(pencil, noise(pencil.size));
+  for (int k = 0; k < kMostSteps && !first.has_ended(); ++k) first.step();
+  const Lanczos::Ritz ritz = first.largest();
+  HighestMode mode{frequency(ritz), std::vector<double>(pencil.size, 0.0)};
+  Lanczos again(pencil, noise(pencil.size));
+  for (Eigen::Index k = 0; k < ritz.vector.size(); ++k) {
+    const std::vector<double>& q = again.vector();
+    for (std::size_t i = 0; i < q.size(); ++i) mode.shape[i] += ritz.vector(k) * q[i];
+    if (k + 1 < ritz.vector.size()) again.step();
+  }
+  return mode;
+}
+
+double highest_frequency_near(const Pencil& pencil, std::span<const double> shape) {
+  std::vector<double> start(shape.begin(), shape.end()), others = noise(pencil.size);
+  scale(pencil, start, 1);
+  scale(pencil, others, kOthers);
+  for (std::size_t i = 0; i < start.size(); ++i) start[i] += others[i];
+  Lanczos lanczos(pencil, std::move(start));
+  Lanczos::Ritz ritz;
+  for (int k = 1; k <= kMostSteps && !lanczos.has_ended(); ++k) {
+    lanczos.step();
+    if (k < kLeastSteps && !lanczos.has_ended()) continue;
+    ritz = lanczos.largest();
+    if (ritz.residual <= kResidual * ritz.value) break;
+  }
+  return frequency(ritz);
+}
+
+}  // namespace netloft

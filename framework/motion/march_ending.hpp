@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/balance/assembled_scene.hpp"
+
+#include <span>
+#include <string>
+
+namespace netloft {
+
+/// How a march ended, as a word; sentences about it are made of what follows.
+enum class MarchStatus { finished, stopped, failed, out_of_time, out_of_work, interrupted };
+const char* name_of(MarchStatus status);
+
+/// "0.25 s"
+std::string seconds_text(double t);
+
+/// "net node 4 moves at 3.2 m/s": the fastest, with velocities v of the unknowns.
+std::string fastest_node(const AssembledScene& of, std::span<const double> v);
+
+}  // namespace netloft

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/motion/march_state.hpp"
+#include "framework/balance/moving_state.hpp"
+
+namespace netloft {
+
+/// A march at an output: where a step ends, or between its ends.
+class ShownState {
+ public:
+  ShownState(const Assembler& assembler, double mass_damping) : moving_(assembler, mass_damping) {}
+
+  void show(const MarchState& at);
+  /// The cubic through positions and velocities of the ends of a step, at a time between.
+  void show_between(const MarchState& begin, const MarchState& end, double t);
+
+  std::span<const double> u() const { return u_; }
+  /// Over all degrees of freedom [m], [m/s].
+  const std::vector<double>& x() const { return moving_.x(); }
+  const std::vector<double>& v() const { return moving_.v(); }
+
+ private:
+  MovingState moving_;
+  std::vector<double> u_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "io/formats/hdf5/series_journal.hpp"
+#include "io/formats/hdf5/tree.hpp"
+
+namespace netloft::io {
+
+/// Writes the outputs of a journal into an open HDF5 file as LAYOUT.md has them, one after the other, so that
+/// a motion may be larger than memory; only times and rows are held together.
+void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name);
+
+/// Makes the result `final_path` of a journal, with what `rest` adds. It grows as NAME.hdf.new, and takes its
+/// name once it is whole and on the disk; from then on the journal may go.
+void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,
+                 const std::function<void(Tree&)>& rest);
+
+/// A result in a temporary file without a name, made of a journal for a reader.
+Handle unfold(const std::filesystem::path& part);
+
+}  // namespace netloft::io

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/hdf5/handle.hpp"
+
+#include <string_view>
+
+namespace netloft::io {
+namespace {
+
+// After a full disk H5Fclose() fails and leaves an id behind, on which the clean-up at exit crashes (1.10.8).
+// All our ids close themselves, so nothing else is left for it to do. It can be switched off ahead of any
+// other call alone, whoever makes that.
+[[maybe_unused]] const bool kNoCleanUp = H5dont_atexit() >= 0;
+
+struct Ends {
+  std::string cause;    // deepest record
+  std::string request;  // the call that failed
+};
+
+herr_t keep_ends(unsigned, const H5E_error2_t* record, void* data) {
+  auto& ends = *static_cast<Ends*>(data);
+  const std::string text = record->desc ? record->desc : "";
+  if (ends.cause.empty()) ends.cause = text;
+  ends.request = text;
+  return 0;
+}
+
+/// Extracts the operating system's own message from the drivers' long description of a failed system call.
+std::string system_words(const std::string& description) {
+  constexpr std::string_view kMark = "error message = '";
+  const auto begin = description.find(kMark);
+  if (begin == std::string::npos) return description;
+  const auto first = begin + kMark.size();
+  return description.substr(first, description.find('\'', first) - first);
+}
+
+}  // namespace
+
+void silence_hdf5() {
+  thread_local const bool done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  static_cast<void>(done);
+}
+
+std::string hdf5_message() {
+  Ends ends;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_ends, &ends);
+  H5Eclear2(H5E_DEFAULT);
+  if (ends.cause.empty()) return "HDF5 gave no reason";
+  const std::string cause = system_words(ends.cause);
+  return ends.request == ends.cause ? cause : ends.request + " (" + cause + ")";
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "io/formats/hdf5/tree.hpp"
+
+namespace netloft::io {
+
+/// The bytes of an HDF5 file with what `write` puts into it, made in memory: for a file that is written
+/// whole, and for what a journal keeps of the inputs of a run.
+std::string hdf5_image(const std::function<void(Tree&)>& write);
+
+/// How HDF5 opens a file in memory, which is never written to a disk.
+Handle access_in_memory();
+
+}  // namespace netloft::io

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "io/formats/hdf5/locked_file.hpp"
+
+namespace netloft::io {
+
+/// A file to which records are only ever appended. All numbers are little-endian:
+///
+///   file    magic (8 bytes) | format (u32) | CRC-32 of these 12 bytes (u32) | records
+///   record  length of the content (u64) | kind (u32) | CRC-32 of these 12 bytes (u32) | content |
+///           CRC-32 of the content (u32)
+///
+/// A record is written by one write(), so that a kill or a full disk costs at most the record that was being
+/// written. A reader takes what follows the last whole record for such a remainder, zeros included, which a
+/// power cut may leave. Everything else that does not match its checksum is damage.
+class Journal {
+ public:
+  struct Record {
+    std::uint32_t kind = 0;
+    std::uint64_t place = 0, length = 0;  // of the content in the file [bytes]
+  };
+
+  /// A new and empty one, in the place of what a dead writer left. Throws FileError if a writer lives.
+  static Journal create(const std::filesystem::path& path);
+  /// Looks at a record that is whole.
+  using Visit = std::function<void(const Record&, std::string_view content)>;
+  /// One that is there; visits all its records. A live writer does no harm: what is whole by now is read.
+  static Journal read(const std::filesystem::path& path, const Visit& visit);
+  /// The same, to be continued behind the last whole record, or behind the last before damage(); nothing is
+  /// changed before the first append(). Throws FileError if a writer lives, or if the head is damaged.
+  static Journal go_on(const std::filesystem::path& path, const Visit& visit);
+
+  const std::filesystem::path& path() const { return path_; }
+  /// What go_on() found between records, and went no further; empty: all was whole.
+  const std::string& damage() const { return damage_; }
+  /// Where the first append() puts what was there: it cuts damage off.
+  std::filesystem::path path_of_damaged() const { return path_.string() + "~"; }
+  /// The content of a record, checked.
+  std::string content(const Record& record) const;
+
+  /// Throws FileError where the system refuses, and removes the part that was written.
+  Record append(std::uint32_t kind, std::string_view content);
+  /// Removes the file.
+  void remove();
+
+ private:
+  Journal(std::filesystem::path path, Descriptor file) : path_(std::move(path)), file_(std::move(file)) {}
+  void write_head();
+  void read_head() const;
+  void visit_records(const Visit& visit);
+  bool visit_record_at(std::uint64_t place, std::uint64_t size, const Visit& visit);
+  bool is_blank(std::uint64_t place, std::uint64_t size) const;
+  void read_at(std::uint64_t place, void* data, std::size_t size) const;
+  void write_at_end(std::string_view bytes);
+  void cut_remainder_off();
+  void keep_damaged() const;
+  [[noreturn]] void reject(const std::string& reason) const;
+
+  std::filesystem::path path_;
+  Descriptor file_;
+  std::uint64_t end_ = 0;       // of the last whole record
+  bool has_remainder_ = false;  // behind it, to be cut off before something is appended
+  std::string damage_;
+  std::string buffer_;
+};
+
+/// Whether the file begins as a journal does.
+bool is_journal(const std::filesystem::path& path);
+
+}  // namespace netloft::io

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/hdf5/part_file.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "io/formats/hdf5/seal.hpp"
+
+namespace netloft::io {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path with_suffix(const fs::path& path, const char* suffix) { return path.string() + suffix; }
+
+/// Format bounds stay at "earliest": newer ones are unknown to readers in browsers.
+Handle create_hdf5(const fs::path& part, const Descriptor& lock) {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
+  check(H5Pset_file_locking(access, false, true));
+  const auto create = [&] { return H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access); };
+  hid_t id = create();
+  if (id <
+      0) {  // HDF5_USE_FILE_LOCKING=TRUE makes HDF5 insist on a lock of its own, which collides with ours
+    flock(lock.get(), LOCK_UN);
+    id = create();
+  }
+  return with_context("cannot create " + part.string(), [&] { return Handle(id, H5Fclose); });
+}
+
+/// Gives `path` the second name NAME.hdf~; it has at least one name at every moment.
+void keep_as_backup(const fs::path& path) {
+  const fs::path backup = with_suffix(path, "~");
+  const fs::path link_path = with_suffix(path, "~.new");
+  unlink(link_path.c_str());
+  if (link(path.c_str(), link_path.c_str()) == 0) {
+    if (rename(link_path.c_str(), backup.c_str()) != 0) {
+      const std::string reason = system_reason();
+      unlink(link_path.c_str());
+      throw FileError("cannot keep " + path.string() + " as " + backup.string() + ": " + reason);
+    }
+    unlink(link_path.c_str());  // rename() leaves it when both names already meant the same file
+    return;
+  }
+  if (errno == ENOENT) return;  // no earlier result
+  // On file systems without hard links, only the name NAME.hdf~ exists for a moment.
+  if (rename(path.c_str(), backup.c_str()) != 0)
+    throw FileError("cannot keep " + path.string() + " as " + backup.string() + ": " + system_reason());
+}
+
+}  // namespace
+
+PartFile::PartFile(fs::path final_path) : PartFile(final_path, with_suffix(final_path, ".part")) {}
+
+PartFile::PartFile(fs::path final_path, fs::path part_path)
+    : final_(std::move(final_path)), part_(std::move(part_path)) {
+  silence_hdf5();
+  require_usable(final_);
+  lock_ = take_file(part_);
+  file_ = create_hdf5(part_, lock_);
+}
+
+void PartFile::flush() {
+  silence_hdf5();
+  with_context("cannot write " + part_.string(), [&] { check(H5Fflush(file_, H5F_SCOPE_GLOBAL)); });
+}
+
+void PartFile::finish_as(fs::path final_path) {
+  require_usable(final_path);
+  final_ = std::move(final_path);
+  finish();
+}
+
+void PartFile::discard() {
+  if (finished_) return;
+  unlink(part_.c_str());
+  finished_ = true;
+}
+
+void PartFile::finish() {
+  if (finished_) return;
+  flush();
+  with_context("cannot write " + part_.string(), [&] {
+    const auto ranges = find_ranges(file_);
+    file_.close();
+    append_seal(lock_.get(), ranges);
+  });
+  if (fsync(lock_.get()) != 0 && errno != EINVAL)
+    throw FileError("cannot write " + part_.string() + ": " + system_reason());
+  keep_as_backup(final_);
+  if (rename(part_.c_str(), final_.c_str()) != 0)
+    throw FileError("cannot rename " + part_.string() + " to " + final_.string() + ": " + system_reason());
+  sync_folder_of(final_);
+  lock_.close();
+  finished_ = true;
+}
+
+void sync_folder_of(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const Descriptor fd(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (fd.get() >= 0) fsync(fd.get());  // where a folder cannot be synced, there is nothing more to do
+}
+
+}  // namespace netloft::io

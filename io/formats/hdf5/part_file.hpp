@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "io/formats/hdf5/locked_file.hpp"
+
+namespace netloft::io {
+
+/// An HDF5 file that grows as NAME.hdf.part and takes its name only when it is complete.
+///
+///   construct   NAME.hdf.part is created, or a dead writer's one replaced; a live writer's one is an error
+///   finish()    checksums are appended (seal.hpp), then NAME.hdf -> NAME.hdf~, NAME.hdf.part -> NAME.hdf;
+///               NAME.hdf exists throughout if it did
+///   before destroy     without finish(): the .part stays as it was flushed last
+///
+/// HDF5 keeps readers out by the same lock as other writers, unless they set HDF5_USE_FILE_LOCKING=FALSE.
+class PartFile {
+ public:
+  explicit PartFile(std::filesystem::path final_path);
+  /// The same, with another name while it grows.
+  PartFile(std::filesystem::path final_path, std::filesystem::path part_path);
+
+  hid_t id() const { return file_; }
+  const std::filesystem::path& part_path() const { return part_; }
+  const std::filesystem::path& final_path() const { return final_; }
+
+  void flush();
+  void finish();
+  /// The same under another name than the one it was made for.
+  void finish_as(std::filesystem::path final_path);
+  /// Removes the .part, which is not worth keeping; nothing can be written afterwards.
+  void discard();
+
+ private:
+  std::filesystem::path final_;
+  std::filesystem::path part_;
+  // destroyed after file_, so that no other process takes the .part while HDF5 is still closing it
+  Descriptor lock_;
+  Handle file_;
+  bool finished_ = false;
+};
+
+/// Waits until the names in the folder of a file are on the disk.
+void sync_folder_of(const std::filesystem::path& file);
+
+}  // namespace netloft::io

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/formats/hdf5/handle.hpp"
+#include "io/formats/hdf5/vtkhdf.hpp"
+
+namespace netloft::io {
+
+/// Reads a finished result, or what a motion that runs or was killed has written so far. Every error is a
+/// FileError that names file and path.
+class Reader {
+ public:
+  explicit Reader(std::filesystem::path path);
+  /// A finished result that this program has written just now: checksums are not compared.
+  static Reader of_own(std::filesystem::path path);
+
+  /// Throws FileError if /netloft was written in a newer format than this program knows; an older one is read
+  /// as far as it goes.
+  void require_known_format() const;
+
+  bool has(const std::string& path) const;
+  /// Returns false also if there is no such path.
+  bool is_group(const std::string& path) const;
+  /// Names in a group, sorted.
+  std::vector<std::string> list(const std::string& group) const;
+  /// Extents of a dataset; empty for a scalar.
+  std::vector<std::size_t> shape(const std::string& path) const;
+  bool holds_reals(const std::string& path) const;
+
+  /// Where the numbers of a dataset that lies in one piece begin in the file [bytes].
+  std::uint64_t place(const std::string& path) const;
+
+  /// All numbers of a dataset, row by row; a scalar gives one number.
+  std::vector<double> reals(const std::string& path) const;
+  std::vector<std::int64_t> integers(const std::string& path) const;
+  double real(const std::string& path) const;
+  std::int64_t integer(const std::string& path) const;
+
+  std::string text(const std::string& path) const;
+  std::vector<std::string> strings(const std::string& path) const;
+
+  bool has_attribute(const std::string& path, const std::string& name) const;
+  std::string text_attribute(const std::string& path, const std::string& name) const;
+  double real_attribute(const std::string& path, const std::string& name) const;
+
+  /// Times of the stored states, in order; the last is the newest.
+  std::vector<double> times() const;
+  /// Points, 3n [m], or a field, at step 0 … times().size()-1.
+  std::vector<double> points(std::size_t step) const;
+  std::vector<double> field(Location location, const std::string& name, std::size_t step) const;
+
+ private:
+  Reader(std::filesystem::path path, Handle file);
+  Handle dataset(const std::string& path) const;
+  Handle object(const std::string& path) const;
+  std::string describe_neighbours(const std::string& path) const;
+  template <class Number>
+  std::vector<Number> numbers(const std::string& path, hid_t memory_type) const;
+  std::vector<double> slot(const std::string& path, const std::string& offsets, const std::string& count,
+                           std::size_t step) const;
+  std::string at(const std::string& path) const { return path + " in " + path_.string(); }
+
+  std::filesystem::path path_;
+  Handle file_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "io/formats/hdf5/part_file.hpp"
+#include "io/formats/hdf5/tree.hpp"
+#include "io/formats/hdf5/vtkhdf.hpp"
+
+namespace netloft::io {
+
+inline constexpr int kResultFormat = 1;  // incremented when readers of /netloft must change
+
+/// The result of one run: what ParaView shows under /VTKHDF, everything else under /netloft (LAYOUT.md).
+///
+///   ResultFile file("codend.hdf");                 // grows as codend.hdf.part
+///   file.begin(mesh, {tension}, {part, node_id});
+///   file.write_state(0.0, points, {tensions});
+///   file.tree().write_text("/netloft/provenance/scene/text", scene);
+///   file.finish();                                 // now codend.hdf; an earlier one is codend.hdf~
+///
+/// Throws FileError for what the disk or the user did, std::invalid_argument for what the caller did.
+class ResultFile {
+ public:
+  explicit ResultFile(std::filesystem::path final_path);
+  /// The same, with another name while it grows.
+  ResultFile(std::filesystem::path final_path, std::filesystem::path part_path);
+
+  /// Called once, before the first state; announces how many states there will be.
+  void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed = {},
+             std::size_t states = 1);
+  void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::initializer_list<StaticField> fixed,
+             std::size_t states = 1) {
+    begin(mesh, std::move(changing), std::span<const StaticField>(fixed.begin(), fixed.size()), states);
+  }
+
+  /// Makes this the newest state. `points` 3n [m]; `fields` in the order of `changing`.
+  void write_state(double time, std::span<const double> points,
+                   std::span<const std::span<const double>> fields);
+  void write_state(double time, std::span<const double> points,
+                   std::initializer_list<std::span<const double>> fields) {
+    write_state(time, points, std::span<const std::span<const double>>(fields.begin(), fields.size()));
+  }
+  std::size_t n_states() const { return grid_ ? grid_->n_states() : 0; }
+
+  /// Access to everything but the grid; written out at the next flush().
+  Tree& tree() { return tree_; }
+  void flush();
+
+  /// Flushes, closes, and gives the file its final name; nothing can be written afterwards.
+  void finish();
+  /// The same under another name than the one it was made for.
+  void finish_as(std::filesystem::path final_path);
+  /// Removes the .part, which is not worth keeping.
+  void discard() { part_.discard(); }
+
+  /// The file and its names: see PartFile.
+  PartFile& part() { return part_; }
+  const std::filesystem::path& part_path() const { return part_.part_path(); }
+  const std::filesystem::path& final_path() const { return part_.final_path(); }
+
+ private:
+  void finish_grid();
+
+  PartFile part_;
+  Tree tree_;
+  std::optional<VtkHdf> grid_;
+};
+
+/// Writes what every result begins with: the number of the format, and how the run stands.
+void begin_result(Tree& tree, std::string_view outcome, std::string_view sentence);
+
+}  // namespace netloft::io

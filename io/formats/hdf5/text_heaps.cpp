@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/hdf5/text_heaps.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "io/formats/hdf5/bytes.hpp"
+#include "io/formats/hdf5/handle.hpp"
+#include "io/formats/hdf5/locked_file.hpp"
+
+namespace netloft::io {
+namespace {
+
+// A collection begins with its signature, version and 3 more bytes, an object in it with index, references
+// and 4 more; both then have their size in 8 bytes.
+constexpr std::string_view kBegin("GCOL\1", 5);
+constexpr std::uint64_t kHeader = 16;
+constexpr std::size_t kBlock = 1 << 20;
+
+std::string bytes_of(int fd, std::uint64_t place, std::uint64_t size) {
+  std::string bytes(size, '\0');
+  read_at(fd, place, bytes.data(), bytes.size());
+  return bytes;
+}
+
+/// What lies between one object and the next. Object 0 is what is left free, and its size is that of all.
+std::uint64_t step_of(std::string_view collection, std::uint64_t place) {
+  const auto size = number_at<std::uint64_t>(collection, place + 8);
+  const bool is_free = number_at<std::uint16_t>(collection, place) == 0;
+  if (size > collection.size()) return size;
+  return is_free ? size : kHeader + (size + 7) / 8 * 8;
+}
+
+bool leads_to_its_end(std::string_view collection) {
+  for (std::uint64_t place = kHeader; place + kHeader <= collection.size();) {
+    const std::uint64_t step = step_of(collection, place);
+    if (step < kHeader || step > collection.size() - place) return false;
+    place += step;
+  }
+  return true;
+}
+
+/// What is larger than the file is nothing to HDF5, or only looks like a collection.
+void check_collection(int fd, std::uint64_t place, std::uint64_t end) {
+  if (end - place < kHeader) return;
+  const auto size = number_at<std::uint64_t>(bytes_of(fd, place, kHeader), 8);
+  if (size > end - place || leads_to_its_end(bytes_of(fd, place, size))) return;
+  throw FileError("it is damaged: the texts at byte " + std::to_string(place) +
+                  " do not have the lengths that they state");
+}
+
+}  // namespace
+
+void check_text_heaps(int fd) {
+  const std::uint64_t end = size_of(fd);
+  for (std::uint64_t place = 0; place + kBegin.size() <= end; place += kBlock) {
+    const std::string block = bytes_of(fd, place, std::min(end - place, kBlock + kBegin.size() - 1));
+    for (auto found = block.find(kBegin); found != std::string::npos; found = block.find(kBegin, found + 1))
+      check_collection(fd, place + found, end);
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/formats/hdf5/handle.hpp"
+
+namespace netloft::io {
+
+/// VTK's numbers of the cell shapes used for gears.
+enum CellType : std::uint8_t { kVertex = 1, kLine = 3, kTriangle = 5 };
+
+/// Cells over nodes 0 … n_points-1; cell c has the nodes connectivity[offsets[c]] …
+/// connectivity[offsets[c+1]-1].
+struct Mesh {
+  std::size_t n_points = 0;
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> offsets = {0};  // one more than there are cells
+  std::vector<std::uint8_t> types;          // CellType of each cell
+
+  std::size_t n_cells() const { return types.size(); }
+};
+
+enum class Location { kPoint, kCell };
+
+/// An array over the points or cells. Several components are stored point by point (x₀ y₀ z₀ x₁ …).
+struct FieldSpec {
+  std::string name;  // as ParaView shows it; without '/'
+  std::string unit;  // "1" when dimensionless
+  std::string doc;
+  Location location = Location::kPoint;
+  std::size_t components = 1;
+  bool is_integer = false;  // stored as int64, although values are passed as double
+};
+
+/// A field that is the same at all times, stored once.
+struct StaticField {
+  FieldSpec spec;
+  std::vector<double> values;
+};
+
+/// The /VTKHDF group: one unstructured grid whose points and fields change in time (VTKHDF 2.0).
+///
+/// Each changing array holds states in slots of equal length. A field that equals that of the state before
+/// has no slot of its own there. With S states that have one, i = 0 … S-1 in order of time,
+///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
+/// so that the newest is what a reader without time (ParaView ≤ 5.11) shows.
+class VtkHdf {
+ public:
+  /// `stored`, by changing field: which states have one of their own; empty: all.
+  VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed,
+         std::size_t states, std::span<const std::vector<bool>> stored = {});
+
+  std::size_t n_states() const { return times_.size(); }
+  /// `points` 3n [m]; `fields` in the order of `changing`, nothing where they have no slot.
+  void write_state(double time, std::span<const double> points,
+                   std::span<const std::span<const double>> fields);
+  /// Writes what is still kept of states.
+  void write_blocks();
+  /// The same, and writes the times. Throws std::invalid_argument unless there were as many states as were
+  /// announced.
+  void finish();
+
+ private:
+  /// A dataset of slots; rows of `columns` numbers. Slots that follow each other are kept until they are a
+  /// block, and written by one call: HDF5 first reads what lies around a write of less than 64 kB.
+  struct SlotArray {
+    std::string name;
+    std::size_t rows;
+    std::size_t columns;
+    const std::vector<bool>* stored;  // by state; null: all of them
+    std::size_t slots;
+    Handle dataset;
+    std::vector<double> block = {};
+    std::size_t first = 0;  // slot of the block
+    std::size_t added = 0;
+
+    std::size_t size() const { return rows * columns; }
+    bool has(std::size_t state) const { return !stored || state == 0 || (*stored)[state]; }
+    std::size_t slot_of(std::size_t i) const { return i + 1 < slots ? i + 1 : 0; }  // (1)
+    void add(std::span<const double> values);
+    void write_block();
+  };
+
+  void write_topology(const Mesh& mesh);
+  void add_slot_array(hid_t group, const FieldSpec& spec, std::size_t rows, const std::vector<bool>* stored);
+  void add_static_array(hid_t group, const StaticField& field, std::size_t rows);
+  void write_steps(std::span<const StaticField> fixed);
+  void write_step_column(const std::string& path, std::span<const std::int64_t> values, bool by_topology);
+  std::vector<std::int64_t> offsets_of(const SlotArray& array) const;
+  void require_sizes(std::span<const double> points, std::span<const std::span<const double>> fields) const;
+
+  Handle root_;
+  Handle steps_;
+  std::size_t n_points_;
+  std::size_t n_cells_;
+  std::size_t states_;
+  std::vector<FieldSpec> changing_;
+  std::vector<std::vector<bool>> stored_;
+  std::vector<SlotArray> arrays_;  // points, then the changing fields
+  std::vector<double> times_;      // of the states so far
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/mesh/mesh.hpp"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace netloft::io {
+
+/// Puts a mesh together for readers of foreign formats, and says what is wrong at its place.
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(Diagnostics& diagnostics)
+      : diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
+
+  /// Whether reading on makes sense: after fifty errors it does not.
+  bool goes_on() const { return errors() < 50; }
+  int errors() const { return diagnostics_.errors() - errors_before_; }
+  void error(const Place& place, const std::string& message, const std::string& hint = {}) {
+    diagnostics_.error(place, message, hint);
+  }
+
+  /// A coordinate, or a place in meshes.
+  double real(std::string_view word, const Place& place);
+  void add_coordinate(double x, const Place& place);
+
+  /// The region of a name and kind; one of another kind gets the kind behind its name. Letters that no name
+  /// has become a dash.
+  MeshRegion& region(const std::string& name, RegionKind kind);
+  MeshSet& set(const std::string& name);
+
+  /// Adds one element; bars without numbers get their shares in finish(), by the distance of their nodes.
+  void add_element(MeshRegion& region, const std::uint32_t* nodes, const double* numbers, const Place& place);
+
+  InputMesh finish(const Place& end);
+
+ private:
+  struct At {
+    std::string region;
+    std::size_t element;
+    Place place;
+  };
+  void share_out(MeshRegion& region) const;
+
+  Diagnostics& diagnostics_;
+  int errors_before_;
+  InputMesh mesh_;
+  std::vector<std::vector<Place>> places_;  // of elements, by region
+  std::map<std::pair<std::string, RegionKind>, std::size_t> known_;
+  std::size_t elements_ = 0;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/diagnostics.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace netloft::io {
+
+/// A word of a text with its place.
+struct Word {
+  std::string_view text;
+  Place place;
+};
+
+/// A number as programs write it: 1, 1.5, .5, 3., 1e-3, 1.D-3. Not hexadecimal, infinite or no number.
+std::optional<double> number_in(std::string_view text);
+std::optional<std::int64_t> integer_in(std::string_view text);
+
+/// Cuts a text into lines and lines into words. Lines end with LF, CR LF or CR.
+class TextRows {
+ public:
+  /// `text` must live as long as this. What stands behind `comment` on a line is left out; 0: there are none.
+  TextRows(std::string_view text, int file, char comment = 0) : text_(text), file_(file), comment_(comment) {}
+
+  /// The next line as it is, without its end; nothing at the end of the text.
+  std::optional<std::string_view> next_line();
+  /// The words of the next line that has any; empty at the end of the text.
+  std::vector<Word> next_row();
+  /// The line that was read last, and its beginning.
+  int line() const { return line_; }
+  Place place() const { return {file_, line_, 1, 1}; }
+  bool at_end() const { return at_ >= text_.size(); }
+
+ private:
+  std::vector<Word> words_of(std::string_view line) const;
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int file_, line_ = 0;
+  char comment_;
+};
+
+}  // namespace netloft::io

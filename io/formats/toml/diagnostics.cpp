@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/toml/diagnostics.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+namespace {
+
+constexpr std::size_t kWindow = 100;     // characters shown of a long line
+constexpr std::size_t kBeforeSpot = 40;  // number of these before the marked place
+
+bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
+
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (is_control(c)) c = c == '\t' ? ' ' : '?';
+  // U+0080…U+009F: control characters too, to some terminals.
+  for (std::size_t i = 0; i + 1 < text.size(); ++i)
+    if (text[i] == '\xC2' && static_cast<unsigned char>(text[i + 1]) < 0xA0) text.replace(i, 2, "?");
+  return text;
+}
+
+std::vector<std::string> characters_of(const std::string& text) {
+  std::vector<std::string> characters;
+  for (const char c : text) {
+    if (begins_character(c) || characters.empty()) characters.emplace_back();
+    characters.back() += c;
+  }
+  return characters;
+}
+
+const char* word_for(Severity severity) { return severity == Severity::error ? "error" : "warning"; }
+
+struct Style {
+  const char *bold, *red, *yellow, *cyan, *off;
+};
+constexpr Style kPlain = {"", "", "", "", ""};
+constexpr Style kColored = {"\033[1m", "\033[1;31m", "\033[1;33m", "\033[36m", "\033[0m"};
+
+}  // namespace
+
+int Diagnostics::add_source(std::string name, std::string text, Source kind) {
+  sources_.push_back({std::move(name), std::move(text), kind});
+  return static_cast<int>(sources_.size()) - 1;
+}
+
+void Diagnostics::error(const Place& place, std::string message, std::string hint) {
+  add({Severity::error, place, std::move(message), std::move(hint)});
+}
+
+void Diagnostics::warning(const Place& place, std::string message, std::string hint) {
+  add({Severity::warning, place, std::move(message), std::move(hint)});
+}
+
+void Diagnostics::add(Diagnostic entry) {
+  if (!seen_.emplace(entry.place.file, entry.place.line, entry.place.column, entry.message).second) return;
+  if (entry.severity == Severity::error) ++errors_;
+  entries_.push_back(std::move(entry));
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const {
+  std::vector<Diagnostic> result = entries_;
+  const auto key = [](const Diagnostic& d) { return std::tuple(d.place.file, d.place.line, d.place.column); };
+  std::stable_sort(result.begin(), result.end(),
+                   [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+  return result;
+}
+
+std::string Diagnostics::where(const Place& place) const {
+  if (place.file < 0) return {};
+  const Text& source = sources_[static_cast<std::size_t>(place.file)];
+  if (source.kind == Source::command_line || place.line == 0) return source.name;
+  return source.name + ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
+}
+
+std::string Diagnostics::source_line(const Place& place) const {
+  if (place.file < 0 || place.line < 1) return {};
+  const std::string& text = sources_[static_cast<std::size_t>(place.file)].text;
+  std::size_t begin = 0;
+  for (int line = 1; line < place.line; ++line) {
+    begin = text.find('\n', begin);
+    if (begin == std::string::npos) return {};
+    ++begin;
+  }
+  std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  if (line.ends_with('\r')) line.pop_back();
+  return line;
+}
+
+/// The line and its underline, cut to a window around the marked place.
+std::string Diagnostics::excerpt(const Place& place) const {
+  const std::vector<std::string> line = characters_of(printable(source_line(place)));
+  if (line.empty()) return {};
+  const std::size_t spot = static_cast<std::size_t>(std::max(place.column, 1)) - 1;
+  const std::size_t begin =
+      line.size() > kWindow && spot > kBeforeSpot ? std::min(spot, line.size()) - kBeforeSpot : 0;
+  const std::size_t end = std::min(line.size(), begin + kWindow);
+  std::string shown = begin > 0 ? "..." : "";
+  std::string under(shown.size() + std::min(spot, line.size()) - begin, ' ');
+  for (std::size_t i = begin; i < end; ++i) shown += line[i];
+  if (end < line.size()) shown += "...";
+  under += '^';
+  for (std::size_t i = spot + 1;
+       i < std::min(spot + static_cast<std::size_t>(std::max(place.length, 1)), end); ++i)
+    under += '~';
+  const std::string number = std::to_string(place.line);
+  return "  " + number + " | " + shown + "\n  " + std::string(number.size(), ' ') + " | " + under + '\n';
+}
+
+std::string Diagnostics::render(bool color, std::size_t limit) const {
+  const Style style = color ? kColored : kPlain;
+  std::string text;
+  const std::vector<Diagnostic> all = sorted();
+  for (std::size_t i = 0; i < std::min(limit, all.size()); ++i) {
+    const Diagnostic& entry = all[i];
+    const std::string at = printable(where(entry.place));
+    if (!at.empty()) text += style.bold + at + ':' + style.off + ' ';
+    text += (entry.severity == Severity::error ? style.red : style.yellow) +
+            std::string(word_for(entry.severity));
+    text += std::string(":") + style.off + ' ' + printable(entry.message) + '\n' + excerpt(entry.place);
+    if (!entry.hint.empty())
+      text += std::string("  ") + style.cyan + "hint:" + style.off + ' ' + printable(entry.hint) + '\n';
+  }
+  if (all.size() > limit) text += "… and " + std::to_string(all.size() - limit) + " more\n";
+  return text;
+}
+
+}  // namespace netloft::io

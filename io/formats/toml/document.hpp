@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/formats/toml/diagnostics.hpp"
+#include "io/formats/toml/value.hpp"
+
+namespace netloft::io {
+
+/// A file that was read, for the record of a run.
+struct SourceFile {
+  std::string path;  // as it was named: the root as given, an include relative to the file that names it
+  std::string text;
+  std::string hash;  // "fnv1a64:" and 16 hexadecimal digits of the text; distinguishes versions, but is not a
+                     // signature
+};
+
+/// A scene file with its includes and the overrides of the command line, as one table.
+///
+/// `include = ["a.toml", …]` names files relative to the including one. They are laid down in that order, the
+/// file's own keys last: tables merge, `[[hold]]` appends, everything else replaces. A file is read once,
+/// where it is first named. Overrides ("path=value") come last.
+class Document {
+ public:
+  /// Errors go to `diagnostics`; after an error the document contains whatever could be read.
+  static Document load(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                       Diagnostics& diagnostics);
+  /// Parses a text in memory; includes are relative to the working directory.
+  static Document parse(std::string text, const std::string& name, const std::vector<std::string>& overrides,
+                        Diagnostics& diagnostics);
+
+  /// The complete table, without `include`.
+  const Value& root() const { return root_; }
+  /// The root file first, then includes in the order they were read.
+  const std::vector<SourceFile>& files() const { return files_; }
+
+ private:
+  Value root_;
+  std::vector<SourceFile> files_;
+};
+
+/// FNV-1a, 64 bits: h ← (h ⊕ byte)·1099511628211 from 14695981039346656037 (Fowler, Noll, Vo; IETF
+/// draft-eastlake-fnv).
+std::string fnv1a64(std::string_view text);
+
+}  // namespace netloft::io

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/toml/override.hpp"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/formats/toml/key_depth.hpp"
+#include "io/formats/toml/parse.hpp"
+
+namespace netloft::io {
+namespace {
+
+std::string shape(const std::string& option) {
+  return "write it as " + option + (option == "--set" ? " parts.net.cells=[64,64]" : " NAME=VALUE");
+}
+
+/// The position of the '=' that ends the path; quoted keys may contain another one.
+std::size_t find_equals(const std::string& text) {
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (quote ? text[i] == quote : text[i] == '"' || text[i] == '\'') quote = quote ? '\0' : text[i];
+    if (!quote && text[i] == '=') return i;
+  }
+  return std::string::npos;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// Parses dotted keys as a TOML key with a dummy value.
+std::optional<std::vector<std::string>> parse_keys(const std::string& path) {
+  if (path.find_first_of("\n\r#[]{}=") != std::string::npos && path.find_first_of("\"'") == std::string::npos)
+    return std::nullopt;
+  Diagnostics unheard;
+  std::optional<Value> parsed = parse_toml(path + " = 0", -1, unheard);
+  std::vector<std::string> keys;
+  for (const Value* at = parsed ? &*parsed : nullptr; at && at->as<Table>();) {
+    const std::vector<Member>& members = at->as<Table>()->members;
+    if (members.size() != 1) return std::nullopt;
+    keys.push_back(members.front().key);
+    at = &members.front().value;
+  }
+  return keys.empty() ? std::nullopt : std::optional(keys);
+}
+
+/// From a table to what one of its keys leads to, or from an array to one of its items.
+struct Step {
+  std::string key;
+  std::optional<std::size_t> item;  // of an array; the key is empty
+};
+
+/// Takes "[2]" off the front of `rest`; nothing if it does not begin so.
+std::optional<std::size_t> take_item(std::string_view& rest) {
+  std::size_t item = 0;
+  const char* end = rest.data() + rest.size();
+  const auto [digits_end, code] = std::from_chars(rest.data() + 1, end, item);
+  if (code != std::errc() || digits_end == end || *digits_end != ']') return std::nullopt;
+  rest.remove_prefix(static_cast<std::size_t>(digits_end + 1 - rest.data()));
+  return item;
+}
+
+/// The front of `rest` up to the first '[' outside quotes.
+std::string_view take_keys(std::string_view& rest) {
+  char quote = 0;
+  std::size_t i = 0;
+  for (; i < rest.size() && (quote || rest[i] != '['); ++i)
+    if (quote ? rest[i] == quote : rest[i] == '"' || rest[i] == '\'') quote = quote ? '\0' : rest[i];
+  const std::string_view keys = rest.substr(0, i);
+  rest.remove_prefix(i);
+  return keys;
+}
+
+/// "hold[0].at[2]" as steps. Nothing if the path cannot be read.
+std::optional<std::vector<Step>> parse_path(std::string_view rest) {
+  std::vector<Step> steps;
+  while (!rest.empty()) {
+    if (!steps.empty() && rest.front() == '.') rest.remove_prefix(1);
+    const auto keys = parse_keys(std::string(take_keys(rest)));
+    if (!keys) return std::nullopt;
+    for (const std::string& key : *keys) steps.push_back({key, {}});
+    while (!rest.empty() && rest.front() == '[') {
+      const auto item = take_item(rest);
+      if (!item) return std::nullopt;
+      steps.push_back({"", item});
+    }
+    if (!rest.empty() && (rest.front() != '.' || rest.size() == 1)) return std::nullopt;
+  }
+  return steps.empty() ? std::nullopt : std::optional(steps);
+}
+
+int length_of(const std::string& text) {
+  int length = 0;
+  for (const char c : text) length += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  return length;
+}
+
+void move_places(Value& value, int file, int columns) {
+  const auto moved = [&](Place& place) {
+    place.file = file;
+    if (place.line == 1) place.column += columns;
+  };
+  moved(value.place);
+  if (Table* table = value.as<Table>())
+    for (Member& member : table->members) {
+      moved(member.place);
+      move_places(member.value, file, columns);
+    }
+  if (Array* array = value.as<Array>())
+    for (Value& item : array->items) move_places(item, file, columns);
+}
+
+/// `place` is that of the text after the '='.
+Value parse_value(const std::string& text, const Place& place) {
+  const std::string kKey = "v=";
+  Diagnostics unheard;
+  std::optional<Value> parsed = parse_toml(kKey + text, -1, unheard);
+  Table* table = parsed ? parsed->as<Table>() : nullptr;
+  if (!table || table->members.size() != 1 || table->members.front().key != "v")
+    return {place, trimmed(text)};
+  Value value = std::move(table->members.front().value);
+  move_places(value, place.file, place.column - 1 - length_of(kKey));
+  return value;
+}
+
+/// Walks from the root of a document along the steps of a path.
+class Walk {
+ public:
+  Walk(Value& root, std::string path, const Place& place, Diagnostics& diagnostics)
+      : at_(&root), path_(std::move(path)), place_(place), diagnostics_(diagnostics) {}
+
+  /// Null after a step that cannot be made, which was reported.
+  Value* end() const { return at_; }
+
+  void go(const Step& step) {
+    if (!at_) return;
+    step.item ? go_to_item(*step.item) : go_to_key(step.key);
+  }
+
+ private:
+  void stop(const std::string& message, const std::string& hint = {}) {
+    diagnostics_.error(place_, message, hint);
+    at_ = nullptr;
+  }
+
+  void go_to_key(const std::string& key) {
+    Table* table = at_->as<Table>();
+    if (!table)
+      return stop(walked_ + " is not a table, so " + path_ + " cannot be set",
+                  at_->as<Array>() ? "set the whole array: " + walked_ +
+                                         "=[...], or one of its items: " + walked_ + "[0]=..."
+                                   : "");
+    walked_ = join_path(walked_, key);
+    if (!table->find(key)) table->members.push_back({key, place_, Value{place_, Table{}}});
+    at_ = &table->find(key)->value;
+  }
+
+  void go_to_item(std::size_t item) {
+    Array* array = at_->as<Array>();
+    const std::string itself = walked_ + "[" + std::to_string(item) + "]";
+    if (!array)
+      return stop(walked_ + " is not an array in the scene, so " + itself + " cannot be set",
+                  "set it as a whole: " + walked_ + "=[...]");
+    if (item >= array->items.size())
+      return stop(
+          walked_ + " has " + std::to_string(array->items.size()) + " items, so there is no " + itself,
+          "items count from 0");
+    walked_ = itself;
+    at_ = &array->items[item];
+  }
+
+  Value* at_;
+  std::string path_, walked_;
+  Place place_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void apply_override(Value& root, const std::string& text, Diagnostics& diagnostics,
+                    const std::string& option) {
+  const std::size_t equals = find_equals(text);
+  const std::string path = trimmed(text.substr(0, equals));
+  const int file = diagnostics.add_source(path.empty() ? option : option + " " + path, text,
+                                          Diagnostics::Source::command_line);
+  const Place path_place{file, 1, 1, length_of(path)};
+  if (equals == std::string::npos)
+    return diagnostics.error(path_place, "there is no '=' in " + text, shape(option));
+  const auto steps = parse_path(path);
+  if (!steps)
+    return diagnostics.error(path_place, "\"" + path + "\" is not a path of dotted keys", shape(option));
+  if (steps->front().key == "include")
+    return diagnostics.error(path_place, "include cannot be set: files are read before values are set");
+
+  const std::string rest = text.substr(equals + 1);
+  const Place value_place{file, 1, length_of(text.substr(0, equals)) + 2, length_of(rest)};
+  Walk walk(root, path, path_place, diagnostics);
+  for (const Step& step : *steps) walk.go(step);
+  if (walk.end()) *walk.end() = parse_value(rest, value_place);
+}
+
+}  // namespace netloft::io

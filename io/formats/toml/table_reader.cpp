@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/toml/table_reader.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <unordered_map>
+
+#include "framework/parameters/nearest.hpp"
+#include "io/formats/units/in_quotes.hpp"
+#include "io/formats/units/units.hpp"
+
+namespace netloft::io {
+namespace {
+
+constexpr int kMostErrorsInAnArray = 5;
+constexpr int kMostUnknownKeys = 50;  // in one table
+
+std::string listed(const std::vector<std::string>& words) {
+  constexpr std::size_t kMostListed = 40;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(words.size(), kMostListed); ++i)
+    text += (i > 0 ? ", " : "") + in_quotes(words[i]);
+  return words.size() > kMostListed ? text + ", ..." : text;
+}
+
+std::string in_parentheses(const std::string& doc) { return doc.empty() ? "" : " (" + doc + ')'; }
+
+std::string spell(const Range& range) {
+  return (range.lo_open || std::isinf(range.lo) ? "(" : "[") + format(range.lo) + ", " + format(range.hi) +
+         (range.hi_open || std::isinf(range.hi) ? ")" : "]");
+}
+
+std::string spell_integers(std::int64_t lo, std::int64_t hi) {
+  const bool from = lo > std::numeric_limits<std::int64_t>::min(),
+             to = hi < std::numeric_limits<std::int64_t>::max();
+  return (from ? '[' + std::to_string(lo) : "(-inf") + ", " + (to ? std::to_string(hi) + ']' : "inf)");
+}
+
+std::string spell(const Count& count) {
+  const auto are_wanted = [](std::size_t n) {
+    return std::to_string(n) + (n == 1 ? " is expected" : " are expected");
+  };
+  if (count.least == count.most) return are_wanted(count.least);
+  if (count.most == Count{}.most) return "at least " + are_wanted(count.least);
+  if (count.least == 0) return "at most " + are_wanted(count.most);
+  return std::to_string(count.least) + " to " + are_wanted(count.most);
+}
+
+/// Describes a value for messages: "the integer 3".
+std::string describe(const Value& value) {
+  switch (value.kind()) {
+    case Kind::table:
+      return "a table";
+    case Kind::array:
+      return "an array of " + std::to_string(value.as<Array>()->items.size());
+    case Kind::text:
+      return "the text " + in_quotes(*value.as<std::string>());
+    case Kind::integer:
+      return "the integer " + std::to_string(*value.as<std::int64_t>());
+    case Kind::real:
+      return "the number " + format(*value.as<double>());
+    case Kind::boolean:
+      return *value.as<bool>() ? "the boolean true" : "the boolean false";
+    case Kind::date:
+      return "the date " + value.as<Date>()->text;
+  }
+  return {};
+}
+
+std::string wanted_real(const std::string& unit) {
+  return unit == "1" ? std::string("a number") : dimension_name(unit) + " in " + unit;
+}
+
+/// A value in the range, with which the caller can continue after an error.
+double within(const Range& range) {
+  if (range.contains(0)) return 0;
+  if (std::isfinite(range.lo) && std::isfinite(range.hi)) return range.lo + (range.hi - range.lo) / 2;
+  return std::isfinite(range.lo) ? range.lo + std::max(1.0, std::abs(range.lo))
+                                 : range.hi - std::max(1.0, std::abs(range.hi));
+}
+
+std::string with_index(const std::string& path, std::size_t i) {
+  return path + '[' + std::to_string(i) + ']';
+}
+
+/// The place of a value, its name, and the receiver of messages.
+struct Spot {
+  const Value& value;
+  std::string path;
+  Diagnostics& diagnostics;
+
+  void refuse(const std::string& message, const std::string& hint = {}) const {
+    diagnostics.error(value.place, message, hint);
+  }
+  void refuse_type(const std::string& wanted, const std::string& doc, const std::string& hint = {}) const {
+    refuse(path + " is " + describe(value) + "; " + wanted + " is expected" + in_parentheses(doc), hint);
+  }
+};
+
+std::optional<double> read_number(const Spot& at, const std::string& unit, const std::string& doc) {
+  if (const auto* integer = at.value.as<std::int64_t>()) return static_cast<double>(*integer);
+  if (const auto* real = at.value.as<double>()) return *real;
+  const auto* text = at.value.as<std::string>();
+  if (!text) {
+    at.refuse_type(wanted_real(unit), doc,
+                   unit == "1" ? "" : "write an SI number or a text such as \"1 " + unit + '"');
+    return std::nullopt;
+  }
+  const Quantity quantity = to_si(*text, unit);
+  if (quantity.ok()) return quantity.value;
+  at.refuse(at.path + ": " + quantity.error + in_parentheses(doc), quantity.hint);
+  return std::nullopt;
+}
+
+std::optional<double> read_real(const Spot& at, const std::string& unit, const Range& range,
+                                const std::string& doc) {
+  const std::optional<double> value = read_number(at, unit, doc);
+  if (!value) return std::nullopt;
+  if (!std::isfinite(*value)) {
+    at.refuse(at.path + " = " + format(*value) + " is not a finite number" + in_parentheses(doc));
+    return std::nullopt;
+  }
+  if (range.contains(*value)) return value;
+  const std::string unit_behind = unit == "1" ? "" : ' ' + unit;
+  at.refuse(at.path + " = " + format(*value, unit) + " is outside " + spell(range) + unit_behind +
+            in_parentheses(doc));
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> read_integer(const Spot& at, std::int64_t lo, std::int64_t hi,
+                                         const std::string& doc) {
+  const auto* value = at.value.as<std::int64_t>();
+  if (!value) {
+    at.refuse_type("an integer", doc);
+    return std::nullopt;
+  }
+  if (*value >= lo && *value <= hi) return *value;
+  at.refuse(at.path + " = " + std::to_string(*value) + " is outside " + spell_integers(lo, hi) +
+            in_parentheses(doc));
+  return std::nullopt;
+}
+
+std::optional<std::string> read_text(const Spot& at, const std::string& doc) {
+  if (const auto* text = at.value.as<std::string>()) return *text;
+  at.refuse_type("a text", doc);
+  return std::nullopt;
+}
+
+bool check_count(const Spot& at, std::size_t n, const Count& count, const char* what,
+                 const std::string& doc) {
+  if (n >= count.least && n <= count.most) return true;
+  at.refuse(at.path + " has " + std::to_string(n) + ' ' + what + (n == 1 ? "" : "s") + "; " + spell(count) +
+            in_parentheses(doc));
+  return false;
+}
+
+/// Reads each item with `read_item`. It stops after a few errors, so that a wrong unit in a long column does
+/// not produce a flood of messages.
+template <class T, class ReadItem>
+std::optional<std::vector<T>> read_array(const Spot& at, const Count& count, const char* what,
+                                         const std::string& wanted, const std::string& doc,
+                                         ReadItem read_item) {
+  const Array* array = at.value.as<Array>();
+  if (!array) {
+    at.refuse_type("an array of " + wanted, doc);
+    return std::nullopt;
+  }
+  int bad = check_count(at, array->items.size(), count, what, doc) ? 0 : 1;
+  std::vector<T> result;
+  for (std::size_t i = 0; i < array->items.size() && bad < kMostErrorsInAnArray; ++i) {
+    std::optional<T> item = read_item(Spot{array->items[i], with_index(at.path, i), at.diagnostics});
+    if (item)
+      result.push_back(std::move(*item));
+    else
+      ++bad;
+  }
+  return bad == 0 ? std::optional(std::move(result)) : std::nullopt;
+}
+
+std::optional<std::vector<double>> read_reals(const Spot& at, const std::string& unit, const Range& range,
+                                              const Count& count, const std::string& doc) {
+  return read_array<double>(at, count, "value", unit == "1" ? "numbers" : "values in " + unit, doc,
+                            [&](const Spot& item) { return read_real(item, unit, range, doc); });
+}
+
+std::size_t stand_in_size(const Count& count) { return std::min<std::size_t>(count.least, 64); }
+
+}  // namespace
+
+struct TableReader::State {
+  const Value* value;
+  Place place;
+  std::string path;
+  Diagnostics* diagnostics;
+  bool silent = false;                  // true: replaces a table whose absence has been reported
+  std::vector<std::string> known = {};  // keys that have been requested
+  std::unordered_map<const Value*, std::shared_ptr<State>> opened = {};
+
+  const Table& table() const {
+    static const Table kEmpty;
+    return value ? *value->as<Table>() : kEmpty;
+  }
+  void learn(std::string_view key) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) known.emplace_back(key);
+  }
+  void report_unknown(const Member& member) const {
+    const std::string in = path.empty() ? "" : " in " + path;
+    std::string hint;
+    if (const auto near = nearest(member.key, known))
+      hint = "did you mean " + in_quotes(*near) + '?';
+    else if (!known.empty())
+      hint = "allowed here: " + listed(known);
+    diagnostics->error(member.place, "unknown key " + in_quotes(member.key) + in, hint);
+  }
+  void finish() const {
+    int unknown = 0;
+    for (const Member& member : table().members) {
+      const bool is_known = std::find(known.begin(), known.end(), member.key) != known.end();
+      if (!is_known && ++unknown <= kMostUnknownKeys) report_unknown(member);
+    }
+    for (const auto& [value_opened, child] : opened) child->finish();
+  }
+};
+
+TableReader::TableReader(const Value& table, Diagnostics& diagnostics, std::string path)
+    : state_(std::make_shared<State>(State{&table, table.place, std::move(path), &diagnostics})) {
+  assert(table.as<Table>());
+}
+
+const Value* TableReader::ask(std::string_view key) {
+  state_->learn(key);
+  const Member* member = state_->table().find(key);
+  return member ? &member->value : nullptr;
+}
+
+const Value* TableReader::ask(std::string_view key, bool required, const std::string& wanted,
+                              const std::string& doc) {
+  const Value* value = ask(key);
+  if (!value && required && !state_->silent) {
+    const std::string in = state_->path.empty() ? "" : " in " + state_->path;
+    state_->diagnostics->error(state_->place,
+                               "missing key " + in_quotes(key) + in + ": " + wanted + in_parentheses(doc));
+  }
+  return value;
+}
+
+double TableReader::real(std::string_view key, const RealSpec& spec) {
+  const Value* value = ask(key, !spec.fallback, wanted_real(spec.unit), spec.doc);
+  std::optional<double> result;
+  if (value) result = read_real({*value, path(key), diagnostics()}, spec.unit, spec.range, spec.doc);
+  return result.value_or(spec.fallback.value_or(within(spec.range)));
+}
+
+std::int64_t TableReader::integer(std::string_view key, const IntegerSpec& spec) {
+  const Value* value = ask(key, !spec.fallback, "an integer", spec.doc);
+  std::optional<std::int64_t> result;
+  if (value) result = read_integer({*value, path(key), diagnostics()}, spec.lo, spec.hi, spec.doc);
+  return result.value_or(spec.fallback.value_or(std::clamp<std::int64_t>(0, spec.lo, spec.hi)));
+}
+
+bool TableReader::boolean(std::string_view key, const BooleanSpec& spec) {
+  const Value* value = ask(key, !spec.fallback, "true or false", spec.doc);
+  if (!value) return spec.fallback.value_or(false);
+  if (const bool* result = value->as<bool>()) return *result;
+  Spot{*value, path(key), diagnostics()}.refuse_type("true or false", spec.doc);
+  return spec.fallback.value_or(false);
+}
+
+std::string TableReader::text(std::string_view key, const TextSpec& spec) {
+  const Value* value = ask(key, !spec.fallback, "a text", spec.doc);
+  std::optional<std::string> result;
+  if (value) result = read_text({*value, path(key), diagnostics()}, spec.doc);
+  return result.value_or(spec.fallback.value_or(""));
+}
+
+std::string TableReader::choice(std::string_view key, const ChoiceSpec& spec) {
+  assert(!spec.allowed.empty());
+  const Value* value = ask(key, !spec.fallback, "one of " + listed(spec.allowed), spec.doc);
+  const std::string stand_in = spec.fallback.value_or(spec.allowed.front());
+  if (!value) return stand_in;
+  const Spot at{*value, path(key), diagnostics()};
+  const std::optional<std::string> word = read_text(at, spec.doc);
+  if (!word) return stand_in;
+  if (std::find(spec.allowed.begin(), spec.allowed.end(), *word) != spec.allowed.end()) return *word;
+  const auto near = nearest(*word, spec.allowed);
+  at.refuse(at.path + " = " + in_quotes(*word) + " is not one of " + listed(spec.allowed) +
+                in_parentheses(spec.doc),
+            near ? "did you mean " + in_quotes(*near) + '?' : "");
+  return stand_in;
+}
+
+std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& spec) {
+  const Value* value = ask(key, !spec.fallback, "an array, each " + wanted_real(spec.unit), spec.doc);
+  std::optional<std::vector<double>> result;
+  if (value)
+    result = read_reals({*value, path(key), diagnostics()}, spec.unit, spec.range, spec.count, spec.doc);
+  if (!result) result = spec.fallback;
+  return result ? *result : std::vector<double>(stand_in_size(spec.count), within(spec.range));
+}
+
+std::vector<std::vector<double>> TableReader::rows(std::string_view key, const RowsSpec& spec) {
+  using Rows = std::vector<std::vector<double>>;
+  const Value* value =
+      ask(key, !spec.fallback, "an array of arrays, each " + wanted_real(spec.unit), spec.doc);
+  std::optional<Rows> result;
+  if (value)
+    result = read_array<std::vector<double>>(
+        {*value, path(key), diagnostics()}, spec.rows, "row", "arrays", spec.doc,
+        [&](const Spot& row) { return read_reals(row, spec.unit, spec.range, spec.columns, spec.doc); });
+  if (!result) result = spec.fallback;
+  const std::vector<double> row(stand_in_size(spec.columns), within(spec.range));
+  return result ? *result : Rows(stand_in_size(spec.rows), row);
+}
+
+std::vector<std::int64_t> TableReader::integers(std::string_view key, const IntegersSpec& spec) {
+  const Value* value = ask(key, !spec.fallback, "an array of integers", spec.doc);
+  std::optional<std::vector<std::int64_t>> result;
+  if (value)
+    result = read_array<std::int64_t>(
+        {*value, path(key), diagnostics()}, spec.count, "value", "integers", spec.doc,
+        [&](const Spot& item) { return read_integer(item, spec.lo, spec.hi, spec.doc); });
+  if (!result) result = spec.fallback;
+  const std::int64_t stand_in = std::clamp<std::int64_t>(0, spec.lo, spec.hi);
+  return result ? *result : std::vector<std::int64_t>(stand_in_size(spec.count), stand_in);
+}
+
+std::vector<std::string> TableReader::texts(std::string_view key, const TextsSpec& spec) {
+  const Value* value = ask(key, !spec.fallback, "an array of texts", spec.doc);
+  std::optional<std::vector<std::string>> result;
+  if (value)
+    result = read_array<std::string>({*value, path(key), diagnostics()}, spec.count, "value", "texts",
+                                     spec.doc, [&](const Spot& item) { return read_text(item, spec.doc); });
+  if (!result) result = spec.fallback;
+  return result ? *result : std::vector<std::string>(stand_in_size(spec.count));
+}
+
+/// Opening a table twice gives the same state, so that keys requested through either are known.
+TableReader TableReader::open(const Value& table, const std::string& path) {
+  std::shared_ptr<State>& state = state_->opened[&table];
+  if (!state) state = TableReader(table, diagnostics(), path).state_;
+  return TableReader(state);
+}
+
+TableReader TableReader::table(std::string_view key, Presence presence, const std::string& doc) {
+  const Value* value = ask(key, presence == Presence::required, "a table", doc);
+  if (value && value->as<Table>()) return open(*value, path(key));
+  if (value) Spot{*value, path(key), diagnostics()}.refuse_type("a table", doc);
+  const bool reported = value || presence == Presence::required || state_->silent;
+  return TableReader(
+      std::make_shared<State>(State{nullptr, state_->place, path(key), &diagnostics(), reported}));
+}
+
+std::vector<TableReader> TableReader::tables(std::string_view key, Presence presence,
+                                             const std::string& doc) {
+  const std::string headers = "write each under a header [[" + path(key) + "]]";
+  const Value* value = ask(key, presence == Presence::required, "an array of tables", doc);
+  if (!value) return {};
+  const Spot at{*value, path(key), diagnostics()};
+  const Array* array = value->as<Array>();
+  if (!array) {
+    at.refuse_type("an array of tables", doc, headers);
+    return {};
+  }
+  std::vector<TableReader> readers;
+  int bad = 0;
+  for (std::size_t i = 0; i < array->items.size() && bad < kMostErrorsInAnArray; ++i) {
+    const Spot item{array->items[i], with_index(at.path, i), at.diagnostics};
+    if (item.value.as<Table>())
+      readers.push_back(open(item.value, item.path));
+    else {
+      item.refuse_type("a table", doc, headers);
+      ++bad;
+    }
+  }
+  return readers;
+}
+
+bool TableReader::has(std::string_view key) { return ask(key) != nullptr; }
+
+std::optional<Kind> TableReader::kind(std::string_view key) {
+  const Value* value = ask(key);
+  return value ? std::optional(value->kind()) : std::nullopt;
+}
+
+const Value* TableReader::raw(std::string_view key) { return ask(key); }
+
+std::vector<std::string> TableReader::keys() const {
+  std::vector<std::string> result;
+  for (const Member& member : state_->table().members) result.push_back(member.key);
+  return result;
+}
+
+void TableReader::error(std::string_view key, const std::string& message, const std::string& hint) {
+  state_->diagnostics->error(place(key), path(key) + ": " + message, hint);
+}
+
+Place TableReader::place() const { return state_->place; }
+
+Place TableReader::place(std::string_view key) const {
+  const Member* member = state_->table().find(key);
+  return member ? member->value.place : state_->place;
+}
+
+std::string TableReader::path() const { return state_->path; }
+std::string TableReader::path(std::string_view key) const { return join_path(state_->path, key); }
+Diagnostics& TableReader::diagnostics() const { return *state_->diagnostics; }
+void TableReader::finish() const { state_->finish(); }
+
+}  // namespace netloft::io

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "io/formats/toml/diagnostics.hpp"
+
+namespace netloft::io {
+
+struct Member;
+struct Value;
+
+struct Table {
+  std::vector<Member> members;  // in the order of the file
+  const Member* find(std::string_view key) const;
+  Member* find(std::string_view key);
+};
+
+struct Array {
+  std::vector<Value> items;
+  bool from_headers = false;  // written as [[hold]], not as hold = [...]
+};
+
+struct Date {
+  std::string text;
+};
+
+enum class Kind { table, array, text, integer, real, boolean, date };
+
+/// A value of a file, with its place. Independent of the parser that read it.
+struct Value {
+  Place place;
+  std::variant<Table, Array, std::string, std::int64_t, double, bool, Date> data;  // in the order of Kind
+
+  Kind kind() const { return static_cast<Kind>(data.index()); }
+  template <class T>
+  const T* as() const {
+    return std::get_if<T>(&data);
+  }
+  template <class T>
+  T* as() {
+    return std::get_if<T>(&data);
+  }
+};
+
+struct Member {
+  std::string key;
+  Place place;  // of the key
+  Value value;
+};
+
+inline const Member* Table::find(std::string_view key) const {
+  for (const Member& member : members)
+    if (member.key == key) return &member;
+  return nullptr;
+}
+
+inline Member* Table::find(std::string_view key) {
+  return const_cast<Member*>(static_cast<const Table*>(this)->find(key));
+}
+
+/// A key in the spelling of a dotted path: bare, or quoted if necessary.
+std::string spell_key(std::string_view key);
+
+/// Joins "parts.net" and "cells" to "parts.net.cells".
+std::string join_path(std::string_view path, std::string_view key);
+
+}  // namespace netloft::io

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/units/in_quotes.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+constexpr std::size_t kLongestQuote = 60;
+constexpr std::size_t kBehindFirst = 3;  // bytes of a character in UTF-8, at most; what has more is no text
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+  if (text.size() <= kLongestQuote) return '"' + std::string(text) + '"';
+  std::size_t end = kLongestQuote;
+  while (end > kLongestQuote - kBehindFirst && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+    --end;  // not within a character
+  return '"' + std::string(text.substr(0, end)) + "...\"";
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/units/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "framework/parameters/nearest.hpp"
+#include "io/formats/units/common_words.hpp"
+#include "io/formats/units/expression.hpp"
+#include "io/formats/units/in_quotes.hpp"
+#include "io/formats/units/udunits.hpp"
+
+namespace netloft::io {
+namespace {
+
+constexpr std::size_t kLongestText = 200;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_space(char c) { return c == ' ' || c == '\t'; }
+
+Quantity refuse(std::string error, std::string hint = {}) { return {0, std::move(error), std::move(hint)}; }
+
+std::string_view trim(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// Typographic signs as UDUNITS has them in ASCII, which is all it is ever given.
+std::string in_ascii(std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
+      {"°C", "degC"}, {"°", "deg"}, {"µ", "u"}, {"μ", "u"}, {"²", "2"},     {"³", "3"},
+      {"·", "."},     {"⋅", "."},   {"−", "-"}, {"×", "."}, {"\u00a0", " "}};
+  std::string result(text);
+  for (const auto& [sign, ascii] : kSigns)
+    for (std::size_t at = 0; (at = result.find(sign, at)) != std::string::npos; at += ascii.size())
+      result.replace(at, sign.size(), ascii);
+  return result;
+}
+
+struct Written {
+  double number = 0;
+  std::string unit;
+};
+
+/// Takes the number off the front of `text`.
+Quantity split(std::string_view text, const std::string& example, Written& out) {
+  std::string_view rest = text;
+  if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
+  const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), out.number);
+  if (code == std::errc::result_out_of_range)
+    return refuse(in_quotes(text) + " exceeds the range of floating-point numbers");
+  if (code != std::errc()) return refuse(in_quotes(text) + " does not begin with a number", example);
+  if (!std::isfinite(out.number)) return refuse(in_quotes(text) + " is not a finite number");
+  out.unit = trim(rest.substr(static_cast<std::size_t>(end - rest.data())));
+  const bool comma = out.unit.size() > 1 && out.unit[0] == ',' && is_digit(out.unit[1]);
+  if (comma) return refuse(in_quotes(text) + " has a decimal comma", "write a decimal point");
+  return {};
+}
+
+/// Words that mean one thing to UDUNITS and another at sea.
+std::string ambiguity(const std::string& word) {
+  std::string lower(word.size(), ' ');
+  std::transform(word.begin(), word.end(), lower.begin(), detail::lower);
+  if (lower == "ton" || lower == "tons") return "write t (1000 kg), short_ton or long_ton";
+  if (lower == "ton_force" || lower == "tons_force" || lower == "force_ton") return "write tonf (1000 kgf)";
+  if (word == "nm") return "write nmi for nautical miles, mm or m for short lengths";
+  if (word == "fm") return "write fathom, or m for a length in metres";
+  return {};
+}
+
+std::vector<std::string> words_of(const std::string& unit) {
+  std::vector<std::string> words;
+  bool inside = false;
+  for (const char c : unit) {
+    const bool letter = is_letter(c) || c == '%';
+    if (letter && !inside) words.emplace_back();
+    if (letter) words.back() += c;
+    inside = letter;
+  }
+  return words;
+}
+
+const std::vector<std::string>& common_units() {
+  static const std::vector<std::string> units = [] {
+    std::vector<std::string> all(std::begin(kCommonWords), std::end(kCommonWords));
+    all.insert(all.end(), {"m/s", "km/h", "N.m"});
+    return all;
+  }();
+  return units;
+}
+
+Quantity refuse_unknown(std::string_view text, const std::string& unit, const std::string& word) {
+  if (word.empty())
+    return refuse(in_quotes(unit) + " in " + in_quotes(text) + " cannot be read as a unit",
+                  "write products and powers as \"kg/m3\", \"N.m/rad\", \"m^2\"");
+  const auto near = nearest(word, common_units());
+  return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " is not known",
+                near ? "did you mean " + in_quotes(*near) + "?" : "");
+}
+
+std::string named(const Dimension& dimension, std::string_view unit) {
+  return describe(dimension).name + " (" + std::string(unit) + ')';
+}
+
+/// The slips that are made every day.
+std::string cure(const std::string& unit, const Dimension& got, const Dimension& wanted) {
+  const std::string is = describe(got).name, should = describe(wanted).name;
+  if (is == "a mass" && should == "a force") return "the weight of a mass is written with kgf, tonf or lbf";
+  if (is == "a force" && should == "a mass") return "kgf, tonf and lbf are forces; kg, t and lb are masses";
+  if (is == "a speed" && unit == "kn") return "kn is the knot; the kilonewton is kN";
+  if (is == "a pure number" && unit.empty()) return "add a unit, or omit the quotes for an SI number";
+  return {};
+}
+
+/// The scale of a metric unit below its SI unit is the inverse of an integer; dividing rounds once where
+/// multiplying by 0.001 rounds twice: "35 mm" and 0.035 are the same number (144 of the first 1000 were not).
+double times(double number, double scale) {
+  const double inverse = std::round(1 / scale);
+  const bool divides = std::abs(scale) < 1 && std::abs(inverse * scale - 1) < 4e-16 && inverse <= 1e15;
+  return divides ? number / inverse : number * scale;
+}
+
+std::optional<Unit> parse_wanted(const UnitSystem& units, std::string_view si_unit) {
+  return parse_unit(units, si_unit == "1" ? "" : si_unit).unit;
+}
+
+/// Of a quantity, for whoever wrote something else.
+std::string example_of(std::string_view si_unit) {
+  if (si_unit == "1") return "write a number, such as 10";
+  return "write it as \"10 " + std::string(si_unit == "m" ? "mm" : si_unit) + "\"";
+}
+
+/// Takes a text apart into a number and a unit that is known.
+Quantity take_apart(const UnitSystem& units, std::string_view text, const std::string& example,
+                    Written& written, Unit& unit) {
+  if (Quantity bad = split(in_ascii(trim(text)), example, written); !bad.ok()) return bad;
+  for (const std::string& word : words_of(written.unit))
+    if (std::string hint = ambiguity(word); !hint.empty())
+      return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " has more than one meaning",
+                    hint);
+  const auto [parsed, unknown] = parse_unit(units, written.unit);
+  if (!parsed && !units.trouble().empty()) return refuse(units.trouble());
+  if (!parsed) return refuse_unknown(text, written.unit, unknown);
+  unit = *parsed;
+  return {};
+}
+
+Quantity read_checked(const UnitSystem& units, std::string_view text, std::string_view si_unit) {
+  Written written;
+  Unit unit;
+  if (Quantity bad = take_apart(units, text, example_of(si_unit), written, unit); !bad.ok()) return bad;
+  const auto wanted = parse_wanted(units, si_unit);
+  if (!wanted && !units.trouble().empty()) return refuse(units.trouble());
+  if (!wanted) return refuse("the wanted unit " + in_quotes(si_unit) + " is not known to UDUNITS-2");
+  if (unit.dimension != wanted->dimension)
+    return refuse(in_quotes(text) + " is " + named(unit.dimension, describe(unit.dimension).unit) + "; " +
+                      named(wanted->dimension, si_unit) + " is expected",
+                  cure(written.unit, unit.dimension, wanted->dimension));
+  const double value = times(written.number + unit.offset, unit.scale) / wanted->scale - wanted->offset;
+  if (!std::isfinite(value)) return refuse(in_quotes(text) + " exceeds the range of floating-point numbers");
+  return {value, {}, {}};
+}
+
+Quantity refuse_length(std::string_view text) {
+  if (text.size() > kLongestText)
+    return refuse("a text of " + std::to_string(text.size()) + " characters is not a number with a unit");
+  if (trim(text).empty()) return refuse("an empty text is not a number with a unit", "write it as \"10 mm\"");
+  return {};
+}
+
+}  // namespace
+
+Quantity to_si(std::string_view text, std::string_view si_unit) {
+  if (Quantity bad = refuse_length(text); !bad.ok()) return bad;
+  return read_checked(UnitSystem::shared(), text, si_unit);
+}
+
+WrittenQuantity read_as_written(std::string_view text) {
+  Written written;
+  Unit unit;
+  Quantity read = refuse_length(text);
+  if (read.ok()) read = take_apart(UnitSystem::shared(), text, example_of("m"), written, unit);
+  return {written.number, std::move(written.unit), std::move(read.error), std::move(read.hint)};
+}
+
+std::string dimension_name(std::string_view unit) {
+  const auto parsed = parse_wanted(UnitSystem::shared(), unit);
+  const std::string name = parsed ? describe(parsed->dimension).name : "a value";
+  return name == "a quantity" ? "a value" : name;
+}
+
+std::string format(double value) {
+  std::array<char, 32> buffer;
+  const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  std::string text(buffer.data(), end);
+  // 1e+09 and 1e-05 are written 1e9 and 1e-5, as people do.
+  if (const std::size_t e = text.find('e'); e != std::string::npos) {
+    if (text[e + 1] == '+') text.erase(e + 1, 1);
+    const std::size_t digits = text[e + 1] == '-' ? e + 2 : e + 1;
+    if (text[digits] == '0' && digits + 1 < text.size()) text.erase(digits, 1);
+  }
+  return text;
+}
+
+std::string format(double value, std::string_view unit) {
+  return unit.empty() || unit == "1" ? format(value) : format(value) + ' ' + std::string(unit);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gears/catalogue/part_kinds.hpp"
+#include "io/formats/toml/diagnostics.hpp"
+#include "io/formats/toml/document.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// One part, as a catalogue describes it.
+///
+/// Fibres, wires and links fill only a fraction of the cross-section of a line; water fills the rest. An
+/// element that treats a line as a homogeneous cylinder needs the density
+///   ρ = ρ_w + m/A (1 − ρ_w/ρ_m),   A = π d²/4      (1)
+/// for its weight in the water to be that of its material. m [kg/m] mass of a metre, ρ_m [kg/m³] of the
+/// material, d [m] diameter, ρ_w = 1025 kg/m³; of a part that states ρ itself, (1) is not used. For pieces:
+///   V = m/ρ_m                                      (2)
+struct CataloguePart {
+  std::string name;
+  const PartKind* kind = nullptr;
+  std::map<std::string, double> numbers;     // by key, in the units of its kind
+  std::map<std::string, std::string> texts;  // source, uncertainty, …
+  std::map<std::string, Value> tables;       // as they are written
+  std::string file;
+};
+
+/// All parts of some folders.
+///
+/// A folder holds any number of .toml files with tables `[KIND.NAME]`. `source` and `uncertainty` may be
+/// given once at the head of a file, for all of its parts. If two folders have a part of the same kind and
+/// name, the first folder has priority.
+class Catalogue {
+ public:
+  /// Folders that do not exist are skipped. Errors are put into the diagnostics with their places.
+  static Catalogue load(const std::vector<std::filesystem::path>& folders, Diagnostics& diagnostics);
+
+  /// The parts of one file.
+  static Catalogue load_file(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+  /// Null if no part of these kinds has the name.
+  const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
+  /// In the order in which they were read.
+  const std::vector<CataloguePart>& parts() const { return parts_; }
+  const std::vector<SourceFile>& files() const { return files_; }
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+
+ private:
+  void read_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
+  void read_file(const std::filesystem::path& file, std::size_t first_of_folder, Diagnostics& diagnostics);
+  void add(CataloguePart part, const Place& place, std::size_t first_of_folder, Diagnostics& diagnostics);
+
+  std::vector<CataloguePart> parts_;
+  std::vector<SourceFile> files_;
+  std::vector<std::filesystem::path> folders_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/catalogue/folders.hpp"
+
+#include <cstdlib>
+#include <sstream>
+
+namespace netloft::io {
+
+namespace {
+
+std::filesystem::path library_folder() {
+  std::error_code none;
+  auto folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+  for (; folder.has_relative_path(); folder = folder.parent_path()) {
+    const auto library = folder / "share/netloft/gear-library/catalogue";
+    if (std::filesystem::is_directory(library, none)) return library;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string folder_fault(const std::filesystem::path& folder) {
+  std::error_code fault;
+  if (!std::filesystem::exists(folder, fault)) return "there is no folder " + folder.string();
+  if (!std::filesystem::is_directory(folder, fault)) return folder.string() + " is no folder";
+  std::filesystem::directory_iterator(folder, fault);
+  return fault ? folder.string() + " cannot be read: " + fault.message() : "";
+}
+
+std::vector<std::filesystem::path> catalogue_folders(Diagnostics& diagnostics,
+                                                     std::vector<std::filesystem::path> own) {
+  if (const char* listed = std::getenv("NETLOFT_CATALOGUE")) {
+    std::istringstream words(listed);
+    for (std::string folder; std::getline(words, folder, ':');) {
+      if (folder.empty()) continue;
+      if (const auto fault = folder_fault(folder); !fault.empty())
+        diagnostics.error({}, "NETLOFT_CATALOGUE: " + fault);
+      own.emplace_back(folder);
+    }
+  }
+  if (const auto library = library_folder(); !library.empty()) own.push_back(library);
+  return own;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/catalogue/part_choice.hpp"
+
+#include "framework/parameters/nearest.hpp"
+#include "io/formats/toml/merge.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr const char* kPart = "part";
+
+/// The value that contains the name; if a table has none, the table itself.
+const Value& naming_value(const Value& said) {
+  const Table* table = said.as<Table>();
+  const Member* part = table ? table->find(kPart) : nullptr;
+  return part ? part->value : said;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return text;
+}
+
+std::string where_it_was_sought(const Catalogue& catalogue) {
+  std::string text;
+  for (const auto& folder : catalogue.folders()) text += (text.empty() ? "" : ", ") + folder.string();
+  return text.empty() ? "no folder of a catalogue was found; NETLOFT_CATALOGUE may name some"
+                      : "looked for in " + text + "; `netloft catalogue` lists what there is";
+}
+
+std::vector<std::string> names_of(const Catalogue& catalogue, const std::vector<std::string>& kinds) {
+  std::vector<std::string> names;
+  for (const auto& part : catalogue.parts())
+    if (std::find(kinds.begin(), kinds.end(), part.kind->name) != kinds.end()) names.push_back(part.name);
+  return names;
+}
+
+std::string cure(const std::string& name, const std::vector<std::string>& kinds, const Catalogue& catalogue) {
+  for (const auto& part : catalogue.parts())
+    if (part.name == name) return "\"" + name + "\" is a " + part.kind->name;
+  const auto near = nearest(name, names_of(catalogue, kinds));
+  return near ? "did you mean \"" + *near + "\"?" : where_it_was_sought(catalogue);
+}
+
+}  // namespace
+
+bool names_a_part(const Value& said) {
+  const Table* table = said.as<Table>();
+  return said.kind() == Kind::text || (table && table->find(kPart));
+}
+
+const CataloguePart* choose_part(const Value& said, const std::vector<std::string>& kinds,
+                                 const std::string& path, const Catalogue& catalogue,
+                                 Diagnostics& diagnostics) {
+  const Value& naming = naming_value(said);
+  const std::string* name = naming.as<std::string>();
+  if (!name) {
+    diagnostics.error(naming.place, path + ": the name of a part is a text, such as \"pe-braided-4mm\"");
+    return nullptr;
+  }
+  const CataloguePart* part = catalogue.find(*name, kinds);
+  if (!part)
+    diagnostics.error(naming.place,
+                      path + ": there is no " + listed(kinds) + " \"" + *name + "\" in the catalogue",
+                      cure(*name, kinds, catalogue));
+  return part;
+}
+
+Value spell_out(const Value& said, const CataloguePart& part,
+                const std::function<bool(const std::string&)>& wanted) {
+  Table own;
+  if (const Table* table = said.as<Table>()) own = *table;
+  std::erase_if(own.members, [](const Member& m) { return m.key == kPart; });
+  Table spelled;
+  for (const auto& [key, number] : part.numbers)
+    if (wanted(key) && !own.find(key))
+      spelled.members.push_back({key, said.place, Value{said.place, number}});
+  for (const char* key : part.kind->tables)
+    if (const auto table = part.tables.find(key); table != part.tables.end() && wanted(key) && !own.find(key))
+      spelled.members.push_back({key, said.place, table->second});
+  spelled.members.insert(spelled.members.end(), own.members.begin(), own.members.end());
+  return {said.place, std::move(spelled)};
+}
+
+void put_beside(const CataloguePart& part, Table& owner) {
+  for (const char* key : part.kind->beside) {
+    const auto given = part.tables.find(key);
+    if (given == part.tables.end()) continue;
+    Value whole = given->second;
+    if (Member* own = owner.find(key)) {
+      merge(whole, own->value);
+      own->value = std::move(whole);
+    } else {
+      owner.members.push_back({key, whole.place, std::move(whole)});
+    }
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gears/plan/gear.hpp"
+
+#include <map>
+
+namespace netloft::io {
+
+/// One side of a cloth: an edge of an outline, or half of an edge that crosses the middle.
+struct ClothSide {
+  std::size_t cloth = 0;
+  EdgeRef edge;              // unused for the line between both halves of a middle panel
+  bool is_inside = false;    // whether it is this line
+  bool is_reversed = false;  // whether it runs against the direction of the outline's edge
+  EdgeKind kind{};
+  bool goes_aft = false;              // of outer and inner sides
+  PanelPoint from, to;                // x is outwards on either side of the gear
+  double edge_from = 0, edge_to = 1;  // fractions of the edge, in the edge's direction
+  double meshes = 0, stretched = 0;   // counted meshes; length of its straight twines [m]
+  double length = 0;                  // length in the spread netting [m]
+
+  bool is_across() const { return kind == EdgeKind::fore || kind == EdgeKind::aft; }
+};
+
+/// A panel without symmetry: a pair's or a single one, or one half of a middle panel. Sides follow one
+/// another counter-clockwise in x outwards, y aft, from the fore inner corner on, so that what is to port has
+/// the same numbers as its counterpart to starboard.
+struct Cloth {
+  std::size_t panel = 0;
+  bool is_port = false;
+  double sign = 1;                             // the sign of its x in the outline
+  std::vector<std::size_t> sides;              // indices in Cloths::sides
+  std::map<std::string, std::size_t> corners;  // "fore-outer" -> the side that starts there
+};
+
+/// Coordinates of netting that is spread with an opening of one half: bars are at 30 degrees to the aft
+/// direction, x = U m sin 30°, y = V m cos 30°. Square netting and turned netting are spread to squares.
+PanelPoint spread(const Panel& panel, PanelPoint point);
+
+struct Cloths {
+  std::vector<Cloth> cloths;
+  std::vector<ClothSide> sides;
+};
+
+Cloths cloths_of(const Gear& gear);
+
+}  // namespace netloft::io

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/meshing/gear_mesh.hpp"
+
+#include "io/gears/meshing/gear_size.hpp"
+#include "io/gears/meshing/knots.hpp"
+#include "io/gears/meshing/seam_lines.hpp"
+#include "io/gears/meshing/triangulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kNear = 0.05;   // relative deviation from the requested number of nodes
+constexpr int kTrials = 8;       // sizes that are tried to reach the requested number
+constexpr double kGrid = 1e-10;  // relative to the cloth; makes port and starboard exactly alike
+
+constexpr int kPartings = 5;  // rounds in which coincident sides of two cloths are separated
+
+/// A border of a cloth: the positions of its nodes in repose, and their numbers.
+struct Border {
+  std::vector<std::uint32_t> nodes;
+  std::vector<PanelPoint> points;
+  std::vector<std::size_t> side_starts;  // number in the border, by side
+};
+
+/// Divides one gear with one size; the member functions are steps in the order of execution.
+class Divider {
+ public:
+  Divider(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size)
+      : gear_(gear),
+        cloths_(cloths),
+        fineness_(fineness),
+        size_(size),
+        lines_(seam_lines(gear, cloths, fineness, size)) {}
+
+  GearMesh divide() {
+    number_lines();
+    find_senses();
+    mesh_.panels.resize(gear_.panels.size());
+    mesh_.quality = {std::numbers::pi, 0, 0};
+    fill_cloths();
+    for (int trial = 0; trial < kPartings && part_doubled_sides(); ++trial) continue;
+    for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) add_cloth(c);
+    for (std::size_t r = 0; r < gear_.ropes.size(); ++r) add_rope(r);
+    add_points();
+    add_middle();
+    return std::move(mesh_);
+  }
+
+ private:
+  std::uint32_t add_node() { return static_cast<std::uint32_t>(mesh_.nodes++); }
+
+  /// Numbers the points of lines first, then the nodes within lines.
+  void number_lines() {
+    mesh_.nodes = lines_.number_of_points;
+    for (const auto& line : lines_.lines) {
+      auto& nodes = line_nodes_.emplace_back();
+      nodes.push_back(static_cast<std::uint32_t>(line.ends[0]));
+      for (std::size_t k = 0; k < line.fractions.size(); ++k) nodes.push_back(add_node());
+      nodes.push_back(static_cast<std::uint32_t>(line.ends[1]));
+    }
+  }
+
+  std::vector<std::uint32_t> nodes_of(const Run& run) const {
+    auto nodes = line_nodes_[run.line];
+    if (!run.is_forward) std::reverse(nodes.begin(), nodes.end());
+    return nodes;
+  }
+
+  std::vector<double> fractions_of(const Run& run) const {
+    auto fractions = lines_.lines[run.line].fractions;
+    fractions.insert(fractions.begin(), 0);
+    fractions.push_back(1);
+    if (run.is_forward) return fractions;
+    std::reverse(fractions.begin(), fractions.end());
+    for (auto& fraction : fractions) fraction = 1 - fraction;
+    return fractions;
+  }
+
+  /// Finds whether triangles that are counter-clockwise in their cloth are so seen from outside the net.
+  /// Cloths with the same sense run along a common seam in opposite directions. The first panel is on top,
+  /// where the turn from outwards to aft is clockwise.
+  void find_senses() {
+    std::vector<std::vector<std::pair<std::size_t, bool>>> users(lines_.lines.size());
+    for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
+      for (const auto& run : lines_.sides[s])
+        users[run.line].push_back({cloths_.sides[s].cloth, run.is_forward});
+    senses_.assign(cloths_.cloths.size(), 0);
+    for (std::size_t first = 0; first < senses_.size(); ++first)
+      if (senses_[first] == 0) {
+        senses_[first] = cloths_.cloths[first].is_port ? 1 : -1;
+        spread_sense(first, users);
+      }
+  }
+
+  void spread_sense(std::size_t first, const std::vector<std::vector<std::pair<std::size_t, bool>>>& users) {
+    std::vector<std::size_t> reached{first};
+    for (std::size_t k = 0; k < reached.size(); ++k)
+      for (const std::size_t s : cloths_.cloths[reached[k]].sides)
+        for (const auto& run : lines_.sides[s])
+          for (const auto& [other, is_forward] : users[run.line])
+            if (senses_[other] == 0) {
+              senses_[other] = senses_[reached[k]] * (is_forward != run.is_forward ? 1 : -1);
+              reached.push_back(other);
+            }
+  }
+
+  Border border_of(const Cloth& cloth) const {
+    Border border;
+    for (const std::size_t s : cloth.sides) {
+      border.side_starts.push_back(border.nodes.size());
+      for (const auto& run : lines_.sides[s]) append(border, cloths_.sides[s], run);
+    }
+    return border;
+  }
+
+  /// Appends all nodes of a run except its last.
+  void append(Border& border, const ClothSide& side, const SideRun& run) const {
+    const auto nodes = nodes_of(run);
+    const auto fractions = fractions_of(run);
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+      const double t = run.from + fractions[k] * (run.to - run.from);
+      border.nodes.push_back(nodes[k]);
+      border.points.push_back(
+          {side.from.x + t * (side.to.x - side.from.x), side.from.y + t * (side.to.y - side.from.y)});
+    }
+  }
+
+  void fill_cloths() {
+    for (const auto& cloth : cloths_.cloths) {
+      borders_.push_back(border_of(cloth));
+      planes_.push_back(fill(cloth, borders_.back()));
+    }
+  }
+
+  PlaneMesh fill(const Cloth& cloth, const Border& border) const {
+    const GearPanel& panel = gear_.panels[cloth.panel];
+    const auto points = on_plane(*panel.panel, border);
+    try {
+      return fineness_.knots ? connect_points(points, knots_within(*panel.panel, cloth.sign, points))
+                             : triangulate(points, size_of(cloth));
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument(
+          fmt::format("panels.{}: its border encloses no netting, {}: do its cuttings meet?",
+                      panel.panel->name, e.what()));
+    }
+  }
+
+  double size_of(const Cloth& cloth) const {
+    const GearPanel& panel = gear_.panels[cloth.panel];
+    return fineness_.knots ? panel.panel->mesh / 2 : size_ / finer(fineness_, panel);
+  }
+
+  using PlaneSide = std::array<std::uint32_t, 2>;
+
+  /// Sides within a cloth that begin at its border, each once.
+  std::vector<PlaneSide> inner_sides(std::size_t c) const {
+    const auto n = static_cast<std::uint32_t>(borders_[c].nodes.size());
+    std::set<PlaneSide> sides;
+    for (const auto& t : planes_[c].triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
+        const bool is_border = b < n && (b == a + 1 || (a == 0 && b == n - 1));
+        if (a < n && !is_border) sides.insert({a, b});
+      }
+    return {sides.begin(), sides.end()};
+  }
+
+  /// Identifies a node of the gear before nodes within cloths have numbers: a cloth (0: lines) and an index.
+  using Tag = std::array<std::size_t, 2>;
+  Tag tag(std::size_t c, std::uint32_t point) const {
+    const auto& nodes = borders_[c].nodes;
+    return point < nodes.size() ? Tag{0, nodes[point]} : Tag{c + 1, point};
+  }
+  std::pair<Tag, Tag> tags(std::size_t c, const PlaneSide& side) const {
+    return std::minmax(tag(c, side[0]), tag(c, side[1]));
+  }
+
+  /// Sides of triangles of two cloths may coincide without a seam, because they join the same two nodes of
+  /// the gear; this happens near sharp corners and where seams end in a point. They get nodes of their own.
+  /// Returns whether there were any.
+  bool part_doubled_sides() {
+    std::map<std::pair<Tag, Tag>, int> times;
+    for (const auto& nodes : line_nodes_)
+      for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
+        ++times[std::minmax(Tag{0, nodes[k]}, Tag{0, nodes[k + 1]})];
+    std::vector<std::vector<PlaneSide>> sides;
+    for (std::size_t c = 0; c < planes_.size(); ++c) {
+      sides.push_back(inner_sides(c));
+      for (const auto& side : sides[c]) ++times[tags(c, side)];
+    }
+    bool was_any = false;
+    for (std::size_t c = 0; c < planes_.size(); ++c) {
+      std::erase_if(sides[c], [&](const PlaneSide& side) { return times[tags(c, side)] < 2; });
+      if (sides[c].empty()) continue;
+      planes_[c] = split_sides(planes_[c], borders_[c].nodes.size(), size_of(cloths_.cloths[c]), sides[c],
+                               fineness_.knots ? Smoothing::none : Smoothing::all);
+      was_any = true;
+    }
+    return was_any;
+  }
+
+  void add_cloth(std::size_t c) {
+    const Cloth& cloth = cloths_.cloths[c];
+    const PlaneMesh& plane = planes_[c];
+    const auto own = add_own_nodes(cloth, *gear_.panels[cloth.panel].panel, borders_[c], plane);
+    for (auto t : plane.triangles) {
+      rate(plane, t);
+      if (senses_[c] < 0) std::swap(t[1], t[2]);
+      for (const auto v : t) mesh_.panels[cloth.panel].triangles.push_back(own[v]);
+    }
+    add_sets(cloth, borders_[c], own);
+  }
+
+  /// Rounds positions to a grid, because lines in opposite directions are divided with different rounding
+  /// errors.
+  static std::vector<PlanePoint> on_plane(const Panel& panel, const Border& border) {
+    std::vector<PlanePoint> points;
+    double extent = 0;
+    for (const auto& point : border.points) {
+      const PanelPoint p = spread(panel, point);
+      points.push_back({p.x, p.y});
+      extent = std::max({extent, std::abs(p.x), std::abs(p.y)});
+    }
+    const double grid = std::exp2(std::ceil(std::log2(kGrid * extent)));
+    for (auto& p : points)
+      for (auto& x : p) x = grid * std::round(x / grid);
+    return points;
+  }
+
+  /// Adds the nodes of a cloth; both halves of a panel use the same nodes on the line between them.
+  std::vector<std::uint32_t> add_own_nodes(const Cloth& cloth, const Panel& panel, const Border& border,
+                                           const PlaneMesh& plane) {
+    std::vector<std::uint32_t> own;
+    const PanelPoint unit = spread(panel, {1, 1});
+    for (std::size_t k = 0; k < plane.points.size(); ++k) {
+      const bool is_inside = k >= border.nodes.size();
+      const PanelPoint p =
+          is_inside ? PanelPoint{plane.points[k][0] / unit.x, plane.points[k][1] / unit.y} : border.points[k];
+      own.push_back(own_node(cloth, is_inside ? add_node() : border.nodes[k], {cloth.sign * p.x, p.y}));
+    }
+    return own;
+  }
+
+  std::uint32_t own_node(const Cloth& cloth, std::uint32_t node, std::array<double, 2> meshes) {
+    PanelMesh& panel = mesh_.panels[cloth.panel];
+    const bool is_shared = cloth.sign < 0 && meshes[0] == 0;
+    if (is_shared)
+      for (std::size_t k = 0; k < panel.nodes.size(); ++k)
+        if (panel.nodes[k] == node && panel.meshes[k][0] == 0) return static_cast<std::uint32_t>(k);
+    panel.nodes.push_back(node);
+    panel.meshes.push_back({meshes[0] == 0 ? 0 : meshes[0], meshes[1]});
+    return static_cast<std::uint32_t>(panel.nodes.size() - 1);
+  }
+
+  void rate(const PlaneMesh& plane, const std::array<std::uint32_t, 3>& t) {
+    ++mesh_.quality.triangles;
+    for (const double angle : angles_of(plane.points[t[0]], plane.points[t[1]], plane.points[t[2]])) {
+      mesh_.quality.least_angle = std::min(mesh_.quality.least_angle, angle);
+      mesh_.quality.greatest_angle = std::max(mesh_.quality.greatest_angle, angle);
+    }
+  }
+
+  void add_sets(const Cloth& cloth, const Border& border, const std::vector<std::uint32_t>& own) {
+    for (std::size_t k = 0; k < cloth.sides.size(); ++k) {
+      const ClothSide& side = cloths_.sides[cloth.sides[k]];
+      if (side.is_inside) continue;
+      std::vector<std::uint32_t> nodes;
+      const std::size_t last = k + 1 < cloth.sides.size() ? border.side_starts[k + 1] : border.nodes.size();
+      for (std::size_t i = border.side_starts[k]; i <= last; ++i)
+        nodes.push_back(own[i % border.nodes.size()]);
+      add_to_edge(cloth, side, std::move(nodes));
+    }
+    for (const auto& [name, s] : cloth.corners) add_corner(cloth, border, own, name, s);
+  }
+
+  /// The halves of an edge follow one another in its direction.
+  void add_to_edge(const Cloth& cloth, const ClothSide& side, std::vector<std::uint32_t> nodes) {
+    if (side.is_reversed) std::reverse(nodes.begin(), nodes.end());
+    auto& set = mesh_.panels[cloth.panel].sets[gear_.panels[cloth.panel].outline.edges[side.edge.edge].name];
+    if (set.empty())
+      set = std::move(nodes);
+    else if (set.back() == nodes.front())
+      set.insert(set.end(), nodes.begin() + 1, nodes.end());
+    else
+      set.insert(set.begin(), nodes.begin(), nodes.end() - 1);
+  }
+
+  void add_corner(const Cloth& cloth, const Border& border, const std::vector<std::uint32_t>& own,
+                  const std::string& name, std::size_t side) {
+    const auto k = static_cast<std::size_t>(std::find(cloth.sides.begin(), cloth.sides.end(), side) -
+                                            cloth.sides.begin());
+    const std::uint32_t node = own[border.side_starts[k]];
+    for (const auto& [known, point] : lines_.points)
+      if (point == border.nodes[border.side_starts[k]] && names_corner(cloth, known, name))
+        mesh_.panels[cloth.panel].sets[known.substr(known.find('.') + 1)] = {node};
+  }
+
+  /// Whether a name such as "body.port-fore-outer" denotes the corner "fore-outer" of a port half.
+  bool names_corner(const Cloth& cloth, const std::string& known, const std::string& corner) const {
+    const std::string& panel = gear_.panels[cloth.panel].name;
+    return known == panel + "." + corner ||
+           known == panel + (cloth.is_port ? ".port-" : ".starboard-") + corner;
+  }
+
+  void add_rope(std::size_t r) {
+    RopeMesh rope;
+    rope.nodes.push_back(static_cast<std::uint32_t>(lines_.rope_ends[r][0]));
+    for (const auto& run : lines_.ropes[r]) {
+      const auto nodes = nodes_of(run);
+      const auto fractions = fractions_of(run);
+      for (std::size_t k = 1; k < nodes.size(); ++k) {
+        rope.nodes.push_back(nodes[k]);
+        rope.rest_lengths.push_back(run.length * (fractions[k] - fractions[k - 1]));
+      }
+    }
+    const auto last = static_cast<std::uint32_t>(rope.nodes.size() - 1);
+    rope.sets["end"] = {last};
+    if (gear_.ropes[r].rope->stands == Standing::middle) {
+      rope.sets["starboard"] = {last};
+      rope.sets[gear_.extent == Extent::whole ? "port" : "middle"] = {0};
+    } else {
+      rope.sets["start"] = {0};
+    }
+    const auto middle = std::find(rope.nodes.begin(), rope.nodes.end(), lines_.rope_middles[r]);
+    if (lines_.rope_middles[r] != kNoPoint && middle != rope.nodes.end())
+      rope.sets["middle"] = {static_cast<std::uint32_t>(middle - rope.nodes.begin())};
+    mesh_.ropes.push_back(std::move(rope));
+  }
+
+  void add_points() {
+    for (const auto& [name, point] : lines_.points)
+      mesh_.points.emplace(name, static_cast<std::uint32_t>(point));
+  }
+
+  /// In the half, adds the nodes on the plane of symmetry: sides, starts of ropes, and points.
+  void add_middle() {
+    if (gear_.extent != Extent::half) return;
+    std::set<std::uint32_t> middle;
+    for (std::size_t l = 0; l < lines_.lines.size(); ++l)
+      if (lines_.is_on_plane[l]) middle.insert(line_nodes_[l].begin(), line_nodes_[l].end());
+    for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
+      if (gear_.ropes[r].rope->stands == Standing::middle) middle.insert(mesh_.ropes[r].nodes.front());
+    for (const auto& point : gear_.points)
+      if (const auto at = mesh_.points.find(point.name);
+          point.point->stands == Standing::middle && at != mesh_.points.end())
+        middle.insert(at->second);
+    mesh_.middle.assign(middle.begin(), middle.end());
+  }
+
+  const Gear& gear_;
+  const Cloths& cloths_;
+  const Fineness& fineness_;
+  double size_;
+  SeamLines lines_;
+  std::vector<std::vector<std::uint32_t>> line_nodes_;
+  std::vector<Border> borders_;    // one per cloth
+  std::vector<PlaneMesh> planes_;  // one per cloth
+  std::vector<int> senses_;        // one per cloth
+  GearMesh mesh_;
+};
+
+}  // namespace
+
+GearMesh divide(const Gear& gear, const Fineness& fineness) {
+  const Cloths cloths = cloths_of(gear);
+  if (fineness.knots) {
+    check_knots(gear);
+    return Divider(gear, cloths, fineness, shortest_bar(gear)).divide();
+  }
+  if (fineness.size > 0) {
+    check_size(gear, fineness);
+    return Divider(gear, cloths, fineness, fineness.size).divide();
+  }
+  double size = size_for(gear, fineness);
+  GearMesh best;
+  double nearest = 1e300;
+  for (int trial = 0; trial < kTrials && nearest > std::log1p(kNear); ++trial) {
+    GearMesh mesh = Divider(gear, cloths, fineness, size).divide();
+    const double ratio =
+        static_cast<double>(mesh.nodes) / static_cast<double>(std::max<std::size_t>(fineness.nodes, 3));
+    size *= std::sqrt(ratio);
+    if (std::abs(std::log(ratio)) >= nearest) continue;
+    nearest = std::abs(std::log(ratio));
+    best = std::move(mesh);
+  }
+  return best;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/meshing/girth.hpp"
+
+#include "io/gears/meshing/node_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace netloft::io {
+
+namespace {
+
+const double kHalfAngle = std::numbers::pi / 8;  // β of (1), (2): an opening of 0.38
+constexpr double kRope = 1e-4;                   // weight of a bar against a side of a triangle
+
+bool is_lateral(EdgeKind kind) { return kind == EdgeKind::outer || kind == EdgeKind::inner; }
+
+EdgeKind kind_of(const Gear& gear, const EdgeRef& ref) {
+  return gear.panels[ref.panel].outline.edges[ref.edge].kind;
+}
+
+/// Whether a seam closes an end: fore is sewn to fore, or aft to aft.
+bool closes(const Gear& gear, const Seam& seam) {
+  if (seam.edges[0].empty() || seam.edges[1].empty()) return false;
+  const EdgeKind one = kind_of(gear, seam.edges[0][0]), other = kind_of(gear, seam.edges[1][0]);
+  return one == other && !is_lateral(one);
+}
+
+/// Whether the outward direction of one panel continues as the inward direction of the other.
+bool turns(const Gear& gear, const EdgeRef& one, const EdgeRef& other) {
+  const EdgeKind a = kind_of(gear, one), b = kind_of(gear, other);
+  return a == b && is_lateral(a);
+}
+
+/// Meshes outwards from the middle for panels across the middle; for others from the start of the inner side.
+double outwards(const GearPanel& panel, double U) {
+  return panel.panel->stands == Standing::middle ? std::abs(U) : U;
+}
+
+bool is_to_port(const GearPanel& panel, double U) {
+  return panel.panel->stands == Standing::middle ? U < 0 : panel.is_mirrored;
+}
+
+}  // namespace
+
+Girth::Girth(const Gear& gear, const GearMesh& mesh)
+    : sense_(gear.panels.size(), 0),
+      side_(mesh.nodes, 1),
+      covered_(mesh.nodes, false),
+      closed_(mesh.nodes, false) {
+  find_senses(gear);
+  find_closed(gear, mesh);
+  find_sides(gear, mesh);
+  solve_fields(gear, mesh);
+  measure_bottom(gear, mesh);
+}
+
+/// Walks over the seams from the first panel, which is taken to be on top.
+void Girth::find_senses(const Gear& gear) {
+  for (std::size_t first = 0; first < sense_.size(); ++first) {
+    if (sense_[first]) continue;
+    sense_[first] = 1;
+    std::vector<std::size_t> reached{first};
+    for (std::size_t k = 0; k < reached.size(); ++k)
+      for (const auto& seam : gear.seams) {
+        if (closes(gear, seam)) continue;
+        for (const int way : {0, 1})
+          for (const auto& from : seam.edges[static_cast<std::size_t>(way)])
+            for (const auto& to : seam.edges[static_cast<std::size_t>(1 - way)]) {
+              if (from.panel != reached[k] || sense_[to.panel]) continue;
+              sense_[to.panel] = turns(gear, from, to) ? -sense_[from.panel] : sense_[from.panel];
+              reached.push_back(to.panel);
+            }
+      }
+  }
+}
+
+void Girth::find_closed(const Gear& gear, const GearMesh& mesh) {
+  for (const auto& seam : gear.seams) {
+    if (!closes(gear, seam)) continue;
+    for (const auto& ref : seam.edges[0]) {
+      const PanelMesh& panel = mesh.panels[ref.panel];
+      const auto& name = gear.panels[ref.panel].outline.edges[ref.edge].name;
+      if (const auto set = panel.sets.find(name); set != panel.sets.end())
+        for (const auto own : set->second) closed_[panel.nodes[own]] = true;
+    }
+  }
+}
+
+/// Ropes beside the netting are on the side of their panels; a rope across the plane is to port before its
+/// middle.
+void Girth::find_sides(const Gear& gear, const GearMesh& mesh) {
+  for (std::size_t p = 0; p < mesh.panels.size(); ++p)
+    for (std::size_t own = 0; own < mesh.panels[p].nodes.size(); ++own) {
+      side_[mesh.panels[p].nodes[own]] = is_to_port(gear.panels[p], mesh.panels[p].meshes[own][0]) ? -1 : 1;
+      covered_[mesh.panels[p].nodes[own]] = true;
+    }
+}
+
+void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
+  std::vector<Gain> aft, around;
+  std::vector<std::pair<std::uint32_t, double>> start, top;
+  for (std::size_t p = 0; p < mesh.panels.size(); ++p) {
+    const PanelMesh& panel = mesh.panels[p];
+    const double size = gear.panels[p].panel->mesh;
+    const double deep = std::cos(kHalfAngle) * size, wide = std::sin(kHalfAngle) * size;
+    for (std::size_t t = 0; t + 2 < panel.triangles.size(); t += 3)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = panel.triangles[t + k], j = panel.triangles[t + (k + 1) % 3];
+        const auto from = panel.nodes[i], to = panel.nodes[j];
+        aft.push_back({from, to, deep * (panel.meshes[j][1] - panel.meshes[i][1]), 1});  // (1)
+        if (sense_[p] < 0 && (closed_[from] || closed_[to]))
+          continue;  // the other panel gives their position
+        around.push_back({from, to,
+                          sense_[p] * wide *
+                              (outwards(gear.panels[p], panel.meshes[j][0]) -
+                               outwards(gear.panels[p], panel.meshes[i][0])),
+                          1});  // (2)
+      }
+    if (sense_[p] > 0 && gear.panels[p].panel->stands == Standing::middle)
+      for (std::size_t own = 0; own < panel.nodes.size(); ++own)
+        if (std::abs(panel.meshes[own][0]) < 1e-6) top.push_back({panel.nodes[own], 0});
+    if (start.empty() && !panel.nodes.empty()) start.push_back({panel.nodes[0], 0});
+  }
+  for (const auto& rope : mesh.ropes)
+    for (std::size_t i = 1; i < rope.nodes.size(); ++i) {
+      aft.push_back({rope.nodes[i - 1], rope.nodes[i], 0, kRope});
+      around.push_back({rope.nodes[i - 1], rope.nodes[i], 0, kRope});
+    }
+  aft_ = by_gains(mesh.nodes, aft, start);
+  around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);
+}
+
+/// Every node of a lower middle panel gives the position of the middle; a net without such a panel has an
+/// open girth.
+void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
+  double most = 0;
+  own_.assign(mesh.nodes, 0);
+  for (std::size_t p = 0; p < mesh.panels.size(); ++p) {
+    const PanelMesh& panel = mesh.panels[p];
+    const double wide = std::sin(kHalfAngle) * gear.panels[p].panel->mesh;
+    const bool is_bottom = sense_[p] < 0 && gear.panels[p].panel->stands == Standing::middle;
+    for (std::size_t own = 0; own < panel.nodes.size(); ++own) {
+      const auto node = panel.nodes[own];
+      most = std::max(most, around_[node]);
+      if (is_bottom && !closed_[node])
+        bottom_.push_back({aft_[node], own_[node] = around_[node] + wide * std::abs(panel.meshes[own][0])});
+    }
+  }
+  if (bottom_.empty()) bottom_.push_back({0, std::max(2 * most, 1e-3)});
+  std::sort(bottom_.begin(), bottom_.end());
+}
+
+double Girth::half_girth(std::uint32_t node) const {
+  if (own_[node] > 0) return std::max(own_[node], 1e-3);
+  const double aft = aft_[node];
+  const auto next = std::lower_bound(bottom_.begin(), bottom_.end(), std::pair{aft, 0.0});
+  if (next == bottom_.begin()) return std::max(next->second, 1e-3);
+  if (next == bottom_.end()) return std::max(bottom_.back().second, 1e-3);
+  const auto before = std::prev(next);
+  const double gap = next->first - before->first, t = gap > 0 ? (aft - before->first) / gap : 0;
+  return std::max((1 - t) * before->second + t * next->second, 1e-3);
+}
+
+}  // namespace netloft::io

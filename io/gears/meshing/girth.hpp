@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gears/meshing/gear_mesh.hpp"
+
+#include <vector>
+
+namespace netloft::io {
+
+/// Positions of nodes on the bag of a net: distance aft, distance along the girth from the top, and side.
+/// Fields (1) and (2) of start_shape.hpp.
+class Girth {
+ public:
+  Girth(const Gear& gear, const GearMesh& mesh);
+
+  /// Whether the node belongs to netting or to a rope on which netting is hung.
+  bool covers(std::uint32_t node) const { return covered_[node]; }
+  double aft(std::uint32_t node) const { return aft_[node]; }        // a [m]
+  double around(std::uint32_t node) const { return around_[node]; }  // s [m]
+  int side(std::uint32_t node) const { return side_[node]; }         // −1 to port, else 1
+  /// Whether the node belongs to an end of the bag that is sewn to itself.
+  bool is_closed(std::uint32_t node) const { return closed_[node]; }
+  /// S [m] at this node: along its own girth to the middle of a lower panel, or else the nearest such value
+  /// at this distance aft.
+  double half_girth(std::uint32_t node) const;
+
+ private:
+  void find_senses(const Gear& gear);
+  void find_closed(const Gear& gear, const GearMesh& mesh);
+  void find_sides(const Gear& gear, const GearMesh& mesh);
+  void solve_fields(const Gear& gear, const GearMesh& mesh);
+  void measure_bottom(const Gear& gear, const GearMesh& mesh);
+
+  std::vector<int> sense_;  // the sign in (2), one per panel
+  std::vector<double> aft_, around_;
+  std::vector<double> own_;  // S along the node's own girth; 0: there is none
+  std::vector<int> side_;
+  std::vector<bool> covered_, closed_;
+  std::vector<std::pair<double, double>> bottom_;  // (a, S), increasing in a
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/meshing/seam_lines.hpp"
+
+#include "io/gears/meshing/knots.hpp"
+#include "io/gears/meshing/rope_course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace netloft::io {
+
+namespace {
+
+// corners of both sides of a seam that are closer than this fraction of an element are merged
+constexpr double kSnap = 0.3;
+constexpr double kGrowth = 0.4;  // growth of the element size per length along a line
+
+double finer(const Fineness& fineness, const std::string& name, const std::string& plan_name) {
+  auto at = fineness.finer.find(name);
+  if (at == fineness.finer.end()) at = fineness.finer.find(plan_name);
+  return at == fineness.finer.end() ? 1 : at->second;
+}
+
+/// Makes the lines of one gear; the member functions are steps in the order of execution.
+class LineMaker {
+ public:
+  LineMaker(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size)
+      : gear_(gear),
+        cloths_(cloths),
+        fineness_(fineness),
+        size_(size),
+        borders_(sew(gear, cloths, kSnap * size)) {}
+
+  SeamLines make() {
+    const RopeCourses ropes = run_ropes(gear_, borders_);
+    number_points(ropes);
+    add_side_lines();
+    for (std::size_t r = 0; r < gear_.ropes.size(); ++r) add_rope(r, ropes.courses[r]);
+    divide_all();
+    return std::move(all_);
+  }
+
+ private:
+  std::size_t number_of(std::size_t point) { return numbers_[borders_.points.root(point)]; }
+
+  void number_points(const RopeCourses& ropes) {
+    numbers_.assign(borders_.points.size(), kNoPoint);
+    for (const auto& breaks : borders_.breaks)
+      for (const auto& b : breaks) number(b.point);
+    for (const auto& course : ropes.courses)
+      for (const auto& stretch : course) {
+        number(stretch.from);
+        number(stretch.to);
+      }
+    for (const auto& [name, point] : ropes.points)
+      if (number_of(point) != kNoPoint) all_.points.emplace(name, number_of(point));
+  }
+
+  void number(std::size_t point) {
+    auto& n = numbers_[borders_.points.root(point)];
+    if (n == kNoPoint) n = all_.number_of_points++;
+  }
+
+  double size_of(const ClothSide& side) const {
+    const GearPanel& panel = gear_.panels[cloths_.cloths[side.cloth].panel];
+    return size_ / finer(fineness_, panel.name, panel.panel->name);
+  }
+
+  double knots_of(const ClothSide& side) const {
+    const Cloth& cloth = cloths_.cloths[side.cloth];
+    return knots_along(*gear_.panels[cloth.panel].panel, cloth.sign, side.from, side.to);
+  }
+
+  void add_side_lines() {
+    all_.sides.resize(cloths_.sides.size());
+    for (std::size_t s = 0; s < cloths_.sides.size(); ++s) {
+      const auto& breaks = borders_.breaks[s];
+      for (std::size_t b = 0; b + 1 < breaks.size(); ++b)
+        all_.sides[s].push_back({{kNoPoint, true}, breaks[b].fraction, breaks[b + 1].fraction});
+    }
+    for (const auto& seam : borders_.seams) share_lines(seam);
+    for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
+      for (std::size_t b = 0; b < all_.sides[s].size(); ++b)
+        if (all_.sides[s][b].line == kNoPoint) use(add_line(), {s, true}, b);
+  }
+
+  std::size_t add_line() {
+    all_.lines.push_back({{}, 0, std::numeric_limits<double>::infinity(), 0, true, {}});
+    all_.is_on_plane.push_back(false);
+    return all_.lines.size() - 1;
+  }
+
+  /// A run of a side, by its index along the side.
+  struct RunOfSide {
+    DirectedSide side;
+    std::size_t run;
+  };
+
+  std::vector<RunOfSide> runs_of(const Row& row) const {
+    std::vector<RunOfSide> runs;
+    for (const auto& s : row) {
+      const std::size_t n = all_.sides[s.side].size();
+      for (std::size_t k = 0; k < n; ++k) runs.push_back({s, s.is_forward ? k : n - 1 - k});
+    }
+    return runs;
+  }
+
+  void share_lines(const std::array<Row, 2>& seam) {
+    const auto a = runs_of(seam[0]), b = runs_of(seam[1]);
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+      const std::size_t line = add_line();
+      use(line, a[k].side, a[k].run);
+      use(line, b[k].side, b[k].run);
+    }
+  }
+
+  /// A line with two lengths, for instance with two mesh sizes, uses the geometric mean.
+  void use(std::size_t l, DirectedSide s, std::size_t k) {
+    const ClothSide& side = cloths_.sides[s.side];
+    const auto& breaks = borders_.breaks[s.side];
+    SideRun& run = all_.sides[s.side][k];
+    run.line = l;
+    run.is_forward = s.is_forward;
+    Line& line = all_.lines[l];
+    line.ends = {number_of(breaks[s.is_forward ? k : k + 1].point),
+                 number_of(breaks[s.is_forward ? k + 1 : k].point)};
+    const double length = side.length * (run.to - run.from);
+    line.length = line.length > 0 ? std::sqrt(line.length * length) : length;
+    line.size = std::min(line.size, size_of(side));
+    if (fineness_.knots) line.knots = std::max(line.knots, knots_of(side) * (run.to - run.from));
+    if (gear_.extent == Extent::half && side.kind == EdgeKind::middle) all_.is_on_plane[l] = true;
+  }
+
+  void add_rope(std::size_t r, const RopeCourse& course) {
+    const GearRope& rope = gear_.ropes[r];
+    const double size = std::max(size_, coarsest(rope)) / finer(fineness_, rope.name, rope.rope->name);
+    auto& runs = all_.ropes.emplace_back();
+    for (const auto& stretch : course)
+      if (stretch.is_free)
+        runs.push_back(free_run(stretch, size));
+      else
+        for (const auto& run : runs_of({stretch.along})) runs.push_back(hung_run(run, stretch.length, size));
+    all_.rope_ends.push_back({number_of(course.front().from), number_of(course.back().to)});
+    const auto middle = all_.points.find(rope.name + ".middle");
+    all_.rope_middles.push_back(middle == all_.points.end() ? kNoPoint : middle->second);
+  }
+
+  /// A warp turns by some tenths of a radian along its length, so that this many bars follow it to a
+  /// thousandth of its tension, whatever size the netting has.
+  static double coarsest(const GearRope& rope) {
+    constexpr double kBarsOfWarps = 32;
+    return rope.rope->role == kWarp ? rope.length / kBarsOfWarps : 0;
+  }
+
+  RopeRun free_run(const RopeStretch& stretch, double size) {
+    all_.lines.push_back(
+        {{number_of(stretch.from), number_of(stretch.to)}, stretch.length, size, 0, false, {}});
+    all_.is_on_plane.push_back(false);
+    return {{all_.lines.size() - 1, true}, stretch.length};
+  }
+
+  RopeRun hung_run(const RunOfSide& of, double length, double size) {
+    const SideRun& run = all_.sides[of.side.side][of.run];
+    all_.lines[run.line].size = std::min(all_.lines[run.line].size, size);
+    return {{run.line, run.is_forward == of.side.is_forward}, length * (run.to - run.from)};
+  }
+
+  void divide_all() {
+    std::vector<double> smallest(all_.number_of_points, std::numeric_limits<double>::infinity());
+    for (const auto& line : all_.lines)
+      for (const std::size_t end : line.ends)
+        if (line.is_netting) smallest[end] = std::min({smallest[end], line.size, line.length});
+    for (auto& line : all_.lines)
+      if (line.knots > 0)
+        divide_evenly(line);
+      else
+        divide_line(line, line.is_netting ? smallest[line.ends[0]] : line.size,
+                    line.is_netting ? smallest[line.ends[1]] : line.size);
+    part_parallel_lines();
+  }
+
+  /// Divides a line into elements of the wanted size, which decreases towards short neighbouring lines:
+  ///   h(x) = min(size, h₀ + g x, h₁ + g (L − x)),   n = ∫ dx/h                                     (1)
+  /// spread so that each element has as much of the integral.
+  static void divide_line(Line& line, double h0, double h1) {
+    const auto h = [&](double x) {
+      return std::min({line.size, h0 + kGrowth * x, h1 + kGrowth * (line.length - x)});
+    };
+    const auto steps = static_cast<std::size_t>(
+        std::clamp(8 * std::ceil(line.length / std::min({line.size, h0, h1})), 16.0, 1e6));
+    std::vector<double> sum{0};
+    for (std::size_t k = 0; k < steps; ++k)
+      sum.push_back(sum.back() +
+                    line.length / static_cast<double>(steps) /
+                        h(line.length * (static_cast<double>(k) + 0.5) / static_cast<double>(steps)));
+    const std::size_t fewest = line.ends[0] == line.ends[1] ? 3 : 1;
+    spread_nodes(line, sum, std::max(fewest, static_cast<std::size_t>(std::lround(sum.back()))));
+  }
+
+  /// From knot to knot.
+  static void divide_evenly(Line& line) {
+    const std::size_t fewest = line.ends[0] == line.ends[1] ? 3 : 1;
+    const auto elements = std::max(fewest, static_cast<std::size_t>(std::lround(line.knots)));
+    line.fractions.clear();
+    for (std::size_t i = 1; i < elements; ++i)
+      line.fractions.push_back(static_cast<double>(i) / static_cast<double>(elements));
+  }
+
+  static void spread_nodes(Line& line, const std::vector<double>& sum, std::size_t elements) {
+    line.fractions.clear();
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < elements; ++i) {
+      const double wanted = sum.back() * static_cast<double>(i) / static_cast<double>(elements);
+      while (sum[k + 1] < wanted) ++k;
+      line.fractions.push_back((static_cast<double>(k) + (wanted - sum[k]) / (sum[k + 1] - sum[k])) /
+                               static_cast<double>(sum.size() - 1));
+    }
+  }
+
+  /// Separates lines between the same two points that would coincide because neither has a node.
+  void part_parallel_lines() {
+    std::map<std::array<std::size_t, 2>, std::size_t> seen;
+    for (auto& line : all_.lines) {
+      auto ends = line.ends;
+      std::sort(ends.begin(), ends.end());
+      if (line.fractions.empty() && seen[ends]++ > 0) line.fractions = {0.5};
+    }
+  }
+
+  const Gear& gear_;
+  const Cloths& cloths_;
+  const Fineness& fineness_;
+  double size_;
+  Borders borders_;
+  std::vector<std::size_t> numbers_;
+  SeamLines all_;
+};
+
+}  // namespace
+
+SeamLines seam_lines(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size) {
+  return LineMaker(gear, cloths, fineness, size).make();
+}
+
+}  // namespace netloft::io

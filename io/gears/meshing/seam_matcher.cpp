@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/meshing/seam_matcher.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+/// A corner of a row at a fraction of the row.
+struct Knot {
+  double fraction = 0;
+  std::size_t point = 0;
+};
+
+bool is_forward(const ClothSide& side, bool to_starboard, bool is_port) {
+  if (!side.is_across()) return side.goes_aft;
+  const bool outwards = side.to.x > side.from.x;
+  return outwards == !(to_starboard && is_port);
+}
+
+/// Sews one gear; the member functions are steps in the order of execution.
+class Sewer {
+ public:
+  Sewer(const Gear& gear, const Cloths& cloths, double snap)
+      : gear_(gear), cloths_(cloths), snap_(snap), borders_{cloths, {}, {}, {}} {}
+
+  Borders sew() {
+    for (const auto& cloth : cloths_.cloths) add_corners(cloth);
+    join_halves();
+    for (const auto& seam : gear_.seams) add_seam(seam);
+    for (const auto& seam : borders_.seams) match(seam);
+    return std::move(borders_);
+  }
+
+ private:
+  const ClothSide& side(const DirectedSide& s) const { return cloths_.sides[s.side]; }
+  const Panel& panel_of(const DirectedSide& s) const {
+    return *gear_.panels[cloths_.cloths[side(s).cloth].panel].panel;
+  }
+
+  void add_corners(const Cloth& cloth) {
+    std::vector<std::size_t> corners;
+    for (std::size_t k = 0; k < cloth.sides.size(); ++k) corners.push_back(borders_.points.add());
+    for (std::size_t k = 0; k < cloth.sides.size(); ++k)
+      borders_.breaks.push_back({{0, corners[k]}, {1, corners[(k + 1) % corners.size()]}});
+  }
+
+  /// The line between both halves of a middle panel belongs to both.
+  void join_halves() {
+    for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
+      for (std::size_t t = s + 1; t < cloths_.sides.size(); ++t) {
+        const auto &a = cloths_.sides[s], &b = cloths_.sides[t];
+        if (a.is_inside && b.is_inside && a.edge.panel == b.edge.panel)
+          borders_.seams.push_back({Row{{s, true}}, Row{{t, true}}});
+      }
+    join_tips();
+  }
+
+  /// Joins the halves where a panel ends in a tip in the middle, or where its edges meet there.
+  void join_tips() {
+    for (std::size_t c = 0; c + 1 < cloths_.cloths.size(); ++c) {
+      const auto &one = cloths_.cloths[c], &other = cloths_.cloths[c + 1];
+      if (one.panel != other.panel) continue;
+      for (const char* name : {"fore-inner", "aft-inner"})
+        borders_.points.unite(borders_.breaks[one.corners.at(name)].front().point,
+                              borders_.breaks[other.corners.at(name)].front().point);
+    }
+  }
+
+  void add_seam(const Seam& seam) {
+    std::array<Row, 2> rows;
+    const bool to_starboard = !is_to_port(seam);
+    for (std::size_t r = 0; r < 2; ++r) rows[r] = row_of(seam.edges[r], to_starboard);
+    if (!rows[0].empty() && !rows[1].empty()) borders_.seams.push_back(std::move(rows));
+  }
+
+  bool is_to_port(const Seam& seam) const {
+    for (const auto& row : seam.edges)
+      for (const auto& ref : row)
+        for (const auto& s : sides_of(cloths_, ref))
+          if (!cloths_.cloths[side(s).cloth].is_port) return false;
+    return true;
+  }
+
+  Row row_of(const std::vector<EdgeRef>& edges, bool to_starboard) const {
+    Row row;
+    for (const auto& ref : edges)
+      for (auto s : sides_of(cloths_, ref)) {
+        s.is_forward = is_forward(side(s), to_starboard, cloths_.cloths[side(s).cloth].is_port);
+        row.push_back(s);
+      }
+    order_panel_by_panel(row, to_starboard);
+    return row;
+  }
+
+  /// Orders edges of one panel that follow one another in a row by their position on the panel.
+  void order_panel_by_panel(Row& row, bool to_starboard) const {
+    const auto panel = [&](const DirectedSide& s) { return cloths_.cloths[side(s).cloth].panel; };
+    for (auto first = row.begin(); first != row.end();) {
+      const auto last =
+          std::find_if(first, row.end(), [&](const auto& s) { return panel(s) != panel(*first); });
+      std::stable_sort(first, last, [&](const auto& a, const auto& b) {
+        return position(a, to_starboard) < position(b, to_starboard);
+      });
+      first = last;
+    }
+  }
+
+  double position(const DirectedSide& s, bool to_starboard) const {
+    const ClothSide& c = side(s);
+    if (!c.is_across()) return c.from.y + c.to.y;
+    const bool is_turned = to_starboard && cloths_.cloths[c.cloth].is_port;
+    return (is_turned ? -1 : 1) * (c.from.x + c.to.x);
+  }
+
+  /// Gives both rows a break wherever either has a corner.
+  void match(const std::array<Row, 2>& rows) {
+    const bool counted = is_counted(rows);
+    for (const auto& row : rows) chain(row);
+    const std::array<std::vector<double>, 2> ends{fractions(rows[0], counted), fractions(rows[1], counted)};
+    std::array<std::vector<Knot>, 2> knots{knots_of(rows[0], ends[0]), knots_of(rows[1], ends[1])};
+    unite_near(knots, snap_ / std::max(length_of(rows[0]), length_of(rows[1])));
+    const auto own = knots;
+    for (std::size_t r = 0; r < 2; ++r)
+      for (const auto& knot : own[1 - r])
+        if (!has(own[r], knot))
+          insert(rows[r], ends[r], {moved(knot.fraction, own[1 - r], own[r]), knot.point});
+  }
+
+  bool is_counted(const std::array<Row, 2>& rows) const {
+    const double mesh = panel_of(rows[0][0]).mesh;
+    bool is_across = true, is_along = true, is_one_mesh_size = true;
+    for (const auto& row : rows)
+      for (const auto& s : row) {
+        (side(s).is_across() ? is_along : is_across) = false;
+        is_one_mesh_size = is_one_mesh_size && panel_of(s).mesh == mesh;
+        if (side(s).meshes <= 0) return false;
+      }
+    return is_across || (is_along && is_one_mesh_size);
+  }
+
+  void chain(const Row& row) {
+    for (std::size_t k = 0; k + 1 < row.size(); ++k)
+      borders_.points.unite(borders_.end(row[k]), borders_.start(row[k + 1]));
+  }
+
+  double length_of(const Row& row) const {
+    double sum = 0;
+    for (const auto& s : row) sum += side(s).length;
+    return sum;
+  }
+
+  /// The fractions of a row at which its sides begin and end.
+  std::vector<double> fractions(const Row& row, bool counted) const {
+    std::vector<double> ends{0};
+    for (const auto& s : row) {
+      const ClothSide& c = side(s);
+      ends.push_back(ends.back() + (c.is_inside ? c.length : counted ? c.meshes : c.stretched));
+    }
+    for (auto& end : ends) end /= ends.back();
+    return ends;
+  }
+
+  std::vector<Knot> knots_of(const Row& row, const std::vector<double>& ends) {
+    std::vector<Knot> knots{{0, borders_.start(row[0])}};
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      auto breaks = borders_.breaks[row[k].side];
+      if (!row[k].is_forward) std::reverse(breaks.begin(), breaks.end());
+      for (std::size_t b = 1; b < breaks.size(); ++b) {
+        const double fraction = row[k].is_forward ? breaks[b].fraction : 1 - breaks[b].fraction;
+        knots.push_back({ends[k] + fraction * (ends[k + 1] - ends[k]), breaks[b].point});
+      }
+    }
+    return knots;
+  }
+
+  /// Merges the ends of both rows, and corners between them with their nearest counterparts within `near`.
+  void unite_near(std::array<std::vector<Knot>, 2>& knots, double near) {
+    borders_.points.unite(knots[0].front().point, knots[1].front().point);
+    borders_.points.unite(knots[0].back().point, knots[1].back().point);
+    std::size_t next = 1;
+    for (std::size_t i = 1; i + 1 < knots[0].size(); ++i)
+      for (std::size_t j = next; j + 1 < knots[1].size(); ++j) {
+        const double apart = std::abs(knots[1][j].fraction - knots[0][i].fraction);
+        const bool is_nearest = std::abs(knots[1][j + 1].fraction - knots[0][i].fraction) >= apart &&
+                                std::abs(knots[0][i + 1].fraction - knots[1][j].fraction) >= apart;
+        if (apart > near || !is_nearest) continue;
+        borders_.points.unite(knots[0][i].point, knots[1][j].point);
+        next = j + 1;
+        break;
+      }
+  }
+
+  bool has(const std::vector<Knot>& knots, const Knot& knot) {
+    return std::any_of(knots.begin(), knots.end(),
+                       [&](const Knot& k) { return borders_.points.are_one(k.point, knot.point); });
+  }
+
+  /// Converts a fraction of one row to one of the other, linearly between their common knots.
+  double moved(double fraction, const std::vector<Knot>& from, const std::vector<Knot>& to) {
+    double a = 0, b = 1, at_a = 0, at_b = 1;
+    for (const auto& k : from)
+      for (const auto& other : to) {
+        if (!borders_.points.are_one(k.point, other.point)) continue;
+        if (k.fraction < fraction && k.fraction > a) {
+          a = k.fraction;
+          at_a = other.fraction;
+        }
+        if (k.fraction > fraction && k.fraction < b) {
+          b = k.fraction;
+          at_b = other.fraction;
+        }
+      }
+    return at_a + (fraction - a) / (b - a) * (at_b - at_a);
+  }
+
+  void insert(const Row& row, const std::vector<double>& ends, const Knot& knot) {
+    std::size_t k = 0;
+    while (k + 1 < row.size() && ends[k + 1] < knot.fraction) ++k;
+    double fraction = (knot.fraction - ends[k]) / (ends[k + 1] - ends[k]);
+    if (!row[k].is_forward) fraction = 1 - fraction;
+    auto& breaks = borders_.breaks[row[k].side];
+    const auto after =
+        std::find_if(breaks.begin(), breaks.end(), [&](const Break& b) { return b.fraction > fraction; });
+    breaks.insert(after == breaks.end() ? after - 1 : after, {fraction, knot.point});
+  }
+
+  const Gear& gear_;
+  const Cloths& cloths_;
+  double snap_;
+  Borders borders_;
+};
+
+}  // namespace
+
+Borders sew(const Gear& gear, const Cloths& cloths, double snap) { return Sewer(gear, cloths, snap).sew(); }
+
+Row sides_of(const Cloths& cloths, const EdgeRef& edge) {
+  Row row;
+  for (std::size_t s = 0; s < cloths.sides.size(); ++s)
+    if (const auto& side = cloths.sides[s]; !side.is_inside && side.edge == edge)
+      row.push_back({s, !side.is_reversed});
+  const auto begins = [&](const DirectedSide& s) {
+    return std::min(cloths.sides[s.side].edge_from, cloths.sides[s.side].edge_to);
+  };
+  std::sort(row.begin(), row.end(), [&](const auto& a, const auto& b) { return begins(a) < begins(b); });
+  return row;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/meshing/start_shape.hpp"
+
+#include "io/gears/meshing/girth.hpp"
+#include "io/gears/meshing/node_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kAspect = 0.4;  // k of (3): height over width of a section
+
+std::size_t at(std::uint32_t node, int axis) {
+  return 3 * std::size_t{node} + static_cast<std::size_t>(axis);
+}
+
+/// w of (3): half the width of an ellipse of the girth 2 S (Ramanujan 1914, perimeter to 1e-3 and better).
+double half_width(double half_girth) {
+  const double q = (1 - kAspect) / (1 + kAspect), lambda = q * q;
+  const double shape = (1 + kAspect) * (1 + 3 * lambda / (10 + std::sqrt(4 - 3 * lambda)));
+  return 2 * half_girth / (std::numbers::pi * shape);
+}
+
+/// A path along ropes from a point off the netting to the netting.
+struct Lead {
+  std::uint32_t from, to;
+  double length;  // [m]
+  std::vector<std::pair<std::uint32_t, double>>
+      between;  // nodes from `to` back, how far they are from `from` [m]
+};
+
+/// Makes one shape; the member functions are steps in the order of execution.
+class Shaper {
+ public:
+  Shaper(const Gear& gear, const GearMesh& mesh, const std::vector<KnownCoordinate>& known)
+      : gear_(gear),
+        mesh_(mesh),
+        known_(known),
+        positions_(3 * mesh.nodes, 0.0),
+        placed_(mesh.nodes, false) {}
+
+  std::vector<double> make() {
+    collect_known();
+    put_on_rings();
+    stand_as_a_whole();
+    put_ropes();
+    follow_known();
+    straighten_ropes();
+    return std::move(positions_);
+  }
+
+ private:
+  double& x(std::uint32_t node, int axis) { return positions_[at(node, axis)]; }
+
+  /// Collects known positions: those of the caller, which have priority, then points of the plan, the plane
+  /// of symmetry and sketches.
+  void collect_known() {
+    for (const auto& point : gear_.points)
+      if (const auto node = mesh_.points.find(point.name); point.at && node != mesh_.points.end())
+        for (int axis = 0; axis < 3; ++axis)
+          known_.push_back({node->second, axis, (*point.at)[static_cast<std::size_t>(axis)]});
+    for (const auto node : mesh_.middle) known_.push_back({node, 1, 0.0});
+    for (std::size_t p = 0; p < mesh_.panels.size(); ++p)
+      if (gear_.panels[p].has_sketch()) collect_sketch(gear_.panels[p], mesh_.panels[p]);
+    std::vector<bool> is_known(positions_.size());
+    std::erase_if(known_, [&](const auto& k) {
+      const bool again = is_known[at(k.node, k.axis)];
+      is_known[at(k.node, k.axis)] = true;
+      return again;
+    });
+  }
+
+  void collect_sketch(const GearPanel& panel, const PanelMesh& mesh) {
+    for (std::size_t own = 0; own < mesh.nodes.size(); ++own) {
+      const auto point = panel.sketched({mesh.meshes[own][0], mesh.meshes[own][1]});
+      for (int axis = 0; axis < 3; ++axis)
+        known_.push_back({mesh.nodes[own], axis, point[static_cast<std::size_t>(axis)]});
+    }
+  }
+
+  void put_on_rings() {
+    const Girth girth(gear_, mesh_);
+    for (std::uint32_t node = 0; node < mesh_.nodes; ++node) {
+      if (!girth.covers(node)) continue;
+      const double half = girth.half_girth(node), w = half_width(half);
+      const double angle =
+          std::clamp(std::numbers::pi * girth.around(node) / half, 0.0, std::numbers::pi);  // (3)
+      x(node, 0) = girth.aft(node);
+      x(node, 1) = girth.side(node) * w * std::sin(angle);
+      x(node, 2) = girth.is_closed(node) ? 0 : kAspect * w * std::cos(angle);
+      placed_[node] = true;
+    }
+  }
+
+  /// Positions the netting as a whole, by its known nodes, or else by the ropes that lead to it.
+  void stand_as_a_whole() {
+    const double aft = shift_along(0, true);
+    for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+      if (placed_[node]) x(node, 0) += aft;
+    const double up = shift_along(2, false);
+    for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+      if (placed_[node]) x(node, 2) += up;
+  }
+
+  double shift_along(int axis, bool by_ropes) {
+    double sum = 0, count = 0;
+    for (const auto& k : known_)
+      if (k.axis == axis && placed_[k.node]) {
+        sum += k.value - x(k.node, axis);
+        ++count;
+      }
+    if (count > 0) return sum / count;
+    return by_ropes ? shift_by_leads() : shift_to_lowest();
+  }
+
+  std::optional<double> known_at(std::uint32_t node, int axis) const {
+    for (const auto& k : known_)
+      if (k.node == node && k.axis == axis) return k.value;
+    return {};
+  }
+
+  /// Shifts the netting aft until ropes to known points are straight on average.
+  double shift_by_leads() {
+    double sum = 0, count = 0;
+    for (const Lead& lead : find_leads()) {
+      const double aside = known_at(lead.to, 1).value_or(x(lead.to, 1)) - *known_at(lead.from, 1);
+      const double along =
+          std::sqrt(std::max(lead.length * lead.length - aside * aside, 0.25 * lead.length * lead.length));
+      sum += *known_at(lead.from, 0) + along - x(lead.to, 0);
+      ++count;
+    }
+    return count > 0 ? sum / count : 0;
+  }
+
+  double shift_to_lowest() {
+    double known = std::numeric_limits<double>::infinity(), lowest = known;
+    for (const auto& k : known_)
+      if (k.axis == 2) known = std::min(known, k.value);
+    for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+      if (placed_[node]) lowest = std::min(lowest, x(node, 2));
+    return std::isfinite(known) && std::isfinite(lowest) ? known - lowest : 0;
+  }
+
+  /// Finds the shortest paths along ropes from known points to the netting (Dijkstra 1959).
+  std::vector<Lead> find_leads() const {
+    const auto neighbours = rope_neighbours(mesh_);
+    std::vector<Lead> leads;
+    for (const auto& k : known_)
+      if (k.axis == 0 && !placed_[k.node] && known_at(k.node, 1)) append_leads(k.node, neighbours, leads);
+    return leads;
+  }
+
+  void append_leads(std::uint32_t from, const Neighbours& neighbours, std::vector<Lead>& leads) const {
+    std::vector<double> best(mesh_.nodes, std::numeric_limits<double>::infinity());
+    std::vector<std::uint32_t> before(mesh_.nodes, from);
+    using Reached = std::pair<double, std::uint32_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
+    best[from] = 0;
+    for (queue.push({0, from}); !queue.empty();) {
+      const auto [length, node] = queue.top();
+      queue.pop();
+      if (length > best[node]) continue;
+      if (placed_[node]) {
+        leads.push_back({from, node, length, {}});
+        for (auto k = before[node]; k != from; k = before[k]) leads.back().between.push_back({k, best[k]});
+        continue;  // beyond it lies netting
+      }
+      for (const auto& [next, step] : neighbours[node])
+        if (length + step < best[next]) {
+          before[next] = node;
+          queue.push({best[next] = length + step, next});
+        }
+    }
+  }
+
+  /// Places ropes beside the netting: straight between two placed ends, forward from a single one.
+  void put_ropes() {
+    const auto leads = find_leads();
+    for (const auto& k : known_) complete(k.node);
+    put_on_leads(leads);
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (const bool between : {true, false})
+        for (const auto& rope : mesh_.ropes)
+          if (!goes_on) goes_on = put_stretch(rope, between);
+    }
+  }
+
+  /// What leads from a board to the netting runs straight, whatever ropes it is made of.
+  void put_on_leads(const std::vector<Lead>& leads) {
+    for (const Lead& lead : leads) {
+      if (!is_of_body(lead.from) || !placed_[lead.from]) continue;
+      for (const auto& [node, distance] : lead.between) {
+        if (placed_[node]) continue;
+        const double t = distance / lead.length;
+        for (int axis = 0; axis < 3; ++axis)
+          x(node, axis) = (1 - t) * x(lead.from, axis) + t * x(lead.to, axis);
+        placed_[node] = true;
+      }
+    }
+  }
+
+  bool is_of_body(std::uint32_t node) const {
+    return std::any_of(gear_.points.begin(), gear_.points.end(), [&](const GearPoint& point) {
+      const auto at = mesh_.points.find(point.name);
+      return point.point->name.find('.') != std::string::npos && at != mesh_.points.end() &&
+             at->second == node;
+    });
+  }
+
+  /// Marks a node beside the netting as placed once all its coordinates are known.
+  void complete(std::uint32_t node) {
+    if (placed_[node]) return;
+    std::array<std::optional<double>, 3> p{known_at(node, 0), known_at(node, 1), known_at(node, 2)};
+    if (!p[0] || !p[1] || !p[2]) return;
+    for (int axis = 0; axis < 3; ++axis) x(node, axis) = *p[static_cast<std::size_t>(axis)];
+    placed_[node] = true;
+  }
+
+  /// Places one stretch of a rope, between placed nodes or from one placed node. Returns false if there is
+  /// none.
+  bool put_stretch(const RopeMesh& rope, bool between) {
+    for (std::size_t i = 0; i < rope.nodes.size(); ++i) {
+      if (placed_[rope.nodes[i]]) continue;
+      std::size_t end = i;
+      while (end < rope.nodes.size() && !placed_[rope.nodes[end]]) ++end;
+      const bool has_before = i > 0, has_after = end < rope.nodes.size();
+      if (between && has_before && has_after) return put_between(rope, i - 1, end), true;
+      if (!between && has_before) return put_forward(rope, i - 1, end - 1), true;
+      if (!between && has_after) return put_forward(rope, end, i), true;
+      i = end;
+    }
+    return false;
+  }
+
+  double length_between(const RopeMesh& rope, std::size_t first, std::size_t last) const {
+    double length = 0;
+    for (std::size_t i = first; i < last; ++i) length += rope.rest_lengths[i];
+    return length;
+  }
+
+  void put_between(const RopeMesh& rope, std::size_t first, std::size_t last) {
+    const double whole = length_between(rope, first, last);
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double t = length_between(rope, first, i) / whole;
+      for (int axis = 0; axis < 3; ++axis)
+        x(rope.nodes[i], axis) = (1 - t) * x(rope.nodes[first], axis) + t * x(rope.nodes[last], axis);
+      placed_[rope.nodes[i]] = true;
+    }
+  }
+
+  /// Places nodes straight forward from a placed node, to the first or the last of a rope.
+  void put_forward(const RopeMesh& rope, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i != to;) {
+      const std::size_t next = i < to ? i + 1 : i - 1;
+      const auto here = rope.nodes[i], there = rope.nodes[next];
+      x(there, 0) = x(here, 0) - rope.rest_lengths[std::min(i, next)];
+      x(there, 1) = x(here, 1);
+      x(there, 2) = x(here, 2);
+      placed_[there] = true;
+      i = next;
+    }
+  }
+
+  /// Adds displacements that are harmonic on the net and bring every known coordinate to its value.
+  void follow_known() {
+    const auto sides = sides_of(mesh_);
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<std::pair<std::uint32_t, double>> moved;
+      for (const auto& k : known_)
+        if (k.axis == axis) moved.push_back({k.node, k.value - x(k.node, axis)});
+      if (moved.empty()) continue;
+      const auto displacement = harmonic(mesh_.nodes, sides, moved);
+      for (std::uint32_t node = 0; node < mesh_.nodes; ++node) x(node, axis) += displacement[node];
+    }
+  }
+
+  void straighten_ropes() {
+    std::fill(placed_.begin(), placed_.end(), false);
+    for (const auto& panel : mesh_.panels)
+      for (const auto node : panel.nodes) placed_[node] = true;
+    for (const auto& k : known_) placed_[k.node] = true;
+    for (const auto& rope : mesh_.ropes) placed_[rope.nodes.front()] = placed_[rope.nodes.back()] = true;
+    for (const auto& rope : mesh_.ropes)
+      while (put_stretch(rope, true)) {
+      }
+  }
+
+  const Gear& gear_;
+  const GearMesh& mesh_;
+  std::vector<KnownCoordinate> known_;
+  std::vector<double> positions_;
+  std::vector<bool> placed_;
+};
+
+}  // namespace
+
+std::vector<double> start_shape(const Gear& gear, const GearMesh& mesh,
+                                const std::vector<KnownCoordinate>& known) {
+  return Shaper(gear, mesh, known).make();
+}
+
+}  // namespace netloft::io

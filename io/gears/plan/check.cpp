@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/check.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace netloft::io {
+
+void check_plan(NetPlan& plan, Diagnostics& diagnostics, const CheckLimits& limits) {
+  check_panels(plan, limits, diagnostics);
+  const int errors_before = diagnostics.errors();
+  check_joins(plan, limits, diagnostics);
+  check_hangings(plan, limits, diagnostics);
+  check_ropes(plan, limits, diagnostics);
+  check_pieces(plan, limits, diagnostics);
+  // A wrong name leaves parts unconnected; that is not reported as a second error.
+  if (diagnostics.errors() == errors_before) check_connections(plan, diagnostics);
+  if (diagnostics.errors() == 0) check_spans(plan, limits, diagnostics);
+  if (diagnostics.errors() > 0) return;
+  check_loose_ropes(plan, limits, diagnostics);
+  check_open_edges(plan, diagnostics);
+}
+
+std::string in_meshes(double meshes) {
+  const double tenths = std::round(10 * meshes) / 10;
+  return fmt::format("{}", tenths == 0 ? 0.0 : tenths);
+}
+
+std::string in_metres(double metres) { return fmt::format("{:.4g}", metres); }
+
+std::string in_percent(double fraction) { return fmt::format("{:+.1f} %", 100 * fraction); }
+
+}  // namespace netloft::io

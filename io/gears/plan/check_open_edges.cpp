@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+std::string name_of(const Panel& panel, const OutlineEdge& edge) { return panel.name + "." + edge.name; }
+
+/// What is done to the edges of a plan, and where: "body.aft" is sewn at line 40.
+class Deeds {
+ public:
+  explicit Deeds(const NetPlan& plan) {
+    for (const auto& join : plan.joins)
+      for (std::size_t side = 0; side < 2; ++side)
+        for (const auto& name : join.edges[side]) enter(plan, name, "sewn", join.places[side]);
+    for (const auto& hanging : plan.hangings) enter(plan, hanging.edge, "hung", hanging.edge_place);
+  }
+
+  struct Deed {
+    const char* word;
+    Place place;
+  };
+  const Deed* find(const std::string& edge) const {
+    const auto at = done_.find(edge);
+    return at == done_.end() ? nullptr : &at->second;
+  }
+
+ private:
+  void enter(const NetPlan& plan, const std::string& name, const char* word, const Place& place) {
+    Diagnostics silent;
+    const EdgeSet set = find_edge(plan, name, {}, "", silent);
+    for (const auto& edge : set.edges) done_.emplace(name_of(*set.panel, edge), Deed{word, place});
+  }
+  std::map<std::string, Deed> done_;
+};
+
+/// Names of the edges that a panel says to be open; those that are not are reported.
+std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const Deeds& deeds,
+                                Diagnostics& diagnostics) {
+  std::set<std::string> open;
+  const std::string path = "panels." + panel.name + ".open";
+  for (const auto& said : panel.open) {
+    const EdgeSet set = find_edge(plan, panel.name + "." + said.name, said.place, path, diagnostics);
+    for (const auto& edge : set.edges) {
+      open.insert(name_of(panel, edge));
+      if (const auto* deed = deeds.find(name_of(panel, edge)))
+        diagnostics.error(said.place,
+                          fmt::format("{}: {} is said to be open and is {} at {}", path, name_of(panel, edge),
+                                      deed->word, diagnostics.where(deed->place)),
+                          "leave one of them out");
+    }
+  }
+  return open;
+}
+
+/// Where a plan speaks of an edge.
+Place place_of(const Panel& panel, const OutlineEdge& edge) {
+  for (const auto* counts : {&panel.fore, &panel.aft})
+    for (const auto& count : *counts)
+      if (count.name == edge.name) return count.place;
+  for (const auto* side : {&panel.outer, &panel.inner})
+    for (const auto& cut : *side)
+      if (cut.name == edge.name) return cut.place;
+  return panel.place;
+}
+
+}  // namespace
+
+void check_open_edges(const NetPlan& plan, Diagnostics& diagnostics) {
+  const Deeds deeds(plan);
+  for (const auto& panel : plan.panels) {
+    const auto open = said_open(plan, panel, deeds, diagnostics);
+    for (const auto& edge : outline_of(panel).edges) {
+      const std::string name = name_of(panel, edge);
+      if (edge.kind == EdgeKind::middle || deeds.find(name) || open.contains(name)) continue;
+      diagnostics.warning(
+          place_of(panel, edge), name + " is neither sewn nor hung: the net is open there",
+          fmt::format("sew it with [[join]], hang it with [[hang]], or say so: open = [\"{}\"]", edge.name));
+    }
+  }
+}
+
+}  // namespace netloft::io

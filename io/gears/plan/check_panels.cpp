@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/outline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr const char* kRates =
+    "rates are written AB, AN, 5B1P, 1N2B, 3B1M: bars, then points or meshes, of one cycle";
+
+/// The misfit of the cuttings at the aft edge, relative to its count; zero if the plan does not state the
+/// count.
+double misses_by(const Panel& panel) {
+  const double aft = panel.count(panel.aft);
+  return panel.states_aft ? std::abs(aft_by_cuttings(panel) - aft) / std::max(1.0, aft) : 0;
+}
+
+/// The panel with one of its cuts at another rate.
+Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string& rate) {
+  auto& side = is_outer ? panel.outer : panel.inner;
+  side[which].rate = *parse_rate(rate);
+  side[which].is_known = true;
+  settle(side, panel.depth);
+  return panel;
+}
+
+/// The rate that closes the panel best among those that a blurred letter may hide; empty if none is near.
+std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
+  const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
+  std::string best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& rate : rates_near(cut.written)) {
+    const double miss = misses_by(with_rate(panel, is_outer, which, rate));
+    if (miss < least) {
+      best = rate;
+      least = miss;
+    }
+  }
+  return best;
+}
+
+void say_no_rate(const Panel& panel, const Cut& cut, const std::string& proposed, const Panel& mended,
+                 const Cut& meant, const CheckLimits& limits, Diagnostics& diagnostics) {
+  const std::string said =
+      fmt::format("{}.{}: cutting \"{}\" is not a rate", panel.name, cut.name, cut.written);
+  if (proposed.empty()) return diagnostics.error(cut.place, said, kRates);
+  const bool fits = misses_by(mended) <= limits.closing_error;
+  diagnostics.error(cut.place,
+                    fmt::format("{}; {}, {} M over {} M, {}", said, proposed, in_meshes(meant.across),
+                                in_meshes(meant.deep), fits ? "fits" : "comes nearest"),
+                    kRates);
+}
+
+void mend_side(Panel& panel, bool is_outer, const CheckLimits& limits, Diagnostics& diagnostics) {
+  const auto side = is_outer ? panel.outer : panel.inner;
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side[i].is_known) continue;
+    const std::string proposed = propose_rate(panel, is_outer, i);
+    const Panel mended = proposed.empty() ? panel : with_rate(panel, is_outer, i, proposed);
+    const Cut& meant = (is_outer ? mended.outer : mended.inner)[i];
+    say_no_rate(panel, side[i], proposed, mended, meant, limits, diagnostics);
+    panel = mended;
+  }
+}
+
+bool all_rates_are_known(const Panel& panel) {
+  const auto known = [](const Cut& cut) { return cut.is_known; };
+  return std::all_of(panel.outer.begin(), panel.outer.end(), known) &&
+         std::all_of(panel.inner.begin(), panel.inner.end(), known);
+}
+
+/// A hint how to close a panel: another aft count, or another depth of one of its cuts.
+std::string closing_cure(const Panel& panel, double difference) {
+  std::string cure = fmt::format("aft = {}", in_meshes(aft_by_cuttings(panel)));
+  const double sides = panel.stands == Standing::middle ? 2 : 1;
+  if (panel.outer.empty()) return cure;
+  const Cut& cut = panel.outer.back();
+  const double across = cut.across - cut.goes * difference / sides;
+  if (cut.goes == 0 || cut.rate.half_meshes_deep() == 0 || across < 0) return cure;
+  return cure + fmt::format(", or {} M of {} in {} instead of {}, closes it",
+                            in_meshes(cut.rate.deep(across)), cut.written, cut.name, in_meshes(cut.deep));
+}
+
+void check_closing(const Panel& panel, const CheckLimits& limits, Diagnostics& diagnostics) {
+  const double cut = aft_by_cuttings(panel), planned = panel.count(panel.aft), difference = cut - planned;
+  if (cut < -limits.closing_meshes)
+    return diagnostics.error(
+        panel.place,
+        fmt::format("{}: its sides meet before the aft edge: the cuttings give {} meshes there", panel.name,
+                    in_meshes(cut)),
+        "one of its sides may go out instead of in");
+  if (!panel.states_aft || std::abs(difference) <= limits.closing_meshes) return;
+  const double fraction = difference / std::max(1.0, planned);
+  const std::string message =
+      fmt::format("{}.aft: the cuttings give {} meshes, the plan says {}, {}", panel.name, in_meshes(cut),
+                  in_meshes(planned), in_percent(fraction));
+  if (std::abs(fraction) > limits.closing_error)
+    diagnostics.error(panel.aft_place, message, closing_cure(panel, difference));
+  else
+    diagnostics.warning(panel.aft_place, message, closing_cure(panel, difference));
+}
+
+void check_depth(const Panel& panel, const std::vector<Cut>& side, const char* name,
+                 const CheckLimits& limits, Diagnostics& diagnostics) {
+  double deep = 0;
+  for (const auto& cut : side) deep += cut.deep;
+  const double difference = deep - panel.depth;
+  if (side.empty() || std::abs(difference) <= limits.closing_meshes) return;
+  const std::string message =
+      fmt::format("{}.{}: its cuttings go {} meshes deep, the panel {}, {}", panel.name, name,
+                  in_meshes(deep), in_meshes(panel.depth), in_percent(difference / panel.depth));
+  const std::string cure = "leave out the depth of one of its cuts, which then takes the rest";
+  if (std::abs(difference) > limits.closing_error * panel.depth)
+    diagnostics.error(side.front().place, message, cure);
+  else
+    diagnostics.warning(side.front().place, message, cure);
+}
+
+void check_empty(const Panel& panel, Diagnostics& diagnostics) {
+  if (panel.is_empty())
+    diagnostics.error(panel.place, panel.name + ": has meshes neither along its fore nor along its aft edge");
+}
+
+void check_edge_names(const Panel& panel, Diagnostics& diagnostics) {
+  std::set<std::string> seen;
+  const auto check = [&](const std::string& name, const Place& place) {
+    if (!seen.insert(name).second)
+      diagnostics.error(place, fmt::format("{}: two of its edges are named \"{}\"", panel.name, name));
+  };
+  for (const auto* counts : {&panel.fore, &panel.aft})
+    for (const auto& count : *counts) check(count.name, count.place);
+  for (const auto* side : {&panel.outer, &panel.inner})
+    for (const auto& cut : *side) check(cut.name, cut.place);
+}
+
+void check_twine(const Panel& panel, Diagnostics& diagnostics) {
+  if (panel.twine_diameter * panel.twines * 2 >= panel.mesh && panel.mesh > 0)
+    diagnostics.error(panel.place,
+                      fmt::format("{}: {} twines of {:.3g} mm leave no opening in meshes of {:.4g} mm",
+                                  panel.name, panel.twines, 1e3 * panel.twine_diameter, 1e3 * panel.mesh),
+                      "mesh is the stretched mesh size: two bars");
+}
+
+/// Netting must be left between the selvedges of a panel. If none is left, the remaining checks ignore the
+/// selvedges.
+void check_selvedges(Panel& panel, Diagnostics& diagnostics) {
+  double gathered = 0;
+  for (const auto* side : {&panel.outer, &panel.inner}) {
+    double most = 0;
+    for (const auto& cut : *side) most = std::max(most, cut.selvedge);
+    gathered += (panel.stands == Standing::middle ? 2 : 1) * most;
+  }
+  const double widest = std::max(panel.count(panel.fore), panel.count(panel.aft));
+  if (gathered == 0 || gathered < widest) return;
+  diagnostics.error(panel.place,
+                    fmt::format("{}: its seams gather {} meshes of {}: no netting is left between them",
+                                panel.name, in_meshes(gathered), in_meshes(widest)),
+                    "selvedge counts the meshes of one edge");
+  for (auto* side : {&panel.outer, &panel.inner})
+    for (auto& cut : *side) cut.selvedge = 0;
+}
+
+}  // namespace
+
+void check_panels(NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  for (auto& panel : plan.panels) {
+    mend_side(panel, true, limits, diagnostics);
+    mend_side(panel, false, limits, diagnostics);
+    check_edge_names(panel, diagnostics);
+    check_twine(panel, diagnostics);
+    check_empty(panel, diagnostics);
+    check_selvedges(panel, diagnostics);
+    if (!all_rates_are_known(panel)) continue;
+    check_depth(panel, panel.outer, panel.stands == Standing::middle ? "sides" : "outer", limits,
+                diagnostics);
+    check_depth(panel, panel.inner, "inner", limits, diagnostics);
+    check_closing(panel, limits, diagnostics);
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/names.hpp"
+#include "io/formats/toml/table_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+/// A number that a piece is given with; 0 if it is not.
+double number_of(const Pieces& pieces, const char* key, const char* unit) {
+  const Table* table = pieces.piece.as<Table>();
+  if (!table || !table->find(key)) return 0;
+  Diagnostics silent;
+  const double value =
+      TableReader(pieces.piece, silent).real(key, {.unit = unit, .range = between(-1e12, 1e12)});
+  return silent.errors() ? 0 : value;
+}
+
+/// Spheres lie side by side; discs are threaded on their rope, and are less thick than wide.
+bool is_float(const Pieces& pieces) { return number_of(pieces, "buoyancy", "N") > 0; }
+
+void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_sides,
+                 Diagnostics& diagnostics) {
+  if (pieces.number != std::round(pieces.number))
+    diagnostics.error(pieces.spread_place,
+                      fmt::format("{}: {:g} pieces, which is not a whole number", path, pieces.number),
+                      "pieces of another size are another table of [floats]");
+  else if (is_on_both_sides && std::fmod(pieces.number, 2) != 0 && diagnostics.errors() == 0)
+    diagnostics.warning(pieces.spread_place,
+                        fmt::format("{}: {:g} pieces to port and to starboard, {:g} on either side", path,
+                                    pieces.number, pieces.number / 2),
+                        "the number is that of the whole gear, to port and to starboard");
+}
+
+/// Warns of floats that do not fit in a row, and refuses what fits in no bunch.
+void check_room(const Pieces& pieces, const std::string& path, double length, const CheckLimits& limits,
+                Diagnostics& diagnostics) {
+  const double diameter = number_of(pieces, "diameter", "m"), row = pieces.number * diameter;
+  if (!is_float(pieces) || length <= 0 || row <= length) return;
+  const std::string said =
+      fmt::format("{}: {:g} floats of {} m side by side are {} m long, {} is {} m", path, pieces.number,
+                  in_metres(diameter), in_metres(row), pieces.along, in_metres(length));
+  const std::string cure =
+      fmt::format("at most {:g} floats lie in a row there", std::floor(length / diameter));
+  if (row > limits.crowded * length)
+    diagnostics.error(pieces.spread_place, said, cure);
+  else
+    diagnostics.warning(pieces.spread_place, said, cure);
+}
+
+/// How long all is in the whole gear that pieces are spread along [m].
+double length_along(const NetPlan& plan, const Pieces& pieces, Diagnostics& diagnostics,
+                    const std::string& path) {
+  if (pieces.is_along_edge()) {
+    const EdgeSet edge = find_edge(plan, pieces.along, pieces.spread_place, path, diagnostics);
+    return edge.times() * edge.stretched();
+  }
+  const Rope* rope = find_rope_or_say(plan, pieces.along, pieces.spread_place, path, diagnostics);
+  return rope ? (rope->stands == Standing::pair ? 2 : 1) * rope->length : 0;
+}
+
+bool is_on_both_sides(const NetPlan& plan, const Pieces& pieces) {
+  if (pieces.along.empty()) return standing_of_point(plan, pieces.at) == Standing::pair;
+  if (!pieces.is_along_edge()) return standing_of(plan, pieces.along) == Standing::pair;
+  Diagnostics silent;
+  return find_edge(plan, pieces.along, {}, "", silent).times() == 2;
+}
+
+}  // namespace
+
+void check_pieces(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  for (const auto& pieces : plan.pieces) {
+    const std::string path = "floats." + pieces.name + ".spread";
+    const int errors_before = diagnostics.errors();
+    double length = 0;
+    if (pieces.along.empty())
+      find_point_owner(plan, pieces.at, pieces.spread_place, path, diagnostics);
+    else
+      length = length_along(plan, pieces, diagnostics, path);
+    if (diagnostics.errors() > errors_before) continue;
+    check_count(pieces, path, is_on_both_sides(plan, pieces), diagnostics);
+    check_room(pieces, path, length, limits, diagnostics);
+  }
+}
+
+}  // namespace netloft::io

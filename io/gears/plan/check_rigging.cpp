@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/names.hpp"
+#include "io/formats/toml/table_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+/// The edges in a row on one side of a join, counted over the whole gear.
+struct Row {
+  std::string name;      // "bottom-wing.side + bottom-body.side"
+  double meshes = 0;     // to port and to starboard
+  double stretched = 0;  // [m]
+  int times = 1;
+  double mesh = 0;  // [m]
+  bool is_side = false, is_one_mesh_size = true, is_sound = true;
+};
+
+Row read_row(const NetPlan& plan, const std::vector<std::string>& names, const Place& place,
+             const std::string& path, Diagnostics& diagnostics) {
+  Row row;
+  for (const auto& name : names) {
+    const EdgeSet set = find_edge(plan, name, place, path, diagnostics);
+    if (set.edges.empty()) {
+      row.is_sound = false;
+      continue;
+    }
+    if (row.name.empty()) {
+      row.times = set.times();
+      row.mesh = set.panel->mesh;
+      row.is_side = set.is_side();
+    }
+    row.name += (row.name.empty() ? "" : " + ") + name;
+    row.meshes += set.times() * set.meshes();
+    row.stretched += set.times() * set.stretched();
+    row.is_one_mesh_size = row.is_one_mesh_size && set.panel->mesh == row.mesh;
+  }
+  row.is_sound = row.is_sound && !names.empty();
+  return row;
+}
+
+/// Joins are compared by mesh counts if possible; a join with a side edge, or of edges with other meshes, by
+/// length.
+bool is_counted(const Row& a, const Row& b) {
+  if (a.is_side != b.is_side) return false;
+  return !a.is_side || (a.is_one_mesh_size && b.is_one_mesh_size && a.mesh == b.mesh);
+}
+
+void say_mismatch(const Join& join, const std::string& path, const Row& a, const Row& b, double ratio,
+                  const CheckLimits& limits, Diagnostics& diagnostics) {
+  const int times = a.times == b.times ? a.times : 1;
+  const bool counted = is_counted(a, b);
+  const auto measure = [&](const Row& row) {
+    return counted ? in_meshes(row.meshes / times) + " meshes"
+                   : in_metres(row.stretched / times) + " m of twine";
+  };
+  const double expected = join.take_up > 0 ? join.take_up : 1, off = ratio / expected - 1;
+  const std::string message = fmt::format(
+      "{}: {} has {}, {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b), in_percent(off),
+      join.take_up > 0 ? fmt::format(" of the take-up {:.3g}", join.take_up) : "");
+  const std::string cure =
+      fmt::format("take_up = {:.4g}, if that many meshes of the second belong to one of the first", ratio);
+  if (std::abs(off) > limits.joining_error)
+    diagnostics.error(join.places[1], message, cure);
+  else
+    diagnostics.warning(join.places[1], message, cure);
+}
+
+void check_match(const Join& join, const std::string& path, const Row& a, const Row& b,
+                 const CheckLimits& limits, Diagnostics& diagnostics) {
+  const bool counted = is_counted(a, b);
+  const double first = counted ? a.meshes : a.stretched, second = counted ? b.meshes : b.stretched;
+  if (first <= 0 || second <= 0) return;
+  const double expected = join.take_up > 0 ? join.take_up : 1;
+  const double excess = std::abs(second - expected * first);
+  const double few = limits.joining_meshes * std::max(a.times, b.times) * (counted ? 1 : a.mesh);
+  if (excess <= few || excess <= limits.joining * expected * first) return;
+  say_mismatch(join, path, a, b, second / first, limits, diagnostics);
+}
+
+/// Warns about edges sewn mesh to mesh whose mesh sizes differ so much that the wider meshes can hardly open.
+void check_widths(const Join& join, const std::string& path, const Row& a, const Row& b,
+                  const CheckLimits& limits, Diagnostics& diagnostics) {
+  const double narrow = std::min(a.stretched, b.stretched), wide = std::max(a.stretched, b.stretched);
+  if (!is_counted(a, b) || narrow <= 0 || narrow >= limits.bunching * wide) return;
+  diagnostics.warning(
+      join.places[1],
+      fmt::format(
+          "{}: {} is {} m wide when stretched, {} {} m: the wider meshes would be bunched, ratio {:.2g}",
+          path, a.name, in_metres(a.stretched / a.times), b.name, in_metres(b.stretched / b.times),
+          narrow / wide),
+      "one mesh size may be that of one bar instead of two, or take_up may be missing");
+}
+
+/// Registers what may be done to an edge only once. Names may overlap: "body.fore" contains "body.bosom".
+class Ledger {
+ public:
+  explicit Ledger(const char* deed) : deed_(deed) {}
+  void enter(const EdgeSet& set, const Place& place, const std::string& path, Diagnostics& diagnostics) {
+    for (const auto& edge : set.edges)
+      if (const auto earlier = done_.find(name(set, edge)); earlier != done_.end()) {
+        diagnostics.error(place, fmt::format("{}: \"{}\" is {} twice, also at {}", path, earlier->first,
+                                             deed_, diagnostics.where(earlier->second)));
+        break;
+      }
+    for (const auto& edge : set.edges) done_.emplace(name(set, edge), place);
+  }
+
+ private:
+  static std::string name(const EdgeSet& set, const OutlineEdge& edge) {
+    return set.panel->name + "." + edge.name;
+  }
+  const char* deed_;
+  std::map<std::string, Place> done_;
+};
+
+/// An edge that is sewn to itself must exist to port and to starboard.
+void check_sewn_to_itself(const Join& join, const std::string& path, const Row& row,
+                          Diagnostics& diagnostics) {
+  if (row.times != 2)
+    diagnostics.error(join.places[1],
+                      fmt::format("{}: {} exists once and cannot be sewn to itself", path, row.name),
+                      "sides of a middle panel can, and edges of a pair");
+}
+
+/// Length of rope that a hanging takes [m]: on the whole gear for a rope in the middle, on one side for a
+/// rope of a pair.
+double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rope) {
+  const double once = hanging.length > 0 ? hanging.length : hanging.ratio * edge.stretched();
+  return rope.stands == Standing::middle ? edge.times() * once : once;
+}
+
+void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::string& path,
+                   const CheckLimits& limits, Diagnostics& diagnostics) {
+  const double stretched = edge.stretched();
+  const double length = hanging.length > 0 ? hanging.length : hanging.ratio * stretched;
+  const double ratio = length / stretched;
+  const std::string said =
+      fmt::format("{}: {} is {} m long when its meshes are stretched, {} m of {} are given to it", path,
+                  hanging.edge, in_metres(stretched), in_metres(length), hanging.rope);
+  if (ratio > 1 + limits.stretching)
+    diagnostics.error(hanging.place,
+                      said + ": the netting would have to be stretched, " + in_percent(ratio - 1),
+                      fmt::format("at most length = \"{} m\"", in_metres(stretched)));
+  else if (ratio < limits.bunching)
+    diagnostics.warning(
+        hanging.place, said + fmt::format(": its meshes would be bunched, ratio {:.2g}", ratio),
+        "a hanging ratio is rarely below 0.3; the length may be that of one part of the edge");
+}
+
+/// An edge that exists twice needs a rope on both sides, and a rope of a pair needs an edge of its own.
+void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const std::string& path,
+                 Diagnostics& diagnostics) {
+  const bool is_twice = edge.times() == 2;
+  if (rope.stands == Standing::alone && is_twice)
+    diagnostics.error(h.rope_place,
+                      fmt::format("{}: {} exists to port and to starboard, {} once", path, h.edge, rope.name),
+                      "stands = \"pair\" of the rope, or \"middle\" if it runs from one side to the other");
+  if (rope.stands == Standing::pair && !is_twice)
+    diagnostics.error(h.rope_place,
+                      fmt::format("{}: {} exists once, {} to port and to starboard", path, h.edge, rope.name),
+                      "stands = \"middle\" of a rope that runs from one side to the other");
+}
+
+std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]", key, i); }
+
+double hung_on(const NetPlan& plan, const Rope& rope) {
+  double sum = 0;
+  Diagnostics silent;
+  for (const auto& h : plan.hangings) {
+    if (h.rope != rope.name) continue;
+    const EdgeSet edge = find_edge(plan, h.edge, {}, "", silent);
+    if (!edge.edges.empty()) sum += length_taken(h, edge, rope);
+  }
+  return sum;
+}
+
+/// Most of a rope that edges hang on is given to them.
+void say_loose(const Rope& rope, double hung, Diagnostics& diagnostics) {
+  diagnostics.warning(
+      rope.place,
+      fmt::format("{}: {} m long, {} m of it are given to edges: {} m hang on no netting", rope.name,
+                  in_metres(rope.length), in_metres(hung), in_metres(rope.length - hung)),
+      "length in metres, of the whole rope; what leads on to other gear is a rope of its own");
+}
+
+void check_thickness(const Rope& rope, Diagnostics& diagnostics) {
+  const Table* numbers = rope.rope.as<Table>();
+  const Member* diameter = numbers ? numbers->find("diameter") : nullptr;
+  if (!diameter || rope.is_selvedge) return;
+  Diagnostics silent;
+  const double thick =
+      TableReader(rope.rope, silent).real("diameter", {.unit = "m", .range = between(0, 1e6)});
+  if (silent.errors() == 0 && thick >= rope.length)
+    diagnostics.error(
+        rope.place,
+        fmt::format("{}: {} m thick and {} m long", rope.name, in_metres(thick), in_metres(rope.length)),
+        "one of the two may be in another unit");
+}
+
+void check_rope_length(const NetPlan& plan, const Rope& rope, const CheckLimits& limits,
+                       Diagnostics& diagnostics) {
+  const double hung = hung_on(plan, rope), missing = hung - rope.length;
+  check_thickness(rope, diagnostics);
+  if (missing <= limits.rounding * rope.length) return;
+  const std::string message =
+      fmt::format("{}: {} m long, {} m of it are given to edges: {} m too short", rope.name,
+                  in_metres(rope.length), in_metres(hung), in_metres(missing));
+  const std::string cure = fmt::format("length = \"{} m\", or less for its edges", in_metres(hung));
+  if (missing > limits.short_rope * rope.length)
+    diagnostics.error(rope.place, message, cure);
+  else
+    diagnostics.warning(rope.place, message, cure);
+}
+
+/// A rope that exists once cannot end at a point that exists twice.
+void check_end(const NetPlan& plan, const Rope& rope, const std::string& end, Diagnostics& diagnostics) {
+  const std::string path = "ropes." + rope.name + ".between";
+  if (find_point_owner(plan, end, rope.between_place, path, diagnostics).empty()) return;
+  const bool is_once =
+      rope.stands == Standing::alone || (rope.stands == Standing::middle && &end == &rope.between[0]);
+  if (is_once && standing_of_point(plan, end) == Standing::pair)
+    diagnostics.error(
+        rope.between_place,
+        fmt::format("{}: {} exists to port and to starboard, {} once", path, end,
+                    rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
+        "stands = \"pair\" of the rope; one in the middle starts in the middle and ends on both sides");
+}
+
+/// Sets of connected panels, ropes and points.
+class Connections {
+ public:
+  void add(const std::string& name, const Place& place) {
+    parent_.push_back(parent_.size());
+    index_.emplace(name, parent_.size() - 1);
+    names_.push_back(name);
+    places_.push_back(place);
+  }
+  void connect(const std::string& a, const std::string& b) {
+    const auto i = index_.find(a), j = index_.find(b);
+    if (i != index_.end() && j != index_.end()) parent_[root(i->second)] = root(j->second);
+  }
+  void report(Diagnostics& diagnostics) {
+    std::map<std::size_t, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < parent_.size(); ++i) groups[root(i)].push_back(i);
+    std::size_t most = 0;
+    for (const auto& [r, group] : groups) most = std::max(most, group.size());
+    bool main_seen = false;
+    for (const auto& [r, group] : groups)
+      if (group.size() == most && !main_seen)
+        main_seen = true;
+      else
+        say(group, diagnostics);
+  }
+
+ private:
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void say(const std::vector<std::size_t>& group, Diagnostics& diagnostics) const {
+    const std::string others =
+        group.size() > 1 ? fmt::format(" and {} more are joined to each other only", group.size() - 1)
+                         : " is joined to nothing";
+    diagnostics.error(
+        places_[group[0]], names_[group[0]] + others,
+        "sew an edge with [[join]], hang one on a rope with [[hang]], or tie a rope to it with between");
+  }
+  std::vector<std::size_t> parent_;
+  std::vector<std::string> names_;
+  std::vector<Place> places_;
+  std::map<std::string, std::size_t> index_;
+};
+
+std::string owner(const std::string& name) { return name.substr(0, name.find('.')); }
+
+/// Whether a rope of the plan leads to it.
+bool is_tied(const NetPlan& plan, const std::string& name) {
+  return std::any_of(plan.ropes.begin(), plan.ropes.end(), [&](const Rope& rope) {
+    return owner(rope.between[0]) == name || owner(rope.between[1]) == name;
+  });
+}
+
+void connect_join(Connections& all, const Join& join) {
+  const std::string first = join.edges[0].empty() ? "" : owner(join.edges[0][0]);
+  for (const auto& row : join.edges)
+    for (const auto& edge : row) all.connect(first, owner(edge));
+}
+
+}  // namespace
+
+void check_joins(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  Ledger sewn("sewn");
+  Diagnostics silent;
+  for (std::size_t i = 0; i < plan.joins.size(); ++i) {
+    const Join& join = plan.joins[i];
+    const std::string path = indexed("join", i);
+    const Row a = read_row(plan, join.edges[0], join.places[0], path, diagnostics);
+    const Row b = join.is_to_itself() ? a : read_row(plan, join.edges[1], join.places[1], path, diagnostics);
+    for (std::size_t k = 0; k < (join.is_to_itself() ? 1 : 2); ++k)
+      for (const auto& edge : join.edges[k])
+        sewn.enter(find_edge(plan, edge, {}, "", silent), join.places[k], path, diagnostics);
+    if (!a.is_sound || !b.is_sound) continue;
+    if (join.is_to_itself()) check_sewn_to_itself(join, path, a, diagnostics);
+    check_match(join, path, a, b, limits, diagnostics);
+    check_widths(join, path, a, b, limits, diagnostics);
+  }
+}
+
+void check_hangings(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  Ledger hung("hung");
+  for (std::size_t i = 0; i < plan.hangings.size(); ++i) {
+    const Hanging& h = plan.hangings[i];
+    const std::string path = indexed("hang", i);
+    const EdgeSet edge = find_edge(plan, h.edge, h.edge_place, path, diagnostics);
+    const Rope* rope = find_rope_or_say(plan, h.rope, h.rope_place, path, diagnostics);
+    if (!rope || !rope->is_selvedge) hung.enter(edge, h.edge_place, path, diagnostics);
+    if (edge.edges.empty()) continue;
+    check_hanging(h, edge, path, limits, diagnostics);
+    if (rope) check_times(h, edge, *rope, path, diagnostics);
+  }
+}
+
+void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  for (const auto& rope : plan.ropes)
+    if (const double hung = hung_on(plan, rope); hung > 0 && hung < limits.loose_rope * rope.length)
+      say_loose(rope, hung, diagnostics);
+}
+
+/// A gear has one headline and one footrope.
+void check_roles(const NetPlan& plan, Diagnostics& diagnostics) {
+  std::map<std::string, const Rope*> first;
+  for (const auto& rope : plan.ropes) {
+    if (rope.role != "headline" && rope.role != "footrope") continue;
+    const auto [earlier, is_new] = first.emplace(rope.role, &rope);
+    if (!is_new)
+      diagnostics.error(rope.role_place,
+                        fmt::format("{}: {} is the {} already, at {}", rope.name, earlier->second->name,
+                                    rope.role, diagnostics.where(earlier->second->role_place)),
+                        "role = \"fishing-line\" or \"ground-rope\" of the other, if it is one");
+  }
+}
+
+void check_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+  check_roles(plan, diagnostics);
+  for (const auto& rope : plan.ropes) {
+    check_rope_length(plan, rope, limits, diagnostics);
+    for (const auto& end : rope.between)
+      if (!end.empty()) check_end(plan, rope, end, diagnostics);
+  }
+}
+
+void check_connections(const NetPlan& plan, Diagnostics& diagnostics) {
+  Connections all;
+  for (const auto& panel : plan.panels) all.add(panel.name, panel.place);
+  for (const auto& rope : plan.ropes) all.add(rope.name, rope.place);
+  for (const auto& point : plan.points)
+    if (!plan.find_body(owner(point.name))) all.add(point.name, point.place);
+  for (const auto& body : plan.bodies)
+    if (is_tied(plan, body.name)) all.add(body.name, body.place);  // others a scene may tie
+  for (const auto& join : plan.joins) connect_join(all, join);
+  for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);
+  for (const auto& rope : plan.ropes)
+    for (const auto& end : rope.between) all.connect(rope.name, owner(end));
+  all.report(diagnostics);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/gear.hpp"
+
+#include "io/gears/plan/names.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+enum class Side { none, starboard, port };
+
+const char* prefix(Side side) {
+  return side == Side::starboard ? "starboard-" : side == Side::port ? "port-" : "";
+}
+
+OutlineEdge mirrored(OutlineEdge edge) {
+  std::swap(edge.from, edge.to);
+  edge.from.x = -edge.from.x;
+  edge.to.x = -edge.to.x;
+  return edge;
+}
+
+/// Whether an edge continues in its mirror image: a fore or aft edge that begins or ends in the middle.
+bool crosses_middle(const OutlineEdge& edge) {
+  const bool lies_across = edge.kind == EdgeKind::fore || edge.kind == EdgeKind::aft;
+  return lies_across && (edge.from.x == 0 || edge.to.x == 0);
+}
+
+/// The outline of both halves of a middle panel: from port across the fore edge, aft on the starboard side,
+/// and back.
+Outline both_halves(const Outline& half) {
+  std::vector<OutlineEdge> starboard, port;
+  for (const auto& edge : half.edges) {
+    if (edge.kind == EdgeKind::middle) continue;
+    OutlineEdge right = edge, left = mirrored(edge);
+    if (crosses_middle(edge)) {
+      right.from.x = edge.kind == EdgeKind::fore ? -edge.to.x : edge.from.x;
+      right.to.x = edge.kind == EdgeKind::fore ? edge.to.x : -edge.from.x;
+      right.meshes *= 2;
+      right.stretched *= 2;
+      starboard.push_back(right);
+      continue;
+    }
+    right.name = prefix(Side::starboard) + right.name;
+    left.name = prefix(Side::port) + left.name;
+    starboard.push_back(right);
+    port.push_back(left);
+  }
+  starboard.insert(starboard.end(), port.rbegin(), port.rend());
+  return {std::move(starboard)};
+}
+
+/// Makes a gear from a plan; the member functions are steps in the order of execution.
+class GearMaker {
+ public:
+  GearMaker(const NetPlan& plan, Extent extent) : plan_(plan) { gear_.extent = extent; }
+
+  Gear make() {
+    for (const auto& panel : plan_.panels) add_panel(panel);
+    for (const auto& join : plan_.joins) add_seam(join);
+    for (const auto& rope : plan_.ropes) add_rope(rope);
+    for (const auto& point : plan_.points) add_point(point);
+    for (const auto& body : plan_.bodies)
+      for (const Side side : sides_of(body.stands))
+        gear_.bodies.push_back({prefix(side) + body.name, &body, side == Side::port});
+    for (const auto& pieces : plan_.pieces) add_pieces(pieces);
+    for (const auto& join : plan_.joins)
+      if (!is_whole() && join.is_to_itself()) put_on_plane(join);
+    return std::move(gear_);
+  }
+
+ private:
+  bool is_whole() const { return gear_.extent == Extent::whole; }
+
+  std::vector<Side> sides_of(Standing stands) const {
+    if (stands == Standing::pair && is_whole()) return {Side::starboard, Side::port};
+    return {Side::none};
+  }
+
+  void add_panel(const Panel& panel) {
+    const Outline outline = outline_of(panel);
+    const bool doubled = is_whole() && panel.stands == Standing::middle;
+    for (const Side side : sides_of(panel.stands))
+      gear_.panels.push_back(
+          {prefix(side) + panel.name, &panel, side == Side::port, doubled ? both_halves(outline) : outline});
+  }
+
+  /// The edges that a name of the plan denotes on one side of the gear; an edge that exists once is returned
+  /// for either side.
+  std::vector<EdgeRef> edges_of(const std::string& name, Side side) const {
+    Diagnostics silent;
+    const EdgeSet set = find_edge(plan_, name, {}, "", silent);
+    std::vector<EdgeRef> refs;
+    for (const auto& edge : set.edges)
+      for (std::size_t p = 0; p < gear_.panels.size(); ++p)
+        if (gear_.panels[p].panel == set.panel) append_edges(refs, p, edge, side);
+    return refs;
+  }
+
+  void append_edges(std::vector<EdgeRef>& refs, std::size_t p, const OutlineEdge& sought, Side side) const {
+    const GearPanel& panel = gear_.panels[p];
+    if (panel.name == prefix(other(side)) + panel.panel->name && side != Side::none) return;
+    for (std::size_t e = 0; e < panel.outline.edges.size(); ++e) {
+      const OutlineEdge& edge = panel.outline.edges[e];
+      const bool is_it = edge.name == sought.name || edge.name == prefix(side) + sought.name;
+      if (edge.kind == sought.kind && is_it) refs.push_back({p, e});
+    }
+  }
+
+  static Side other(Side side) {
+    return side == Side::port ? Side::starboard : side == Side::starboard ? Side::port : Side::none;
+  }
+
+  bool is_there_twice(const std::string& name) const {
+    Diagnostics silent;
+    return is_whole() && find_edge(plan_, name, {}, "", silent).times() == 2;
+  }
+
+  /// The edges to port that are not also to starboard or across the middle.
+  std::vector<EdgeRef> edges_to_port(const std::string& name) const {
+    auto port = edges_of(name, Side::port);
+    const auto starboard = edges_of(name, Side::starboard);
+    std::erase_if(port, [&](const EdgeRef& ref) {
+      return std::find(starboard.begin(), starboard.end(), ref) != starboard.end();
+    });
+    return port;
+  }
+
+  std::vector<EdgeRef> row_of(const std::vector<std::string>& names, Side side) const {
+    std::vector<EdgeRef> row;
+    for (const auto& name : names) {
+      const auto edges = edges_of(name, side);
+      row.insert(row.end(), edges.begin(), edges.end());
+    }
+    return row;
+  }
+
+  /// The edges of a row from port to starboard: those that exist twice on both ends, those that exist once
+  /// between them.
+  std::vector<EdgeRef> row_across(const std::vector<std::string>& names) const {
+    std::vector<EdgeRef> row;
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+      const auto port = edges_to_port(*name);
+      row.insert(row.end(), port.rbegin(), port.rend());
+    }
+    for (const auto& name : names) append(row, edges_of(name, Side::starboard));
+    return row;
+  }
+
+  static void append(std::vector<EdgeRef>& row, const std::vector<EdgeRef>& more) {
+    row.insert(row.end(), more.begin(), more.end());
+  }
+
+  void add_seam(const Join& join) {
+    const auto twice = [&](const std::vector<std::string>& names) {
+      return std::all_of(names.begin(), names.end(), [&](const auto& n) { return is_there_twice(n); });
+    };
+    if (join.is_to_itself() && !is_whole()) return;  // put_on_plane
+    if (join.is_to_itself())
+      gear_.seams.push_back({{row_of(join.edges[0], Side::starboard), row_of(join.edges[1], Side::port)}, 0});
+    else if (!is_whole())
+      gear_.seams.push_back(
+          {{row_of(join.edges[0], Side::none), row_of(join.edges[1], Side::none)}, join.take_up});
+    else if (twice(join.edges[0]) && twice(join.edges[1]))
+      for (const Side side : {Side::starboard, Side::port})
+        gear_.seams.push_back({{row_of(join.edges[0], side), row_of(join.edges[1], side)}, join.take_up});
+    else
+      gear_.seams.push_back({{row_across(join.edges[0]), row_across(join.edges[1])}, join.take_up});
+  }
+
+  /// In the half, marks edges that are sewn to their mirror image. Comes last, because names are looked up by
+  /// kind.
+  void put_on_plane(const Join& join) {
+    for (const auto& ref : row_of(join.edges[0], Side::none))
+      gear_.panels[ref.panel].outline.edges[ref.edge].kind = EdgeKind::middle;
+  }
+
+  void add_rope(const Rope& rope) {
+    const bool is_halved = !is_whole() && rope.stands == Standing::middle;
+    for (const Side side : sides_of(rope.stands)) {
+      GearRope one{prefix(side) + rope.name,
+                   &rope,
+                   side == Side::port,
+                   is_halved            ? rope.length / 2
+                   : side == Side::port ? rope.length_port.value_or(rope.length)
+                                        : rope.length,
+                   {},
+                   {},
+                   ""};
+      one.hung = hung_on(rope, side);
+      tie(one, side);
+      gear_.ropes.push_back(std::move(one));
+    }
+  }
+
+  /// Connects the ends of a rope. A rope in the middle ends on both sides, and its start becomes the
+  /// connection of its middle.
+  void tie(GearRope& one, Side side) const {
+    const auto& [start, end] = one.rope->between;
+    if (is_whole() && one.rope->stands == Standing::middle) {
+      one.between = {point_on(end, Side::port), point_on(end, Side::starboard)};
+      one.middle = point_on(start, Side::none);
+    } else {
+      one.between = {point_on(start, side), point_on(end, side)};
+    }
+  }
+
+  std::vector<HungEdge> hung_on(const Rope& rope, Side side) const {
+    const bool across = is_whole() && rope.stands == Standing::middle;
+    std::vector<HungEdge> port, starboard;
+    for (const auto& hanging : plan_.hangings) {
+      if (hanging.rope != rope.name) continue;
+      append_hung(starboard, hanging, edges_of(hanging.edge, across ? Side::starboard : side));
+      if (across) append_hung(port, hanging, edges_to_port(hanging.edge));
+    }
+    port = {port.rbegin(), port.rend()};
+    port.insert(port.end(), starboard.begin(), starboard.end());
+    return port;
+  }
+
+  /// Edges take parts of a hanging's length in proportion to the length of their twines.
+  void append_hung(std::vector<HungEdge>& hung, const Hanging& hanging,
+                   const std::vector<EdgeRef>& edges) const {
+    Diagnostics silent;
+    const EdgeSet set = find_edge(plan_, hanging.edge, {}, "", silent);
+    const double ratio = hanging.length > 0 ? hanging.length / set.stretched() : hanging.ratio;
+    for (const auto& ref : edges) hung.push_back({ref, ratio * edge(ref).stretched * set.panel->mesh});
+  }
+
+  const OutlineEdge& edge(const EdgeRef& ref) const {
+    return gear_.panels[ref.panel].outline.edges[ref.edge];
+  }
+
+  void add_point(const Point& point) {
+    for (const Side side : sides_of(point.stands)) {
+      GearPoint one{prefix(side) + point.name, &point, point.at};
+      if (one.at && side == Side::port) (*one.at)[1] = -(*one.at)[1];
+      gear_.points.push_back(std::move(one));
+    }
+  }
+
+  /// Adds pieces such as floats. The plan's numbers are those of the whole gear; in the half they are halved,
+  /// except on parts that exist once.
+  void add_pieces(const Pieces& pieces) {
+    const Standing stands = standing_of(pieces);
+    const bool is_shared = stands == Standing::pair || (stands == Standing::middle && !is_whole());
+    for (const Side side : sides_of(stands)) {
+      GearPieces one{prefix(side) + pieces.name, &pieces, pieces.number / (is_shared ? 2 : 1), "", {}, ""};
+      if (pieces.is_along_edge())
+        one.edges =
+            side == Side::none && is_whole() ? row_across({pieces.along}) : row_of({pieces.along}, side);
+      else if (!pieces.along.empty())
+        one.rope = (standing_of(pieces.along) == Standing::pair ? prefix(side) : "") + pieces.along;
+      else
+        one.point = point_on(pieces.at, side);
+      gear_.pieces.push_back(std::move(one));
+    }
+  }
+
+  Standing standing_of(const Pieces& pieces) const {
+    if (pieces.is_along_edge()) return standing_of_edge(pieces.along);
+    return pieces.along.empty() ? standing_of_point(plan_, pieces.at) : standing_of(pieces.along);
+  }
+
+  Standing standing_of_edge(const std::string& name) const {
+    Diagnostics silent;
+    const EdgeSet set = find_edge(plan_, name, {}, "", silent);
+    return set.times() == 2 ? Standing::pair : set.panel->stands;
+  }
+
+  struct DottedName {
+    std::string owner, rest;
+  };
+  static DottedName split(const std::string& name) {
+    const auto dot = name.find('.');
+    return {name.substr(0, dot), dot == std::string::npos ? "" : name.substr(dot + 1)};
+  }
+
+  /// The name of a plan's point on one side; the ends of ropes in the middle are called start and end.
+  std::string point_on(const std::string& name, Side side) const {
+    const auto [owner, rest] = split(name);
+    const Standing stands = standing_of(owner);
+    if (!is_whole()) return stands == Standing::middle && rest == "middle" ? owner + ".start" : name;
+    if (name.empty() || stands == Standing::alone) return name;
+    if (stands == Standing::pair) return prefix(side) + name;
+    if (plan_.find_panel(owner)) return is_corner_in_middle(rest) ? name : owner + "." + prefix(side) + rest;
+    if (plan_.find_rope(owner))
+      return owner + (rest != "end" ? ".middle" : side == Side::port ? ".start" : ".end");
+    return name;
+  }
+
+  Standing standing_of(const std::string& owner) const { return netloft::io::standing_of(plan_, owner); }
+
+  const NetPlan& plan_;
+  Gear gear_;
+};
+
+}  // namespace
+
+Gear make_gear(const NetPlan& plan, Extent extent) { return GearMaker(plan, extent).make(); }
+
+const GearPanel* Gear::find_panel(const std::string& name) const {
+  const auto at = std::find_if(panels.begin(), panels.end(), [&](const auto& p) { return p.name == name; });
+  return at == panels.end() ? nullptr : &*at;
+}
+
+const GearRope* Gear::find_rope(const std::string& name) const {
+  const auto at = std::find_if(ropes.begin(), ropes.end(), [&](const auto& r) { return r.name == name; });
+  return at == ropes.end() ? nullptr : &*at;
+}
+
+std::string Gear::name_of(const EdgeRef& ref) const {
+  return panels[ref.panel].name + "." + panels[ref.panel].outline.edges[ref.edge].name;
+}
+
+}  // namespace netloft::io

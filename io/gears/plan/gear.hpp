@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gears/plan/outline.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// The part of a gear that is modelled.
+enum class Extent {
+  whole,
+  half,  // the starboard half, for gears and flows that are symmetric; edges of the kind "middle" lie on the
+         // plane: the middle of panels, and sides that are sewn to those to port
+};
+
+/// One piece of netting of a gear. In the whole, pairs are named "port-…" and "starboard-…", and so are the
+/// edges of middle panels that exist twice; all other names are those of the plan.
+struct GearPanel {
+  std::string name;
+  const Panel* panel = nullptr;
+  bool is_mirrored = false;  // x of its outline points to port
+  Outline outline;           // of a middle panel in the whole: both halves, port at negative x
+
+  /// (u, v) in bars of a point of the outline, by twine_coordinates.hpp.
+  std::array<double, 2> twine_coordinates(PanelPoint point) const {
+    return panel->twines_at(point.x, point.y);
+  }
+
+  bool has_sketch() const { return !panel->sketch.empty(); }
+  /// The position of a point of the outline in the sketch [m], interpolated between the plan's four corners.
+  std::array<double, 3> sketched(PanelPoint point) const;
+};
+
+/// Refers to an edge of an outline by indices in Gear::panels.
+struct EdgeRef {
+  std::size_t panel = 0, edge = 0;
+  bool operator==(const EdgeRef&) const = default;
+};
+
+/// Edges sewn together, each side in a row. A seam is one line of knots, no matter how it is divided. Edges
+/// keep the direction of their outlines, so two that are sewn together may run in opposite directions.
+struct Seam {
+  std::array<std::vector<EdgeRef>, 2> edges;
+  double take_up = 0;  // meshes of the second for one of the first; 0: mesh to mesh
+};
+
+/// An edge hung on a rope, and the length of rope that it takes [m].
+struct HungEdge {
+  EdgeRef edge;
+  double length = 0;
+};
+
+/// One rope of a gear. In the whole a rope of the middle runs from port ("start") to starboard ("end"); in
+/// the half it starts on the plane of symmetry, with half its length.
+struct GearRope {
+  std::string name;
+  const Rope* rope = nullptr;
+  bool is_mirrored = false;
+  double length = 0;                   // unstretched [m]
+  std::vector<HungEdge> hung;          // from start to end
+  std::array<std::string, 2> between;  // points, by their names in this gear
+  std::string middle;                  // point connected to the middle, for a rope of the middle in the whole
+};
+
+/// Floats, weights or pieces of ground gear in one place: along a rope, along edges, or at a point. Only one
+/// of the three is set.
+struct GearPieces {
+  std::string name;
+  const Pieces* pieces = nullptr;
+  double number = 0;           // in the modelled part; the half has half of those that lie across the plane
+  std::string rope;            // distributed along this rope
+  std::vector<EdgeRef> edges;  // distributed along these, in proportion to the length of their twines
+  std::string point;           // all of them at this point
+};
+
+/// A point of the plan that is not the end of a rope or the corner of a panel.
+struct GearPoint {
+  std::string name;
+  const Point* point = nullptr;
+  std::optional<std::array<double, 3>> at;  // [m], mirrored if it is to port
+};
+
+/// A rigid body of the plan; its points are points of the gear.
+struct GearBody {
+  std::string name;
+  const PlanBody* body = nullptr;
+  bool is_mirrored = false;
+};
+
+/// A net plan completed by its symmetry. It refers to the plan, which must live longer. Points are named
+/// "headrope.end", "port-wing.fore-outer", "port-towing-point", and in the whole those of middle panels as
+/// their edges: "body.port-fore-outer"; on the plane of symmetry "body.fore-inner".
+struct Gear {
+  Extent extent = Extent::whole;
+  std::vector<GearPanel> panels;
+  std::vector<Seam> seams;
+  std::vector<GearRope> ropes;
+  std::vector<GearPieces> pieces;
+  std::vector<GearPoint> points;
+  std::vector<GearBody> bodies;
+
+  const GearPanel* find_panel(const std::string& name) const;
+  const GearRope* find_rope(const std::string& name) const;
+  /// The name of an edge, such as "top-body.port-wing".
+  std::string name_of(const EdgeRef& edge) const;
+};
+
+/// Makes the gear of a plan without errors (check.hpp).
+Gear make_gear(const NetPlan& plan, Extent extent);
+
+}  // namespace netloft::io

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gears/plan/outline.hpp"
+
+namespace netloft::io {
+
+/// The edges of one panel that a name denotes, in the order outwards or aft.
+struct EdgeSet {
+  const Panel* panel = nullptr;
+  std::vector<OutlineEdge> edges;
+
+  /// Meshes counted over the whole: a fore or aft edge in the middle counts to port and to starboard.
+  double meshes() const;
+  /// Length of their straight twines, for the same edges as `meshes` [m].
+  double stretched() const;
+  /// The number of times the whole gear has it: once across the middle, otherwise twice.
+  int times() const;
+  bool is_side() const;
+  /// Whether it lies across the plane of symmetry.
+  bool is_across_middle() const;
+};
+
+/// "top-wing.inner", "top-wing.breast-cut", "top-body.fore" (all stretches of it). If there is no such edge,
+/// the result is empty and an error at `place` lists near names; `path` is the key that contains the name. A
+/// panel without meshes has none.
+EdgeSet find_edge(const NetPlan& plan, const std::string& name, const Place& place, const std::string& path,
+                  Diagnostics& diagnostics);
+
+/// The rope of this name. If there is none, the result is null and an error is reported.
+const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const Place& place,
+                             const std::string& path, Diagnostics& diagnostics);
+
+/// The owner of a point: "headrope.end" belongs to the rope, "top-wing.fore-outer" to the panel,
+/// "towing-point" to itself. If there is no such point, the result is empty and an error is reported.
+std::string find_point_owner(const NetPlan& plan, const std::string& name, const Place& place,
+                             const std::string& path, Diagnostics& diagnostics);
+
+/// The symmetry of the panel, rope or point of this name.
+Standing standing_of(const NetPlan& plan, const std::string& name);
+/// The symmetry of a point. Points of middle parts exist twice unless they lie on the plane of symmetry.
+Standing standing_of_point(const NetPlan& plan, const std::string& name);
+/// Whether a corner of a middle panel lies on the plane of symmetry.
+bool is_corner_in_middle(const std::string& corner);
+
+/// Corners of a panel by name: fore-outer, fore-inner, aft-outer, aft-inner, and the aft ends of the cuts of
+/// a side with several cuts, such as breast-cut-aft.
+std::vector<std::string> corner_names(const Panel& panel);
+
+/// The material for hints `did you mean …`: the nearest of `names`, or all of them.
+std::string near_names(const std::string& name, const std::vector<std::string>& names);
+
+}  // namespace netloft::io

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/catalogue/part_choice.hpp"
+#include "io/gears/plan/plan_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kMostMeshes = 1e5;
+
+double read_meshes(TableReader& table, const char* key, const char* doc) {
+  return table.real(key, {.unit = "1", .doc = doc, .range = between(0, kMostMeshes)});
+}
+
+/// `fore = 3`, or a list of named counts.
+std::vector<MeshCount> read_counts(TableReader& table, const char* key) {
+  if (table.kind(key) != Kind::array)
+    return {{key, read_meshes(table, key, "meshes along this edge"), table.place(key)}};
+  std::vector<MeshCount> counts;
+  for (auto& entry : table.tables(key)) {
+    MeshCount count;
+    count.name = entry.text("name", {.doc = "of this stretch of the edge"});
+    count.meshes = read_meshes(entry, "meshes", "along this stretch");
+    count.place = entry.place("name");
+    counts.push_back(std::move(count));
+  }
+  return counts;
+}
+
+// Sides.
+
+struct CutText {
+  std::string rate, direction;
+};
+
+/// Splits a text such as "5B1P in" into rate and direction.
+CutText split_cut(const std::string& written) {
+  const auto space = written.find(' ');
+  if (space == std::string::npos) return {written, ""};
+  const auto word = written.find_first_not_of(' ', space);
+  return {written.substr(0, space), word == std::string::npos ? "" : written.substr(word)};
+}
+
+void read_direction(Cut& cut, const std::string& direction, TableReader& table, const char* key) {
+  if (direction == "in" || direction == "out")
+    cut.goes = direction == "in" ? -1 : 1;
+  else if (!direction.empty())
+    table.error(key, "\"" + direction + "\" is not a direction",
+                "\"in\" where the panel becomes narrower going aft, \"out\" where it becomes wider");
+  else if (cut.is_known && !cut.rate.is_straight())
+    table.error(key, "does not say whether \"" + cut.written + "\" goes in or out",
+                "write \"" + cut.written + " in\" where the panel becomes narrower going aft, else \"" +
+                    cut.written + " out\"");
+}
+
+/// Reads a rate. If the text is not a rate, the probable one is found later, with the whole panel.
+void read_rate(Cut& cut, TableReader& table, const char* key) {
+  const auto words = split_cut(table.text(key, {.doc = "cutting rate and direction, such as \"5B1P in\""}));
+  cut.written = words.rate;
+  cut.place = table.place(key);
+  if (const auto rate = parse_rate(words.rate))
+    cut.rate = *rate;
+  else {
+    cut.is_known = false;
+    cut.rate = {.points = 1};
+  }
+  read_direction(cut, words.direction, table, key);
+}
+
+bool goes_across_only(const Cut& cut) { return cut.is_known && cut.rate.half_meshes_deep() == 0; }
+
+void read_extent(Cut& cut, TableReader& table) {
+  if (table.has("meshes")) cut.said_across = read_meshes(table, "meshes", "that it goes sideways");
+  if (table.has("depth")) cut.said_deep = read_meshes(table, "depth", "meshes that it goes aft");
+}
+
+/// Whether the two numbers that a plan states for a cut agree.
+bool agrees(const Cut& cut) {
+  const double across = cut.rate.across(*cut.said_deep);
+  return std::abs(across - *cut.said_across) <= std::max(1.0, 0.03 * *cut.said_across);
+}
+
+void check_extent(const Cut& cut, TableReader& table) {
+  if (!cut.is_known) return;
+  if (goes_across_only(cut) && !cut.said_across)
+    table.error("meshes", "must be given: " + cut.written + " has no depth");
+  else if (goes_across_only(cut) && cut.said_deep)
+    table.error("depth", cut.written + " has none", "leave it out");
+  else if (cut.rate.is_straight() && cut.said_across)
+    table.error("meshes", cut.written + " does not go sideways", "give its depth instead");
+  else if (cut.said_across && cut.said_deep && !agrees(cut))
+    table.error("meshes", "is not what " + cut.written + " gives over that depth",
+                "leave out either of meshes and depth");
+}
+
+Cut read_cut(TableReader& table, const std::string& default_name) {
+  Cut cut;
+  cut.name = table.text("name", {.doc = "of this stretch of the side", .fallback = default_name});
+  read_rate(cut, table, "cut");
+  read_extent(cut, table);
+  check_extent(cut, table);
+  return cut;
+}
+
+bool is_open(const Cut& cut) { return !cut.said_across && !cut.said_deep && !goes_across_only(cut); }
+
+std::vector<Cut> read_whole_side(TableReader& table, const char* key) {
+  Cut cut;
+  cut.name = key;
+  read_rate(cut, table, key);
+  if (goes_across_only(cut)) table.error(key, "goes across only and takes nothing of the depth");
+  return {cut};
+}
+
+/// The straight side of a tube without cuts.
+Cut straight_cut(const char* key, const Place& place) {
+  Cut cut;
+  cut.name = key;
+  cut.written = "AN";
+  cut.rate = {.points = 1};
+  cut.place = place;
+  return cut;
+}
+
+std::vector<Cut> read_side(TableReader& table, const char* key, double depth, bool may_be_straight = false) {
+  std::vector<Cut> side;
+  if (may_be_straight && !table.has(key)) {
+    side = {straight_cut(key, table.place())};
+  } else if (table.kind(key) == Kind::text) {
+    side = read_whole_side(table, key);
+  } else {
+    for (auto& entry : table.tables(key, Presence::required, "cuts going aft, such as \"5B1P in\""))
+      side.push_back(read_cut(entry, std::string(key) + "-" + std::to_string(side.size() + 1)));
+    if (table.kind(key) == Kind::array && side.empty()) table.error(key, "is empty: give at least one cut");
+  }
+  if (std::count_if(side.begin(), side.end(), is_open) > 1)
+    table.error(key, "more than one of its cuts has neither meshes nor depth");
+  settle(side, depth);
+  return side;
+}
+
+void read_sides(Panel& panel, TableReader& table) {
+  if (panel.stands == Standing::middle) {
+    panel.outer = read_side(table, "sides", panel.depth, panel.is_round);
+    return;
+  }
+  panel.outer = read_side(table, "outer", panel.depth);
+  panel.inner = read_side(table, "inner", panel.depth);
+}
+
+// Netting.
+
+const std::vector<std::string>& orientations() {
+  static const std::vector<std::string> words = {"diamond", "t90", "square"};
+  return words;
+}
+
+/// A catalogue entry, `netting = "83-112-fore"`, provides mesh and twine unless the plan gives them.
+const CataloguePart* read_netting(TableReader& table, const Catalogue& catalogue) {
+  const Value* said = table.raw("netting");
+  return said ? choose_part(*said, {"netting"}, table.path("netting"), catalogue, table.diagnostics())
+              : nullptr;
+}
+
+ChosenPart twine_of(const CataloguePart& netting, const Place& place, const Catalogue& catalogue) {
+  const std::string& name = netting.texts.at("twine");
+  const CataloguePart* twine = catalogue.find(name, {"twine"});
+  if (!twine) return {name, {place, Table{}}};
+  return {name, spell_out({place, name}, *twine, [](const std::string&) { return true; })};
+}
+
+double diameter_of(const Value& twine, const std::string& path, Diagnostics& diagnostics) {
+  if (!twine.as<Table>()) return 0;
+  TableReader reader(twine, diagnostics, path);
+  return reader.has("diameter") ? reader.real("diameter", {.unit = "m", .range = between(0, 1)}) : 0;
+}
+
+void read_material(Panel& panel, TableReader& table, const Catalogue& catalogue) {
+  const CataloguePart* netting = read_netting(table, catalogue);
+  if (table.has("mesh") || !netting)
+    panel.mesh = table.real("mesh", {.unit = "m", .doc = "stretched mesh size", .range = between(1e-4, 100)});
+  else
+    panel.mesh = netting->numbers.at("mesh");
+  ChosenPart twine = table.has("twine") || !netting ? read_part_choice(table, "twine", "twine", catalogue)
+                                                    : twine_of(*netting, table.place("netting"), catalogue);
+  panel.twine_name = std::move(twine.name);
+  panel.twine = std::move(twine.table);
+  panel.twine_diameter = diameter_of(panel.twine, table.path("twine"), table.diagnostics());
+  panel.twines =
+      static_cast<int>(table.integer("twines", {.doc = "side by side", .lo = 1, .hi = 9, .fallback = 1}));
+  panel.orientation =
+      table.choice("orientation", {.allowed = orientations(), .doc = "of the meshes", .fallback = "diamond"});
+}
+
+/// Netting that must be the same to port and to starboard can be turned only by multiples of 45 degrees.
+void read_angle(Panel& panel, TableReader& table) {
+  panel.angle = table.real("angle", {.unit = "rad",
+                                     .doc = "by which the netting is turned, from outwards towards aft",
+                                     .range = between(-std::numbers::pi, std::numbers::pi),
+                                     .fallback = 0.0});
+  const double eighths = panel.angle / (std::numbers::pi / 4);
+  if (panel.stands == Standing::middle && std::abs(eighths - std::round(eighths)) > 1e-9)
+    table.error("angle", "the netting of a panel in the middle would differ to port and to starboard",
+                "a multiple of 45 deg, or stands = \"pair\" and both sewn together in the middle: edges = "
+                "[\"" +
+                    panel.name + ".inner\", \"" + panel.name + ".inner\"]");
+}
+
+/// Reads `fore`, or `round`, the meshes of a tube.
+void read_fore(Panel& panel, TableReader& table) {
+  panel.is_round = table.has("round");
+  panel.fore = read_counts(table, panel.is_round ? "round" : "fore");
+  if (!panel.is_round) return;
+  for (auto& count : panel.fore)
+    if (count.name == "round") count.name = "fore";
+  if (table.has("fore"))
+    table.error("fore", "cannot be combined with round, which has the same meaning", "leave out either");
+  if (panel.stands != Standing::middle)
+    table.error("round", "a tube is always across the plane of symmetry",
+                "leave out stands, or write fore for round");
+}
+
+/// Pieces in a row must have the same width to fit one another.
+void read_depth(Panel& panel, TableReader& table) {
+  panel.depth = table.real(
+      "depth", {.unit = "1", .doc = "meshes from the fore to the aft edge", .range = {0, kMostMeshes, true}});
+  panel.pieces = static_cast<int>(
+      table.integer("pieces", {.doc = "of that depth, in a row", .lo = 1, .hi = 100, .fallback = 1}));
+  panel.depth *= panel.pieces;
+}
+
+void check_pieces_in_a_row(const Panel& panel, TableReader& table) {
+  for (const auto* side : {&panel.outer, &panel.inner})
+    for (const auto& cut : *side)
+      if (panel.pieces > 1 && !cut.rate.is_straight())
+        return table.error("pieces",
+                           "pieces in a row have the same number of meshes, so their sides are straight, AN",
+                           "write a panel for each, with its own counts");
+}
+
+/// `open = "aft"`, or an array of edges.
+std::vector<OpenEdge> read_open(TableReader& table) {
+  const Value* said = table.raw("open");
+  if (!said) return {};
+  if (const auto* name = said->as<std::string>()) return {{*name, said->place}};
+  const Array* array = said->as<Array>();
+  std::vector<OpenEdge> open;
+  if (array)
+    for (const auto& item : array->items)
+      if (const auto* name = item.as<std::string>()) open.push_back({*name, item.place});
+  if (!array || open.size() != array->items.size())
+    table.error("open", "give the name of an edge of the panel that stays open, or an array of names",
+                "such as open = [\"aft\"]");
+  return open;
+}
+
+void read_sketch(Panel& panel, TableReader& table) {
+  if (!table.has("sketch")) return;
+  for (const auto& row : table.rows("sketch", {.unit = "m",
+                                              .doc = "corners: fore inner, fore outer, aft outer, aft inner",
+                                              .range = between(-1e6, 1e6),
+                                              .rows = exactly(4),
+                                              .columns = exactly(3)}))
+    if (row.size() == 3) panel.sketch.push_back({row[0], row[1], row[2]});
+  if (panel.sketch.size() != 4) panel.sketch.clear();
+}
+
+void read_counts_and_cuttings(Panel& panel, TableReader& table) {
+  read_depth(panel, table);
+  read_fore(panel, table);
+  read_sides(panel, table);
+  check_pieces_in_a_row(panel, table);
+  panel.states_aft = table.has("aft");
+  panel.aft_place = table.place("aft");
+  if (panel.states_aft) panel.aft = read_counts(table, "aft");
+}
+
+}  // namespace
+
+ChosenPart read_part_choice(TableReader& table, const char* key, const char* kind_key,
+                            const Catalogue& catalogue) {
+  const Value* said = table.raw(key);
+  if (!said) {
+    table.table(key, Presence::required, "the name of a part of the catalogue, or a table");
+    return {"", {table.place(), Table{}}};
+  }
+  if (!names_a_part(*said)) {
+    if (said->kind() != Kind::table) table.error(key, "give the name of a part of the catalogue, or a table");
+    if (const Table* numbers = said->as<Table>(); numbers && numbers->members.empty())
+      table.error(key, "is an empty table, which says nothing of it",
+                  "its numbers, or the name of a part of the catalogue");
+    return {"", said->kind() == Kind::table ? *said : Value{said->place, Table{}}};
+  }
+  const CataloguePart* part =
+      choose_part(*said, kinds_under(kind_key), table.path(key), catalogue, table.diagnostics());
+  if (!part) return {"", {said->place, Table{}}};
+  return {part->name, spell_out(*said, *part, [](const std::string&) { return true; })};
+}
+
+Standing read_standing(TableReader& table, const char* fallback) {
+  const std::string word = table.choice(
+      "stands",
+      {.allowed = {"alone", "pair", "middle"}, .doc = "to the plane of symmetry", .fallback = fallback});
+  return word == "pair" ? Standing::pair : word == "middle" ? Standing::middle : Standing::alone;
+}
+
+Panel read_panel(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+  Panel panel;
+  panel.name = name;
+  panel.place = table.place();
+  panel.stands = read_standing(table, "middle");
+  table.has("corners") ? read_corners(panel, table) : read_counts_and_cuttings(panel, table);
+  read_material(panel, table, catalogue);
+  read_angle(panel, table);
+  panel.open = read_open(table);
+  read_sketch(panel, table);
+  return panel;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/read_plan.hpp"
+
+#include "io/gears/catalogue/folders.hpp"
+#include "io/gears/plan/outline.hpp"
+#include "io/gears/plan/plan_reader.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+// The tables of a scene beside those of a plan, and the keys of its [gear] about the model.
+constexpr const char* kOfScenes[] = {"water", "tow",      "bed",     "parts",
+                                     "hold",  "analysis", "results", "elements"};
+constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
+constexpr const char* kOfPlans[] = {"gear", "panels", "ropes",
+                                    "hang", "floats", "points"};  // a ship and bodies alone make none
+
+/// Whether a [[join]] connects parts of a scene rather than edges.
+bool joins_parts(TableReader& join) {
+  const bool joins = join.has("points");
+  if (joins) join.has("together");
+  return joins && !join.has("edges");
+}
+
+/// Reads one plan; the member functions are steps in the order of execution.
+class PlanReader {
+ public:
+  /// A null `catalogue` stands for that of the user and the library.
+  PlanReader(const Document& document, std::filesystem::path folder, const Catalogue* catalogue,
+             Diagnostics& diagnostics)
+      : root_(document.root(), diagnostics), diagnostics_(diagnostics), folder_(std::move(folder)) {
+    plan_.files = document.files();
+    read_catalogue(catalogue);
+  }
+
+  NetPlan read() {
+    if (root_.has("parts") && !is_plan()) {
+      root_.error("parts", "a scene out of parts, which has no net plan: its pieces of netting are [panels]",
+                  "`netloft plan` says what a scene needs, and what is wrong with it");
+      return std::move(plan_);
+    }
+    read_head();
+    read_named("panels", "the pieces of netting, a table each", Presence::required,
+               [&](const std::string& name, TableReader& t) {
+                 plan_.panels.push_back(read_panel(name, t, catalogue_));
+                 complete(plan_.panels.back());
+               });
+    read_named("ropes", "ropes, wires and chains", Presence::optional,
+               [&](const auto& name, auto& t) { plan_.ropes.push_back(read_rope(name, t, catalogue_)); });
+    read_named("floats", "floats and weights", Presence::optional,
+               [&](const auto& name, auto& t) { plan_.pieces.push_back(read_pieces(name, t, catalogue_)); });
+    read_named("points", "points that ropes lead to", Presence::optional,
+               [&](const auto& name, auto& t) { plan_.points.push_back(read_point(name, t)); });
+    read_named("bodies", "rigid bodies", Presence::optional,
+               [&](const auto& name, auto& t) { add_body(read_plan_body(name, t, catalogue_)); });
+    if (root_.has("ship")) read_ship();
+    for (auto& table : root_.tables("hang")) plan_.hangings.push_back(read_hanging(table));
+    for (auto& table : root_.tables("join"))
+      if (!joins_parts(table)) plan_.joins.push_back(read_join(table));
+    for (const auto& panel : plan_.panels) close_tube(panel);
+    if (diagnostics_.errors() == 0) add_selvedges(plan_, diagnostics_);
+    for (const char* key : kOfScenes) root_.has(key);
+    root_.finish();
+    return std::move(plan_);
+  }
+
+ private:
+  bool is_plan() {
+    return std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
+                       [&](const char* key) { return root_.has(key); });
+  }
+
+  void read_head() {
+    TableReader gear = root_.table("gear", Presence::optional);
+    plan_.title = gear.text("title", {.doc = "what it is", .fallback = ""});
+    plan_.source = gear.text("source", {.doc = "where the plan comes from", .fallback = ""});
+    for (const char* key : kOfModels) gear.has(key);
+  }
+
+  /// Its points are points of the plan.
+  void add_body(PlanBody body) {
+    for (const auto& point : body.points)
+      plan_.points.push_back({body.name + "." + point, body.stands, {}, body.place});
+    plan_.bodies.push_back(std::move(body));
+  }
+
+  void read_ship() {
+    TableReader ship = root_.table("ship");
+    for (const char* name : {kBlock, kWarp})
+      if (!names_.insert(name).second)
+        ship.error(name, "there is something named \"" + std::string(name) + "\" already",
+                   "a ship brings its blocks and its warps with it");
+    add_ship(plan_, ship, catalogue_);
+  }
+
+  void read_catalogue(const Catalogue* at_hand) {
+    std::vector<std::filesystem::path> own;
+    for (const auto& name : root_.texts(
+             "catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}})) {
+      own.push_back(folder_ / name);
+      if (const auto fault = folder_fault(own.back()); !fault.empty()) root_.error("catalogue", fault);
+    }
+    catalogue_ = at_hand ? *at_hand : Catalogue::load(catalogue_folders(diagnostics_, own), diagnostics_);
+    plan_.files.insert(plan_.files.end(), catalogue_.files().begin(), catalogue_.files().end());
+  }
+
+  template <class Read>
+  void read_named(const char* key, const char* doc, Presence presence, const Read& read) {
+    TableReader tables = root_.table(key, presence, doc);
+    for (const auto& name : tables.keys()) {
+      check_name(name, tables);
+      TableReader table = tables.table(name);
+      if (table.diagnostics().errors() == 0 || tables.kind(name) == Kind::table) read(name, table);
+    }
+  }
+
+  /// A dot separates a name from its edges and points, so names must not contain one; and each name is used
+  /// once.
+  void check_name(const std::string& name, TableReader& tables) {
+    if (name.find('.') != std::string::npos || name.empty())
+      diagnostics_.error(
+          tables.place(name),
+          "the name \"" + name + "\" must not be empty or contain a dot, which separates names of edges");
+    if (!names_.insert(name).second)
+      diagnostics_.error(tables.place(name), "there is something named \"" + name + "\" already",
+                         "names of panels, ropes, floats and points must all be different");
+  }
+
+  /// Computes the aft edge of a panel from its cuttings if the plan does not state it.
+  void complete(Panel& panel) {
+    if (!panel.states_aft) panel.aft = {{"aft", std::max(0.0, aft_by_cuttings(panel)), panel.place}};
+  }
+
+  void close_tube(const Panel& panel) {
+    const std::vector<std::string> sides = {panel.name + ".sides"};
+    if (panel.is_round)
+      plan_.joins.push_back({{sides, sides}, 0, 0, {panel.place, panel.place}, panel.place});
+  }
+
+  TableReader root_;
+  Diagnostics& diagnostics_;
+  std::filesystem::path folder_;
+  Catalogue catalogue_;
+  NetPlan plan_;
+  std::set<std::string> names_;
+};
+
+template <class T>
+const T* find_named(const std::vector<T>& all, const std::string& name) {
+  for (const auto& one : all)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+}  // namespace
+
+NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                  Diagnostics& diagnostics) {
+  const Document document = Document::load(file, overrides, diagnostics);
+  if (diagnostics.errors()) return {};
+  return PlanReader(document, file.parent_path(), nullptr, diagnostics).read();
+}
+
+NetPlan read_plan(const Document& document, const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  return PlanReader(document, folder, nullptr, diagnostics).read();
+}
+
+bool holds_plan(const Document& document) {
+  const Table* root = document.root().as<Table>();
+  return root && std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
+                             [&](const char* key) { return root->find(key); });
+}
+
+NetPlan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
+  const Document document = Document::parse(text, name, {}, diagnostics);
+  if (diagnostics.errors()) return {};
+  return PlanReader(document, {}, nullptr, diagnostics).read();
+}
+
+NetPlan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
+                       Diagnostics& diagnostics) {
+  const Document document = Document::parse(text, name, {}, diagnostics);
+  if (diagnostics.errors()) return {};
+  return PlanReader(document, {}, &catalogue, diagnostics).read();
+}
+
+const Panel* NetPlan::find_panel(const std::string& name) const { return find_named(panels, name); }
+const Rope* NetPlan::find_rope(const std::string& name) const { return find_named(ropes, name); }
+const Point* NetPlan::find_point(const std::string& name) const { return find_named(points, name); }
+const PlanBody* NetPlan::find_body(const std::string& name) const { return find_named(bodies, name); }
+
+}  // namespace netloft::io

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/plan_reader.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kLongest = 1e5;  // [m]
+constexpr double kMostPieces = 1e5;
+const Range kPlaces = between(-1e6, 1e6);
+
+double read_length(TableReader& table, const char* key, const char* doc) {
+  return table.real(key, {.unit = "m", .doc = doc, .range = {0, kLongest, true}});
+}
+
+/// Reads one name, or several in a row.
+std::vector<std::string> read_row(const Value& said, const std::string& path, Diagnostics& diagnostics) {
+  if (const std::string* name = said.as<std::string>()) return {*name};
+  std::vector<std::string> names;
+  const Array* array = said.as<Array>();
+  if (array)
+    for (const auto& item : array->items)
+      if (const std::string* name = item.as<std::string>()) names.push_back(*name);
+  if (!array || names.size() != array->items.size() || names.empty())
+    diagnostics.error(said.place, path + ": give the name of an edge, or an array of edges in a row");
+  return names;
+}
+
+/// Splits a text such as "47 along headrope" or "2 at footrope.end".
+bool split_spread(const std::string& text, Pieces& pieces) {
+  const auto* end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, pieces.number);
+  const std::string rest(after, end);
+  constexpr std::string_view kAlong = " along ", kAt = " at ";
+  if (error != std::errc() || !(pieces.number > 0) || pieces.number > kMostPieces) return false;
+  if (rest.starts_with(kAlong)) pieces.along = rest.substr(kAlong.size());
+  if (rest.starts_with(kAt)) pieces.at = rest.substr(kAt.size());
+  return !pieces.along.empty() || !pieces.at.empty();
+}
+
+/// A point of a pair must be to starboard; a point in the middle must lie on the plane of symmetry.
+void check_side(const Point& point, TableReader& table) {
+  const double y = (*point.at)[1];
+  if (point.stands == Standing::pair && y < 0)
+    table.error("at", "lies to port, y < 0",
+                "for a pair, give the point to starboard; the other is its mirror image");
+  if (point.stands == Standing::middle && y != 0)
+    table.error("at", "is not on the plane of symmetry, y = 0",
+                "stands = \"pair\", if there is one to port and one to starboard");
+}
+
+/// `role = "headline"`; a rope whose name is such a word has that role without the key, if it can have it.
+void read_role(Rope& rope, TableReader& table) {
+  const auto& words = rope_roles();
+  const bool says = table.has("role");
+  if (says) rope.role = table.choice("role", {.allowed = words, .doc = "of the rope in the gear"});
+  if (!says && std::find(words.begin(), words.end(), rope.name) != words.end()) rope.role = rope.name;
+  const bool is_line_of_mouth = rope.role == "headline" || rope.role == "footrope";
+  rope.role_place = says ? table.place("role") : rope.place;
+  if (!is_line_of_mouth || rope.stands == Standing::middle) return;
+  if (says)
+    table.error("role", "a " + rope.role + " runs from one side of the mouth to the other",
+                "stands = \"middle\", with the length of the whole rope");
+  rope.role.clear();
+}
+
+}  // namespace
+
+const std::vector<std::string>& rope_roles() {
+  static const std::vector<std::string> words = {"headline",    "footrope", "fishing-line", "ground-rope",
+                                                 "breast-line", "bridle",   "sweep",        "backstrap",
+                                                 "door-leg",    "warp"};
+  return words;
+}
+
+Rope read_rope(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+  Rope rope;
+  rope.name = name;
+  rope.place = table.place();
+  rope.stands = read_standing(table, "pair");
+  ChosenPart part = read_part_choice(table, "rope", "rope", catalogue);
+  rope.part_name = std::move(part.name);
+  rope.rope = std::move(part.table);
+  rope.length = read_length(table, "length", "unstretched, of the whole rope");
+  read_role(rope, table);
+  if (table.has("between")) {
+    const auto ends =
+        table.texts("between", {.doc = "two points, such as ends of ropes", .count = exactly(2)});
+    rope.between_place = table.place("between");
+    if (ends.size() == 2) rope.between = {ends[0], ends[1]};
+  }
+  return rope;
+}
+
+Hanging read_hanging(TableReader& table) {
+  Hanging hanging;
+  hanging.edge = table.text("edge", {.doc = "of a panel, such as \"top-wing.inner\""});
+  hanging.rope = table.text("on", {.doc = "a rope"});
+  hanging.edge_place = table.place("edge");
+  hanging.rope_place = table.place("on");
+  hanging.place = table.place();
+  if (table.has("length") && table.has("ratio"))
+    table.error("ratio", "cannot be combined with length, which has the same meaning", "leave out either");
+  if (table.has("ratio"))
+    hanging.ratio = table.real(
+        "ratio",
+        {.unit = "1", .doc = "length of rope over that of the stretched edge", .range = between(0.01, 2)});
+  else
+    hanging.length = read_length(table, "length", "of rope that the edge takes");
+  return hanging;
+}
+
+Join read_join(TableReader& table) {
+  Join join;
+  join.place = table.place();
+  const Value* edges = table.raw("edges");
+  const Array* array = edges ? edges->as<Array>() : nullptr;
+  if (!array || array->items.size() != 2) {
+    table.error("edges", "give two edges that are sewn together, such as [\"wing.aft\", \"body.fore\"]");
+    return join;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    join.places[i] = array->items[i].place;
+    join.edges[i] = read_row(array->items[i], table.path("edges"), table.diagnostics());
+  }
+  if (table.has("take_up"))
+    join.take_up = table.real(
+        "take_up",
+        {.unit = "1", .doc = "meshes of the second edge for one of the first", .range = between(0.05, 20)});
+  join.selvedge = table.real("selvedge", {.unit = "1",
+                                          .doc = "meshes of either edge that are gathered into the seam",
+                                          .range = between(0, 50),
+                                          .fallback = 0.0});
+  return join;
+}
+
+Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+  Pieces pieces;
+  pieces.name = name;
+  pieces.place = table.place();
+  ChosenPart part = read_part_choice(table, "float", "float", catalogue);
+  pieces.part_name = std::move(part.name);
+  pieces.piece = std::move(part.table);
+  const std::string spread = table.text("spread", {.doc = "how many along which rope, or at which point"});
+  pieces.spread_place = table.place("spread");
+  if (table.has("spread") && table.kind("spread") == Kind::text && !split_spread(spread, pieces))
+    table.error("spread", "\"" + spread + "\" is not understood",
+                "give a number of pieces and a rope, an edge or a point, such as \"47 along headrope\" "
+                "or \"2 at footrope.end\"");
+  return pieces;
+}
+
+Point read_point(const std::string& name, TableReader& table) {
+  Point point;
+  point.name = name;
+  point.place = table.place();
+  point.stands = read_standing(table, "pair");
+  if (table.has("at")) {
+    const auto at = table.reals("at", {.unit = "m", .doc = "x, y, z", .range = kPlaces, .count = exactly(3)});
+    if (at.size() == 3) point.at = {at[0], at[1], at[2]};
+    if (point.at) check_side(point, table);
+  }
+  return point;
+}
+
+}  // namespace netloft::io

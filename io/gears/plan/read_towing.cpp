@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/catalogue/part_choice.hpp"
+#include "io/gears/catalogue/part_kinds.hpp"
+#include "io/gears/plan/names.hpp"
+#include "io/gears/plan/plan_reader.hpp"
+#include "io/gears/plan/table_in_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr const char* kPoints = "points";
+
+/// Names in the table `points` of a body, or of the part of a catalogue that it names under `key`.
+std::vector<std::string> names_in(const Table* points) {
+  std::vector<std::string> names;
+  if (points)
+    for (const auto& member : points->members) names.push_back(member.key);
+  return names;
+}
+
+const Table* points_of_catalogue(TableReader& table, const Catalogue& catalogue) {
+  Diagnostics silent;  // the scene that reads the body says what is wrong with it
+  for (const auto& key : part_keys()) {
+    const Value* said = table.has(key) ? table.raw(key) : nullptr;
+    if (!said || !names_a_part(*said)) continue;
+    const CataloguePart* part = choose_part(*said, kinds_under(key), key, catalogue, silent);
+    const auto points = part ? part->tables.find(kPoints) : std::map<std::string, Value>::const_iterator{};
+    if (part && points != part->tables.end()) return points->second.as<Table>();
+  }
+  return nullptr;
+}
+
+/// The point that warps lead to: the one point `warp` of the bodies, if nothing is said.
+std::string end_of_warp(const NetPlan& plan, TableReader& warp) {
+  if (warp.has("to")) return warp.text("to", {.doc = "the point that it leads to, such as \"door.warp\""});
+  std::vector<std::string> ends;
+  for (const auto& body : plan.bodies)
+    for (const auto& point : body.points)
+      if (point == kWarp) ends.push_back(body.name + "." + point);
+  if (ends.size() == 1) return ends[0];
+  warp.error("to",
+             ends.empty() ? "is missing, and no body has a point \"warp\""
+                          : "is missing, and more than one body has a point \"warp\"",
+             "the point that it leads to, such as \"door.warp\"");
+  return {};
+}
+
+std::vector<ShipMoment> read_path(TableReader& path, double speed) {
+  const auto t = read_times(path);
+  const auto speeds = read_column(
+      path, "speed",
+      {.unit = "m/s", .doc = "over the ground", .range = between(0, 50), .count = exactly(t.size())}, speed,
+      "ship.speed, with which the gear is towed until then");
+  const auto headings = read_column(
+      path, "heading",
+      {.unit = "rad", .doc = "turned to starboard", .range = between(-100, 100), .count = exactly(t.size())},
+      0, "0, the heading of the tow");
+  std::vector<ShipMoment> moments;
+  for (std::size_t i = 0; i < t.size(); ++i) moments.push_back({t[i], speeds[i], headings[i]});
+  return moments;
+}
+
+const RealSpec kTension{.unit = "N", .doc = "at the block, held by the winch", .range = {0, 1e9, true}};
+
+Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogue) {
+  Rope rope;
+  rope.name = rope.role = kWarp;
+  rope.place = rope.role_place = warp.place();
+  rope.stands = Standing::pair;
+  ChosenPart part = read_part_choice(warp, "rope", "rope", catalogue);
+  rope.part_name = std::move(part.name);
+  rope.rope = std::move(part.table);
+  const RealSpec length{.unit = "m", .doc = "from the block", .range = {0, 1e5, true}};
+  rope.length = warp.real("length", length);
+  if (warp.has("length_port")) rope.length_port = warp.real("length_port", length);
+  rope.tension_place = warp.place("tension");
+  if (warp.has("tension")) rope.tension = warp.real("tension", kTension);
+  if (warp.has("tension_port")) {
+    rope.tension_port = warp.real("tension_port", kTension);
+    if (!warp.has("tension"))
+      warp.error("tension_port", "stands alone; of the warp to starboard nothing is said",
+                 "tension beside it, or tension alone for both");
+  }
+  if (warp.has("winch")) read_winch(warp, rope);
+  rope.between = {kBlock, end_of_warp(plan, warp)};
+  rope.between_place = warp.place(warp.has("to") ? "to" : "length");
+  return rope;
+}
+
+}  // namespace
+
+PlanBody read_plan_body(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+  PlanBody body;
+  body.name = name;
+  body.place = table.place();
+  body.stands = read_standing(table, "pair");
+  const Value* own = table.has(kPoints) ? table.raw(kPoints) : nullptr;
+  body.points = names_in(own ? own->as<Table>() : points_of_catalogue(table, catalogue));
+  for (const auto& key : table.keys()) table.raw(key);  // the scene reads them
+  return body;
+}
+
+void add_ship(NetPlan& plan, TableReader& table, const Catalogue& catalogue) {
+  Ship ship;
+  ship.place = table.place();
+  ship.speed_place = table.place("speed");
+  ship.speed = table.real("speed", {.unit = "m/s", .doc = "over the ground", .range = between(0, 50)});
+  if (table.has("efficiency"))
+    ship.efficiency = table.real(
+        "efficiency", {.unit = "1", .doc = "towing power over the heat of the fuel", .range = {0, 1, true}});
+  if (table.has("path")) {
+    TableReader path = table.table("path");
+    ship.path = read_path(path, ship.speed);
+    ship.path_place = path.place();
+  }
+  if (table.has("path_port")) {
+    TableReader path = table.table("path_port");
+    ship.path_port = read_path(path, ship.speed);
+    if (ship.path.empty())
+      table.error("path_port", "stands alone; of the ship to starboard nothing is said",
+                  "path beside it, of the ship to starboard");
+  }
+  TableReader block = table.table(kBlock, Presence::optional), warp = table.table(kWarp);
+  ship.block_height = block.real(
+      "height",
+      {.unit = "m", .doc = "of the blocks above the water", .range = between(-100, 100), .fallback = 4.0});
+  ship.block_gap = block.real("gap", {.unit = "m",
+                                      .doc = "between the blocks to port and to starboard",
+                                      .range = between(0, 2000),
+                                      .fallback = 6.0});
+  if (!ship.path_port.empty() && ship.block_gap == 0)
+    table.error("path_port", "has no block to port: both blocks stand in the middle",
+                "block = { gap = \"6 m\" }, the distance between both");
+  plan.points.push_back(
+      {kBlock, Standing::pair, {{0, ship.block_gap / 2, ship.block_height}}, block.place()});
+  if (table.diagnostics().errors() == 0 || table.kind(kWarp) == Kind::table)
+    plan.ropes.push_back(read_warp(plan, warp, catalogue));
+  plan.ship = ship;
+}
+
+}  // namespace netloft::io

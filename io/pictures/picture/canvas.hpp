@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/pictures/picture/colour_map.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace netloft::io {
+
+/// Red, green and blue bytes, row by row from the upper left corner.
+struct Image {
+  std::size_t width = 0, height = 0;
+  std::vector<std::uint8_t> bytes;
+
+  Image(std::size_t w, std::size_t h, const Colour& colour);
+  void set(std::size_t x, std::size_t y, const Colour& colour);
+  Colour at(std::size_t x, std::size_t y) const;
+};
+
+/// Collects what lies behind every pixel, translucent or not, with its depth; nothing has to be drawn in
+/// order. A pixel is sampled once; pictures are drawn several times with the samples moved and averaged.
+class Canvas {
+ public:
+  Canvas(std::size_t width, std::size_t height);
+
+  std::size_t width() const { return width_; }
+  std::size_t height() const { return height_; }
+  /// Adds colour over a pixel; `depth` grows towards the eye. What is behind something opaque is dropped.
+  void add(std::size_t x, std::size_t y, double depth, const Colour& colour, double alpha);
+  /// The colour of a pixel, everything laid over the ground from back to front.
+  Colour resolve(std::size_t x, std::size_t y, const Colour& ground) const;
+  void clear();
+
+ private:
+  struct Fragment {
+    float depth, alpha;
+    Colour colour;
+    std::int32_t next;
+  };
+
+  std::size_t width_, height_;
+  std::vector<std::int32_t> first_;
+  std::vector<float> opaque_;  // depth of the nearest opaque fragment
+  std::vector<Fragment> fragments_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/pictures/picture/gear_shape.hpp"
+
+#include <string>
+
+namespace netloft::io {
+
+/// The bytes of a binary glTF 2.0 file (.glb): a node for every part with its name, triangles, lines and
+/// points in the colours of the shape, in metres, y up. A half is there twice, the second time mirrored.
+std::string glb(const GearShape& shape);
+
+}  // namespace netloft::io

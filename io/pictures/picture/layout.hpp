@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/pictures/picture/gear_shape.hpp"
+
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// What stands around and over the picture of a gear, in pixels from the upper left corner of the sheet; not
+/// yet as SVG or PNG.
+struct SheetLayout {
+  enum class Align { left, middle, right };
+  struct Box {
+    double x, y, width, height;
+    Colour colour;
+  };
+  struct Line {
+    double x0, y0, x1, y1, width;
+    Colour colour;
+  };
+  struct Words {
+    double x, y;  // where the base line begins, has its middle, or ends
+    std::string text;
+    double size;
+    Align align = Align::left;
+    bool has_halo = false;  // a rim in the colour of the ground, over a picture
+  };
+
+  Colour ground, ink;
+  std::vector<Box> boxes;
+  std::vector<Line> lines;
+  std::vector<Words> words;
+};
+
+/// Height of the legends of a shape [pixels]; none has a height of zero.
+double legend_height(const GearShape& shape);
+/// A bar of colours with round values for netting, ropes and single nodes that have the field; its upper
+/// right corner is at (right, top).
+void add_legends(const GearShape& shape, double right, double top, SheetLayout& layout);
+
+/// A scale of a round number of metres with its left end at (x, y), not longer than `longest` [pixels].
+void add_scale_bar(double pixels_per_metre, double x, double y, double longest, SheetLayout& layout);
+
+/// Height and spreads as lines with their lengths: those whose ends are both in the picture, which takes
+/// the frame `picture` of the sheet.
+void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
+                    SheetLayout& layout);
+
+}  // namespace netloft::io

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/pictures/picture/canvas.hpp"
+
+#include <array>
+#include <optional>
+
+namespace netloft::io {
+
+/// One mesh of netting as a texture that repeats with U and V, whose rows go with V: twines dark, between
+/// them white, so that it darkens what is coloured under it. `axes`: twines lie where u = a U + b V or v = c
+/// U + d V is an integer; `half_width`: of a twine, in u and v. Nothing if the twines do not repeat with U
+/// and V.
+std::optional<Image> netting_texture(const std::array<double, 4>& axes, double half_width);
+
+}  // namespace netloft::io

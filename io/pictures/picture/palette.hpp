@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/pictures/picture/canvas.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace netloft::io {
+
+/// A picture in 256 colours at most.
+struct Palette {
+  using Rgb = std::array<std::uint8_t, 3>;
+  std::vector<Rgb> colours;
+  std::vector<std::uint8_t> pixels;  // the number of a colour, row by row
+};
+
+/// The picture in colours that are near its own: boxes of colours are halved at the median of their longest
+/// side (P. Heckbert, Color image quantization for frame buffer display, SIGGRAPH 1982).
+Palette palette_of(const Image& image);
+
+}  // namespace netloft::io

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/pictures/picture/sheet.hpp"
+
+#include "io/pictures/picture/bytes.hpp"
+#include "io/pictures/picture/gear_painter.hpp"
+#include "io/pictures/picture/layout.hpp"
+#include "io/pictures/picture/png.hpp"
+#include "io/pictures/picture/text.hpp"
+#include "io/formats/svg/svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kNarrow = 760;  // below, the legends stand under the title
+constexpr double kMargin = 16, kHead = 46, kFoot = 40, kTitleSize = 18;
+constexpr double kLeastHeight = 0.16, kGreatestHeight = 0.64;  // of the picture, relative to its width
+
+struct Sheet {
+  double width = 0, height = 0, picture_top = 0;
+  Image picture{0, 0, {}};
+  SheetLayout layout;
+};
+
+/// A long title is cut, with a mark that it was.
+std::string shortened(std::string text, std::size_t most) {
+  if (text.size() <= most) return text;
+  std::size_t end = most - 3;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return text.substr(0, end) + "…";
+}
+
+/// The middle of the box around points.
+Point3 middle_of(const std::vector<Point3>& points) {
+  Point3 middle{};
+  for (std::size_t k = 0; k < 3 && !points.empty(); ++k) {
+    const auto [lo, hi] = std::minmax_element(points.begin(), points.end(),
+                                              [&](const Point3& a, const Point3& b) { return a[k] < b[k]; });
+    middle[k] = ((*lo)[k] + (*hi)[k]) / 2;
+  }
+  return middle;
+}
+
+void add_title(const StoredResult& result, std::size_t state, SheetLayout& layout) {
+  std::string title = result.title();
+  if (!result.stages.empty()) title += ", " + result.stages[state];
+  if (result.is_motion) title += fmt::format(", {:.4g} s", result.times[state]);
+  layout.words.push_back({kMargin, 27, shortened(title, 40), kTitleSize});
+  if (!result.is_answer())
+    layout.words.push_back(
+        {kMargin, 44,
+         (result.outcome.empty() ? "the run has not ended" : result.outcome) + ": no equilibrium", 13});
+}
+
+/// In views along the level: the bed under the gear, from edge to edge of the picture.
+void add_bed(const GearShape& shape, const Projection& projection, View view, Sheet& sheet) {
+  constexpr int kPieces = 64;
+  constexpr Colour kBed = {0.55f, 0.46f, 0.3f};
+  const auto& bed = shape.result->bed;
+  if (!bed || (view != View::side && view != View::front)) return;
+  const Point3 middle = middle_of(extent_of(shape, Framing::netting));
+  const double there = projection(middle)[0];
+  const auto at = [&](int piece) {
+    const double column = std::lerp(kMargin, sheet.width - kMargin, static_cast<double>(piece) / kPieces);
+    const double ahead = (column - there) / projection.pixels_per_metre;
+    const double x = middle[0] + ahead * projection.right[0], y = middle[1] + ahead * projection.right[1];
+    return std::array{column, sheet.picture_top + projection({x, y, bed->height(x, y)})[1]};
+  };
+  for (int piece = 0; piece < kPieces; ++piece) {
+    const auto [x0, y0] = at(piece);
+    const auto [x1, y1] = at(piece + 1);
+    if (std::min(y0, y1) > sheet.picture_top && std::max(y0, y1) < sheet.height - kFoot + 6)
+      sheet.layout.lines.push_back({x0, y0, x1, y1, 1.5, kBed});
+  }
+}
+
+SheetLayout empty_layout(bool is_dark) {
+  SheetLayout layout;
+  layout.ground = is_dark ? Colour{0.08f, 0.19f, 0.25f} : Colour{1, 1, 1};
+  layout.ink = is_dark ? Colour{0.93f, 0.96f, 0.97f} : Colour{0.08f, 0.13f, 0.17f};
+  return layout;
+}
+
+/// Height of the picture that the points fill in a view, within reason [pixels].
+double picture_height(View view, const std::vector<Point3>& points, double width) {
+  const Projection projection = fit(view, points, {kMargin, 0, width - 2 * kMargin, 1e9});
+  double low = INFINITY, high = -INFINITY;
+  for (const auto& p : points) {
+    low = std::min(low, projection(p)[1]);
+    high = std::max(high, projection(p)[1]);
+  }
+  const double tall = points.empty() ? 0 : high - low;
+  return std::round(std::clamp(tall + 2 * kMargin, kLeastHeight * width, kGreatestHeight * width));
+}
+
+Sheet compose(const StoredResult& result, const SheetOptions& options) {
+  const std::size_t state = std::min(options.state, result.times.size() - 1);
+  const GearShape shape = shape_of(result, state, options.colouring);
+  Sheet sheet;
+  sheet.layout = empty_layout(options.is_dark);
+  sheet.width = static_cast<double>(options.width);
+  const bool is_narrow = sheet.width < kNarrow;
+  const double legends = legend_height(shape);
+  const auto points = extent_of(shape, options.framing);
+  const double height = picture_height(options.view, points, sheet.width);
+  sheet.picture_top = is_narrow ? kHead + legends : std::max(kHead, legends + 10);
+  sheet.height = height + sheet.picture_top + kFoot;
+  const Projection projection =
+      fit(options.view, points, {kMargin, kMargin, sheet.width - 2 * kMargin, height - 2 * kMargin});
+  sheet.picture =
+      paint(shape, projection, options.width, static_cast<std::size_t>(height), sheet.layout.ground);
+  add_bed(shape, projection, options.view, sheet);
+  add_title(result, state, sheet.layout);
+  add_legends(shape, sheet.width - kMargin, is_narrow ? kHead : 12, sheet.layout);
+  add_scale_bar(projection.pixels_per_metre, kMargin, sheet.height - kFoot / 2, sheet.width / 6,
+                sheet.layout);
+  if (options.with_dimensions)
+    add_dimensions(shape, projection, {0, sheet.picture_top, sheet.width, height}, sheet.layout);
+  return sheet;
+}
+
+std::string svg_of(const SheetLayout::Words& words, const SheetLayout& layout) {
+  const char* anchor = words.align == SheetLayout::Align::right    ? "end"
+                       : words.align == SheetLayout::Align::middle ? "middle"
+                                                                   : "start";
+  const std::string halo =
+      words.has_halo ? " stroke=\"" + hex(layout.ground) + "\" stroke-width=\"4\" paint-order=\"stroke\""
+                     : "";
+  return fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:g}\" fill=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
+      words.x, words.y, words.size, hex(layout.ink), anchor, halo, escape_markup(words.text));
+}
+
+/// A line with soft edges: every pixel by its distance from it.
+void draw_line(const SheetLayout::Line& line, Image& image) {
+  const double dx = line.x1 - line.x0, dy = line.y1 - line.y0, square = dx * dx + dy * dy;
+  const auto pixel = [](double x, std::size_t most) {
+    return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(most)));
+  };
+  const auto [left, right] = std::minmax(line.x0, line.x1);
+  const auto [top, bottom] = std::minmax(line.y0, line.y1);
+  for (std::size_t y = pixel(top - 2, image.height); y < pixel(bottom + 3, image.height); ++y)
+    for (std::size_t x = pixel(left - 2, image.width); x < pixel(right + 3, image.width); ++x) {
+      const double px = static_cast<double>(x) + 0.5 - line.x0, py = static_cast<double>(y) + 0.5 - line.y0;
+      const double s = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;
+      const double cover = std::clamp(line.width / 2 + 0.5 - std::hypot(px - s * dx, py - s * dy), 0.0, 1.0);
+      Colour mixed = image.at(x, y);
+      for (std::size_t k = 0; k < 3; ++k) mixed[k] += static_cast<float>(cover) * (line.colour[k] - mixed[k]);
+      if (cover > 0) image.set(x, y, mixed);
+    }
+}
+
+void draw_box(const SheetLayout::Box& box, Image& image) {
+  const auto pixel = [](double x) { return static_cast<std::size_t>(std::max(0.0, std::round(x))); };
+  for (std::size_t y = pixel(box.y); y < std::min(pixel(box.y + box.height), image.height); ++y)
+    for (std::size_t x = pixel(box.x); x < std::min(pixel(box.x + box.width), image.width); ++x)
+      image.set(x, y, box.colour);
+}
+
+void draw_words(const SheetLayout::Words& words, const SheetLayout& layout, Image& image) {
+  const double width = text_width(words.text, words.size);
+  const double left = words.align == SheetLayout::Align::right    ? words.x - width
+                      : words.align == SheetLayout::Align::middle ? words.x - width / 2
+                                                                  : words.x;
+  if (words.has_halo)
+    for (const double x : {-1.5, 0.0, 1.5})
+      for (const double y : {-1.0, 0.0, 1.0})
+        write_text(image, left + x, words.y + y, words.text, words.size, layout.ground);
+  write_text(image, left, words.y, words.text, words.size, layout.ink);
+}
+
+}  // namespace
+
+std::string svg_sheet(const StoredResult& result, const SheetOptions& options) {
+  const Sheet sheet = compose(result, options);
+  const SheetLayout& layout = sheet.layout;
+  const std::string picture = options.is_small ? small_png(sheet.picture) : png(sheet.picture);
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+      "{1:.0f}\" role=\"img\" aria-label=\"{2}\" font-family=\"Noto "
+      "Sans,Helvetica,Arial,sans-serif\">\n<rect "
+      "width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"{3}\"/>\n<image y=\"{4:g}\" width=\"{5}\" height=\"{6}\" "
+      "href=\"data:image/png;base64,{7}\"/>\n",
+      sheet.width, sheet.height, escape_markup("the shape of " + result.title()), hex(layout.ground),
+      sheet.picture_top, sheet.picture.width, sheet.picture.height, base64(bytes_of(picture)));
+  for (const auto& box : layout.boxes)
+    svg += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
+                       box.x, box.y, box.width, box.height, hex(box.colour));
+  for (const auto& line : layout.lines)
+    svg += fmt::format(
+        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
+        "stroke-width=\"{:g}\"/>\n",
+        line.x0, line.y0, line.x1, line.y1, hex(line.colour), line.width);
+  for (const auto& words : layout.words) svg += svg_of(words, layout);
+  return svg + "</svg>\n";
+}
+
+std::string png_sheet(const StoredResult& result, const SheetOptions& options) {
+  const Sheet sheet = compose(result, options);
+  Image image(static_cast<std::size_t>(sheet.width), static_cast<std::size_t>(sheet.height),
+              sheet.layout.ground);
+  const auto top = static_cast<std::size_t>(sheet.picture_top);
+  std::copy(sheet.picture.bytes.begin(), sheet.picture.bytes.end(),
+            image.bytes.begin() + static_cast<std::ptrdiff_t>(3 * top * image.width));
+  for (const auto& box : sheet.layout.boxes) draw_box(box, image);
+  for (const auto& line : sheet.layout.lines) draw_line(line, image);
+  for (const auto& words : sheet.layout.words) draw_words(words, sheet.layout, image);
+  return png(image);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/pictures/picture/canvas.hpp"
+
+#include <string>
+
+namespace netloft::io {
+
+/// Width of a text that write_text() writes [pixels]; `size` is that of the letters, as in CSS.
+double text_width(const std::string& text, double size);
+
+/// Writes a text in Noto Sans (letters/), its base line beginning at (x, y): for pictures in pixels, which
+/// have no fonts. Characters that it has not become the sign of a missing one.
+void write_text(Image& image, double x, double y, const std::string& text, double size, const Colour& colour);
+
+}  // namespace netloft::io

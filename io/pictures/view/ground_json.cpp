@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/pictures/view/ground_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+struct Stretch {
+  double first = INFINITY, last = -INFINITY;
+
+  void take(double x) {
+    if (std::isfinite(x)) {
+      first = std::min(first, x);
+      last = std::max(last, x);
+    }
+  }
+  double size() const { return last - first; }
+};
+
+/// Around all nodes of the last state: as large again on every side.
+std::array<Stretch, 2> region_of(const StoredResult& result) {
+  std::array<Stretch, 2> region;
+  const auto points = result.points(result.times.size() - 1);
+  for (std::size_t n = 0; n + 2 < points.size(); n += 3) {
+    region[0].take(points[n]);
+    region[1].take(points[n + 1]);
+    if (result.is_half) region[1].take(-points[n + 1]);
+  }
+  const double margin = std::max({region[0].size(), region[1].size(), 1.0});
+  for (auto& range : region) {
+    if (!(range.size() >= 0)) range = {0, 0};
+    range.first -= margin;
+    range.last += margin;
+  }
+  return region;
+}
+
+}  // namespace
+
+nlohmann::ordered_json ground_json(const StoredResult& result) {
+  const auto [x, y] = region_of(result);
+  const int places = result.bed && !result.bed->is_plane() ? 65 : 2;
+  const auto at = [&](const Stretch& range, int k) {
+    return std::lerp(range.first, range.last, static_cast<double>(k) / (places - 1));
+  };
+  nlohmann::ordered_json heights;
+  for (int i = 0; result.bed && i < places; ++i)
+    for (int j = 0; j < places; ++j)
+      heights.push_back(std::round(1e6 * result.bed->height(at(x, i), at(y, j))) / 1e6);
+  return {{"x", {x.first, x.last}}, {"y", {y.first, y.last}}, {"places", places}, {"heights", heights}};
+}
+
+}  // namespace netloft::io

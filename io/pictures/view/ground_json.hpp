@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/file/stored_result.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace netloft::io {
+
+/// The region around a gear in which bed and surface are drawn, and heights of the bed on an even grid over
+/// it: {x: [first, last], y: [first, last], places, heights [x][y]}; `heights` is null without a bed [m].
+nlohmann::ordered_json ground_json(const StoredResult& result);
+
+}  // namespace netloft::io

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/file/stored_result.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// A page with the viewer, in one file without a network: report and pictures stand in it as they are, and
+/// scripts put the viewer above them. Two results are laid over one another; three and more are a sweep.
+std::string view_page(const std::vector<const StoredResult*>& results, std::size_t most_states);
+
+/// A page with the report alone: no scripts.
+std::string report_page(const StoredResult& result);
+
+}  // namespace netloft::io

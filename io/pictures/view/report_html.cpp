@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/pictures/view/report_html.hpp"
+
+#include "io/formats/svg/svg.hpp"
+#include "io/results/text/gear_text.hpp"
+#include "io/results/file/materials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace netloft::io {
+
+namespace {
+
+/// Five digits, and those before the point of a larger number.
+std::string number(double value) {
+  if (!std::isfinite(value)) return "–";
+  return std::abs(value) >= 1e5 && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value)
+                                                         : fmt::format("{:.5g}", value);
+}
+
+std::string number(double value, const char* format) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "–";
+}
+
+std::string unit_of(const std::string& unit) {
+  return unit == "1" ? "" : unit == "m2" ? "m²" : unit == "m3" ? "m³" : unit;
+}
+
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+/// A table that is written row by row. Texts are escaped here and nowhere else.
+class HtmlTable {
+ public:
+  explicit HtmlTable(const std::vector<std::string>& columns) : html_("<table>\n<tr>") {
+    for (const auto& column : columns) html_ += "<th scope=\"col\">" + in_html(column) + "</th>";
+    html_ += "</tr>\n";
+  }
+  HtmlTable& row() {
+    html_ += html_.ends_with("</tr>\n") ? "<tr>" : "";
+    return *this;
+  }
+  HtmlTable& text(const std::string& text) {
+    constexpr std::size_t kName = 60;  // letters: longer texts may break anywhere, names between words
+    html_ += (text.size() > kName ? "<td class=\"long\">" : "<td>") + in_html(text) + "</td>";
+    return *this;
+  }
+  HtmlTable& value(const std::string& text) {
+    html_ += "<td class=\"number\">" + in_html(text) + "</td>";
+    return *this;
+  }
+  /// A part of a whole, as a bar with its per cent beside it; `of` is what has it.
+  HtmlTable& share(double share, const std::string& of) {
+    if (!std::isfinite(share)) return value("–");
+    const std::string percent = number(100 * share, "{:.0f}");
+    html_ +=
+        "<td class=\"number\"><meter min=\"0\" max=\"100\" low=\"50\" high=\"100\" optimum=\"0\" value=\"" +
+        percent + "\" aria-label=\"load on " + in_html(of) + " in per cent of its breaking load\"></meter> " +
+        percent + " %</td>";
+    return *this;
+  }
+  void end() {
+    html_ += "</tr>\n";
+    ++rows_;
+  }
+  std::string finish() const { return rows_ ? html_ + "</table>\n" : ""; }
+
+ private:
+  std::string html_;
+  int rows_ = 0;
+};
+
+std::string heading(const char* text) { return "<h2>" + std::string(text) + "</h2>\n"; }
+std::string paragraph(const std::string& text) { return "<p>" + in_html(text) + "</p>\n"; }
+std::string folded(const std::string& title, const std::string& text) {
+  return "<details><summary>" + in_html(title) + "</summary>\n<pre tabindex=\"0\">" + in_html(text) +
+         "</pre></details>\n";
+}
+
+std::string head_html(const StoredResult& result) {
+  std::string html = paragraph(result.sentence);
+  for (const auto& note : result.notes) html += paragraph("Note: " + note + ".");
+  if (result.is_half)
+    html += paragraph(
+        "One half of the gear was modelled; areas, masses, weights and forces aft and upwards are those of "
+        "the whole gear.");
+  return html;
+}
+
+/// The figures that a gear designer asks for first, and what the scene itself asks for.
+bool is_principal(const std::string& name) {
+  return name.starts_with("mouth/") || name.starts_with("ground/") || name.starts_with("budget/") ||
+         name == "drag/all/x" || name == "weight_in_water/all" || name.starts_with("netting/");
+}
+
+std::string figure_words(const std::string& name) {
+  if (name == "drag/all/x") return "drag";
+  if (name == "weight_in_water/all") return "weight in water";
+  if (name == "mouth/area") return "mouth area";
+  const bool keeps_group = name.starts_with("ground/") || name.starts_with("netting/");
+  std::string words = keeps_group ? name : name.substr(name.find('/') + 1);
+  std::replace(words.begin(), words.end(), '/', ' ');
+  return spoken(words);
+}
+
+void figure_row(const std::string& words, const NamedScalar& figure, HtmlTable& table) {
+  table.row().text(words).value(number(figure.value)).text(unit_of(figure.unit));
+  table.value(error_text(figure)).text(figure.doc).end();
+}
+
+std::string figures_html(const StoredResult& result) {
+  HtmlTable table({"quantity", "value", "", "error", "what it is"});
+  for (const auto& scalar : result.scalars) figure_row(spoken(scalar.name), scalar, table);
+  for (const auto& figure : result.figures)
+    if (is_principal(figure.name)) figure_row(figure_words(figure.name), figure, table);
+  const std::string rows = table.finish();
+  if (rows.empty()) return "";
+  return heading("Figures") + rows +
+         paragraph(result.mesh_note.empty()
+                       ? "Errors are those of the solver and of the mesh together. That of the mesh is not "
+                         "known here (±?): run --error finds it."
+                       : "Errors are those of the solver and of the mesh together; the latter " +
+                             result.mesh_note + ".");
+}
+
+struct Column {
+  const char *title, *before, *after;
+};
+
+/// A row for every member of a group of figures: `before` + member + `after`.
+std::string group_html(const StoredResult& result, const char* title, const std::vector<Column>& columns) {
+  std::vector<std::string> members, titles = {""};
+  for (const auto& column : columns) titles.push_back(column.title);
+  for (const auto& column : columns)
+    for (const auto& figure : result.figures) {
+      const std::string before = column.before, after = column.after;
+      if (!figure.name.starts_with(before) || !figure.name.ends_with(after) ||
+          figure.name.size() <= before.size() + after.size())
+        continue;
+      const auto member =
+          figure.name.substr(before.size(), figure.name.size() - before.size() - after.size());
+      if (member.find('/') == std::string::npos &&
+          std::find(members.begin(), members.end(), member) == members.end())
+        members.push_back(member);
+    }
+  HtmlTable table(titles);
+  for (const auto& member : members) {
+    table.row().text(member);
+    for (const auto& column : columns) {
+      const NamedScalar* figure = find_scalar(result.figures, column.before + member + column.after);
+      table.value(figure ? number(figure->value) : "–");
+    }
+    table.end();
+  }
+  const std::string rows = table.finish();
+  return rows.empty() ? "" : heading(title) + rows;
+}
+
+std::string groups_html(const StoredResult& result) {
+  std::string html = group_html(result, "Ropes",
+                                {{"start [N]", "ropes/", "/tension_start"},
+                                 {"end [N]", "ropes/", "/tension_end"},
+                                 {"port [N]", "ropes/", "/tension_port"},
+                                 {"middle [N]", "ropes/", "/tension_middle"},
+                                 {"starboard [N]", "ropes/", "/tension_starboard"},
+                                 {"largest [N]", "ropes/", "/tension_largest"},
+                                 {"mass [kg]", "ropes/", "/mass"}});
+  html += group_html(result, "Netting",
+                     {{"opening, least", "panels/", "/opening_min"},
+                      {"mean", "panels/", "/opening_mean"},
+                      {"most", "panels/", "/opening_max"},
+                      {"area [m²]", "panels/", "/area"},
+                      {"filtered [m²]", "panels/", "/filtered_area"},
+                      {"twine [m²]", "panels/", "/twine_area"},
+                      {"mass [kg]", "panels/", "/mass"}});
+  return html + group_html(result, "Forces of the water and weight, by part",
+                           {{"drag aft [N]", "drag_by_part/", "/x"},
+                            {"starboard [N]", "drag_by_part/", "/y"},
+                            {"up [N]", "drag_by_part/", "/z"},
+                            {"weight [N]", "weight_in_water_by_part/", ""}});
+}
+
+std::string held_html(const StoredResult& result) {
+  HtmlTable table({"held", "x [N]", "y [N]", "z [N]"});
+  for (const auto& hold : result.hold_forces) {
+    table.row().text(hold.name);
+    for (const double force : hold.force) table.value(number(force));
+    table.end();
+  }
+  const std::string rows = table.finish();
+  return rows.empty() ? "" : heading("Forces of the holds on the gear, as modelled") + rows;
+}
+
+std::string materials_rows(const StoredResult& result) {
+  HtmlTable table({"", "part", "number", "diameter [mm]", "length [m]", "area [m²]", "mass [kg]",
+                   "largest load [N]", "breaking load [N]", "used"});
+  const auto materials = materials_of(result);
+  for (const auto& m : materials) {
+    table.row().text(m.item.name).text(m.item.part_name).value(number(m.item.number, "{:g}"));
+    for (const double value : {1e3 * m.item.diameter, m.length, m.area, m.mass, m.load, m.item.breaking_load})
+      table.value(number(value));
+    table.share(m.utilisation(), m.item.name).end();
+  }
+  const std::string rows = table.finish();
+  if (rows.empty()) return "";
+  return heading("Materials, and loads against breaking loads") + rows;
+}
+
+std::string convergence_html(const StoredResult& result) {
+  HtmlTable table({"step", "residual [N]", "largest load [N]", "factorisations", "note"});
+  const StoredConvergence& c = result.convergence;
+  for (std::size_t i = 0; i < c.residual.size() && i < c.load.size() && i < c.factorisations.size(); ++i)
+    table.row()
+        .text(std::to_string(i))
+        .value(number(c.residual[i], "{:.3e}"))
+        .value(number(c.load[i], "{:.4g}"))
+        .value(std::to_string(c.factorisations[i]))
+        .text(i < c.note.size() ? c.note[i] : "")
+        .end();
+  const std::string rows = table.finish();
+  return rows.empty() ? "" : "<details><summary>Convergence of the solve</summary>\n" + rows + "</details>\n";
+}
+
+std::string origins_html(const StoredResult& result) {
+  const StoredOrigins& o = result.origins;
+  std::string command;
+  for (const auto& word : o.command) command += (command.empty() ? "" : " ") + word;
+  HtmlTable table({"", ""});
+  const std::pair<const char*, std::string> rows[] = {{"file", result.path.filename().string()},
+                                                      {"netloft", o.version},
+                                                      {"command", command},
+                                                      {"started", o.started},
+                                                      {"finished", o.finished},
+                                                      {"machine", o.machine},
+                                                      {"compiler", o.compiler}};
+  for (const auto& [name, text] : rows)
+    if (!text.empty()) table.row().text(name).text(text).end();
+  std::string html = heading("Where it comes from") + table.finish();
+  for (const auto& [path, text] : o.files) html += folded(path, text);
+  return html + (o.plan.empty() ? "" : folded("What was evaluated, and why", o.plan));
+}
+
+}  // namespace
+
+std::string in_html(const std::string& text) { return escape_markup(text); }
+
+std::string summary_html(const StoredResult& result) {
+  std::string html = head_html(result);
+  for (const auto& warning : load_warnings(materials_of(result)))
+    html += "<p class=\"warning\">Warning: " + in_html(warning) + ".</p>\n";
+  return html;
+}
+
+std::string materials_table(const StoredResult& result) { return materials_rows(result); }
+
+std::string details_html(const StoredResult& result) {
+  return figures_html(result) + groups_html(result) + held_html(result) + convergence_html(result) +
+         origins_html(result);
+}
+
+std::string diff_html(const ResultDiff& diff) {
+  HtmlTable table({"quantity", "before", "after", "difference", "", "error", ""});
+  std::size_t changed = 0;
+  for (const auto& d : diff.numbers) {
+    if (!d.is_changed()) continue;
+    ++changed;
+    table.row()
+        .text(d.name)
+        .value(number(d.before))
+        .value(number(d.after))
+        .value(number(d.difference(), "{:+.4g}"));
+    table.value(number(d.percent(), "{:+.3g} %"))
+        .value(std::isfinite(d.error) ? number(d.error, "{:.1e}") : "±?")
+        .text(unit_of(d.unit))
+        .end();
+  }
+  return heading("What changed") +
+         paragraph(fmt::format("{} of {} numbers changed, from {} to {}.", changed, diff.numbers.size(),
+                               file_name(diff.before.path), file_name(diff.after.path))) +
+         table.finish();
+}
+
+}  // namespace netloft::io

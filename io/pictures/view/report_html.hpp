@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/diff/result_diff.hpp"
+#include "io/results/file/stored_result.hpp"
+
+#include <string>
+
+namespace netloft::io {
+
+// The report of a result as elements of a page. All texts of the result are escaped.
+
+/// How it ended, notes and warnings.
+std::string summary_html(const StoredResult& result);
+/// The bill of materials, with loads against breaking loads; empty if there is none.
+std::string materials_table(const StoredResult& result);
+/// All figures with their errors, tables by part, convergence, where it comes from.
+std::string details_html(const StoredResult& result);
+
+/// What changed between two results, as a table.
+std::string diff_html(const ResultDiff& diff);
+
+/// Text as it has to stand in a page.
+std::string in_html(const std::string& text);
+
+}  // namespace netloft::io

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/parameters/nearest.hpp"
+#include "io/gears/catalogue/catalogue.hpp"
+#include "io/gears/catalogue/folders.hpp"
+#include "io/program/session/commands.hpp"
+#include "io/program/session/error_json.hpp"
+#include "io/program/session/terminal.hpp"
+#include "io/formats/units/units.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Five digits are more than catalogues know.
+std::string rounded(double value, const char* unit) {
+  return fmt::format("{:.5g}{}{}", value, unit == std::string_view("1") ? "" : " ",
+                     unit == std::string_view("1") ? "" : unit);
+}
+
+std::string line_of(const CataloguePart& part) {
+  std::string text = fmt::format("{:<8} {:<26}", part.kind->name, part.name);
+  int shown = 0;
+  for (const auto& key : part.kind->numbers)
+    if (part.numbers.contains(key.name) && shown++ < 3)
+      text += fmt::format(" {} {}{}", key.name, rounded(part.numbers.at(key.name), key.unit),
+                          shown < 3 ? "," : "");
+  while (text.ends_with(',')) text.pop_back();
+  return text;
+}
+
+std::string page_of(const CataloguePart& part) {
+  std::string text = fmt::format("{} {}\n", part.kind->name, part.name);
+  for (const auto& key : part.kind->numbers)
+    if (part.numbers.contains(key.name))
+      text += fmt::format("  {:<18} {:<18} {}\n", key.name, rounded(part.numbers.at(key.name), key.unit),
+                          key.doc);
+  for (const auto& [key, words] : part.texts) text += fmt::format("  {:<18} {}\n", key, words);
+  return text + fmt::format("  {:<18} {}", "file", part.file);
+}
+
+Json json_of(const CataloguePart& part) {
+  Json json = {{"kind", part.kind->name}, {"name", part.name}};
+  for (const auto& key : part.kind->numbers)
+    if (part.numbers.contains(key.name))
+      json["numbers"][key.name] = {{"value", part.numbers.at(key.name)}, {"unit", key.unit}};
+  for (const auto& [key, words] : part.texts) json[key] = words;
+  json["file"] = part.file;
+  return json;
+}
+
+/// Parts of that name or of that kind; all of them if none is named.
+std::vector<const CataloguePart*> asked_for(const Catalogue& catalogue, const std::string& word) {
+  std::vector<const CataloguePart*> parts;
+  for (const auto& part : catalogue.parts())
+    if (word.empty() || word == part.name || word == part.kind->name) parts.push_back(&part);
+  return parts;
+}
+
+[[noreturn]] void refuse(const Catalogue& catalogue, const std::string& word) {
+  std::vector<std::string> names;
+  for (const auto& kind : part_kinds()) names.emplace_back(kind.name);
+  for (const auto& part : catalogue.parts()) names.push_back(part.name);
+  const auto near = nearest(word, names);
+  throw UsageError{"there is no part and no kind of parts \"" + word + "\" in the catalogue" +
+                   (near ? "; did you mean \"" + *near + "\"?" : "")};
+}
+
+}  // namespace
+
+int catalogue_command(const Options& options) {
+  Diagnostics diagnostics;
+  const Catalogue catalogue = Catalogue::load(catalogue_folders(diagnostics), diagnostics);
+  if (diagnostics.errors()) {
+    Terminal terminal(options.color);
+    terminal.say(diagnostics.render(terminal.color()));
+    if (options.json) std::puts(error_json("the catalogue has errors", kWrongInput).c_str());
+    return kWrongInput;
+  }
+  const auto parts = asked_for(catalogue, options.target);
+  if (parts.empty() && !options.target.empty()) refuse(catalogue, options.target);
+  Json all = Json::array();
+  for (const auto* part : parts) {
+    all.push_back(json_of(*part));
+    if (!options.json) std::puts((part->name == options.target ? page_of(*part) : line_of(*part)).c_str());
+  }
+  if (options.json)
+    std::puts(Json{{"parts", all}}.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  return kDone;
+}
+
+}  // namespace netloft::io

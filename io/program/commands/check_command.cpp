@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/commands.hpp"
+#include "io/program/session/terminal.hpp"
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/outline.hpp"
+#include "io/gears/plan/read_plan.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finding_json(const Diagnostic& finding, const Diagnostics& diagnostics) {
+  Json json = {{"severity", finding.severity == Severity::error ? "error" : "warning"},
+               {"at", diagnostics.where(finding.place)},
+               {"message", finding.message}};
+  if (!finding.hint.empty()) json["hint"] = finding.hint;
+  return json;
+}
+
+Json panel_json(const Panel& panel) {
+  Json json = {{"name", panel.name},
+               {"mesh", panel.mesh},
+               {"fore", panel.count(panel.fore)},
+               {"aft", panel.count(panel.aft)},
+               {"depth", panel.depth}};
+  for (const auto& edge : outline_of(panel).edges)
+    json["edges"].push_back({{"name", edge.name},
+                             {"meshes", edge.meshes},
+                             {"from", {edge.from.x, edge.from.y}},
+                             {"to", {edge.to.x, edge.to.y}}});
+  return json;
+}
+
+void print_json(const NetPlan& plan, const Diagnostics& diagnostics, int code) {
+  Json json = {{"status", code == kDone ? "can be sewn" : "wrong input"}, {"findings", Json::array()}};
+  for (const auto& finding : diagnostics.sorted())
+    json["findings"].push_back(finding_json(finding, diagnostics));
+  json["panels"] = Json::array();
+  if (code == kDone)
+    for (const auto& panel : plan.panels) json["panels"].push_back(panel_json(panel));
+  std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+void print_panels(const NetPlan& plan) {
+  std::puts(
+      fmt::format("{:<24} {:>9} {:>8} {:>8} {:>8}  {}", "panel", "mesh [mm]", "fore", "aft", "depth", "twine")
+          .c_str());
+  for (const auto& p : plan.panels)
+    std::puts(fmt::format("{:<24} {:>9.1f} {:>8} {:>8} {:>8}  {}", p.name, 1e3 * p.mesh,
+                          in_meshes(p.count(p.fore)), in_meshes(p.count(p.aft)), in_meshes(p.depth),
+                          p.twine_name)
+                  .c_str());
+}
+
+std::string counted(std::size_t number, const char* one, const char* more) {
+  return fmt::format("{} {}", number, number == 1 ? one : more);
+}
+
+/// Ropes that the plan writes; selvedges are netting.
+std::size_t ropes_of(const NetPlan& plan) {
+  return static_cast<std::size_t>(
+      std::count_if(plan.ropes.begin(), plan.ropes.end(), [](const Rope& r) { return !r.is_selvedge; }));
+}
+
+void print_summary(const NetPlan& plan, const Diagnostics& diagnostics) {
+  print_panels(plan);
+  std::puts(fmt::format("{}, {}, {}: {}, {}", counted(plan.panels.size(), "panel", "panels"),
+                        counted(plan.joins.size(), "seam", "seams"), counted(ropes_of(plan), "rope", "ropes"),
+                        counted(static_cast<std::size_t>(diagnostics.errors()), "error", "errors"),
+                        counted(static_cast<std::size_t>(diagnostics.warnings()), "warning", "warnings"))
+                .c_str());
+}
+
+}  // namespace
+
+int check_command(const Options& options) {
+  Terminal terminal(options.color);
+  Diagnostics diagnostics;
+  NetPlan plan = read_plan(options.target, options.set, diagnostics);
+  if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
+  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
+  const int code = diagnostics.errors() ? kWrongInput : kDone;
+  if (options.json)
+    print_json(plan, diagnostics, code);
+  else if (code == kDone)
+    print_summary(plan, diagnostics);
+  return code;
+}
+
+}  // namespace netloft::io

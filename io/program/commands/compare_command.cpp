@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/parameters/nearest.hpp"
+#include "io/program/session/replaced_file.hpp"
+#include "io/program/session/session.hpp"
+#include "io/program/session/watchdog.hpp"
+#include "io/studies/compare/report.hpp"
+#include "io/formats/files/whole_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+/// What --tolerance and --accuracy take: numbers of decades.
+struct Decades {
+  std::string option, what, example;
+};
+const Decades kTolerances{"--tolerance", "tolerance", "1e-10:1e-2"};
+const Decades kAccuracies{"--accuracy", "accuracy", "1e-3:1e-1"};
+
+double read_one(const std::string& word, const std::string& all, const Decades& d) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end || !(value >= 1e-16 && value <= 1))
+    throw UsageError{d.option + " " + all + ": \"" + word + "\" is no " + d.what +
+                     "; write LO:HI with numbers from 1e-16 to 1, such as " + d.example};
+  return value;
+}
+
+/// One per decade from the loosest to the tightest.
+std::vector<double> read_decades(const std::string& range, const Decades& d) {
+  const auto colon = range.find(':');
+  const double low = read_one(range.substr(0, colon), range, d);
+  const double high = colon == std::string::npos ? low : read_one(range.substr(colon + 1), range, d);
+  if (low > high)
+    throw UsageError{d.option + " " + range + " is reversed: the tighter one comes first, as in " +
+                     d.example};
+  const int steps = static_cast<int>(std::round(std::log10(high / low)));
+  std::vector<double> tolerances;
+  for (int i = 0; i < steps; ++i) tolerances.push_back(high * std::pow(10.0, -i));
+  tolerances.push_back(low);
+  return tolerances;
+}
+
+std::vector<Method> read_methods(const std::vector<std::string>& words) {
+  if (words.empty()) throw UsageError{"--solver, --strategy or --integrator: name at least one to compare"};
+  std::vector<Method> methods;
+  for (const auto& word : words) {
+    if (std::count(words.begin(), words.end(), word) > 1)
+      throw UsageError{word + " is given twice; a method is compared once"};
+    methods.push_back({word});
+  }
+  return methods;
+}
+
+/// Motions have nothing in common with equilibria that could stand in one table.
+bool compares_motions(const std::vector<Method>& methods) {
+  const auto integrators =
+      std::count_if(methods.begin(), methods.end(), [](const Method& m) { return m.kind() == "integrator"; });
+  if (integrators != 0 && integrators != static_cast<std::ptrdiff_t>(methods.size()))
+    throw UsageError{"--integrator compares motions, --solver and --strategy equilibria: one or the other"};
+  return integrators > 0;
+}
+
+ComparisonTask read_task(const CompareOptions& o) {
+  ComparisonTask task;
+  task.methods = read_methods(o.methods);
+  task.is_of_motions = compares_motions(task.methods);
+  task.tolerances = task.is_of_motions
+                        ? read_decades(o.accuracy.empty() ? kAccuracies.example : o.accuracy, kAccuracies)
+                        : read_decades(o.tolerance, kTolerances);
+  task.repeats = o.repeats;
+  task.reference = o.reference;
+  if (task.is_of_motions && !o.cells.empty())
+    throw UsageError{"--cells gives the meshes of equilibria; motions are compared on one mesh"};
+  if (!task.is_of_motions && !o.accuracy.empty())
+    throw UsageError{"--accuracy is that of motions; solvers and strategies take --tolerance"};
+  if (!o.cells.empty()) task.cells = read_cell_list(o.cells);
+  return task;
+}
+
+void check_kind(const LoadedScene& loaded, bool is_of_motions) {
+  const bool moves = loaded.analysis.kind == AnalysisKind::dynamics;
+  if (moves && !is_of_motions)
+    throw UsageError{
+        "--solver and --strategy find an equilibrium, and this scene goes through time: compare "
+        "--integrator, or "
+        "run it with kind = \"static\""};
+  if (!moves && is_of_motions)
+    throw UsageError{
+        "--integrator goes through time, and this scene is static: compare --solver or --strategy"};
+  if (is_of_motions && !loaded.analysis.dynamics.start_file.empty())
+    throw UsageError{"compare begins motions where the scene does, and analysis.start names a result"};
+}
+
+/// Opens the scene once with every method, and on every mesh, so that all that is wrong is said at first.
+class Inspection {
+ public:
+  Inspection(const Options& options, Registry& registry, Terminal& terminal)
+      : options_(options), registry_(registry), terminal_(terminal) {}
+
+  int check(const CaseSource& source, ComparisonTask& task) {
+    is_of_motions_ = task.is_of_motions;
+    if (is_of_motions_) set_absent(task);
+    std::vector<Method> words;
+    for (const Method& method : task.methods)
+      if (!task.absent.contains(method.specification)) words.push_back(method);
+    if (!task.reference.empty()) words.push_back({(is_of_motions_ ? "integrator " : "") + task.reference});
+    for (const auto& method : words)
+      if (const int code = open(source_for(source, method, task.tolerances.front())); code != kDone)
+        return code;
+    return task.cells ? check_meshes(source, task) : kDone;
+  }
+
+ private:
+  /// An integrator whose plugin is not installed gets a row that says so, if another one has a result to
+  /// compare, and if its name is not that of another one but for a letter.
+  void set_absent(ComparisonTask& task) {
+    const std::vector<std::string> there = registry_.available();
+    for (const Method& method : task.methods) {
+      const std::string plugin = plugin_of(method);
+      if (std::ranges::find(there, plugin) == there.end() && !nearest(plugin, there))
+        task.absent[method.specification] = "there is no plugin \"" + plugin + "\" here";
+    }
+    if (task.absent.size() == task.methods.size()) task.absent.clear();
+  }
+
+  int check_meshes(const CaseSource& source, const ComparisonTask& task) {
+    Case own(source, registry_);
+    own.open();
+    for (const auto& level : mesh_levels(own.loaded(), *task.cells)) {
+      CaseSource mesh = source_for(source, task.methods.front(), task.tolerances.front());
+      mesh.overrides.insert(mesh.overrides.end(), level.overrides.begin(), level.overrides.end());
+      if (const int code = open(mesh); code != kDone) return code;
+    }
+    return kDone;
+  }
+
+  int open(const CaseSource& source) {
+    Case one(source, registry_);
+    const Case::State state = one.open();
+    if (state == Case::State::ready) {
+      check_kind(one.loaded(), is_of_motions_);
+      if (!one.loaded().scene.settings.empty())
+        throw UsageError{
+            "compare wants a scene in which nothing is left open, and this one looks for a length of "
+            "warp; ship.warp.length without ship.warp.tension gives it"};
+      for (const std::string& file : {options_.compare.csv, options_.compare.plot})
+        require_place(file, paths_of(one.loaded()));
+      return kDone;
+    }
+    return tell_why_not(one.diagnostics(), state, options_, terminal_);
+  }
+
+  const Options& options_;
+  Registry& registry_;
+  Terminal& terminal_;
+  bool is_of_motions_ = false;
+};
+
+void write_files(const Comparison& result, const CompareOptions& o) {
+  if (!o.csv.empty()) write_whole(o.csv, comparison_csv(result));
+  if (o.plot.empty()) return;
+  const LinePlot plot = comparison_plot(result);
+  write_whole(o.plot, o.plot.ends_with(".html") ? draw_html(plot) : draw_svg(plot));
+}
+
+/// Files that were asked for are made of a whole comparison alone.
+std::string unwritten(const CompareOptions& o) {
+  std::string text;
+  for (const std::string& file : {o.csv, o.plot})
+    if (!file.empty()) text += (text.empty() ? "; not written: " : ", ") + file;
+  return text;
+}
+
+int run(const Options& options) {
+  ComparisonTask task = read_task(options.compare);
+  require_ending("--csv", options.compare.csv, {".csv"});
+  require_ending("--plot", options.compare.plot, {".svg", ".html"});
+  catch_interrupts();
+  Terminal terminal(options.color, options.json);
+  Registry registry;
+  find_plugins(options, registry);
+  Watchdog watchdog(ending_with_a_sentence(terminal, "the comparison ends here without a table"));
+  CaseSource source = source_of(options);
+  if (options.threads == 0) source.threads = 1;  // so that CPU seconds are seconds
+  if (const int code = Inspection(options, registry, terminal).check(source, task); code != kDone)
+    return code;
+  const double tightest = task.tolerances.back();
+  const Watch watch{.interrupt = &interrupt_flag(),
+                    .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tightest); },
+                    .on_step =
+                        [&](const StepRecord& step, const std::string& run) {
+                          terminal.progress_in_time(step.t, step.end, step.seconds, run);
+                        },
+                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const Comparison result = compare(source, registry, task, watch);
+  terminal.clear();
+  std::puts(options.json ? comparison_json(result).c_str() : comparison_text(result).c_str());
+  if (result.is_interrupted)
+    return end_interrupted(terminal, "the table is of what was done before" + unwritten(options.compare));
+  const bool is_well = result.any_converged() && !result.any_failed();
+  return write_last(terminal, is_well ? kDone : kNotConverged, [&] { write_files(result, options.compare); });
+}
+
+}  // namespace
+
+int compare_command(const Options& options) {
+  try {
+    return run(options);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  }
+}
+
+}  // namespace netloft::io

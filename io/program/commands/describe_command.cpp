@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/commands.hpp"
+#include "io/program/session/components.hpp"
+#include "io/scenes/reading/dynamics.hpp"
+#include "io/scenes/reading/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace netloft::io {
+
+namespace {
+
+void print(const Json& json) { std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str()); }
+
+/// "water", "waves", "tow", "bed", "analysis" and "gear": tables that belong to no plugin.
+int describe_keys(const std::string& name, std::span<const netloft_parameter> table, bool json) {
+  if (json) {
+    print({{"type", name}, {"kind", "table"}, {"parameters", parameter_json(table)}});
+    return kDone;
+  }
+  std::puts(("[" + name + "]: a table of the scene\n" + parameter_text(table)).c_str());
+  return kDone;
+}
+
+/// Those of time included.
+std::vector<netloft_parameter> all_analysis_keys() {
+  std::vector<netloft_parameter> all(analysis_keys().begin(), analysis_keys().end());
+  all.insert(all.end(), dynamics_keys().begin(), dynamics_keys().end());
+  return all;
+}
+
+}  // namespace
+
+int list_command(const Options& options) {
+  Registry registry;
+  find_plugins(options, registry);
+  Json rows = Json::array();
+  std::string refused;
+  for (const auto& name : registry.available()) try {
+      for (const auto& c : components_of(registry.plugin(name))) {
+        rows.push_back({{"type", c.type}, {"kind", c.kind}, {"doc", c.doc}});
+        if (!options.json) std::puts(fmt::format("{:<24} {:<8} {}", c.type, c.kind, c.doc).c_str());
+      }
+    } catch (const PluginRefused& e) {
+      refused += std::string(e.what()) + "\n";
+    }
+  if (options.json) print({{"components", rows}, {"refused", refused}});
+  std::fputs(refused.c_str(), stderr);
+  return refused.empty() ? kDone : kRefused;
+}
+
+int describe_command(const Options& options) {
+  if (options.target == "water") return describe_keys("water", water_keys(), options.json);
+  if (options.target == "waves") return describe_keys("waves", wave_keys(), options.json);
+  if (options.target == "tow") return describe_keys("tow", tow_keys(), options.json);
+  if (options.target == "bed") return describe_keys("bed", bed_keys(), options.json);
+  if (options.target == "analysis") return describe_keys("analysis", all_analysis_keys(), options.json);
+  if (options.target == "gear") return describe_keys("gear", gear_keys(), options.json);
+  Registry registry;
+  find_plugins(options, registry);
+  const bool whole = options.target.find('/') == std::string::npos;
+  Json all = Json::array();
+  for (const auto& c : components_of(registry.plugin(options.target.substr(0, options.target.find('/'))))) {
+    if (!whole && c.type != options.target) continue;
+    all.push_back(c.json());
+    if (!options.json) std::puts(c.text().c_str());
+  }
+  if (all.empty()) registry.element(options.target);  // says what there is
+  if (options.json) print(all.size() == 1 ? all[0] : all);
+  return kDone;
+}
+
+}  // namespace netloft::io

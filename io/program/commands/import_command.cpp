@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Gears of other programs.
+#include "io/program/session/commands.hpp"
+#include "io/program/session/replaced_file.hpp"
+#include "io/program/session/terminal.hpp"
+#include "io/scenes/import/import.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+void print(const Json& json) { std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str()); }
+
+Json findings_json(const Diagnostics& diagnostics) {
+  Json all = Json::array();
+  for (const auto& d : diagnostics.sorted())
+    all.push_back({{"severity", d.severity == Severity::error ? "error" : "warning"},
+                   {"at", diagnostics.where(d.place)},
+                   {"message", d.message}});
+  return all;
+}
+
+std::string verdict_of(const FolderCheck::Gear& gear) {
+  if (!gear.is_read) return "not read";
+  return gear.lines.empty() ? "converts" : "converts, but leaves out";
+}
+
+void print_check(const FolderCheck& check) {
+  for (const auto& gear : check.gears) {
+    std::puts(fmt::format("{:<50} {}", gear.name, verdict_of(gear)).c_str());
+    for (const auto& line : gear.lines) std::puts(("    " + line).c_str());
+  }
+  for (const auto& [feature, gears] : check.features)
+    std::puts(fmt::format("needed in {:>5}: {}", gears, feature).c_str());
+  for (const auto& [need, gears] : check.needs)
+    std::puts(fmt::format("left out in {:>3}: {}", gears, need).c_str());
+  std::puts(fmt::format("{} of {} convert without a line left out", check.whole, check.gears.size()).c_str());
+}
+
+int check_gears(const Options& options) {
+  const FolderCheck check = check_folder(options.folder, options.moves);
+  if (check.gears.empty()) throw UsageError{"--check " + options.folder + ": there is no GEAR.don in it"};
+  if (!options.json) {
+    print_check(check);
+    return kDone;
+  }
+  Json json = {{"status", "done"},
+               {"whole", check.whole},
+               {"needs", check.needs},
+               {"features", check.features},
+               {"gears", Json::array()}};
+  for (const auto& gear : check.gears)
+    json["gears"].push_back({{"name", gear.name},
+                             {"verdict", verdict_of(gear)},
+                             {"lines", gear.lines},
+                             {"features", gear.features}});
+  print(json);
+  return kDone;
+}
+
+/// Where scene and mesh go.
+struct Outputs {
+  explicit Outputs(const Options& options)
+      : scene(options.output.empty() ? fs::path(options.target).stem().string() + ".toml" : options.output),
+        mesh(fs::path(scene).replace_extension(".mesh")) {
+    require_ending("-o", scene.string(), {".toml"});
+  }
+  fs::path scene, mesh;
+};
+
+auto import_of(const std::string& format) {
+  return format == "table" ? import_table : format == "moordyn" ? import_moordyn : import_femnet;
+}
+
+int import_gear(const Options& options) {
+  const Outputs to(options);
+  Terminal terminal(options.color);
+  Diagnostics diagnostics;
+  const ImportedGear gear = import_of(options.kind)(
+      {options.target, options.mesh_file, to.mesh.filename().string(), options.divides, options.moves},
+      diagnostics);
+  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
+  const int code = diagnostics.errors() ? kWrongInput : kDone;
+  if (code == kDone) {
+    const std::vector<std::string> sources{options.target, options.mesh_file};
+    replace_file(to.mesh.string(), gear.mesh, sources);
+    replace_file(to.scene.string(), gear.scene, sources, {".toml"});
+  }
+  if (options.json)
+    print({{"status", code == kDone ? "done" : "wrong input"},
+           {"output", to.scene.string()},
+           {"left_out", gear.left_out},
+           {"findings", findings_json(diagnostics)}});
+  else if (code == kDone)
+    terminal.say(fmt::format("written to {} and {}: {} nodes, {} elements, {} left out", to.scene.string(),
+                             to.mesh.string(), gear.nodes, gear.elements, gear.left_out.size()));
+  return code;
+}
+
+}  // namespace
+
+int import_command(const Options& options) {
+  if (!options.folder.empty()) {
+    if (!options.kind.empty() && options.kind != "femnet")
+      throw UsageError{"import: --check is of gears of FEMNET"};
+    refuse_idle(options, {"--mesh", "--divide", "--output"}, "--check writes nothing");
+    return check_gears(options);
+  }
+  if (options.target.empty()) throw UsageError{"import: GEAR is missing, the file of the gear"};
+  if (options.kind != "femnet" && (!options.mesh_file.empty() || options.divides || options.moves))
+    throw UsageError{"import: --mesh, --divide and --motion are of gears of FEMNET"};
+  return import_gear(options);
+}
+
+}  // namespace netloft::io

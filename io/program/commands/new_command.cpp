@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/commands.hpp"
+#include "io/formats/files/whole_file.hpp"
+#include "netloft_templates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+namespace netloft::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+
+/// otter_board -> OtterBoard
+std::string type_name(const std::string& name) {
+  std::string type;
+  bool begins = true;
+  for (const char c : name) {
+    if (c != '_') type += begins ? upper(c) : c;
+    begins = c == '_';
+  }
+  return type;
+}
+
+void refuse(const std::string& name, const std::string& why) {
+  throw UsageError{"\"" + name + "\" cannot be the name of a plugin: " + why};
+}
+
+void check_spelling(const std::string& name) {
+  const bool spelled =
+      !name.empty() && is_lower(name[0]) && name.back() != '_' && name.size() <= 40 &&
+      std::all_of(name.begin(), name.end(), [](char c) { return is_lower(c) || is_digit(c) || c == '_'; });
+  if (!spelled)
+    refuse(name,
+           "write small letters, digits and _ between them, a letter first, 40 at most, such as otter_board");
+}
+
+/// Words that the generated files use themselves, or that CMake keeps for its own targets.
+constexpr std::array kTaken = {"parameters", "data", "elastic",    "all",           "test",   "clean",
+                               "install",    "help", "edit_cache", "rebuild_cache", "package"};
+
+void check_name(const std::string& name, const Registry& registry) {
+  check_spelling(name);
+  if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end())
+    refuse(name, "the word has a meaning in the files to be written");
+  const auto there = registry.available();
+  if (std::find(there.begin(), there.end(), name) != there.end())
+    refuse(name, "there is a plugin of that name, and one would hide the other");
+}
+
+std::string replaced(std::string text, std::string_view old, std::string_view with) {
+  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
+    text.replace(at, old.size(), with);
+  return text;
+}
+
+/// The template's own licence does not bind what is made of it.
+std::string without_licence(std::string text) {
+  constexpr std::string_view first = "// SPDX-License-Identifier: BSD-3-Clause\n";
+  if (text.starts_with(first)) text.erase(0, first.size());
+  return text.starts_with("//\n") ? text.substr(3) : text;
+}
+
+std::string renamed(const std::string& text, const std::string& kind, const std::string& name) {
+  const std::string old = "my_" + kind;
+  return replaced(replaced(text, old, name), type_name(old), type_name(name));
+}
+
+void say_what_next(const std::string& name) {
+  fmt::print(
+      "{0}/ holds {0}.cpp, a test, a scene and a README. It works as it is:\n"
+      "  cmake -S {0} -B {0}/build && cmake --build {0}/build\n"
+      "  ctest --test-dir {0}/build --output-on-failure\n"
+      "  netloft run {0}/{0}.toml --plugins {0}/build\n",
+      name);
+}
+
+}  // namespace
+
+int new_command(const Options& options) {
+  Registry registry;
+  find_plugins({}, registry);
+  check_name(options.target, registry);
+  const fs::path folder = options.target;
+  std::error_code error;
+  if (fs::exists(folder, error)) throw UsageError{folder.string() + ": there is something of that name"};
+  if (!fs::create_directory(folder, error))
+    throw WriteError(folder.string() + " cannot be made: " + error.message());
+  try {
+    for (const auto& t : kTemplates)
+      if (t.kind == options.kind)
+        write_whole(folder / renamed(t.file, options.kind, options.target),
+                    renamed(without_licence(t.text), options.kind, options.target));
+  } catch (const WriteError&) {  // half a component would be in the way of a whole one
+    std::error_code none;
+    fs::remove_all(folder, none);
+    throw;
+  }
+  say_what_next(options.target);
+  return kDone;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/commands.hpp"
+#include "io/program/session/components.hpp"
+#include "io/program/schema/part_schema.hpp"
+#include "io/program/schema/schema_words.hpp"
+#include "io/scenes/reading/analysis.hpp"
+#include "io/scenes/reading/dynamics.hpp"
+#include "io/scenes/reading/keys.hpp"
+
+#include <cstdio>
+#include <limits>
+
+namespace netloft::io {
+
+using namespace schema;
+
+namespace {
+
+Json hold_schema() {
+  Json hold = object();
+  const Json name = text("what is held: a part, an edge or a point (net.fore)");
+  put(hold, "on",
+      {{"description", "what is held"},
+       {"anyOf", {name, {{"type", "array"}, {"items", name}, {"minItems", 1}}}}},
+      true);
+  put(hold, "axes",
+      {{"type", "string"}, {"pattern", "^[xyz]+$"}, {"description", "along which it cannot move"}}, false);
+  const Json direction = {
+      {"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
+  for (const auto& [key, doc] : {std::pair{"along", "direction of the line it slides on"},
+                                 std::pair{"plane", "normal of the plane it stays in"}}) {
+    Json own = direction;
+    own["description"] = doc;
+    put(hold, key, own, false);
+  }
+  put(hold, "at", {{"description", "\"sketch\", a point, or points of a line"}}, false);
+  put(hold, "name", text("name of the reaction"), false);
+  put(hold, "displacement",
+      columns_schema("way from where it is held, over time",
+                     {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"z", "m"}}),
+      false);
+  put(hold, "velocity",
+      columns_schema("velocity of what is held, over time",
+                     {{"t", "s"}, {"x", "m/s"}, {"y", "m/s"}, {"z", "m/s"}}),
+      false);
+  return {{"type", "array"}, {"items", hold}};
+}
+
+Json join_schema() {
+  Json join = object();
+  put(join, "points",
+      {{"type", "array"},
+       {"items", {{"type", "string"}}},
+       {"minItems", 1},
+       {"description", "points or edges that become one"}},
+      false);
+  put(join, "together", {{"type", "boolean"}, {"default", false}, {"description", "all nodes become one"}},
+      false);
+  put(join, "edges", {{"type", "array"}, {"minItems", 2}, {"description", "net plan: edges sewn together"}},
+      false);
+  put(join, "take_up",
+      {{"type", "number"}, {"description", "net plan: meshes of the second edge for one of the first"}},
+      false);
+  join["anyOf"] = {{{"required", {"points"}}}, {{"required", {"edges"}}}};
+  return {{"type", "array"}, {"items", join}};
+}
+
+/// One velocity, or a profile over height.
+Json current_schema() {
+  const auto column = [](const std::string& unit, double limit, const std::string& doc) {
+    return Json{{"type", "array"},
+                {"items", quantity(unit, -limit, limit, doc)},
+                {"minItems", 1},
+                {"description", doc}};
+  };
+  Json profile = object();
+  put(profile, "z", column("m", 2e4, "heights of the samples, 0 at the surface"), true);
+  put(profile, "x", column("m/s", 50, "velocity along x at each z"), false);
+  put(profile, "y", column("m/s", 50, "velocity along y at each z"), false);
+  put(profile, "up", column("m/s", 50, "velocity upwards at each z"), false);
+  put(profile, "t", column("s", 1e9, "times of the shares"), false);
+  put(profile, "factor", column("1", 1e3, "factor on the profile at each t"), false);
+  Json drift = columns_schema("velocity everywhere, over time",
+                              {{"t", "s"}, {"x", "m/s"}, {"y", "m/s"}, {"up", "m/s"}});
+  Json velocity = column("m/s", 50, "velocity [vx, vy, vz]");
+  velocity["minItems"] = velocity["maxItems"] = 3;
+  return {{"description", "velocity of the water: the same everywhere, or over height and time"},
+          {"anyOf", {velocity, profile, drift}}};
+}
+
+Json results_schema() {
+  Json entry = object();
+  put(entry, "of", text("a part, an edge or a point"), true);
+  put(entry, "take",
+      text(
+          "min, max, mean, sum or range, and a quantity: x, y, z, displacement, reaction z, heel, tension …"),
+      true);
+  return {{"type", "object"}, {"additionalProperties", entry}, {"description", "named scalars"}};
+}
+
+/// The table that a solver, an integrator or a strategy has in `analysis`.
+void put_component(Json& analysis, const std::string& type, const char* doc,
+                   std::span<const netloft_parameter> parameters) {
+  const ComponentTable at = table_of_component(type);
+  Json& plugin = analysis["properties"][at.plugin];
+  if (plugin.is_null()) plugin = object();
+  if (at.component.empty()) {
+    plugin["description"] = doc;
+    return put_table(plugin, parameters);
+  }
+  Json own = object();
+  own["description"] = doc;
+  put_table(own, parameters);
+  plugin["properties"][at.component] = own;
+}
+
+/// Tables of a net plan, whose page is GEAR.md.
+Json plan_schema(const char* doc, bool is_list) {
+  if (is_list) return {{"type", "array"}, {"items", {{"type", "object"}}}, {"description", doc}};
+  return {{"type", "object"}, {"additionalProperties", {{"type", "object"}}}, {"description", doc}};
+}
+
+/// How a gear is modelled, and what the parts of its plan are made of.
+void put_gear(Json& scene) {
+  Json gear = object(), elements = object();
+  put_table(gear, gear_keys());
+  Json& nodes = gear["properties"]["nodes"];
+  nodes = {{"anyOf", Json::array({nodes, {{"const", kKnots}}})}, {"description", nodes["description"]}};
+  Json finer = {{"type", "object"}, {"additionalProperties", {{"type", "number"}, {"exclusiveMinimum", 0}}}};
+  finer["description"] = "by panel or rope: sides of triangles, or bars, that many times shorter";
+  put(gear, "finer", finer, false);
+  for (const auto& of : gear_elements())
+    put(elements, of.kind,
+        {{"type", "object"},
+         {"properties", {{"type", text(std::string("element type, such as ") + of.type)}}},
+         {"description", std::string("what counts for all ") + of.doc}},
+        false);
+  elements["additionalProperties"] = {{"type", "object"}};
+  put(scene, "gear", gear, false);
+  put(scene, "elements", elements, false);
+  put(scene, "panels", plan_schema("net plan: pieces of netting", false), false);
+  put(scene, "ropes", plan_schema("net plan: ropes, wires and chains", false), false);
+  put(scene, "floats", plan_schema("net plan: floats, weights and ground gear", false), false);
+  put(scene, "points", plan_schema("net plan: points that ropes lead to", false), false);
+  put(scene, "hang", plan_schema("net plan: edges on ropes", true), false);
+  put(scene, "ship",
+      {{"type", "object"}, {"description", "net plan: the ship that tows, with its blocks, warps and path"}},
+      false);
+}
+
+/// What is read beside the scene itself.
+void put_files(Json& scene) {
+  put(scene, "include",
+      {{"type", "array"},
+       {"items", {{"type", "string"}}},
+       {"description", "files laid down first, relative to this one"}},
+      false);
+  put(scene, "catalogue",
+      {{"type", "array"},
+       {"items", text("a folder, relative to the scene")},
+       {"description", "folders with catalogues of one's own, searched first"}},
+      false);
+}
+
+/// The pieces of a gear: parts on nodes of their own or on others, and rigid bodies.
+void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) {
+  put(scene, "parts",
+      {{"type", "object"},
+       {"minProperties", 1},
+       {"additionalProperties", parts.schema()},
+       {"description", "the pieces of the gear"}},
+      false);
+  put(scene, "bodies",
+      {{"type", "object"},
+       {"additionalProperties", bodies.schema()},
+       {"description", "rigid bodies, to whose points parts are joined"}},
+      false);
+  // What is included may say it already.
+  scene["if"] = {{"required", {"include"}}};
+  for (const char* pieces : {"parts", "bodies"})
+    scene["else"]["properties"][pieces]["additionalProperties"]["required"] = {"type"};
+  scene["$defs"] = parts.definitions;
+  scene["$defs"].update(bodies.definitions);
+}
+
+}  // namespace
+
+Json scene_schema(Registry& registry) {
+  PartSchema parts, bodies;
+  Json analysis = object(), water = object(), waves = object(), tow = object(), bed = object();
+  put_table(water, water_keys());
+  put_table(tow, tow_keys());
+  put_table(bed, bed_keys());
+  put(water, "current", current_schema(), false);
+  put_table(waves, wave_keys());
+  put(water, "waves", waves, false);
+  put_table(analysis, analysis_keys());
+  put_table(analysis, dynamics_keys());
+  for (const auto& name : registry.available()) {
+    const PluginContent& plugin = registry.plugin(name);
+    for (const auto& e : plugin.elements) {
+      if (!e.element.rides_on) parts.add(e, plugin);  // else it comes with another
+      if (e.is_on_body()) bodies.add_body(e, plugin);
+    }
+    for (const auto& s : plugin.solvers) put_component(analysis, s.type, s.solver.doc, s.parameters);
+    for (const auto& i : plugin.integrators) put_component(analysis, i.type, i.integrator.doc, i.parameters);
+    for (const auto& s : plugin.strategies) put_component(analysis, s.type, s.strategy.doc, s.parameters);
+  }
+  Json scene = object();
+  scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  scene["title"] = "Netloft scene";
+  put_files(scene);
+  put(scene, "water", water, false);
+  put(scene, "tow", tow, false);
+  put(scene, "bed", bed, false);
+  put_pieces(scene, parts, bodies);
+  put_gear(scene);
+  put(scene, "hold", hold_schema(), false);
+  put(scene, "join", join_schema(), false);
+  put(scene, "analysis", analysis, false);
+  put(scene, "results", results_schema(), false);
+  return scene;
+}
+
+int schema_command(const Options& options) {
+  Registry registry;
+  find_plugins(options, registry);
+  std::puts(scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  return kDone;
+}
+
+}  // namespace netloft::io

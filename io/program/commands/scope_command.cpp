@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/replaced_file.hpp"
+#include "io/program/session/session.hpp"
+#include "io/program/session/watchdog.hpp"
+#include "io/formats/files/whole_file.hpp"
+#include "io/studies/sweep/scope.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMostNumbers = 1000;
+
+/// The numbers of "20:200:7"; none where it is something else.
+std::vector<double> numbers_in(const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ':');) {
+    const char* end = part.data() + part.size();
+    double number = 0;
+    const auto [rest, error] = std::from_chars(part.data(), end, number);
+    if (error != std::errc{} || rest != end || !std::isfinite(number)) return {};
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+/// Two numbers, and one more if `may_count`.
+std::vector<double> read_numbers(const char* flag, const std::string& text, bool may_count) {
+  const auto numbers = numbers_in(text);
+  if (numbers.size() != 2 && !(may_count && numbers.size() == 3))
+    throw UsageError{fmt::format("{} = {} is not understood; LO:HI{} is expected", flag, text,
+                                 may_count ? " or LO:HI:N" : "")};
+  if (!(numbers[0] <= numbers[1]))
+    throw UsageError{fmt::format("{} = {}: the first number is above the second", flag, text)};
+  return numbers;
+}
+
+Interval read_interval(const char* flag, const std::string& text) {
+  const auto numbers = read_numbers(flag, text, false);
+  return {numbers[0], numbers[1]};
+}
+
+/// Evenly from one end to the other.
+std::vector<double> read_range(const char* flag, const std::string& text, double number) {
+  const auto said = read_numbers(flag, text, true);
+  if (said.size() == 3) number = said[2];
+  if (!(said[0] > 0)) throw UsageError{fmt::format("{} = {}: above 0 is expected", flag, text)};
+  if (!(number >= 2) || number > kMostNumbers || number != std::floor(number))
+    throw UsageError{fmt::format("{} = {}: 2 to {} numbers are possible", flag, text, kMostNumbers)};
+  std::vector<double> range;
+  for (double i = 0; i < number; ++i) range.push_back(said[0] + (said[1] - said[0]) * i / (number - 1));
+  return range;
+}
+
+ScopeRequest request_of(const Options& o) {
+  ScopeRequest request;
+  request.depths = read_range("--depth", o.scope.depth, 7);
+  request.scopes = read_range("--warp", o.scope.warp, 13);
+  request.heel = read_interval("--heel", o.scope.heel);
+  if (!o.scope.spread.empty()) request.spread = read_interval("--spread", o.scope.spread);
+  return request;
+}
+
+/// A number with as many digits, or "-" where there is none.
+std::string number(double value, int digits) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
+}
+
+/// How many lengths have no numbers, and why the first has none; empty if all have.
+std::string missing_text(const ScopeRow& row) {
+  const auto lacks = [](const ScopePoint& p) { return !p.why_not.empty(); };
+  const auto first = std::ranges::find_if(row.points, lacks);
+  if (first == row.points.end()) return "";
+  return fmt::format("  depth {} m: {} of {} lengths without a stable equilibrium; {} m: {}\n",
+                     number(row.depth, 1), std::ranges::count_if(row.points, lacks), row.points.size(),
+                     number(first->warp, 1), first->why_not);
+}
+
+bool is_whole(const ScopeRow& row, const ScopeRequest& request) {
+  return row.points.size() == request.scopes.size();
+}
+
+std::string text_of(const std::vector<ScopeRow>& rows, const ScopeRequest& request) {
+  std::string text =
+      fmt::format("{:>10}{:>11}{:>9}{:>11}{:>9}{:>13}{:>10}{:>13}{:>11}\n", "depth [m]", "from [m]", "to [m]",
+                  "warp [m]", "heel [°]", "boards [m]", "wing [m]", "headline [m]", "pull [kN]");
+  for (const ScopeRow& row : rows) {
+    text += fmt::format("{:>9}", number(row.depth, 1));
+    if (!row.chosen) {
+      text += is_whole(row, request) ? std::string("  no length of these\n")
+                                     : fmt::format("  interrupted after {} of {} lengths\n",
+                                                   row.points.size(), request.scopes.size());
+      continue;
+    }
+    const ScopePoint& p = row.points[*row.chosen];
+    text += fmt::format("{:>10}{:>10}{:>10}{:>9}{:>12}{:>10}{:>12}{:>11}\n", number(row.warp->low, 1),
+                        number(row.warp->high, 1), number(p.warp, 1), number(p.heel, 2), number(p.spread, 2),
+                        number(p.wing, 2), number(p.headline, 2), number(1e-3 * p.pull, 2));
+  }
+  for (const ScopeRow& row : rows) {
+    text += missing_text(row);
+    for (const auto& event : row.events) text += "  " + event + "\n";
+  }
+  return text;
+}
+
+Json json_of(const ScopePoint& p) {
+  return {{"warp", p.warp},
+          {"heel", p.heel},
+          {"spread", p.spread},
+          {"wing", p.wing},
+          {"headline", p.headline},
+          {"pull", p.pull},
+          {"why_not", p.why_not.empty() ? Json() : Json(p.why_not)}};
+}
+
+std::string json_of(const std::vector<ScopeRow>& rows, const char* status) {
+  Json all = Json::array();
+  for (const ScopeRow& row : rows) {
+    Json points = Json::array();
+    for (const ScopePoint& p : row.points) points.push_back(json_of(p));
+    all.push_back({{"depth", row.depth},
+                   {"warp", row.warp ? Json{row.warp->low, row.warp->high} : Json()},
+                   {"chosen", row.chosen ? json_of(row.points[*row.chosen]) : Json()},
+                   {"points", std::move(points)},
+                   {"events", row.events}});
+  }
+  return Json{{"status", status}, {"rows", std::move(all)}}.dump(2, ' ', false,
+                                                                 Json::error_handler_t::replace);
+}
+
+bool is_page(const std::string& file) { return file.ends_with(".html"); }
+
+bool has_found_all(const std::vector<ScopeRow>& rows) {
+  return std::ranges::all_of(rows, [](const ScopeRow& row) {
+    return std::ranges::any_of(row.points, [](const ScopePoint& p) { return std::isfinite(p.heel); });
+  });
+}
+
+void require_lengths_given(const LoadedScene& loaded) {
+  if (loaded.analysis.kind == AnalysisKind::dynamics)
+    throw UsageError{
+        "scope follows equilibria, and this scene goes through time: --set analysis.kind=static"};
+  if (!loaded.scene.settings.empty())
+    throw UsageError{
+        "scope goes through lengths of warp, and this scene looks for one; leave out ship.warp.tension"};
+}
+
+void print(const Options& o, const std::vector<ScopeRow>& rows, const char* status,
+           const ScopeRequest& request) {
+  std::fputs((o.json ? json_of(rows, status) + "\n" : text_of(rows, request)).c_str(), stdout);
+}
+
+int end_early(const Options& o, Session& session, const std::vector<ScopeRow>& rows,
+              const ScopeRequest& request) {
+  const auto whole = std::ranges::count_if(rows, [&](const ScopeRow& row) { return is_whole(row, request); });
+  print(o, rows, "interrupted", request);
+  return end_interrupted(session.terminal(),
+                         fmt::format("the table has {} of {} depths{}", whole, request.depths.size(),
+                                     o.output.empty() ? "" : ", and " + o.output + " is not written"));
+}
+
+int run(const Options& o) {
+  const ScopeRequest request = request_of(o);
+  if (!o.output.empty() && !is_page(o.output) && !o.output.ends_with(".svg"))
+    throw UsageError{"-o " + o.output + ": a file .svg or .html is expected"};
+  catch_interrupts();
+  Session session(o);
+  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the table ends here"));
+  if (const int code = session.open(); code != kDone) return code;
+  require_lengths_given(session.loaded());
+  require_place(o.output, paths_of(session.loaded()));
+  const Watch watch{.interrupt = &interrupt_flag(),
+                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const auto on_point = [&](std::size_t solved, const ScopeRow& row, const ScopePoint& p) {
+    session.terminal().progress_in_steps("lengths", solved, request.depths.size() * request.scopes.size(),
+                                         fmt::format("{:.4g} m at {:.4g} m", p.warp, row.depth));
+  };
+  const auto rows = find_scope(source_of(o), session.registry(), request, watch, on_point);
+  session.terminal().clear();
+  if (interrupt_flag()) return end_early(o, session, rows, request);
+  const bool is_done = has_found_all(rows);
+  print(o, rows, is_done ? "done" : "not converged", request);
+  return write_last(session.terminal(), is_done ? kDone : kNotConverged, [&] {
+    if (!o.output.empty())
+      write_whole(o.output, draw_scope(session.loaded().scene.name, rows, is_page(o.output)));
+  });
+}
+
+}  // namespace
+
+int scope_command(const Options& options) {
+  try {
+    return run(options);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  }
+}
+
+}  // namespace netloft::io

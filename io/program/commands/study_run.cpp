@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/commands/study_run.hpp"
+
+#include "io/program/session/session.hpp"
+#include "io/program/commands/study_text.hpp"
+#include "io/program/session/watchdog.hpp"
+#include "io/program/session/worker_pool.hpp"
+#include "io/formats/files/whole_file.hpp"
+#include "io/studies/sweep/path_run.hpp"
+#include "io/studies/sweep/study_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace netloft::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::size_t read_id(std::string_view word, const std::string& all, std::size_t most) {
+  std::size_t id = 0;
+  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), id);
+  if (word.empty() || code != std::errc() || end != word.data() + word.size())
+    throw UsageError{"--items " + all + ": \"" + std::string(word) +
+                     "\" is no number; write 1-10 or 1-10,15"};
+  if (id < 1 || id > most)
+    throw UsageError{fmt::format("--items {}: there is no item {}; the study has 1 to {}", all, id, most)};
+  return id;
+}
+
+/// "1-10,15" as places of items in the study; all of them if nothing is said.
+std::vector<std::size_t> read_items(const std::string& text, std::size_t count) {
+  std::vector<std::size_t> places;
+  if (text.empty())
+    for (std::size_t i = 0; i < count; ++i) places.push_back(i);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string_view range(text.data() + at, comma - at);
+    const std::size_t dash = range.find('-');
+    const std::size_t from = read_id(range.substr(0, dash), text, count);
+    const std::size_t to =
+        dash == std::string_view::npos ? from : read_id(range.substr(dash + 1), text, count);
+    if (to < from) throw UsageError{fmt::format("--items {}: {} comes after {}", text, from, to)};
+    for (std::size_t id = from; id <= to; ++id) places.push_back(id - 1);
+    at = comma + 1;
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+void note_failure(const fs::path& folder, const StudyItem& item, const std::string& reason) {
+  try {
+    write_whole(failure_path(folder, item), reason + "\n");
+  } catch (const WriteError&) {  // the item stays missing without a reason, such as where the disk is full
+  }
+}
+
+/// What is left where a plugin does not come back.
+int end_item(const fs::path& folder, const StudyItem& item, const Overdue& overdue) {
+  if (!overdue.interrupted) note_failure(folder, item, overdue.sentence);
+  std::fprintf(stderr, "netloft: %s; item %zu has no record\n", overdue.sentence.c_str(), item.id);
+  return overdue.interrupted ? kInterrupted : kNotConverged;
+}
+
+/// Solves one item in this process.
+int compute(const Options& o, const Study& study, const StudyItem& item) {
+  Registry registry;
+  find_plugins(o, registry);
+  const fs::path folder = o.target;
+  Watchdog watchdog([&](const Overdue& overdue) { return end_item(folder, item, overdue); });
+  const Watch watch{.interrupt = &interrupt_flag(),
+                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const PathContext context{folder, &registry, watch, std::max(o.threads, 1)};
+  const auto record = run_path(study, item, context);
+  if (!record) return kInterrupted;
+  write_whole(record_path(folder, item), record_text(*record));
+  std::error_code none;
+  fs::remove(failure_path(folder, item), none);
+  return kDone;
+}
+
+/// Items that are to be computed, and how that went.
+class Campaign {
+ public:
+  Campaign(const Options& o, const Study& study, std::vector<std::size_t> places)
+      : o_(o), study_(study), asked_(places.size()), terminal_(o.color, o.json) {
+    std::string fault;
+    for (const std::size_t place : places)
+      if (!find_record(o.target, study.items[place], fault)) left_.push_back(place);
+  }
+
+  int run() {
+    const int jobs = o_.study.jobs > 0 ? o_.study.jobs : threads_for(o_);
+    if (asked_ == 1 && left_.size() == 1)
+      return alone();
+    else
+      run_workers(
+          left_.size(), jobs, [&](std::size_t job) { return command(left_[job]); },
+          [&](std::size_t job, const WorkerEnd& end) { note(left_[job], end); }, interrupt_flag());
+    return finish();
+  }
+
+ private:
+  /// Where somebody else starts one program for every item.
+  int alone() {
+    const StudyItem& item = study_.items[left_.front()];
+    try {
+      const int code = compute(o_, study_, item);
+      done_ = code == kDone;
+      return code == kNotConverged ? code : finish();
+    } catch (const StudyError& e) {
+      note_failure(o_.target, item, e.what());
+      throw;
+    }
+  }
+
+  std::vector<std::string> command(std::size_t place) const {
+    std::vector<std::string> words = {"/proc/self/exe",          "study",   "run",  o_.target, "--items",
+                                      std::to_string(place + 1), "--color", "never"};
+    for (const std::string& folder : o_.plugins) words.insert(words.end(), {"--plugins", folder});
+    if (o_.threads > 0) words.insert(words.end(), {"--threads", std::to_string(o_.threads)});
+    return words;
+  }
+
+  void note(std::size_t place, const WorkerEnd& end) {
+    if (end.code != kDone && interrupt_flag()) return;
+    end.code == kDone ? ++done_ : ++failed_;
+    if (end.code != kDone) {
+      const std::string sentence = end.sentence();
+      note_failure(o_.target, study_.items[place], sentence);
+      terminal_.say(fmt::format("netloft: item {}: {}", place + 1, sentence));
+    }
+    terminal_.progress_in_steps("items", done_ + failed_, left_.size(), std::to_string(place + 1));
+  }
+
+  int finish() {
+    terminal_.clear();
+    const std::size_t before = asked_ - left_.size();
+    const Json json = {
+        {"items", asked_}, {"computed", done_}, {"computed_before", before}, {"failed", failed_}};
+    print_answer(o_, json,
+                 fmt::format("{}: {} computed, {} before, {} failed", count_of(asked_, "item"), done_, before,
+                             failed_));
+    if (interrupt_flag()) return end_interrupted(terminal_, what_is_left());
+    return failed_ ? kOther : kDone;
+  }
+
+  std::string what_is_left() const {
+    return fmt::format("{} of {} left; `netloft study run {}` goes on", left_.size() - done_ - failed_,
+                       count_of(asked_, "item"), o_.target);
+  }
+
+  const Options& o_;
+  const Study& study_;
+  std::size_t asked_, done_ = 0, failed_ = 0;
+  Terminal terminal_;
+  std::vector<std::size_t> left_;  // places of items without a record
+};
+
+}  // namespace
+
+int run_study(const Options& o, const Study& study) {
+  return Campaign(o, study, read_items(o.study.items, study.items.size())).run();
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/last_words.hpp"
+
+#include "framework/conformance/conformance.hpp"
+#include "framework/registry/plugin_call.hpp"
+#include "io/program/session/error_json.hpp"
+#include "io/program/session/options.hpp"
+#include "io/program/session/terminal.hpp"
+
+#include <signal.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#if defined(__linux__)
+#include <ucontext.h>
+#endif
+
+namespace netloft::io {
+
+namespace {
+
+/// A text that a signal handler may write, put together beforehand: little is safe when the time has come.
+template <std::size_t size>
+struct Words {
+  char bytes[size] = {};
+  std::size_t length = 0;
+
+  void set(const std::string& text) { length = text.copy(bytes, size); }
+  bool empty() const { return length == 0; }
+  std::string_view view() const { return {bytes, length}; }
+};
+
+Words<512> under_test;
+Words<4096> damaged, damaged_as_json;  // what is said of a file that is being read
+
+void say(std::string_view words, int stream = STDERR_FILENO) {
+  while (!words.empty()) {
+    const auto written = write(stream, words.data(), words.size());
+    if (written <= 0) return;
+    words.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void say_if(const char* words) {
+  if (words) say({words, std::strlen(words)});
+}
+
+const char* name_of_signal(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+      return "Segmentation fault";
+    case SIGBUS:
+      return "Bus error";
+    case SIGFPE:
+      return "Arithmetic exception";
+    case SIGILL:
+      return "Illegal instruction";
+    default:
+      return "Aborted";
+  }
+}
+
+/// "rope/bar crashed in term elastic"
+void say_who(const CallFrame& frame, std::string_view did) {
+  say_if(frame.type);
+  say(did);
+  say_if(frame.what);
+  if (frame.name) {
+    say(" ");
+    say_if(frame.name);
+  }
+}
+
+CallFrame innermost_plugin(const CallStack* calls) {
+  if (!calls) return {};
+  return calls->innermost_plugin().value_or(CallFrame{});
+}
+
+/// Who was at work when it happened. `did`: " crashed in ".
+/// Returns whether it is a plugin's doing.
+bool say_what_happened(std::string_view did) {
+  const CallStack* calls = known_calls_of_this_thread();
+  const CallFrame plugin = innermost_plugin(calls);
+  say("netloft: ");
+  if (!under_test.empty()) {
+    say(under_test.view());
+    say(did);
+    const char* check = check_under_way();
+    say(check ? "the check " : "its making or its first evaluation");
+    say_if(check);
+  } else if (plugin.type && calls->innermost().kind != CallFrame::Kind::host) {
+    say_who(plugin, did);
+  } else if (plugin.type) {
+    say("the program itself, called back by ");
+    say_if(plugin.type);
+    say(",");
+    say(did);
+    say_if(plugin.what);
+  } else {
+    say("the program itself");
+    say(did);
+    say("no plugin");
+  }
+  return !under_test.empty() || (plugin.type && calls->innermost().kind != CallFrame::Kind::host);
+}
+
+#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
+std::uintptr_t stack_pointer(void* context) {
+  const auto& machine = static_cast<ucontext_t*>(context)->uc_mcontext;
+#if defined(__x86_64__)
+  return static_cast<std::uintptr_t>(machine.gregs[REG_RSP]);
+#else
+  return static_cast<std::uintptr_t>(machine.sp);
+#endif
+}
+bool used_up_its_stack(int signal, const siginfo_t* info, void* context) {
+  constexpr std::uintptr_t kNear = std::uintptr_t{1} << 16;  // a call or a push misses by less
+  const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr), top = stack_pointer(context);
+  return signal == SIGSEGV && at + kNear > top && at < top + kNear;
+}
+#else
+bool used_up_its_stack(int, const siginfo_t*, void*) { return false; }
+#endif
+
+// Who handled signals before: nobody, or a sanitizer.
+struct sigaction before[NSIG];
+
+/// A crash of our own leaves what others can look into.
+void die_as_before(int signal) {
+  say("\n");
+  sigaction(signal, &before[signal], nullptr);
+}
+
+/// Where HDF5 has met damaged bytes.
+[[noreturn]] void die_of_damaged_file() {
+  say(damaged.view());
+  say(damaged_as_json.view(), STDOUT_FILENO);
+  _exit(kWrongInput);
+}
+
+void die(int signal, siginfo_t* info, void* context) {
+  if (!damaged.empty() && (signal == SIGSEGV || signal == SIGBUS || signal == SIGABRT)) die_of_damaged_file();
+  const bool is_plugins = say_what_happened(" crashed in ");
+  say(" (");
+  say_if(name_of_signal(signal));
+  say(")");
+  if (used_up_its_stack(signal, info, context))
+    say(": it used up its stack\n  usually: a function that calls itself for ever, or a very large local "
+        "array");
+  else
+    say("\n  usually: an index past the end of an array, or a null input that was read");
+  if (!is_plugins) return die_as_before(signal);
+  say(". `gdb --args netloft …` shows the line of a plugin compiled with -g\n");
+  _exit(kOther);
+}
+
+/// A check that does not come to its end, or that nobody waits for any longer.
+void end_check(int signal) {
+  const bool is_over = signal == SIGPROF;
+  const char* check = check_under_way();
+  say("netloft: ");
+  say(under_test.view());
+  say(is_over ? " did not come back from " : " was interrupted in ");
+  say(check ? "the check " : "its making or its first evaluation");
+  say_if(check);
+  say(is_over ? " within its processor time (--seconds)\n" : "\n");
+  _exit(is_over ? kOther : kInterrupted);
+}
+
+void limit_checks(double seconds) {
+  const auto action = seconds > 0 ? end_check : SIG_DFL;
+  signal(SIGPROF, action);
+  on_interrupts(action);
+  const auto whole = static_cast<time_t>(seconds);
+  const itimerval limit{{0, 0}, {whole, static_cast<suseconds_t>(1e6 * (seconds - double(whole)))}};
+  setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
+/// Where the program ends without having come to its own end.
+void tell_of_an_early_end() {
+  const CallStack* calls = known_calls_of_this_thread();
+  if (under_test.empty() && !innermost_plugin(calls).type) return;
+  std::fflush(stdout);
+  say_what_happened(" ended the program (exit) in ");
+  say("; a plugin returns, with a status and a sentence where it cannot go on\n");
+  _exit(kOther);
+}
+
+}  // namespace
+
+void explain_crashes() {
+  calls_of_this_thread();  // with its stack for signals
+  std::atexit(tell_of_an_early_end);
+  std::at_quick_exit(tell_of_an_early_end);
+  struct sigaction action {};
+  action.sa_sigaction = die;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  for (const int s : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(s, &action, &before[s]);
+}
+
+void explain_crashes_of(const std::string& type, double seconds) {
+  under_test.set(type);
+  limit_checks(seconds);
+}
+
+DamagedFileWatch::DamagedFileWatch(const std::string& path, bool json) {
+  const std::string message = "cannot read " + path + ": the HDF5 library crashed on it; the file is damaged";
+  damaged_as_json.set(json ? error_json(message, kWrongInput) + "\n" : "");
+  damaged.set("netloft: " + message + "\n");
+}
+
+DamagedFileWatch::~DamagedFileWatch() { damaged.set(""); }
+
+}  // namespace netloft::io

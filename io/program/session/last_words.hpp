@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/program/session/options.hpp"
+#include "io/formats/hdf5/handle.hpp"
+
+#include <string>
+
+namespace netloft::io {
+
+/// From now on a crash of the program, and an end that is none of its own (a plugin calls exit), are told on
+/// standard error, with the plugin that was at work, what it was called for, and whether its stack was used
+/// up. The exit code is then kOther.
+void explain_crashes();
+
+/// The same in conformance checks of `type`, with the check under way; until it is called for another one.
+/// They may take `seconds` of the processor, and an interruption ends them, too. An empty one: they are over.
+void explain_crashes_of(const std::string& type, double seconds = 0);
+
+/// While it lives, a crash ends the program with a sentence about the file and exit code 2: HDF5 1.10 reads
+/// beyond its memory on some damaged files, and there is nothing to go on with. One at a time.
+class DamagedFileWatch {
+ public:
+  DamagedFileWatch(const std::string& path, bool json);
+  ~DamagedFileWatch();
+  DamagedFileWatch(const DamagedFileWatch&) = delete;
+  DamagedFileWatch& operator=(const DamagedFileWatch&) = delete;
+};
+
+/// Runs an action on a result file that may be damaged; what is wrong with the file is wrong input.
+template <class Action>
+auto on_file(const std::string& path, bool json, Action&& action) {
+  const DamagedFileWatch watch(path, json);
+  try {
+    return action();
+  } catch (const FileError& e) {
+    const std::string reason = e.what();
+    const bool names_it = reason.find("cannot read ") == 0 || reason.find(path) != std::string::npos;
+    throw UsageError{names_it ? reason : "cannot read " + path + ": " + reason};
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/memory_room.hpp"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+// OpenBLAS 0.3.21 asks for 128 MiB at once (BUFFER_SIZE of x86-64, seen with strace); the rest is for the
+// smallest scene beside it.
+constexpr std::size_t kMebibyte = std::size_t{1} << 20, kRoom = 144 * kMebibyte;
+
+// Below it nobody has to think of memory: others have as much, twice.
+constexpr double kLittle = 0.25;
+
+// What a run takes at least of what is foreseen (io/runs/README.md).
+constexpr double kSurely = 0.85;
+
+std::string gibibytes(double bytes) { return fmt::format("{:.3g} GiB", bytes / 0x1p30); }
+
+bool is_limited(int resource) {
+  rlimit limit{};
+  return getrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+}  // namespace
+
+std::string lack_of_memory() {
+  if (!is_limited(RLIMIT_AS) && !is_limited(RLIMIT_DATA)) return {};
+  void* room = mmap(nullptr, kRoom, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED)
+    return fmt::format(
+        "not enough memory: solving wants {} MiB more than the limit on memory leaves ({}); "
+        "`ulimit -v` and `ulimit -d` show the limits",
+        kRoom / kMebibyte, std::strerror(errno));
+  munmap(room, kRoom);
+  return {};
+}
+
+std::string memory_text(const MemoryForecast& f, double within_reach) {
+  return fmt::format(
+      "memory: about {}, {} of it for the factor of the matrix{}; {}", gibibytes(f.total()),
+      gibibytes(f.factor), f.stability > 0 ? ", " + gibibytes(f.stability) + " to judge stability" : "",
+      within_reach < std::numeric_limits<double>::infinity() ? gibibytes(within_reach) + " are within reach"
+                                                             : "what is within reach is not known");
+}
+
+std::string note_of_memory(const MemoryForecast& f, double within_reach) {
+  if (f.total() <= kLittle * within_reach) return {};
+  if (kSurely * f.total() > within_reach)
+    throw std::runtime_error("not enough " + memory_text(f, within_reach) +
+                             "; a coarser mesh takes less, such as fewer nodes of a gear or cells of a part");
+  return memory_text(f, within_reach);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/replaced_file.hpp"
+
+#include "io/program/session/options.hpp"
+#include "io/program/session/terminal.hpp"
+#include "io/formats/files/whole_file.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace netloft::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// ".svg or .png"
+std::string list_of(const std::vector<std::string>& endings) {
+  std::string list;
+  for (const auto& ending : endings) list += (list.empty() ? "" : " or ") + ending;
+  return list;
+}
+
+bool has_one_of(const std::string& file, const std::vector<std::string>& endings) {
+  const std::string ending = fs::path(file).extension().string();
+  return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+}  // namespace
+
+void require_ending(const std::string& option, const std::string& file,
+                    const std::vector<std::string>& endings) {
+  if (!file.empty() && !has_one_of(file, endings))
+    throw UsageError{option + " " + file + ": this is written as " + list_of(endings)};
+}
+
+void replace_file(const std::string& output, const std::string& content,
+                  const std::vector<std::string>& sources, const std::vector<std::string>& endings) {
+  std::error_code none;
+  if (fs::exists(output, none) && !fs::is_regular_file(output, none))
+    throw UsageError{output + " is no file that may be replaced"};
+  for (const auto& source : sources)
+    if (fs::equivalent(output, source, none))
+      throw UsageError{output + " is what it would be made from; name another file with -o"};
+  if (!has_one_of(output, endings)) throw UsageError{output + ": this is written as " + list_of(endings)};
+  write_whole(output, content);
+}
+
+void require_place(const std::string& file, const std::vector<std::string>& sources) {
+  if (file.empty()) return;
+  std::error_code none;
+  for (const auto& source : sources)
+    if (fs::equivalent(file, source, none)) throw UsageError{file + ": the scene is read from it"};
+  if (fs::exists(file, none) && !fs::is_regular_file(file, none)) throw UsageError{file + ": is no file"};
+  const fs::path folder = fs::path(file).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, none))
+    throw UsageError{file + ": there is no folder " + folder.string()};
+}
+
+int write_last(Terminal& terminal, int code, const std::function<void()>& write) {
+  std::fflush(stdout);
+  try {
+    write();
+    return code;
+  } catch (const WriteError& e) {
+    terminal.say(std::string("netloft: ") + e.what());
+    return kOther;
+  }
+}
+
+}  // namespace netloft::io

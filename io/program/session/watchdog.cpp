@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/session/watchdog.hpp"
+
+#include "framework/balance/statistics.hpp"
+#include "io/program/session/error_json.hpp"
+#include "io/program/session/options.hpp"
+#include "io/program/session/terminal.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kLook = 0.1;  // [s] between two looks
+constexpr double kGrace = 2;   // [s] a call may still take; a factorisation of the host's is no call
+constexpr std::uint64_t kCallbacks = 1000;  // no shipped solver makes a tenth of these between two answers
+constexpr unsigned kLastAct = 10;           // [s] for writing what was found
+constexpr double kPark = 5;                 // [s] for a thread to come to the boundary
+
+int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConverged; }
+
+/// What was found could not be written in time: an element that is needed for it does not come back either.
+void give_up(int) {
+  constexpr char words[] = "netloft: what was found could not be written: a plugin does not come back\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
+  _exit(interrupt_flag() ? kInterrupted : kNotConverged);
+}
+
+void limit_last_act() {
+  struct sigaction action {};
+  action.sa_handler = give_up;
+  sigaction(SIGALRM, &action, nullptr);
+  alarm(kLastAct);
+}
+
+/// Whoever calls back for ever: the innermost method of those that have not returned in all that time.
+CallFrame caller_for_ever(const CallStack& calls) {
+  for (std::uint32_t i = std::min(calls.lowest(), CallStack::kDeepest); i-- > 0;)
+    if (const CallFrame frame = calls.at(i); frame.kind == CallFrame::Kind::method) return frame;
+  return {};
+}
+
+}  // namespace
+
+Watchdog::Watchdog(std::function<int(const Overdue&)> last_act)
+    : last_act_(std::move(last_act)), thread_([this] { watch(); }) {}
+
+Watchdog::~Watchdog() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void Watchdog::allow(double seconds) {
+  const std::lock_guard lock(mutex_);
+  deadline_ = cpu_seconds() + seconds;
+}
+
+bool Watchdog::is_over(bool& interrupted) {
+  interrupted = interrupt_flag();
+  return interrupted || cpu_seconds() > deadline_;
+}
+
+void Watchdog::watch() {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, std::chrono::duration<double>(kLook), [this] { return stop_; })) {
+    bool interrupted = false;
+    if (is_over(interrupted))
+      look(interrupted, wall_seconds());
+    else
+      seen_.clear();
+  }
+}
+
+/// Compares the calls of all threads with those at the last look.
+void Watchdog::look(bool interrupted, double now) {
+  if (seen_.empty()) over_since_ = now;
+  for (CallStack* calls : calls_of_all_threads()) {
+    const auto known =
+        std::find_if(seen_.begin(), seen_.end(), [&](const Seen& s) { return s.calls == calls; });
+    if (known != seen_.end())
+      look_at(*known, interrupted, now);
+    else {
+      calls->watch_depth();
+      seen_.push_back({calls, calls->crossings(), calls->callbacks(), now});
+    }
+  }
+}
+
+void Watchdog::look_at(Seen& seen, bool interrupted, double now) {
+  const CallStack& calls = *seen.calls;
+  if (calls.crossings() != seen.crossings) {
+    seen.crossings = calls.crossings();
+    seen.since = now;
+  }
+  const CallFrame frame = calls.innermost();
+  if (frame.kind != CallFrame::Kind::host && now - seen.since > kGrace) {
+    stop_others_at_the_boundary();
+    end(interrupted, frame, now - seen.since);
+  }
+  const CallFrame method = caller_for_ever(calls);
+  if (!method.type || now - over_since_ <= kGrace ||
+      calls.callbacks() - seen.callbacks_at_first <= kCallbacks)
+    return;
+  stop_others_at_the_boundary();
+  for (double left = kPark; left > 0 && threads_at_the_boundary() == 0; left -= kLook)
+    std::this_thread::sleep_for(std::chrono::duration<double>(kLook));
+  end(interrupted, method, now - over_since_);
+}
+
+void Watchdog::end(bool interrupted, const CallFrame& frame, double waited) {
+  limit_last_act();
+  const std::string sentence =
+      fmt::format("{}, did not come back for {:.0f} s after {}", text_of(frame), waited,
+                  interrupted ? "the interruption" : "its processor time was over (analysis.max_seconds)");
+  int code = exit_code(interrupted);
+  try {
+    code = last_act_({interrupted, sentence});
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "netloft: what was found could not be written: %s\n", e.what());
+  }
+  std::fflush(stdout);
+  std::fflush(stderr);
+  _exit(code);
+}
+
+std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left) {
+  return [&terminal, left = std::move(what_is_left)](const Overdue& overdue) {
+    terminal.clear();
+    const std::string said = overdue.sentence + "; " + left;
+    const int code = exit_code(overdue.interrupted);
+    terminal.say("netloft: " + said);
+    if (terminal.json()) std::puts(error_json(said, code).c_str());
+    return code;
+  };
+}
+
+}  // namespace netloft::io

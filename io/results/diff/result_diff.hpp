@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/diff/line_changes.hpp"
+#include "io/results/diff/node_moves.hpp"
+#include "io/results/diff/result_summary.hpp"
+
+#include <set>
+
+namespace netloft::io {
+
+/// One number in two results. If only one of them has it, the other value is unknown.
+struct NumberDifference {
+  std::string name, unit;
+  double before = ResultNumber::kUnknown, after = ResultNumber::kUnknown;
+  // of solver and mesh, of both results together; unknown unless all are known, because that of the mesh is
+  // by far the largest as a rule
+  double error = ResultNumber::kUnknown;
+  double floor = 0;  // differences up to here are round-off of what numbers like this one are summed from
+
+  double difference() const { return after - before; }
+  /// The difference relative to the value before; unknown if that is zero.
+  double percent() const;
+  /// Whether the difference exceeds round-off.
+  bool is_changed() const;
+  /// Whether the difference exceeds the errors; false if they are not known.
+  bool exceeds() const;
+};
+
+/// A file of the scene that differs between the results, with its lines; or a file that only one of them has.
+struct FileDifference {
+  std::string before, after;  // paths; empty: there is no such file
+  std::vector<LineChange> lines;
+};
+
+/// The differences between the inputs of two results.
+struct InputDifferences {
+  // options of only one, such as "--set water.current=[1,0,0]"
+  std::set<std::string> options_before, options_after;
+  std::vector<FileDifference> files;
+  std::vector<std::string> plugins;  // built differently, or present in one only
+  bool other_program = false;
+
+  bool none() const;
+};
+
+struct ResultDiff {
+  ResultSummary before, after;
+  std::vector<NumberDifference> numbers;  // by name, unchanged ones included
+  InputDifferences inputs;
+  std::optional<NodeMove> move;  // absent: not compared
+
+  bool both_are_answers() const { return before.is_answer() && after.is_answer(); }
+};
+
+/// Forces by part are compared only if neither result has gear figures, which contain the same forces.
+ResultDiff compare_results(ResultSummary before, ResultSummary after);
+
+}  // namespace netloft::io

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where rigid bodies are, how they are turned, and what pulls at them.
+#include <netloft/attitude.hpp>
+
+#include <algorithm>
+
+#include "io/results/figures/gear_view.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+void add_place(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
+               const std::string& own, std::vector<Figure>& figures) {
+  const RigidBody& body = loaded.scene.bodies[b];
+  const auto psi = assembler.rotation(b, answer.x);
+  const Attitude turned = attitude_of(turned_axes(Vector{psi[0], psi[1], psi[2]}), loaded.bodies[b].side);
+  const auto at = assembler.node_position(body.origin, answer.x);
+  figures.push_back({own + "heading", "rad", "angle by which its nose is turned outward", turned.heading});
+  figures.push_back({own + "heel", "rad", "angle by which its top leans outward", turned.heel});
+  figures.push_back({own + "trim", "rad", "angle by which its nose is up", turned.trim});
+  figures.push_back({own + "x", "m", "place of its origin, aft", at[0]});
+  figures.push_back({own + "y", "m", "place of its origin, to starboard", at[1]});
+  figures.push_back({own + "z", "m", "height of its origin over the surface of the water", at[2]});
+  if (loaded.scene.bed.is_there)
+    figures.push_back({own + "above_bed", "m", "height of its origin over the bed",
+                       at[2] - loaded.scene.bed.at(at[0], at[1])[0]});
+}
+
+/// What its own element says of itself: the attack of a board. A doubt is a warning, not a figure.
+void add_outputs(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
+                 const std::string& own, std::vector<Figure>& figures) {
+  for (std::size_t f = 0; f < assembler.families().size(); ++f) {
+    const ElementFamily& family = *assembler.families()[f];
+    for (std::size_t e = 0; e < family.size(); ++e) {
+      if (family.part(e) != loaded.bodies[b].part) continue;
+      const auto& outputs = family.type().outputs;
+      for (std::size_t k = 0; k < outputs.size(); ++k)
+        if (outputs[k].role != NETLOFT_OUTPUT_DOUBT)
+          figures.push_back(
+              {own + outputs[k].name, outputs[k].unit, outputs[k].doc, answer.outputs[f][k][e]});
+    }
+  }
+}
+
+/// Whether a part stands on bodies alone, as the element of a board and its shoe do; ropes lead away from
+/// them.
+bool rides_on_bodies(const Scene& scene, const Part& part) {
+  return std::ranges::all_of(part.nodes, [&](std::uint32_t node) {
+    return std::ranges::any_of(scene.bodies, [&](const RigidBody& body) {
+      return node == body.origin ||
+             std::ranges::any_of(body.points, [&](const auto& point) { return point.node == node; });
+    });
+  });
+}
+
+/// Whether elements of a part rest on some ground, which they say by an output.
+bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
+  return std::ranges::any_of(assembler.families(), [&](const auto& family) {
+    const auto& outputs = family->type().outputs;
+    const auto& parts = family->parts();
+    return std::ranges::find(parts, part) != parts.end() &&
+           std::ranges::any_of(outputs, [](const auto& o) { return is_output(o, output::kNormalForce); });
+  });
+}
+
+/// Under which name a force on a body is summed up: water, weight and ground of what rides on bodies, and
+/// all else by the part that brings it.
+std::string source_of(const LoadedScene& loaded, const Assembler& assembler, const BodyForce& force) {
+  const Part& part = loaded.scene.parts[force.part];
+  if (!rides_on_bodies(loaded.scene, part)) return part.name;
+  if (force.of.is_drag()) return "water";
+  if (force.of.is_weight()) return "weight";
+  const bool reads_ground = force.of.traits & (NETLOFT_READS_BED | NETLOFT_READS_GROUND);
+  return reads_ground || rests_on_ground(assembler, force.part) ? "ground" : part.name;
+}
+
+void add_budget(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
+                std::vector<Figure>& figures) {
+  const RigidBody& body = loaded.scene.bodies[b];
+  std::vector<std::pair<std::string, Vector>> sums;
+  for (const BodyForce& force : answer.body_forces) {
+    if (force.body != b) continue;
+    const std::string source = source_of(loaded, assembler, force);
+    auto at = std::find_if(sums.begin(), sums.end(), [&](const auto& s) { return s.first == source; });
+    if (at == sums.end()) at = sums.insert(at, {source, {}});
+    at->second += Vector{force.of.force[0], force.of.force[1], force.of.force[2]};
+  }
+  for (const auto& [source, force] : sums) {
+    const std::string at = "body_forces/" + body.name + "/" + source + "/", doc = "force on it by " + source;
+    figures.push_back({at + "x", "N", doc + ", aft", force.x});
+    figures.push_back({at + "out", "N", doc + ", outward", loaded.bodies[b].side * force.y});
+    figures.push_back({at + "z", "N", doc + ", upwards", force.z});
+  }
+}
+
+}  // namespace
+
+void add_body_figures(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+                      std::vector<Figure>& figures) {
+  for (std::size_t b = 0; b < loaded.scene.bodies.size(); ++b) {
+    const std::string own = "bodies/" + loaded.scene.bodies[b].name + "/";
+    add_place(loaded, assembler, answer, b, own, figures);
+    add_outputs(loaded, assembler, answer, b, own, figures);
+    add_budget(loaded, assembler, answer, b, figures);
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Opening of the meshes, and area and mass of the netting.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "io/results/figures/gear_view.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+/// Sums over the netting that was modelled.
+struct Amount {
+  double area = 0, filtered = 0, twine_area = 0, mass = 0;
+  bool is_spread = false;  // true: it consists of triangles, which have an area
+
+  void add(const Amount& other) {
+    area += other.area;
+    filtered += other.filtered;
+    twine_area += other.twine_area;
+    mass += other.mass;
+    is_spread |= other.is_spread;
+  }
+};
+
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+/// Adds (3) for one family's elements of a part.
+void add_triangles(const GearView& gear, const ElementFamily& family, std::uint32_t panel, Amount& amount) {
+  for (std::size_t e = 0; e < family.size(); ++e) {
+    if (family.part(e) != panel) continue;
+    const Vector a = gear.at(family.node(e, 0)), b = gear.at(family.node(e, 1)),
+                 c = gear.at(family.node(e, 2));
+    const Vector S = 0.5 * cross(b - a, c - a);
+    amount.area += norm(S);
+    amount.filtered += std::abs(dot(gear.current_at((1.0 / 3) * (a + b + c)), S));
+    amount.is_spread = true;
+  }
+}
+
+Amount amount_of(const GearView& gear, std::uint32_t panel) {
+  Amount amount;
+  amount.twine_area = sum(gear.output(panel, output::kTwineArea));
+  amount.mass = sum(gear.output(panel, output::kMass));
+  for (const auto& family : gear.assembler().families())
+    if (family->type().element.stencil == NETLOFT_TRIANGLE) add_triangles(gear, *family, panel, amount);
+  return amount;
+}
+
+void add_amount(const GearView& gear, const std::string& at, const Amount& amount,
+                std::vector<Figure>& figures) {
+  const auto add = [&](const char* name, const char* unit, const char* doc, double value) {
+    figures.push_back({at + name, unit, doc, gear.times() * value});
+  };
+  if (amount.is_spread) {
+    add("area", "m2", "area of the netting as it is spread", amount.area);
+    add("filtered_area", "m2", "projected area on the plane across the current", amount.filtered);
+  }
+  add(output::kTwineArea.name, output::kTwineArea.unit, "length times diameter of its twines, without knots",
+      amount.twine_area);
+  add(output::kMass.name, output::kMass.unit, "mass of its twines in air", amount.mass);
+}
+
+void add_opening(const GearView& gear, std::uint32_t panel, std::vector<Figure>& figures) {
+  const auto angles = gear.output(panel, output::kHalfAngle), knots = gear.output(panel, output::kKnots);
+  if (angles.empty() || angles.size() != knots.size()) return;
+  double least = 1, most = 0, weighted = 0;
+  for (std::size_t e = 0; e < angles.size(); ++e) {
+    const double opening = std::sin(angles[e]);  // (2)
+    least = std::min(least, opening);
+    most = std::max(most, opening);
+    weighted += knots[e] * opening;
+  }
+  const std::string at = "panels/" + gear.name(panel) + "/opening_", doc = "mesh width over stretched mesh, ";
+  figures.push_back({at + "min", "1", doc + "where it is least open", least});
+  figures.push_back({at + "mean", "1", doc + "mean over its meshes", weighted / sum(knots)});
+  figures.push_back({at + "max", "1", doc + "where it is most open", most});
+}
+
+}  // namespace
+
+void add_netting_figures(const GearView& gear, std::vector<Figure>& figures) {
+  Amount all;
+  for (const auto panel : gear.gear().panels) {
+    const Amount amount = amount_of(gear, panel);
+    add_opening(gear, panel, figures);
+    add_amount(gear, "panels/" + gear.name(panel) + "/", amount, figures);
+    all.add(amount);
+  }
+  if (!gear.gear().panels.empty()) add_amount(gear, "netting/", all, figures);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Bodies to port and to starboard under the name of the plan, the same in the half and in the whole.
+#include <algorithm>
+#include <cmath>
+
+#include "io/results/figures/gear_view.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+const Figure* find(const std::vector<Figure>& figures, const std::string& name) {
+  const auto at = std::ranges::find(figures, name, &Figure::name);
+  return at == figures.end() ? nullptr : &*at;
+}
+
+/// Names of the bodies of a pair; in a half gear one.
+std::vector<std::string> bodies_of(const GearView& gear, const std::vector<std::uint32_t>& parts) {
+  std::vector<std::string> names;
+  for (const auto part : parts) names.push_back(gear.name(part));
+  return names;
+}
+
+/// Σ value/n over the bodies of a pair, 0 for what one of them has not.
+double mean_of(const std::vector<Figure>& figures, const std::vector<std::string>& bodies,
+               const std::string& before, const std::string& after) {
+  double sum = 0;
+  for (const auto& body : bodies)
+    if (const Figure* figure = find(figures, before + body + after)) sum += figure->value;
+  return sum / static_cast<double>(bodies.size());
+}
+
+void add_spread(const std::vector<std::string>& bodies, const std::string& own,
+                std::vector<Figure>& figures) {
+  std::vector<Vector> at;
+  for (const auto& body : bodies) {
+    const auto coordinate = [&](const char* axis) {
+      return mean_of(figures, {body}, "bodies/", std::string("/") + axis);
+    };
+    at.push_back({coordinate("x"), coordinate("y"), coordinate("z")});
+  }
+  figures.push_back({own + "spread", "m", "distance between the one to port and the one to starboard",
+                     at.size() == 2 ? norm(at[1] - at[0]) : 2 * std::abs(at[0].y)});
+}
+
+/// Attitude, depth and what their elements say of them; all but y, which has its spread.
+void add_means(const std::vector<std::string>& bodies, const std::string& own, std::vector<Figure>& figures) {
+  const std::string first = "bodies/" + bodies.front() + "/";
+  std::vector<Figure> means;
+  for (const auto& figure : figures) {
+    if (!figure.name.starts_with(first) || figure.name == first + "y") continue;
+    const std::string last = figure.name.substr(first.size());
+    means.push_back({own + last, figure.unit, figure.doc + ", mean of the two",
+                     mean_of(figures, bodies, "bodies/", "/" + last)});
+  }
+  std::ranges::move(means, std::back_inserter(figures));
+}
+
+/// What spreads a gear: water and ground, outward on one of the two.
+void add_spreading(const std::vector<std::string>& bodies, const std::string& own,
+                   std::vector<Figure>& figures) {
+  const auto acts = [&](const char* source) {
+    return std::ranges::any_of(bodies, [&](const auto& body) {
+      return find(figures, "body_forces/" + body + "/" + source + "/out");
+    });
+  };
+  if (!acts("water") && !acts("ground")) return;
+  const auto outward = [&](const char* source) {
+    return mean_of(figures, bodies, "body_forces/", std::string("/") + source + "/out");
+  };
+  const double water = outward("water"), ground = outward("ground");
+  figures.push_back(
+      {own + "spread_force", "N", "force of water and ground outward, mean of the two", water + ground});
+  figures.push_back({own + "ground_share", "1", "share of the ground in that",
+                     ground == 0 ? 0 : ground / (water + ground)});
+}
+
+}  // namespace
+
+void add_pair_figures(const GearView& gear, std::vector<Figure>& figures) {
+  for (const auto& [name, parts] : gear.gear().pairs) {
+    const auto bodies = bodies_of(gear, parts);
+    if (bodies.empty()) continue;
+    const std::string own = "pairs/" + name + "/";
+    add_spread(bodies, own, figures);
+    add_means(bodies, own, figures);
+    add_spreading(bodies, own, figures);
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/vec3.hpp>
+
+#include <functional>
+
+#include "framework/registry/element_outputs.hpp"
+#include "io/results/figures/gear_figures.hpp"
+
+namespace netloft::io {
+
+using Vector = Vec3<double>;
+
+/// Access to an answer by the names of the gear: positions along a rope, outputs of a panel.
+class GearView {
+ public:
+  GearView(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer)
+      : loaded_(loaded), assembler_(assembler), answer_(answer) {}
+
+  const LoadedScene& loaded() const { return loaded_; }
+  const GearInScene& gear() const { return *loaded_.gear; }
+  const Assembler& assembler() const { return assembler_; }
+  const Answer& answer() const { return answer_; }
+  double times() const { return gear().times; }
+  bool is_half() const { return gear().times == 2; }
+
+  const std::string& name(std::uint32_t part) const { return loaded_.scene.parts[part].name; }
+  /// The part of a rope; null if no rope has that name.
+  const std::uint32_t* find_rope(const std::string& name) const;
+
+  Vector at(std::uint32_t node) const;
+  /// Nodes of a rope from its start to its end.
+  const std::vector<std::uint32_t>& nodes_of(std::uint32_t rope) const { return loaded_.parts[rope].nodes; }
+  /// Unstretched lengths of its bars [m]; all equal if its elements state none.
+  std::vector<double> rest_lengths(std::uint32_t rope) const;
+  /// The middle of a rope that goes from side to side; a half gear's rope starts there.
+  Vector middle_of(std::uint32_t rope) const;
+
+  /// An output of all elements of a part, in their order; empty if they have none of that name and unit.
+  std::vector<double> output(std::uint32_t part, const KnownOutput& known) const;
+  /// The first output of each element that is a tension [N].
+  std::vector<double> tensions(std::uint32_t part) const;
+  /// Which forces on a part belong to a kind of load.
+  using Kind = std::function<bool(const PartForce&)>;
+  /// Sum of the forces of a kind on a part [N], of what was modelled.
+  Vector force(const std::string& part, const Kind& is_of_kind) const;
+  bool has_force(const std::string& part, const Kind& is_of_kind) const;
+
+  /// Unit vector of the current at a place; in still water it points aft (along x).
+  Vector current_at(const Vector& place) const;
+
+ private:
+  template <class IsWanted>
+  std::vector<double> first_output(std::uint32_t part, const IsWanted& is_wanted) const;
+
+  const LoadedScene& loaded_;
+  const Assembler& assembler_;
+  const Answer& answer_;
+};
+
+/// The value for the whole gear from a sum over the modelled half or whole.
+Vector whole_of(const Vector& modelled, double times);
+
+void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
+/// Out of what add_body_figures has added.
+void add_pair_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
+void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);
+/// Of any scene with rigid bodies, whether or not a net plan is in it.
+void add_body_figures(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+                      std::vector<Figure>& figures);
+
+}  // namespace netloft::io

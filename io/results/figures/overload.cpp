@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/figures/overload.hpp"
+
+#include "framework/registry/element_outputs.hpp"
+#include "io/scenes/reading/halves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace netloft::io {
+
+namespace {
+
+/// The largest tension of each part of a scene [N]; 0 where its elements have none.
+std::vector<double> largest_tensions(const LoadedScene& loaded, const Assembler& assembler,
+                                     const Answer& answer) {
+  std::vector<double> largest(loaded.scene.parts.size(), 0.0);
+  for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
+    const ElementFamily& family = *assembler.families()[f];
+    for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
+      for (std::size_t e = 0; e < family.size(); ++e)
+        if (is_tension(family.type().outputs[k]))
+          largest[family.part(e)] = std::max(largest[family.part(e)], answer.outputs[f][k][e]);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Assembler& assembler,
+                                           const Answer& answer) {
+  std::vector<std::string> warnings;
+  const auto largest = largest_tensions(loaded, assembler, answer);
+  for (std::size_t p = 0; p < largest.size(); ++p) {
+    const auto at = loaded.strengths.find(loaded.scene.parts[p].name);
+    if (at == loaded.strengths.end() || !(largest[p] > at->second.breaking_load)) continue;
+    warnings.push_back(fmt::format("{} carries {:.4g} N and breaks at {:.4g} N{}", at->first, largest[p],
+                                   at->second.breaking_load,
+                                   at->second.material.empty() ? "" : " (" + at->second.material + ")"));
+  }
+  return warnings;
+}
+
+std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembler& assembler,
+                                        const Answer& answer) {
+  std::vector<std::string> warnings;
+  for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
+    const ElementFamily& family = *assembler.families()[f];
+    for (std::size_t k = 0; k < family.type().outputs.size(); ++k) {
+      if (family.type().outputs[k].role != NETLOFT_OUTPUT_DOUBT) continue;
+      std::map<std::uint32_t, std::array<std::size_t, 2>> elements;  // of a part: in doubt, all
+      for (std::size_t e = 0; e < family.size(); ++e) {
+        auto& [in_doubt, all] = elements[family.part(e)];
+        in_doubt += answer.outputs[f][k][e] != 0;
+        ++all;
+      }
+      for (const auto& [part, count] : elements)
+        if (count[0] > 0)
+          warnings.push_back(
+              fmt::format("{}: {}{}", loaded.scene.parts[part].name, family.type().outputs[k].doc,
+                          count[1] > 1 ? fmt::format(", at {} of its {} elements", count[0], count[1]) : ""));
+    }
+  }
+  for (const auto& crossing : find_crossings(loaded, assembler.node_positions(answer.x)))
+    warnings.push_back(crossing.sentence);
+  return warnings;
+}
+
+}  // namespace netloft::io

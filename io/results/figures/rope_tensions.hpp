@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/figures/answer.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
+
+namespace netloft::io {
+
+/// The tensions of the bars of a gear's rope, from its start to its end.
+struct RopeTensions {
+  std::string rope;
+  std::vector<double> tension;      // [N]
+  std::vector<double> rest_length;  // [m]
+
+  /// The tension at an unstretched distance from the start [N], linear between the middles of bars.
+  double at(double distance) const;
+  RopeTensions turned_round() const;
+};
+
+/// None if the scene has no gear.
+std::vector<RopeTensions> find_rope_tensions(const LoadedScene& loaded, const Assembler& assembler,
+                                             const Answer& answer);
+
+}  // namespace netloft::io

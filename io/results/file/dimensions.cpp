@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/file/dimensions.hpp"
+
+#include "io/results/file/rope_nodes.hpp"
+#include "io/results/file/ship.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+using Where = DimensionEnd::Where;
+
+/// The middle of a rope that goes from side to side; that of a half starts there.
+std::uint32_t middle_of(const std::vector<std::uint32_t>& rope, bool is_half) {
+  return rope[is_half ? 0 : rope.size() / 2];
+}
+
+Dimension spread_of(const std::string& name, const std::vector<std::uint32_t>& rope, bool is_half) {
+  const DimensionEnd starboard{Where::node, rope.back()};
+  return {name,
+          is_half ? DimensionEnd{Where::mirrored, rope.back()} : DimensionEnd{Where::node, rope.front()},
+          starboard};
+}
+
+/// Nodes that are held, and not by the plane of symmetry alone.
+std::vector<std::uint32_t> held_nodes(const StoredResult& result) {
+  const auto reaction = result.node_field("reaction", result.times.size() - 1);
+  std::vector<std::uint32_t> held;
+  for (std::uint32_t n = 0; 3 * n + 2 < reaction.size(); ++n)
+    if (std::hypot(reaction[3 * n], reaction[3 * n + 2]) > 0) held.push_back(n);
+  return held;
+}
+
+/// Between the points that a gear is towed at: one of a half, or two on both sides.
+void add_towing_spread(const StoredResult& result, std::vector<Dimension>& all) {
+  const auto held = held_nodes(result);
+  if (held.size() == 1 && result.is_half)
+    all.push_back({"spread of the towing points", {Where::mirrored, held[0]}, {Where::node, held[0]}});
+  if (held.size() == 2 && !result.is_half)
+    all.push_back({"spread of the towing points", {Where::node, held[0]}, {Where::node, held[1]}});
+}
+
+std::string name_aboard(const StoredBody& body) {
+  for (const char* side : {"port-", "starboard-"})
+    if (body.name.starts_with(side)) return body.name.substr(std::string(side).size());
+  return body.name;
+}
+
+/// Between a body to port and the one to starboard: that of a half and its image, or two of a pair.
+void add_body_spreads(const StoredResult& result, std::vector<Dimension>& all) {
+  for (const auto& body : result.bodies) {
+    if (body.is_to_port) continue;
+    const DimensionEnd starboard{Where::node, body.origin};
+    const std::string name = "spread of " + name_aboard(body);
+    if (result.is_half) all.push_back({name, {Where::mirrored, body.origin}, starboard});
+    for (const auto& other : result.bodies)
+      if (other.is_to_port && name_aboard(other) == name_aboard(body))
+        all.push_back({name, {Where::node, other.origin}, starboard});
+  }
+}
+
+void add_mouth(const StoredResult& result, std::vector<Dimension>& all) {
+  const auto headline = nodes_of_rope(result, result.headline),
+             footrope = nodes_of_rope(result, result.footrope);
+  if (headline.empty()) return;
+  const DimensionEnd top{Where::node, middle_of(headline, result.is_half)};
+  if (result.bed)
+    all.push_back({"headline height", top, {Where::bed, 0}});
+  else if (!footrope.empty())
+    all.push_back({"headline height", top, {Where::node, middle_of(footrope, result.is_half)}});
+  all.push_back(spread_of("upper wing spread", headline, result.is_half));
+  if (!footrope.empty()) all.push_back(spread_of("lower wing spread", footrope, result.is_half));
+}
+
+}  // namespace
+
+std::vector<Dimension> dimensions_of(const StoredResult& result) {
+  std::vector<Dimension> all;
+  add_mouth(result, all);
+  add_body_spreads(result, all);
+  if (!all.empty() && ships_of(result, 0).empty()) add_towing_spread(result, all);
+  return all;
+}
+
+std::array<double, 3> place_of(const DimensionEnd& end, const StoredResult& result,
+                               const std::vector<double>& points, const std::array<double, 3>& other) {
+  if (end.where == Where::bed && result.bed)
+    return {other[0], other[1], result.bed->height(other[0], other[1])};
+  const std::size_t at = 3 * std::size_t{end.node};
+  return {points[at], (end.where == Where::mirrored ? -1 : 1) * points[at + 1], points[at + 2]};
+}
+
+}  // namespace netloft::io

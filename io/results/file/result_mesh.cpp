@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/file/result_mesh.hpp"
+
+#include "framework/registry/element_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace netloft::io {
+
+namespace {
+
+/// Makes one mesh; members are steps in the order they happen.
+class ResultMesh {
+ public:
+  ResultMesh(const StoredResult& result, std::size_t state)
+      : result_(result),
+        strain_(field(output::kStrain.name, state)),
+        twine_area_(field(output::kTwineArea.name, state)) {
+    mesh_.positions = result.points(state);
+  }
+
+  std::string text(MeshFormat format) {
+    for (std::uint32_t part = 0; part < result_.parts.size(); ++part) {
+      add_triangles(part);
+      add_bars(part);
+    }
+    if (mesh_.regions.empty())
+      throw std::invalid_argument("there are neither ropes nor panels of triangles, so there is no mesh");
+    if (format == MeshFormat::obj) return obj_text(mesh_, comment_);
+    return format == MeshFormat::vtk ? vtk_text(mesh_, comment_) : mesh_text(mesh_, comment_);
+  }
+
+ private:
+  /// NaN everywhere if the file has no such field.
+  std::vector<double> field(const std::string& name, std::size_t state) const {
+    const bool is_there = std::any_of(result_.fields.begin(), result_.fields.end(),
+                                      [&](const auto& f) { return f.name == name; });
+    if (is_there) return result_.field(name, state);
+    return std::vector<double>(result_.mesh.n_cells, std::nan(""));
+  }
+
+  std::string name_of_part(std::uint32_t part) const {
+    std::string name = result_.parts[part].name;
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t' || c == '#' || c == ']'; }, '-');
+    return name;
+  }
+
+  void add_triangles(std::uint32_t part) {
+    MeshRegion region{RegionKind::triangles, name_of_part(part)};
+    std::size_t left_out = 0;
+    for (std::size_t t = 0; t < result_.mesh.triangles.size(); ++t) {
+      if (result_.mesh.cell_part[result_.mesh.triangle_cells[t]] != part) continue;
+      const auto& nodes = result_.mesh.triangles[t];
+      const auto& UV = result_.mesh.corners[t];
+      if (std::any_of(UV.begin(), UV.end(), [](double x) { return !std::isfinite(x); }) || has_twins(nodes)) {
+        ++left_out;
+        continue;
+      }
+      region.nodes.insert(region.nodes.end(), nodes.begin(), nodes.end());
+      region.numbers.insert(region.numbers.end(), UV.begin(), UV.end());
+    }
+    if (left_out)
+      say(fmt::format("{}: {} triangles without a place on a panel are left out", region.name, left_out));
+    if (region.size()) mesh_.regions.push_back(std::move(region));
+  }
+
+  static bool has_twins(const std::array<std::uint32_t, 3>& n) {
+    return n[0] == n[1] || n[1] == n[2] || n[0] == n[2];
+  }
+
+  /// Bars in the order of their rope, each with its share of the unstretched length.
+  void add_bars(std::uint32_t part) {
+    MeshRegion region{RegionKind::bars, name_of_part(part)};
+    std::vector<double> ends{0};
+    for (std::size_t b = 0; b < result_.mesh.bars.size(); ++b) {
+      const auto cell = result_.mesh.bar_cells[b];
+      if (result_.mesh.cell_part[cell] != part || !std::isfinite(strain_[cell])) continue;
+      if (std::isfinite(twine_area_[cell])) return say(region.name + ": bars of several twines are left out");
+      const auto& nodes = result_.mesh.bars[b];
+      region.nodes.insert(region.nodes.end(), nodes.begin(), nodes.end());
+      ends.push_back(ends.back() + distance(nodes[0], nodes[1]) / (1 + strain_[cell]));
+    }
+    if (region.size() == 0) return;
+    const double length = ends.back();
+    for (std::size_t e = 0; e < region.size(); ++e) {
+      region.numbers.push_back(ends[e] / length);
+      region.numbers.push_back(ends[e + 1] / length);
+    }
+    say(fmt::format("{}: length = {:.12g}", region.name, length));
+    mesh_.regions.push_back(std::move(region));
+  }
+
+  double distance(std::uint32_t a, std::uint32_t b) const {
+    const double *x = &mesh_.positions[3 * std::size_t{a}], *y = &mesh_.positions[3 * std::size_t{b}];
+    return std::hypot(y[0] - x[0], y[1] - x[1], y[2] - x[2]);
+  }
+
+  void say(const std::string& text) { comment_ += (comment_.empty() ? "" : "\n") + text; }
+
+  const StoredResult& result_;
+  std::vector<double> strain_, twine_area_;  // by cell
+  InputMesh mesh_;
+  std::string comment_;
+};
+
+}  // namespace
+
+std::string mesh_of(const StoredResult& result, std::size_t state, MeshFormat format) {
+  return ResultMesh(result, state).text(format);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/file/stored_result.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// Nodes of a rope from its start to its end; none if there is no such rope.
+std::vector<std::uint32_t> nodes_of_rope(const StoredResult& result, const std::string& name);
+
+}  // namespace netloft::io

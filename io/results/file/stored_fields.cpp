@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/registry/element_outputs.hpp"
+#include "io/results/file/stored_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+// Fields that are made of others: the larger tension of the two twine directions, the opening of meshes, and
+// the force of the water by the length of a rope and the area of netting.
+constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
+constexpr std::array kTensions = {kTension, "tension_u", "tension_v"};
+// Sums over an element: larger elements have more of them.
+constexpr std::array kTotals = {output::kDrag.name, output::kKnots.name, output::kMass.name,
+                                output::kTwineArea.name, output::kVolume.name};
+
+}  // namespace
+
+void StoredResult::read_fields() {
+  const auto label = [&](const std::string& at, const char* name, const char* otherwise) {
+    return reader_.has_attribute(at, name) ? reader_.text_attribute(at, name) : std::string(otherwise);
+  };
+  const auto everywhere = [](const std::string& unit) { return std::array{unit, unit, unit}; };
+  std::vector<StoredField> stored;
+  bool has_tension = false;
+  for (const auto& name : reader_.list("/VTKHDF/CellData")) {
+    const std::string at = "/VTKHDF/CellData/" + name;
+    if (name == "part" || name == "panel_corners" || reader_.shape(at).size() > 1) continue;
+    has_tension |= std::ranges::find(kTensions, name) != kTensions.end();
+    const bool is_total = std::find(kTotals.begin(), kTotals.end(), name) != kTotals.end();
+    if (name != kTension)
+      stored.push_back({name, everywhere(label(at, "unit", "1")), label(at, "doc", ""), is_total});
+    if (name == output::kHalfAngle.name)
+      fields.push_back({kOpening, everywhere("1"), "width of the meshes over their stretched length"});
+    if (name == output::kDrag.name)
+      fields.push_back({kWaterForce,
+                        {"N/m2", "N/m", "N"},
+                        "force of the water on netting by its area, on ropes by their length"});
+  }
+  if (has_tension)
+    fields.insert(fields.begin(), {kTension, everywhere("N"),
+                                   "tension in a rope, and in a twine: the larger of both directions"});
+  fields.insert(fields.end(), stored.begin(), stored.end());
+}
+
+/// Elements on single nodes with a normal force are where a part touches a bed.
+void StoredResult::find_contacts() {
+  for (const auto& field : fields) {
+    if (field.name != output::kNormalForce.name) continue;
+    const auto force = whole(reader_.field(Location::kCell, field.name, times.size() - 1), mesh.n_cells,
+                             "field " + field.name);
+    for (const auto cell : mesh.dot_cells)
+      if (std::isfinite(force[cell])) parts[mesh.cell_part[cell]].is_contact = true;
+  }
+}
+
+std::vector<double> StoredResult::points(std::size_t state) const {
+  return whole(reader_.points(state), 3 * mesh.n_points, "shape");
+}
+
+std::vector<double> StoredResult::field(const std::string& name, std::size_t state) const {
+  if (name == kOpening) return opening(state);
+  if (name == kTension) return tension(state);
+  if (name == kWaterForce) return water_force(state);
+  return whole(reader_.field(Location::kCell, name, state), mesh.n_cells, "field " + name);
+}
+
+std::vector<double> StoredResult::opening(std::size_t state) const {
+  auto values = field(output::kHalfAngle.name, state);
+  for (double& value : values) value = std::sin(value);
+  return values;
+}
+
+std::vector<double> StoredResult::tension(std::size_t state) const {
+  std::vector<double> values(mesh.n_cells, kNone);
+  for (const char* one : kTensions) {
+    if (!reader_.has(std::string("/VTKHDF/CellData/") + one)) continue;
+    const auto more = reader_.field(Location::kCell, one, state);
+    for (std::size_t c = 0; c < values.size() && c < more.size(); ++c)
+      if (!(values[c] > more[c]) && std::isfinite(more[c])) values[c] = more[c];
+  }
+  return values;
+}
+
+std::vector<double> StoredResult::water_force(std::size_t state) const {
+  auto force = field(output::kDrag.name, state);
+  const auto x = points(state);
+  const auto from_to = [&](std::uint32_t a, std::uint32_t b) {
+    return std::array{x[3 * b] - x[3 * a], x[3 * b + 1] - x[3 * a + 1], x[3 * b + 2] - x[3 * a + 2]};
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const auto u = from_to(a, b), v = from_to(a, c);
+    const double area =
+        std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+    double& value = force[mesh.triangle_cells[t]];
+    value = area > 0 ? value / area : kNone;
+  }
+  for (std::size_t i = 0; i < mesh.bars.size(); ++i) {
+    const auto d = from_to(mesh.bars[i][0], mesh.bars[i][1]);
+    const double length = std::hypot(d[0], d[1], d[2]);
+    double& value = force[mesh.bar_cells[i]];
+    value = length > 0 ? value / length : kNone;
+  }
+  return force;
+}
+
+std::vector<double> StoredResult::node_field(const std::string& name, std::size_t state) const {
+  if (!reader_.has("/VTKHDF/PointData/" + name)) return {};
+  return whole(reader_.field(Location::kPoint, name, state), 3 * mesh.n_points, "field " + name);
+}
+
+}  // namespace netloft::io

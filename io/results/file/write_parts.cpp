@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/file/write_parts.hpp"
+
+#include "framework/parameters/find_number.hpp"
+#include "io/scenes/reading/beds.hpp"
+#include "io/scenes/reading/known_parameters.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double diameter_of(const Part& part) {
+  for (const auto& known : {parameter::kTwineDiameter, parameter::kRopeDiameter, parameter::kFloatDiameter})
+    if (const double* diameter = find_number(part.parameters, known.name);
+        diameter && std::isfinite(*diameter))
+      return *diameter;
+  return kNone;
+}
+
+/// The first number of a datum of the part's elements.
+double first_of(const Part& part, const HostDatum& datum) {
+  const auto* numbers = find_data(part.data, datum);
+  return numbers ? numbers->front() : kNone;
+}
+
+using Axes = std::array<double, 4>;
+
+/// (a, b, c, d) of u = a U + b V, v = c U + d V: twine coordinates over panel coordinates, which are linear
+/// on the whole panel, found from the corners of one triangle. Nodes on seams are left out, because they have
+/// the coordinates of another panel's.
+Axes axes_of(const Part& part, const PartGeometry& geometry) {
+  const auto *u = find_data(part.data, datum::kU), *v = find_data(part.data, datum::kV);
+  Axes axes{kNone, kNone, kNone, kNone};
+  if (!u || !v || geometry.panel.empty()) return axes;
+  std::map<std::uint32_t, std::array<double, 2>> places;
+  for (std::size_t own = 0; own < geometry.panel.size(); ++own)
+    if (!places.emplace(geometry.nodes[own], geometry.panel[own]).second)
+      places[geometry.nodes[own]] = {kNone, kNone};
+  for (std::size_t t = 0; t + 2 < part.nodes.size() && t + 2 < u->size(); t += 3) {
+    std::array<std::array<double, 2>, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = places[part.nodes[t + k]];
+    const double ax = p[1][0] - p[0][0], ay = p[1][1] - p[0][1], bx = p[2][0] - p[0][0],
+                 by = p[2][1] - p[0][1], twice = ax * by - ay * bx;
+    if (!(std::abs(twice) > 1e-9)) continue;
+    const auto solve = [&](const std::vector<double>& w) {
+      const double da = w[t + 1] - w[t], db = w[t + 2] - w[t];
+      return std::array<double, 2>{(da * by - db * ay) / twice, (db * ax - da * bx) / twice};
+    };
+    const auto first = solve(*u), second = solve(*v);
+    return {first[0], first[1], second[0], second[1]};
+  }
+  return axes;
+}
+
+/// What the file says of every part in rows: names and types, and the numbers of a picture.
+struct PartRows {
+  std::vector<std::string> names, types;
+  std::vector<double> diameters, bars, axes, sheet;
+
+  void add(const Part& part, const PartGeometry* geometry, const SheetPlace* place) {
+    names.push_back(part.name);
+    types.push_back(part.type);
+    diameters.push_back(diameter_of(part));
+    bars.push_back(first_of(part, datum::kBarLength));
+    const Axes of_twines = geometry ? axes_of(part, *geometry) : Axes{kNone, kNone, kNone, kNone};
+    axes.insert(axes.end(), of_twines.begin(), of_twines.end());
+    const SheetPlace at = place ? *place : SheetPlace{kNone, kNone, kNone, kNone, kNone, kNone};
+    sheet.insert(sheet.end(), {at.x, at.y, at.x_across, at.y_across, at.x_deep, at.y_deep});
+  }
+};
+
+/// A relief on an even grid, for pictures: between its own places it is smooth.
+void write_relief(Tree& tree, const Surface& relief) {
+  constexpr std::size_t kPlaces = 65;
+  if (relief.empty()) return;
+  std::vector<double> x, y, height;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double s = static_cast<double>(i) / (kPlaces - 1);
+    x.push_back(std::lerp(relief.first_of_x(), relief.last_of_x(), s));
+    y.push_back(std::lerp(relief.first_of_y(), relief.last_of_y(), s));
+  }
+  for (const double at_x : x)
+    for (const double at_y : y) height.push_back(relief.at(at_x, at_y));
+  const std::string at = "/netloft/seabed/relief/";
+  tree.write_reals(at + "x", x, "m", "places");
+  tree.write_reals(at + "y", y, "m", "places");
+  tree.write_matrix(at + "height", height, kPlaces, "m", "above the plane, [x, y]");
+}
+
+void write_plane(Tree& tree, const BedPlane& plane, const char* doc) {
+  tree.write_real("/netloft/seabed/depth", plane.depth, "m", doc);
+  tree.write_real("/netloft/seabed/slope_x", plane.slope_x, "1", doc);
+  tree.write_real("/netloft/seabed/slope_y", plane.slope_y, "1", doc);
+}
+
+/// The bed of the scene, or that of the first part that has one.
+void write_seabed(Tree& tree, const Scene& scene) {
+  if (scene.bed.is_there) {
+    const char* doc = "seabed: z = -depth + slope_x x + slope_y y, and a relief where there is one";
+    write_plane(tree, {scene.bed.depth, scene.bed.slope_x, scene.bed.slope_y}, doc);
+    write_relief(tree, scene.bed.relief);
+    return;
+  }
+  for (const auto& part : scene.parts) {
+    const auto plane = bed_plane_of(part);
+    if (!plane) continue;
+    return write_plane(tree, *plane, "seabed: z = -depth + slope_x x + slope_y y");
+  }
+}
+
+/// Rigid bodies: names, origins, points and outlines. How they are turned is the point field `rotation`.
+void write_bodies(Tree& tree, const LoadedScene& loaded) {
+  if (loaded.bodies.empty()) return;
+  std::vector<std::string> names, points;
+  std::vector<std::int64_t> origins, nodes, of_points, of_corners;
+  std::vector<double> sides, places, corners;
+  for (std::size_t b = 0; b < loaded.bodies.size(); ++b) {
+    const RigidBody& body = loaded.scene.bodies[b];
+    const BodyInScene& look = loaded.bodies[b];
+    names.push_back(body.name);
+    origins.push_back(body.origin);
+    sides.push_back(look.side);
+    for (std::size_t k = 0; k < body.points.size(); ++k) {
+      points.push_back(look.points[k]);
+      nodes.push_back(body.points[k].node);
+      of_points.push_back(static_cast<std::int64_t>(b));
+      places.insert(places.end(), body.points[k].r.begin(), body.points[k].r.end());
+    }
+    for (const auto& corner : look.outline) {
+      of_corners.push_back(static_cast<std::int64_t>(b));
+      corners.insert(corners.end(), corner.begin(), corner.end());
+    }
+  }
+  const std::string at = "/netloft/bodies/";
+  tree.write_strings(at + "name", names);
+  tree.write_ints(at + "origin", origins, "1", "node of its origin");
+  tree.write_reals(at + "side", sides, "1", "1 to starboard, -1 to port");
+  if (!points.empty()) {
+    tree.write_strings(at + "points/name", points);
+    tree.write_ints(at + "points/body", of_points, "1", "body that carries it");
+    tree.write_ints(at + "points/node", nodes, "1", "node of the point");
+    tree.write_matrix(at + "points/place", places, 3, "m", "in the axes of the body");
+  }
+  if (corners.empty()) return;
+  tree.write_ints(at + "outline/body", of_corners, "1", "body whose outline it is");
+  tree.write_matrix(at + "outline/place", corners, 3, "m", "corners in the axes of the body, in their order");
+}
+
+}  // namespace
+
+void write_parts(Tree& tree, const LoadedScene& loaded) {
+  PartRows rows;
+  for (std::size_t p = 0; p < loaded.scene.parts.size(); ++p) {
+    const Part& part = loaded.scene.parts[p];
+    if (part.companion) continue;
+    const SheetPlace* place = nullptr;
+    if (loaded.gear)
+      if (const auto at = loaded.gear->sheet.find(part.name); at != loaded.gear->sheet.end())
+        place = &at->second;
+    rows.add(part, p < loaded.parts.size() ? &loaded.parts[p] : nullptr, place);
+  }
+  const std::string at = "/netloft/parts/";
+  tree.write_strings(at + "name", rows.names);
+  tree.write_strings(at + "type", rows.types);
+  tree.write_reals(at + "diameter", rows.diameters, "m", "of its twine, rope or float; NaN if it has none");
+  tree.write_reals(at + "bar", rows.bars, "m", "length of a bar of its meshes; NaN off netting");
+  tree.write_matrix(at + "twine_axes", rows.axes, 4, "1",
+                    "a, b, c, d: on the twines of netting u = a U + b V or v = c U + d V is an integer");
+  tree.write_matrix(at + "sheet", rows.sheet, 6, "m",
+                    "place on the plan: origin, vector of one mesh across, vector of one mesh deep");
+  write_bodies(tree, loaded);
+  write_seabed(tree, loaded.scene);
+}
+
+namespace {
+
+/// The number of an element's parameter with this name, whatever its table is called: `board.mass`.
+double number_called(const Part& part, const std::string& name) {
+  for (const auto& [parameter, value] : part.parameters)
+    if (parameter.ends_with("." + name)) return number_or(kNone, part.parameters, parameter);
+  return kNone;
+}
+
+BillItem item_of(const LoadedScene& loaded, const std::string& name, std::uint32_t part, double number) {
+  const Part& body = loaded.scene.parts[part];
+  const auto known = loaded.strengths.find(name);
+  return {"body",
+          name,
+          known == loaded.strengths.end() ? "" : known->second.material,
+          number,
+          kNone,
+          kNone,
+          kNone,
+          number_called(body, "mass"),
+          number_called(body, "area")};
+}
+
+/// Bodies to port and to starboard are a row, whether one half was modelled or both.
+std::vector<BillItem> items_of_bodies(const LoadedScene& loaded) {
+  std::vector<BillItem> items;
+  std::set<std::uint32_t> paired;
+  for (const auto& [name, parts] : loaded.gear->pairs) {
+    if (parts.empty()) continue;
+    items.push_back(item_of(loaded, name, parts.front(), 2));
+    paired.insert(parts.begin(), parts.end());
+  }
+  for (const auto& body : loaded.bodies)
+    if (!paired.contains(body.part))
+      items.push_back(item_of(loaded, loaded.scene.parts[body.part].name, body.part, 1));
+  return items;
+}
+
+}  // namespace
+
+void write_bill(Tree& tree, const LoadedScene& loaded) {
+  auto bill = loaded.gear->bill;
+  const auto bodies = items_of_bodies(loaded);
+  bill.insert(bill.end(), bodies.begin(), bodies.end());
+  if (bill.empty()) return;
+  std::vector<std::string> kinds, names, parts;
+  std::vector<double> numbers, lengths, diameters, loads, masses, areas;
+  for (const auto& row : bill) {
+    kinds.push_back(row.kind);
+    names.push_back(row.name);
+    parts.push_back(row.part_name);
+    numbers.push_back(row.number);
+    lengths.push_back(row.length);
+    diameters.push_back(row.diameter);
+    loads.push_back(row.breaking_load);
+    masses.push_back(row.mass);
+    areas.push_back(row.area);
+  }
+  const std::string at = "/netloft/bill/";
+  tree.write_strings(at + "kind", kinds);
+  tree.write_strings(at + "name", names);
+  tree.write_strings(at + "part", parts, "in the catalogue; empty: written in the plan");
+  tree.write_reals(at + "number", numbers, "1", "in the whole gear");
+  tree.write_reals(at + "length", lengths, "m", "of one rope, unstretched");
+  tree.write_reals(at + "diameter", diameters, "m", "of a twine, a rope or a piece");
+  tree.write_reals(at + "breaking_load", loads, "N", "of a rope, or of the twines of a bar");
+  tree.write_reals(at + "mass", masses, "kg", "of one piece or body, in air");
+  tree.write_reals(at + "area", areas, "m2", "of one body, projected");
+}
+
+}  // namespace netloft::io

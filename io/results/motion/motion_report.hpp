@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/motion/motion_run.hpp"
+
+namespace netloft::io {
+
+/// The result of a motion, for people and for programs (one JSON object).
+std::string motion_text(const LoadedScene& loaded, const Plan& plan, const MotionResult& result);
+std::string motion_json(const LoadedScene& loaded, const Plan& plan, const MotionResult& result);
+
+/// Simulated time divided by wall time: above 1 the simulation is faster than real time.
+double real_time_factor(const MotionResult& result);
+
+}  // namespace netloft::io

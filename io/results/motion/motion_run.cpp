@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/motion/motion_run.hpp"
+
+#include "framework/motion/energy_judge.hpp"
+#include "io/results/motion/checkpoint.hpp"
+#include "io/results/motion/warp_figures.hpp"
+#include "io/results/motion/xdmf.hpp"
+#include "io/formats/hdf5/image.hpp"
+#include "io/results/figures/fallen_boards.hpp"
+#include "io/results/file/picture.hpp"
+#include "io/scenes/reading/result_request.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+const std::string kEnergy = "energy/", kGear = "gear/";
+
+/// Compares every output with the one before it.
+class LossWatch {
+ public:
+  LossWatch(const Scene& scene, const Assembler& assembler) : scene_(scene), assembler_(assembler) {}
+
+  void note(const Snapshot& at) {
+    if (!at.budget) return;
+    const EnergyBudget::Totals totals = at.budget->totals();
+    const std::vector<double> v = assembler_.node_positions(at.v);
+    if (before_.v.empty())
+      judge_.begin(totals, 0);
+    else
+      compare({at.t, totals, v});
+    before_ = {at.t, totals, v};
+  }
+  /// None before the second output.
+  std::optional<NumericalLoss> loss() const { return loss_; }
+
+ private:
+  struct Moment {
+    double t = 0;
+    EnergyBudget::Totals totals = {};
+    std::vector<double> v = {};  // of the nodes, three each
+  };
+  void compare(const Moment& now) {
+    judge_.note(before_.totals, now.totals, 1);
+    if (!loss_) loss_.emplace();
+    loss_->lost = -judge_.made();
+    loss_->given = judge_.given();
+    const double lost = now.totals.numerical - before_.totals.numerical;
+    if (lost <= loss_->worst) return;
+    loss_->worst = lost;
+    loss_->from = before_.t;
+    loss_->until = now.t;
+    loss_->node = scene_.node_name(most_changed(now.v));
+  }
+  std::uint32_t most_changed(const std::vector<double>& v) const {
+    double most = -1;
+    std::uint32_t which = 0;
+    for (std::uint32_t node = 0; node < v.size() / 3; ++node) {
+      const std::size_t i = 3 * std::size_t{node};
+      const double change =
+          std::hypot(v[i] - before_.v[i], v[i + 1] - before_.v[i + 1], v[i + 2] - before_.v[i + 2]);
+      if (change > most) {
+        most = change;
+        which = node;
+      }
+    }
+    return which;
+  }
+
+  const Scene& scene_;
+  const Assembler& assembler_;
+  EnergyJudge judge_;
+  Moment before_;
+  std::optional<NumericalLoss> loss_;
+};
+
+/// Boards that have lain over or pushed inward, each since when first.
+class BoardWatch {
+ public:
+  void note(double t, const std::vector<FallenBoard>& fallen) {
+    for (const auto& [board, sentence] : fallen)
+      if (seen_.insert(board).second) warnings_.push_back(fmt::format("at t = {:.6g} s {}", t, sentence));
+  }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::set<std::string> seen_;
+  std::vector<std::string> warnings_;
+};
+
+/// One run; the journal is made at the first output, because the content of an output is known only then.
+class MotionRun {
+ public:
+  MotionRun(Case& the_case, const RunContext& context, const MotionOptions& options)
+      : case_(the_case),
+        loaded_(the_case.loaded()),
+        context_(context),
+        options_(options),
+        losses_(loaded_.scene, the_case.assembler()) {}
+
+  MotionResult run() {
+    if (options_.resume) from_ = read_killed();
+    if (!from_ && options_.start) from_ = rest_at(*options_.start);
+    const MarchWatch watch{[&](const Snapshot& at) { write(at); },
+                           [&](const StepRecord& step, std::span<const double>) {
+                             if (options_.on_step) options_.on_step(step);
+                             return false;
+                           }};
+    result_.march =
+        case_.march(watch, {.interrupt = options_.interrupt, .on_iteration = options_.on_iteration},
+                    from_ ? &*from_ : nullptr);
+    result_.loss = losses_.loss();
+    result_.warnings = boards_.warnings();
+    if (!journal_) return std::move(result_);
+    if (result_.outputs == outputs_before_) recall_last_output();
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  /// Elements remember that they are there, as in an equilibrium to start from.
+  MarchState rest_at(std::span<const double> u) {
+    case_.remember(u);
+    return state_at_rest(case_.assembler(), u);
+  }
+  MarchState read_killed() {
+    const std::filesystem::path part = part_path();
+    if (!std::filesystem::exists(part)) throw FileError("there is no " + part.string() + " to go on from");
+    journal_.emplace(SeriesJournal::go_on(part, options_.identity));
+    const MarchState state =
+        with_context(part.string(), [&] { return unpack_checkpoint(journal_->checkpoint()); });
+    result_.resumed_from = state.t;
+    result_.outputs = outputs_before_ = journal_->size();
+    if (!journal_->damage().empty()) warn_of_damage();
+    return state;
+  }
+  void warn_of_damage() const {
+    if (options_.warn)
+      options_.warn(part_path() + ": " + journal_->damage() + "; the run goes on from the " +
+                    std::to_string(outputs_before_) + " outputs before it, and the damaged file is kept as " +
+                    journal_->path_of_damaged().string());
+  }
+  std::string part_path() const { return options_.output.string() + ".part"; }
+
+  void write(const Snapshot& at) {
+    const SeriesState state = describe(at);
+    losses_.note(at);
+    boards_.note(at.t, find_fallen_boards(loaded_, result_.gear));
+    if (!journal_) begin_journal();
+    if (result_.outputs == outputs_before_) journal_->require_layout(layout_);
+    journal_->write(state, at.state ? pack_checkpoint(*at.state) : "");
+    ++result_.outputs;
+  }
+  void begin_journal() {
+    const auto origins = hdf5_image([&](Tree& tree) {
+      write_inputs(tree, loaded_, context_);
+      write_gear(tree, loaded_, {});
+    });
+    journal_.emplace(SeriesJournal::create(part_path(), options_.identity, origins, layout_));
+  }
+
+  /// The run was killed after its last output: only the result has to be made.
+  void recall_last_output() {
+    describe_layout_of_killed(*from_);
+    journal_->require_layout(layout_);
+    recall(journal_->state(journal_->size() - 1).row);
+  }
+
+  /// Restores the numbers of the last output from the killed file.
+  void recall(const std::vector<double>& row) {
+    auto value = row.begin();
+    for (auto& scalar : result_.scalars) scalar.value = *value++;
+    for (auto& [name, joules] : result_.energies) joules = *value++;
+    result_.gear.clear();
+    for (const auto& column : *gear_columns_)
+      result_.gear.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
+  }
+
+  /// Finds the content of an output by making one at the point of continuation.
+  void describe_layout_of_killed(const MarchState& from) {
+    Assembler& assembler = case_.assembler();
+    MovingState state(assembler, 0);
+    state.set(from.t, from.u, from.v, from.a);
+    std::vector<double> residual(assembler.numbering().dofs());
+    EnergyBudget budget(assembler, loaded_.analysis.dynamics.march.mass_damping);
+    const bool keeps = loaded_.analysis.dynamics.march.budget;
+    std::vector<WinchMoment> winches;
+    for (const Winch& winch : loaded_.scene.winches) winches.push_back({winch.part});
+    describe({from.t,
+              from.u,
+              state.x(),
+              state.v(),
+              {from.t, state.x(), residual, state.motion()},
+              keeps ? &budget : nullptr,
+              nullptr,
+              winches});
+  }
+
+  SeriesState describe(const Snapshot& at) {
+    Assembler& assembler = case_.assembler();
+    Solution solution;
+    solution.x.assign(at.x.begin(), at.x.end());
+    solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
+    const Answer& answer = answer_at(at.forces, solution.x);
+    SeriesState state;
+    layout_.changing.clear();
+    layout_.columns.clear();
+    state.time = at.t;
+    state.points = assembler.node_positions(solution.x);
+    add_point_fields(at, solution, state);
+    if (!fields_) fields_.emplace(loaded_, assembler);
+    for (auto& cell : fields_->gather(answer.outputs)) {
+      layout_.changing.push_back(cell.spec);
+      state.fields.push_back(std::move(cell.values));
+    }
+    add_row(at, solution, answer.outputs, state);
+    add_gear(at, answer, state);
+    add_moment_of_forces(at, state);
+    if (layout_.mesh.n_points == 0) {
+      layout_.mesh = make_mesh(loaded_, assembler);
+      layout_.fixed = label_points(loaded_);
+      layout_.fixed.push_back(label_cells(loaded_, assembler));
+      layout_.fixed.push_back(label_corners(loaded_, assembler));
+    }
+    return state;
+  }
+
+  /// What elements say where forces are known, which is the same for all outputs within a step, and positions
+  /// of the output.
+  const Answer& answer_at(const ForceMoment& forces, std::span<const double> x) {
+    if (!answered_at_ || *answered_at_ != forces.t) {
+      answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion, has_figures());
+      answered_at_ = forces.t;
+    }
+    answer_.x.assign(x.begin(), x.end());
+    return answer_;
+  }
+
+  /// Sums of forces have a use in figures of gears and bodies alone.
+  bool has_figures() const { return loaded_.gear || !loaded_.scene.bodies.empty(); }
+
+  void add_point_fields(const Snapshot& at, const Solution& solution, SeriesState& state) {
+    const Assembler& assembler = case_.assembler();
+    std::vector<double> displacement = state.points, reaction;
+    for (std::size_t d = 0; d < displacement.size(); ++d) displacement[d] -= loaded_.scene.positions[d];
+    for (std::uint32_t node = 0; node < loaded_.scene.node_count(); ++node) {
+      const auto held = assembler.reaction(node, solution.residual);
+      reaction.insert(reaction.end(), held.begin(), held.end());
+    }
+    layout_.changing = {{"displacement", "m", "movement from the sketch", Location::kPoint, 3, false},
+                        {"velocity", "m/s", "velocity", Location::kPoint, 3, false},
+                        {"reaction", "N", "force of the hold on the node", Location::kPoint, 3, false}};
+    state.fields = {displacement, assembler.node_positions(at.v), reaction};
+    if (auto rotations = rotation_field(loaded_, assembler, solution.x)) {
+      layout_.changing.push_back(rotations->first);
+      state.fields.push_back(std::move(rotations->second));
+    }
+  }
+
+  void add_row(const Snapshot& at, const Solution& solution, const FamilyOutputs& outputs,
+               SeriesState& state) {
+    result_.scalars.clear();
+    result_.energies.clear();
+    for (const auto& request : loaded_.results) {
+      NamedScalar scalar{};
+      scalar.name = request.name;
+      scalar.unit = request.unit;
+      scalar.doc = request.take + " of " + request.of;
+      scalar.value = value_of(request, loaded_, case_.assembler(), solution, outputs);
+      layout_.columns.push_back({scalar.name, scalar.unit, scalar.doc});
+      state.row.push_back(scalar.value);
+      result_.scalars.push_back(scalar);
+    }
+    if (!at.budget) return;
+    const auto names = at.budget->names();
+    const auto values = at.budget->values();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      layout_.columns.push_back({kEnergy + names[k], "J", "contribution to the energy budget"});
+      state.row.push_back(values[k]);
+      result_.energies.emplace_back(names[k], values[k]);
+    }
+  }
+
+  /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
+  void add_gear(const Snapshot& at, const Answer& answer, SeriesState& state) {
+    result_.gear = collect_gear(loaded_, case_.assembler(), answer);
+    add_warp_figures(loaded_, case_.assembler(), at, result_.gear);
+    if (!gear_columns_)
+      gear_columns_ = journal_ ? gear_columns_of(journal_->layout()) : columns_of(result_.gear);
+    for (const SeriesColumn& column : *gear_columns_) {
+      const NamedScalar* figure = find_scalar(result_.gear, column.name.substr(kGear.size()));
+      layout_.columns.push_back(column);
+      state.row.push_back(figure ? figure->value : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  static std::vector<SeriesColumn> columns_of(const std::vector<NamedScalar>& figures) {
+    std::vector<SeriesColumn> columns;
+    for (const auto& figure : figures) columns.push_back({kGear + figure.name, figure.unit, figure.doc});
+    return columns;
+  }
+  static std::vector<SeriesColumn> gear_columns_of(const SeriesLayout& layout) {
+    std::vector<SeriesColumn> columns = layout.columns;
+    std::erase_if(columns, [](const SeriesColumn& column) { return !column.name.starts_with(kGear); });
+    return columns;
+  }
+
+  /// If outputs lie between steps, forces are those of the end of a step.
+  void add_moment_of_forces(const Snapshot& at, SeriesState& state) {
+    if (!loaded_.analysis.dynamics.march.dense) return;
+    layout_.columns.push_back({"forces_time", "s", "end of the step to which forces and outputs belong"});
+    state.row.push_back(at.forces.t);
+  }
+
+  void finish() {
+    journal_->set_status({name_of(result_.march.status), result_.march.reason});
+    if (result_.march.status == MarchStatus::interrupted) {
+      result_.output_file = part_path();
+      return;
+    }
+    const auto name = name_beside_better(options_.output, name_of(result_.march.status));
+    result_.output_file = name.string();
+    make_result(*journal_, name, [&](Tree& tree) { write_rest(tree); });
+    write_xdmf(name);
+    journal_->remove();
+  }
+
+  void write_rest(Tree& tree) {
+    begin_result(tree, name_of(result_.march.status), result_.march.reason);
+    write_origins(tree, loaded_, context_, result_.march.statistics);
+    tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
+    if (const AchievedAccuracy& a = result_.march.accuracy; a.asked > 0) {
+      tree.write_real("/netloft/accuracy/asked", a.asked, "1",
+                      "accuracy of the path, over the longest element");
+      tree.write_real("/netloft/accuracy/allowed", a.allowed, "1", "error allowed for one step");
+      tree.write_real("/netloft/accuracy/largest", a.largest, "1", "largest error of a step");
+      tree.write_real("/netloft/accuracy/sum", a.sum, "1", "sum of the errors of all steps");
+      if (a.is_checked)
+        tree.write_real("/netloft/accuracy/path", a.path, "1",
+                        "error of the path against a march in other steps");
+    }
+    tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
+    write_gear(tree, loaded_, result_.gear);
+    for (const auto& s : result_.scalars)
+      tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
+  }
+
+  Case& case_;
+  const LoadedScene& loaded_;
+  const RunContext& context_;
+  const MotionOptions& options_;
+  LossWatch losses_;
+  BoardWatch boards_;
+  std::optional<OutputFields> fields_;
+  SeriesLayout layout_;
+  std::optional<std::vector<SeriesColumn>> gear_columns_;  // known from the first output on
+  Answer answer_;                                          // of answered_at_ [s]
+  std::optional<double> answered_at_;
+  std::optional<MarchState> from_;
+  std::optional<SeriesJournal> journal_;
+  std::size_t outputs_before_ = 0;  // that were in the journal already
+  MotionResult result_;
+};
+
+}  // namespace
+
+MotionResult run_motion(Case& the_case, const RunContext& context, const MotionOptions& options) {
+  return MotionRun(the_case, context, options).run();
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/motion/xdmf.hpp"
+
+#include "io/formats/files/whole_file.hpp"
+#include "io/formats/hdf5/read.hpp"
+
+#include <fmt/format.h>
+
+namespace netloft::io {
+
+namespace {
+
+/// An array of all states, every one with rows of its own from offsets[state] on. A state's place in the file
+/// stands between two texts that are the same for all.
+struct SteppedArray {
+  std::string before, after;
+  std::uint64_t place;  // of the array in the file [bytes]
+  std::size_t columns;
+  std::vector<std::int64_t> offsets;
+
+  void append_to(std::string& text, std::size_t step) const {
+    const auto first = static_cast<std::size_t>(offsets.at(step)) * columns;
+    text += before;
+    text += std::to_string(place + 8 * first);
+    text += after;
+  }
+};
+
+/// What refers to numbers in the file. Selections of rows by HDF5 are no way: XDMF 3 counts their beginning
+/// along the other dimension than XDMF 2.
+const char* const kItem =
+    "<DataItem Format=\"Binary\" NumberType=\"{}\" Precision=\"8\" Endian=\"Little\" Seek=\"";
+
+SteppedArray array_at(const Reader& reader, const std::string& path, const std::string& offsets_path,
+                      std::size_t rows, const std::string& file) {
+  const auto shape = reader.shape(path);
+  const std::size_t columns = shape.size() == 1 ? 1 : shape[1];
+  return {fmt::format(fmt::runtime(kItem), "Float"),
+          fmt::format("\" Dimensions=\"{}{}\">{}</DataItem>", rows,
+                      columns == 1 ? "" : fmt::format(" {}", columns), file),
+          reader.place(path), columns, reader.integers(offsets_path)};
+}
+
+/// Scalars and vectors; numbers of parts and places on panels are neither.
+std::vector<SteppedArray> fields_of(const Reader& reader, const std::string& file) {
+  std::vector<SteppedArray> arrays;
+  for (const auto& [group, center] : {std::pair{"PointData", "Node"}, {"CellData", "Cell"}}) {
+    const auto rows = static_cast<std::size_t>(
+        reader.integer(center[0] == 'N' ? "/VTKHDF/NumberOfPoints" : "/VTKHDF/NumberOfCells"));
+    if (rows == 0) continue;
+    for (const auto& name : reader.list(std::string("/VTKHDF/") + group)) {
+      const std::string offsets = std::string("/VTKHDF/Steps/") + group + "Offsets/" + name,
+                        path = std::string("/VTKHDF/") + group + "/" + name;
+      SteppedArray array = array_at(reader, path, offsets, rows, file);
+      if (!reader.holds_reals(path) || (array.columns != 1 && array.columns != 3)) continue;
+      array.before = fmt::format("<Attribute Name=\"{}\" Center=\"{}\" AttributeType=\"{}\">", name, center,
+                                 array.columns == 1 ? "Scalar" : "Vector") +
+                     array.before;
+      array.after += "</Attribute>\n";
+      arrays.push_back(std::move(array));
+    }
+  }
+  return arrays;
+}
+
+std::string topology(const Reader& reader, const std::string& file) {
+  const std::string path = "/netloft/xdmf/cells";
+  return fmt::format("<Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">",
+                     reader.shape("/VTKHDF/Types")[0]) +
+         fmt::format(fmt::runtime(kItem), "Int") +
+         fmt::format("{}\" Dimensions=\"{}\">{}</DataItem></Topology>\n", reader.place(path),
+                     reader.shape(path)[0], file);
+}
+
+}  // namespace
+
+void write_xdmf(const std::filesystem::path& result) {
+  const Reader reader = Reader::of_own(result);
+  const auto times = reader.times();
+  if (times.size() < 2) return;
+  const std::string file = result.filename().string();
+  std::string out =
+      "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
+      "<Grid Name=\"series\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  const std::string cells = topology(reader, file);
+  const auto arrays = fields_of(reader, file);
+  const SteppedArray points =
+      array_at(reader, "/VTKHDF/Points", "/VTKHDF/Steps/PointOffsets",
+               static_cast<std::size_t>(reader.integer("/VTKHDF/NumberOfPoints")), file);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    out += fmt::format("<Grid Name=\"step {}\"><Time Value=\"{:.17g}\"/>\n", i, times[i]);
+    out += cells;
+    out += "<Geometry GeometryType=\"XYZ\">";
+    points.append_to(out, i);
+    out += "</Geometry>\n";
+    for (const SteppedArray& array : arrays) array.append_to(out, i);
+    out += "</Grid>\n";
+  }
+  out += "</Grid></Domain></Xdmf>\n";
+  write_whole(std::filesystem::path(result).replace_extension(".xdmf"), out);
+}
+
+}  // namespace netloft::io

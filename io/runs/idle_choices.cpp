@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/runs/idle_choices.hpp"
+
+#include "framework/registry/descriptors.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+/// "rope.damping" and "the analysis is static", with the parts of which that is true.
+struct IdleChoice {
+  std::string what, reason;
+  std::vector<std::string> parts;
+};
+
+bool needs(const netloft_term& term, const std::string& parameter) {
+  const auto names = names_needed_by(term);
+  return std::find(names.begin(), names.end(), parameter) != names.end();
+}
+
+/// Why all terms that need the parameter are left out; empty if one acts, or none needs it. What drag needs,
+/// such as a diameter, has other uses, too. Where forces have no energy it is asked how a small disturbance
+/// moves.
+std::string why_idle(const FamilyPlan& family, const std::string& parameter, bool motion_is_asked_for) {
+  std::string reason;
+  for (std::size_t t = 0; t < family.terms.size(); ++t) {
+    if (!needs(family.type->terms[t], parameter)) continue;
+    const TermPlan& term = family.terms[t];
+    if (term.on || (term.traits & NETLOFT_NEEDS_FLOW) || (term.when_it_moves && motion_is_asked_for))
+      return "";
+    reason = term.reason;
+  }
+  return reason;
+}
+
+class IdleChoices {
+ public:
+  explicit IdleChoices(const Plan& plan) : motion_is_asked_for_(!plan.conservative) {}
+
+  void look_at(const FamilyPlan& family, const Part& part) {
+    for (const auto& [name, value] : part.parameters)
+      if (const double* number = std::get_if<double>(&value); number && *number != 0)
+        add(part, name, why_idle(family, name, motion_is_asked_for_));
+    const bool uses_laws =
+        std::any_of(family.laws.begin(), family.laws.end(), [](const LawPlan& law) { return law.type; });
+    for (const auto& [slot, law] : part.laws)
+      if (!uses_laws) add(part, slot + " = \"" + law.type + "\"", "no water flows past it");
+  }
+
+  const std::vector<IdleChoice>& found() const { return found_; }
+
+ private:
+  void add(const Part& part, const std::string& what, const std::string& reason) {
+    if (reason.empty()) return;
+    const auto known = std::find_if(found_.begin(), found_.end(), [&](const IdleChoice& c) {
+      return c.what == what && c.reason == reason;
+    });
+    IdleChoice& choice = known == found_.end() ? found_.emplace_back(IdleChoice{what, reason, {}}) : *known;
+    if (std::find(choice.parts.begin(), choice.parts.end(), part.name) == choice.parts.end())
+      choice.parts.push_back(part.name);
+  }
+
+  bool motion_is_asked_for_;
+  std::vector<IdleChoice> found_;
+};
+
+std::string first_of(const std::vector<std::string>& parts) {
+  const std::size_t more = parts.size() - 1;
+  return parts.front() + (more ? " and " + std::to_string(more) + " more" : "");
+}
+
+}  // namespace
+
+void warn_of_idle_choices(const LoadedScene& loaded, const Plan& plan, Diagnostics& diagnostics) {
+  IdleChoices choices(plan);
+  for (const FamilyPlan& family : plan.families)
+    for (const auto part : family.parts) choices.look_at(family, loaded.scene.parts[part]);
+  for (const IdleChoice& c : choices.found())
+    diagnostics.warning(loaded.place_of(c.parts.front()),
+                        first_of(c.parts) + ": " + c.what + " has no effect: " + c.reason);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/runs/memory_forecast.hpp"
+
+#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/foreseen_memory.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+// Matrices and vectors that are held at a time: of a problem and of the judge of its stability
+// (framework/balance: StaticProblem, find_growth). tests/bench/memory.py compares with what processes took.
+constexpr double kMatrices = 4, kVectors = 40;
+// Of meshes each with a quarter of the nodes of the one before, as strategies keep them.
+constexpr double kWithCoarser = 4.0 / 3;
+// Vectors of positions and velocities of the Krylov space that judges stability
+// (framework/judging/growth.cpp).
+constexpr double kKrylov = 2 * 49;
+
+/// Pages of this process [bytes]: all its addresses, and those in memory.
+struct Pages {
+  double addressed = 0, resident = 0;
+};
+
+Pages pages() {
+  std::ifstream in("/proc/self/statm");
+  Pages found;
+  in >> found.addressed >> found.resident;
+  const auto size = static_cast<double>(sysconf(_SC_PAGESIZE));
+  return {found.addressed * size, found.resident * size};
+}
+
+/// Whether the strategy may take the tensions of members for unknowns, which is a problem with a factor of
+/// its own, kept beside that of the scene.
+bool may_ask_for_tensions(Case& the_case) {
+  return !the_case.loaded().analysis.strategy.empty() &&
+         std::ranges::any_of(the_case.assembler().families(), [](const auto& family) {
+           return std::ranges::any_of(family->type().terms,
+                                      [](const auto& term) { return term.traits & NETLOFT_OF_MEMBERS; });
+         });
+}
+
+/// A line "name: number kB" of /proc/meminfo [bytes]; infinite if there is none.
+double memory_of_machine(const std::string& name) {
+  std::ifstream in("/proc/meminfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with(name + ":")) return 1024 * std::stod(line.substr(name.size() + 1));
+  return kUnlimited;
+}
+
+double number_in(const std::string& file) {
+  std::ifstream in(file);
+  double number = 0;
+  return in >> number ? number : kUnlimited;
+}
+
+/// What the control group of this process leaves; infinite without a limit.
+double left_by_group() {
+  std::ifstream in("/proc/self/cgroup");
+  std::string line;
+  if (!std::getline(in, line) || !line.starts_with("0::")) return kUnlimited;
+  const std::string folder = "/sys/fs/cgroup" + line.substr(3);
+  const double most = number_in(folder + "/memory.max");
+  return most < kUnlimited ? most - number_in(folder + "/memory.current") : kUnlimited;
+}
+
+double left_by_limit(const Pages& now) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;
+  return static_cast<double>(limit.rlim_cur) - now.addressed;
+}
+
+}  // namespace
+
+MemoryForecast foresee_memory(Case& the_case) {
+  const SparsePattern& pattern = the_case.assembler().pattern();
+  if (pattern.size == 0) return {.taken = pages().resident};
+  const auto factorisation = the_case.factorisations()(pattern.symmetric ? MatrixClass::positive_definite
+                                                                         : MatrixClass::unsymmetric);
+  factorisation->analyse(pattern);
+  const double factor = factor_bytes_of(*factorisation), size = static_cast<double>(pattern.size);
+  // What has an energy is judged by the factor of its tangent, and needs no other unknowns.
+  const bool is_judged_by_motion =
+      !pattern.symmetric && the_case.loaded().analysis.kind == AnalysisKind::statics;
+  MemoryForecast forecast;
+  forecast.taken = pages().resident;
+  forecast.factor = factor * (!pattern.symmetric && may_ask_for_tensions(the_case) ? 2 : 1);
+  forecast.stability = is_judged_by_motion ? factor + sizeof(double) * kKrylov * size : 0;
+  forecast.numbers = kWithCoarser * sizeof(double) *
+                     (kMatrices * static_cast<double>(the_case.assembler().value_slots()) + kVectors * size);
+  return forecast;
+}
+
+double memory_within_reach() {
+  const Pages now = pages();
+  return now.resident +
+         std::max(0.0, std::min({memory_of_machine("MemAvailable"), left_by_group(), left_by_limit(now)}));
+}
+
+}  // namespace netloft::io

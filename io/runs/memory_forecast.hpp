@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/runs/case.hpp"
+
+namespace netloft::io {
+
+/// What solving a case will take of memory, foreseen from its pattern before anything is factorised [bytes].
+struct MemoryForecast {
+  double taken = 0;      // by the program now: plugins, scene, mesh, pattern, and the order of elimination
+  double factor = 0;     // of the tangent, and of the equations of a strategy that has other unknowns beside
+  double stability = 0;  // beside it, once the equilibrium is found: what its stability is judged by
+  double numbers = 0;    // values of matrices, and vectors over the unknowns
+  double total() const { return taken + factor + stability + numbers; }
+};
+
+/// Analyses the pattern of the case as the first factorisation will, on the mesh of the scene. Counted are
+/// the factor of the scene, that of a strategy which takes tensions for unknowns, and that of the judge of
+/// stability with its Krylov space; not counted is what a strategy keeps of coarser meshes, and the second
+/// factorisation where the first one hands a matrix over. tests/bench/memory.py compares with runs.
+MemoryForecast foresee_memory(Case& the_case);
+
+/// Memory that this process may have in all [bytes]: what it has, and what the machine, its group (memory.max
+/// of cgroup 2) and its limit of addresses (ulimit -v) leave. Infinite where nothing is known.
+double memory_within_reach();
+
+}  // namespace netloft::io

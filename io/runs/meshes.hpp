@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/study/levels.hpp"
+#include "io/runs/case.hpp"
+
+#include <memory>
+
+namespace netloft::io {
+
+/// Coarser meshes of a case: each has half as many cells along a side as the one before, where cells can be
+/// halved (coarser.hpp). They are read when they are first asked for.
+class Meshes : public Levels {
+ public:
+  Meshes(const CaseSource& source, const LoadedScene& finest, Registry& registry);
+
+  unsigned most() const override { return most_; }
+  const Scene* scene(unsigned level) override;
+  std::vector<double> carry(unsigned from, std::span<const double> positions, unsigned to) override;
+
+ private:
+  const LoadedScene* loaded(unsigned level);
+  std::unique_ptr<LoadedScene> read_coarser(const LoadedScene& finer);
+  std::unique_ptr<LoadedScene> read_halved(const LoadedScene& finer, const std::vector<std::string>& halved);
+
+  CaseSource source_;  // of the coarsest one that has been read
+  const LoadedScene& finest_;
+  Registry& registry_;
+  unsigned most_;
+  std::vector<std::unique_ptr<LoadedScene>> coarser_;  // level 1, 2, …; null: there is none
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/scene/standard_gravity.hpp"
+#include "io/formats/mesh/mesh.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// A node of a table.
+struct TableNode {
+  std::string name;
+  Place place;
+  std::array<double, 3> at{}, force{};  // [m], [N]
+  std::string hold;                     // axes along which it is held: "", "z", "xyz"
+  double mass = 0, buoyancy = 0;        // [kg]; net upward force in water, instead of the mass [N]
+  double volume = 0, drag_area = 0;     // displaced [m³]; drag coefficient times area [m²]
+};
+
+/// Bars of one name, in the order of their rows: a rope.
+struct TableRope {
+  struct Bar {
+    std::array<std::uint32_t, 2> nodes{};
+    double length = 0;  // unstretched [m]
+  };
+  std::string name;
+  Place place;
+  double diameter = 0, EA = 0, density = 0, EI = 0;  // [m], [N], [kg/m³], [N m²]
+  std::optional<double> EA_compression;              // [N]
+  std::optional<double> normal, tangential;          // drag coefficients
+  double bed = 0;  // stiffness of the seabed under it; 0: it meets none [N/m²]
+  std::vector<Bar> bars;
+};
+
+/// A table of nodes and bars.
+struct BarTable {
+  std::vector<TableNode> nodes;
+  std::vector<TableRope> ropes;
+  double density = 1025, gravity = kStandardGravity, depth = 0;  // of the water [kg/m³], [m/s²], [m]
+};
+
+/// Reads a table (TABLE.md). Errors are located in source `file`; after an error what could be read is
+/// returned.
+BarTable read_bar_table(const std::string& text, int file, Diagnostics& diagnostics);
+
+/// The same as a scene and the mesh on which its parts stand; `head` is a comment of one or more lines.
+struct BarTableScene {
+  std::string scene;
+  InputMesh mesh;
+};
+BarTableScene scene_of(const BarTable& table, const std::vector<std::string>& head,
+                       const std::string& mesh_name);
+
+}  // namespace netloft::io

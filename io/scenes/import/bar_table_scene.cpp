@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/import/bar_table.hpp"
+#include "io/scenes/import/scene_text.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace netloft::io {
+
+namespace {
+
+/// Writes one scene; members are tables in the order of the file.
+class TableScene {
+ public:
+  TableScene(const BarTable& table, const std::string& mesh_name) : table_(table), mesh_name_(mesh_name) {}
+
+  BarTableScene write(const std::vector<std::string>& head) {
+    for (const auto& n : table_.nodes)
+      mesh_.positions.insert(mesh_.positions.end(), n.at.begin(), n.at.end());
+    for (const auto& text : head) scene_.comment(in_ascii(text));
+    scene_.comment("A current is written into [water] as current = [0.8, 0, 0].");
+    scene_.add("\n[water]\n");
+    scene_.line("density", table_.density);
+    scene_.line("gravity", table_.gravity);
+    for (const auto& rope : table_.ropes) write_rope(rope);
+    write_beds();
+    write_weights();
+    write_forces();
+    write_holds();
+    return {scene_.text(), std::move(mesh_)};
+  }
+
+ private:
+  void write_rope(const TableRope& rope) {
+    double length = 0;
+    for (const auto& bar : rope.bars) length += bar.length;
+    MeshRegion region{RegionKind::bars, rope.name};
+    double at = 0;
+    for (std::size_t i = 0; i < rope.bars.size(); ++i) {
+      const auto& bar = rope.bars[i];
+      region.nodes.insert(region.nodes.end(), bar.nodes.begin(), bar.nodes.end());
+      region.numbers.push_back(at / length);
+      at += bar.length;
+      region.numbers.push_back(i + 1 == rope.bars.size() ? 1 : at / length);
+    }
+    mesh_.regions.push_back(std::move(region));
+    scene_.begin_part(rope.name, "rope/bar");
+    scene_.line("mesh", quoted(mesh_name_));
+    scene_.line("length", length);
+    InlineTable table;
+    table.add("diameter", rope.diameter).add("EA", rope.EA).add("density", rope.density);
+    if (rope.EA_compression) table.add("EA_compression", *rope.EA_compression);
+    if (rope.EI > 0) table.add("EI", rope.EI);
+    scene_.line("rope", table.text());
+    if (rope.normal)
+      scene_.line("drag", InlineTable()
+                              .add("law", quoted("hydro/morison"))
+                              .add("normal", *rope.normal)
+                              .add("tangential", *rope.tangential)
+                              .text());
+  }
+
+  /// Sets of nodes that are alike in something, by what that is, in the order of the table.
+  template <class Key, class What>
+  std::vector<std::pair<Key, std::string>> sets_of(const char* name, What&& what) {
+    std::vector<std::pair<Key, std::string>> sets;
+    std::map<Key, std::size_t> known;
+    for (std::uint32_t n = 0; n < table_.nodes.size(); ++n) {
+      const Key key = what(table_.nodes[n]);
+      if (key == Key{}) continue;
+      const auto [at, is_new] = known.try_emplace(key, mesh_.sets.size());
+      if (is_new) {
+        sets.emplace_back(key, std::string(name) + std::to_string(sets.size() + 1));
+        mesh_.sets.push_back({sets.back().second});
+      }
+      mesh_.sets[at->second].nodes.push_back(n);
+    }
+    return sets;
+  }
+
+  /// One for all ropes under which it is as stiff.
+  void write_beds() {
+    std::map<double, std::vector<std::string>> on;
+    for (const auto& rope : table_.ropes)
+      if (rope.bed > 0) on[rope.bed].push_back(rope.name);
+    int number = 0;
+    for (const auto& [stiffness, ropes] : on) {
+      scene_.begin_part("bed-" + std::to_string(++number), "seabed/plane");
+      scene_.line("on", quoted_list(ropes));
+      scene_.line(
+          "seabed",
+          InlineTable().add("depth", table_.depth).add("stiffness", stiffness).add("softness", 0).text());
+    }
+  }
+
+  void write_weights() {
+    using Weight = std::array<double, 4>;
+    const auto sets = sets_of<Weight>("weight-", [](const TableNode& n) {
+      return Weight{n.mass, n.buoyancy, n.volume, n.drag_area};
+    });
+    for (const auto& [weight, set] : sets) {
+      const auto& [mass, buoyancy, volume, drag_area] = weight;
+      scene_.begin_part(set, "float/float");
+      scene_.line("on", quoted("*." + set));
+      scene_.line("each", 1);
+      InlineTable table;
+      table.add_unless_zero("mass", mass)
+          .add_unless_zero("buoyancy", buoyancy)
+          .add_unless_zero("volume", volume);
+      if (drag_area > 0) table.add("area", drag_area).add("drag_coefficient", 1);
+      scene_.line("float", table.text());
+    }
+  }
+
+  void write_forces() {
+    using Force = std::array<double, 3>;
+    for (const auto& [force, set] : sets_of<Force>("force-", [](const TableNode& n) { return n.force; })) {
+      scene_.begin_part(set, "force/constant");
+      scene_.line("on", quoted("*." + set));
+      scene_.line("each", 1);
+      scene_.line("force", InlineTable()
+                               .add_unless_zero("x", force[0])
+                               .add_unless_zero("y", force[1])
+                               .add_unless_zero("z", force[2])
+                               .text());
+    }
+  }
+
+  void write_holds() {
+    for (const auto& [axes, set] : sets_of<std::string>("held-", [](const TableNode& n) { return n.hold; }))
+      scene_.hold("*." + set, set, axes);
+  }
+
+  const BarTable& table_;
+  const std::string& mesh_name_;
+  InputMesh mesh_;
+  SceneText scene_;
+};
+
+}  // namespace
+
+BarTableScene scene_of(const BarTable& table, const std::vector<std::string>& head,
+                       const std::string& mesh_name) {
+  return TableScene(table, mesh_name).write(head);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A mesh for a gear that has none. Panels are filled as FEMNET fills them: with knots of a coarser net, whose
+// mesh side is the meshing step. Nodes are those of FEMNET's own mesher; of the two diagonals of a square of
+// the lattice, which are alike for it, it may take the other one.
+//   u = U + V,  v = V − U                 a panel in mesh sides along its twines                      (1)
+//   parts of a side = max(|Δu|, |Δv|) l₀/step, rounded, at least one                                  (2)
+//   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
+// l₀ [m] mesh side; step [m]. Nodes are connected by Delaunay's triangles in the plane x = U l₀,
+// y = √3 V l₀, in which meshes are opened by one half and (3) is a lattice of equilateral triangles.
+#include "io/gears/meshing/border_sides.hpp"
+#include "io/gears/meshing/triangulation.hpp"
+#include "io/scenes/import/gear_links.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+namespace netloft::io::femnet {
+
+namespace {
+
+constexpr double kMostParts = 1e5;                     // of a panel from one end to the other
+constexpr double kFarthest = 1e6, kLongestSide = 100;  // [m] and meshes; mesh side [m]
+// Inner nodes keep this part of a step from the border, so that no triangle is flat; FEMNET has some at 0.24.
+constexpr double kNearest = 0.2;
+constexpr double kFlat = 1e-9;  // twice the area of a triangle without netting [meshes²]
+
+Triple between(const Triple& a, const Triple& b, double t) {
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+}
+
+double along(const Triple& a, const Triple& b, const Triple& c, const Triple& d) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) sum += (b[axis] - a[axis]) * (d[axis] - c[axis]);
+  return sum;
+}
+
+/// A line between two points of the gear, divided once for all panels and cables that are sewn there.
+struct Line {
+  std::vector<std::uint32_t> nodes;  // with its ends
+  Triple from{}, to{};               // in the drawing
+};
+
+/// A place of a panel in meshes.
+struct Meshes {
+  double U = 0, V = 0;
+};
+
+/// The netting of one panel in the plane in which it is filled.
+class PanelPlane {
+ public:
+  explicit PanelPlane(const Panel& p) : panel_(p), step_(p.step / p.side) {}
+
+  PlanePoint plane(const Meshes& m) const { return {m.U * panel_.side, kOpen * m.V * panel_.side}; }
+
+  double sides_between(const Corner& a, const Corner& b) const {
+    const double U = b.U - a.U, V = b.V - a.V;
+    return std::max(std::abs(U + V), std::abs(V - U));  // (1)
+  }
+  double parts_between(const Corner& a, const Corner& b) const {
+    return std::max(1.0, std::round(sides_between(a, b) / step_));  // (2)
+  }
+  bool is_too_fine(double most_nodes) const {
+    const auto [low, high] = extent();
+    const double u = (high.U - low.U) / step_ + 1, v = (high.V - low.V) / step_ + 1;
+    return !(u * v < 2 * most_nodes && std::max(u, v) < kMostParts);
+  }
+
+  /// (3): U and V in mesh sides here are u and v.
+  std::vector<Meshes> inside(const std::vector<PlanePoint>& border) const {
+    const auto [low, high] = extent();
+    const BorderSides sides(border, kNearest * panel_.step);
+    std::vector<Meshes> nodes;
+    for (double i = std::ceil(low.U / step_); i * step_ <= high.U; ++i)
+      for (double k = std::ceil(low.V / step_); k * step_ <= high.V; ++k) {
+        const Meshes m{(i - k) * step_ / 2, (i + k) * step_ / 2};
+        if (sides.holds(plane(m))) nodes.push_back(m);
+      }
+    return nodes;
+  }
+
+ private:
+  static constexpr double kOpen = std::numbers::sqrt3;
+
+  /// The least and the largest u and v.
+  std::pair<Meshes, Meshes> extent() const {
+    Meshes low{1e300, 1e300}, high{-1e300, -1e300};
+    for (const auto& c : panel_.corners) {
+      low = {std::min(low.U, c.U + c.V), std::min(low.V, c.V - c.U)};
+      high = {std::max(high.U, c.U + c.V), std::max(high.V, c.V - c.U)};
+    }
+    return {low, high};
+  }
+
+  const Panel& panel_;
+  double step_;  // [mesh sides]
+};
+
+double twice_area(const Meshes& a, const Meshes& b, const Meshes& c) {
+  return (b.U - a.U) * (c.V - a.V) - (b.V - a.V) * (c.U - a.U);
+}
+
+/// Where nodes within a panel start: its drawing, continued from its corners triangle by triangle.
+class DrawnPanel {
+ public:
+  /// `corners` counter-clockwise.
+  DrawnPanel(std::vector<Corner> corners, const PanelPlane& plane) : corners_(std::move(corners)) {
+    std::vector<PlanePoint> border;
+    for (const auto& c : corners_) border.push_back(plane.plane({c.U, c.V}));
+    triangles_ = connect_points(border, {}).triangles;
+  }
+
+  /// By the triangle in which the place lies, or which it misses least.
+  Triple at(const Meshes& m) const {
+    double best = -1e300;
+    Triple place{};
+    for (const auto& t : triangles_) {
+      const Corner &a = corners_[t[0]], &b = corners_[t[1]], &c = corners_[t[2]];
+      const double whole = twice_area({a.U, a.V}, {b.U, b.V}, {c.U, c.V});
+      if (whole < kFlat) continue;
+      const double of_b = twice_area({a.U, a.V}, m, {c.U, c.V}) / whole,
+                   of_c = twice_area({a.U, a.V}, {b.U, b.V}, m) / whole;
+      const double inside = std::min({of_b, of_c, 1 - of_b - of_c});
+      if (inside <= best) continue;
+      best = inside;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        place[axis] = a.at[axis] + of_b * (b.at[axis] - a.at[axis]) + of_c * (c.at[axis] - a.at[axis]);
+    }
+    return place;
+  }
+
+ private:
+  std::vector<Corner> corners_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+};
+
+/// Divides one gear; members are steps in the order they happen.
+class Divider {
+ public:
+  Divider(const GearFile& gear, Diagnostics& diagnostics, double most_nodes)
+      : gear_(gear),
+        most_nodes_(most_nodes),
+        diagnostics_(diagnostics),
+        errors_before_(diagnostics.errors()),
+        links_(gear, diagnostics) {}
+
+  MeshFile divide() {
+    for (const auto& object : order())
+      if (is_fine()) object.is_panel ? add_panel(object.object) : add_cable(object.object);
+    for (const auto& box : gear_.type_boxes) give_type(box);
+    return std::move(mesh_);
+  }
+
+ private:
+  bool is_fine() const { return diagnostics_.errors() == errors_before_; }
+  void error(const Place& place, const std::string& message, const std::string& hint = {}) {
+    diagnostics_.error(place, message, hint);
+  }
+
+  /// All panels and cables, those first that the file orders.
+  std::vector<LinkPoint> order() const {
+    std::vector<LinkPoint> all;
+    std::vector<bool> has_panel(gear_.panels.size()), has_cable(gear_.cables.size());
+    const auto add = [&](bool is_panel, int object) {
+      auto& has = is_panel ? has_panel : has_cable;
+      const auto i = static_cast<std::size_t>(object);
+      if (object < 0 || i >= has.size() || has[i]) return;
+      has[i] = true;
+      all.push_back({is_panel, object, 0});
+    };
+    for (const auto& o : gear_.order) add(o.is_panel, o.object);
+    for (std::size_t p = 0; p < gear_.panels.size(); ++p) add(true, static_cast<int>(p));
+    for (std::size_t c = 0; c < gear_.cables.size(); ++c) add(false, static_cast<int>(c));
+    return all;
+  }
+
+  std::uint32_t add_node(const Triple& at, int type, const Place& place) {
+    const auto types = static_cast<int>(gear_.types.size());
+    if (type < 1 || type > types)
+      error(place, fmt::format("nodes of type {} are wanted here, which does not exist", type),
+            types ? fmt::format("they are numbered 1 to {}", types) : "there are none");
+    if (static_cast<double>(mesh_.nodes.size()) >= most_nodes_)
+      error(place, fmt::format("the gear would have more than {:g} nodes", most_nodes_),
+            "the meshing step is too small");
+    if (std::any_of(at.begin(), at.end(), [](double x) { return !(std::abs(x) < kFarthest); }))
+      error(place, "its drawing reaches beyond a million metres");
+    mesh_.nodes.push_back({at, type - 1});
+    return static_cast<std::uint32_t>(mesh_.nodes.size() - 1);
+  }
+
+  /// The node of a corner or end: that of the object which is divided first.
+  std::uint32_t node_of(const LinkPoint& point, const Triple& at, int type, const Place& place) {
+    const auto [known, is_new] = node_of_point_.try_emplace(links_.point(point), 0);
+    if (is_new) known->second = add_node(at, type, place);
+    const int own = mesh_.nodes[known->second].type + 1;
+    if (own != type)
+      diagnostics_.warning(
+          place,
+          fmt::format("corner {} is of type {} and linked to one of type {}, which the node gets",
+                      point.corner + 1, type, own),
+          "the object that is divided first decides; give linked corners the same type");
+    return known->second;
+  }
+
+  /// The nodes from one node to another, with both: a line that is there already, or a new one.
+  std::vector<std::uint32_t> line(std::uint32_t a, std::uint32_t b, const Triple& from, const Triple& to,
+                                  double parts, int type, const Place& place) {
+    const auto [known, is_new] = lines_.try_emplace(std::minmax({a, b}));
+    Line& line = known->second;
+    if (is_new) {
+      line.from = from;
+      line.to = to;
+      line.nodes.push_back(a);
+      for (double i = 1; i < parts && is_fine(); ++i)
+        line.nodes.push_back(add_node(between(from, to, i / parts), type, place));
+      line.nodes.push_back(b);
+      return line.nodes;
+    }
+    auto nodes = line.nodes;
+    const bool turns = a == b ? along(line.from, line.to, from, to) < 0 : line.nodes.front() != a;
+    if (turns) std::reverse(nodes.begin(), nodes.end());
+    return nodes;
+  }
+
+  void add_cable(int number) {
+    const Cable& c = gear_.cables[static_cast<std::size_t>(number)];
+    const auto end = [&](int k) {
+      const auto& e = c.ends[static_cast<std::size_t>(k)];
+      return node_of({false, number, k}, e.at, e.type, c.place);
+    };
+    const std::uint32_t a = end(0), b = end(1);
+    const auto nodes = line(a, b, c.ends[0].at, c.ends[1].at, std::max(c.bars, 1), c.inner_type, c.place);
+    if (a == b && nodes.size() < 4)
+      return error(c.place, "the cable ends where it begins: it needs three bars or more",
+                   "the number of bars stands in the .don");
+    const auto bars = static_cast<double>(nodes.size() - 1);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+      mesh_.bars.push_back({{nodes[i], nodes[i + 1]},
+                            {static_cast<double>(i) / bars, static_cast<double>(i + 1) / bars},
+                            number + 1});
+  }
+
+  /// The border of a panel, counter-clockwise.
+  struct Border {
+    std::vector<std::uint32_t> nodes;
+    std::vector<Meshes> meshes;
+  };
+
+  void add_panel(int number) {
+    const Panel& p = gear_.panels[static_cast<std::size_t>(number)];
+    if (!can_be_divided(p)) return;
+    const PanelPlane plane(p);
+    Border border = border_of(number, plane);
+    if (!is_fine()) return;
+    std::vector<PlanePoint> points;
+    for (const auto& m : border.meshes) points.push_back(plane.plane(m));
+    const auto inner = plane.inside(points);
+    std::vector<PlanePoint> inner_points;
+    for (const auto& m : inner) inner_points.push_back(plane.plane(m));
+    try {
+      const PlaneMesh filled = connect_points(points, inner_points);
+      add_inner_nodes(p, plane, inner, border);
+      add_triangles(number, filled, border);
+    } catch (const std::invalid_argument& e) {
+      error(p.place, std::string("the border of the panel encloses no netting: ") + e.what());
+    }
+  }
+
+  bool can_be_divided(const Panel& p) {
+    if (!(p.side > 0 && p.side < kLongestSide))
+      error(p.place,
+            fmt::format("the mesh side of the panel is {:g} m: it cannot be divided into elements", p.side));
+    if (!(p.step > 0))
+      error(
+          p.place,
+          fmt::format("the meshing step of the panel is {:g} m: it cannot be divided into elements", p.step),
+          "give the mesh with --mesh, or a step above zero");
+    if (std::any_of(p.corners.begin(), p.corners.end(),
+                    [](auto& c) { return !(std::abs(c.U) < kFarthest && std::abs(c.V) < kFarthest); }))
+      error(p.place, "a corner of the panel is beyond a million meshes");
+    if (is_fine() && PanelPlane(p).is_too_fine(most_nodes_))
+      error(p.place, fmt::format("the panel would have more than {:g} nodes", most_nodes_),
+            "the meshing step is too small");
+    if (is_fine() && !(std::abs(area(p)) > kFlat))
+      error(p.place, "the corners of the panel enclose no netting");
+    return is_fine();
+  }
+
+  /// Twice the signed area in meshes.
+  static double area(const Panel& p) {
+    double sum = 0;
+    for (std::size_t i = 0; i < p.corners.size(); ++i) {
+      const Corner &a = p.corners[i], &b = p.corners[(i + 1) % p.corners.size()];
+      sum += a.U * b.V - b.U * a.V;
+    }
+    return sum;
+  }
+
+  Border border_of(int number, const PanelPlane& plane) {
+    const Panel& p = gear_.panels[static_cast<std::size_t>(number)];
+    const auto count = static_cast<int>(p.corners.size());
+    const auto corner = [&](int k) { return p.corners[static_cast<std::size_t>(k % count)]; };
+    std::vector<std::uint32_t> corners;
+    for (int k = 0; k < count; ++k)
+      corners.push_back(node_of({true, number, k}, corner(k).at, corner(k).type, p.place));
+    Border border;
+    for (int k = 0; k < count && is_fine(); ++k) {
+      const Corner a = corner(k), b = corner(k + 1);
+      const auto i = static_cast<std::size_t>(k);
+      const auto nodes = line(corners[i], corners[(i + 1) % corners.size()], a.at, b.at,
+                              plane.parts_between(a, b), a.side_type, p.place);
+      for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
+        const double t = static_cast<double>(n) / static_cast<double>(nodes.size() - 1);
+        border.nodes.push_back(nodes[n]);
+        border.meshes.push_back({a.U + t * (b.U - a.U), a.V + t * (b.V - a.V)});
+      }
+    }
+    if (area(p) < 0) {
+      std::reverse(border.nodes.begin(), border.nodes.end());
+      std::reverse(border.meshes.begin(), border.meshes.end());
+    }
+    return border;
+  }
+
+  /// Behind those of the border.
+  void add_inner_nodes(const Panel& p, const PanelPlane& plane, const std::vector<Meshes>& inner,
+                       Border& all) {
+    auto corners = p.corners;
+    if (area(p) < 0) std::reverse(corners.begin(), corners.end());
+    const DrawnPanel drawn(corners, plane);
+    for (const auto& m : inner) {
+      all.nodes.push_back(add_node(drawn.at(m), p.inner_type, p.place));
+      all.meshes.push_back(m);
+    }
+  }
+
+  /// A triangle between two sides that are sewn to one another has two nodes only, and no extent in space.
+  void add_triangles(int number, const PlaneMesh& filled, const Border& all) {
+    double lost = 0;
+    for (const auto& t : filled.triangles) {
+      MeshFile::Triangle triangle;
+      triangle.panel = number;
+      for (std::size_t k = 0; k < 3; ++k) {
+        triangle.nodes[k] = all.nodes[t[k]];
+        triangle.UV[2 * k] = all.meshes[t[k]].U;
+        triangle.UV[2 * k + 1] = all.meshes[t[k]].V;
+      }
+      const double d = twice_area(all.meshes[t[0]], all.meshes[t[1]], all.meshes[t[2]]);
+      const auto& [a, b, c] = triangle.nodes;
+      if (a == b || b == c || a == c)
+        lost += d;
+      else if (d > kFlat)
+        mesh_.triangles.push_back(triangle);
+    }
+    const Place& place = gear_.panels[static_cast<std::size_t>(number)].place;
+    if (lost > 0)
+      diagnostics_.warning(place,
+                           fmt::format("netting of {:.3g} meshes lies between sides that are sewn to one "
+                                       "another, and is left out",
+                                       lost / 2),
+                           "a smaller meshing step leaves out less");
+  }
+
+  void give_type(const TypeBox& box) {
+    for (auto& n : mesh_.nodes) {
+      bool is_inside = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        is_inside = is_inside && n.at[axis] > box.low[axis] && n.at[axis] < box.high[axis];
+      if (is_inside) n.type = box.type;
+    }
+  }
+
+  const GearFile& gear_;
+  double most_nodes_;
+  Diagnostics& diagnostics_;
+  int errors_before_;
+  GearLinks links_;
+  std::map<std::size_t, std::uint32_t> node_of_point_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Line> lines_;  // by their ends
+  MeshFile mesh_;
+};
+
+}  // namespace
+
+MeshFile divide_gear(const GearFile& gear, Diagnostics& diagnostics, double most_nodes) {
+  return Divider(gear, diagnostics, most_nodes).divide();
+}
+
+}  // namespace netloft::io::femnet

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/import/femnet_gear.hpp"
+
+namespace netloft::io::femnet {
+
+/// Corners of panels and ends of cables, and which of them are one point of the gear: those that a link
+/// names, and those that are nearer to one another in the drawing than its link distance.
+class GearLinks {
+ public:
+  /// Links to what is not there are errors at their place.
+  GearLinks(const GearFile& gear, Diagnostics& diagnostics);
+
+  /// The point of a corner or end: the same number for all that are linked.
+  std::size_t point(const LinkPoint& at) { return leader(index(at)); }
+
+ private:
+  std::size_t index(const LinkPoint& at) const {
+    return (at.is_panel ? panel_starts_ : cable_starts_)[static_cast<std::size_t>(at.object)] +
+           static_cast<std::size_t>(at.corner);
+  }
+  std::size_t leader(std::size_t i);
+  void connect(std::size_t a, std::size_t b);
+  bool exists(const LinkPoint& at, Diagnostics& diagnostics) const;
+  void connect_near();
+
+  const GearFile& gear_;
+  std::vector<std::size_t> panel_starts_, cable_starts_, leader_;
+  std::vector<Triple> drawn_;
+};
+
+}  // namespace netloft::io::femnet

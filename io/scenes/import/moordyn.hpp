@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/import/bar_table.hpp"
+
+namespace netloft::io {
+
+/// A mooring of MoorDyn as nodes and bars, with what could not be carried over.
+struct MooringFile {
+  struct Finding {
+    Place place;
+    bool is_left_out = false;  // the answer changes
+    std::string text;
+  };
+  BarTable table;
+  std::vector<Finding> findings;
+};
+
+/// Reads an input file of MoorDyn, version 1 or 2 (https://moordyn.readthedocs.io, "Input Files";
+/// BSD-3-Clause): points, and lines in as many bars as they have segments there. Errors are located in source
+/// `file`; after an error what could be read is returned.
+MooringFile read_moordyn(const std::string& text, int file, Diagnostics& diagnostics);
+
+}  // namespace netloft::io

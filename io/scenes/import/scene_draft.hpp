@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/import/femnet_scene.hpp"
+#include "io/scenes/import/scene_text.hpp"
+
+namespace netloft::io::femnet {
+
+inline constexpr const char* kAxis[] = {"x", "y", "z"};
+inline constexpr double kMostMass = 1e6;  // that a node may have, as scenes accept it [kg]
+
+/// A scene that is being written: of what, and what there is of it. Whoever writes a part of it says what
+/// could not be carried over.
+class SceneDraft {
+ public:
+  SceneDraft(const GearFile& of, const MeshFile& its_mesh, const Names& own_names, Diagnostics& diagnostics,
+             Sought sought)
+      : gear(of),
+        file(its_mesh),
+        names(own_names),
+        moves(sought == Sought::motion),
+        diagnostics_(diagnostics) {
+    out.findings = gear.findings;
+  }
+
+  const GearFile& gear;
+  const MeshFile& file;
+  const Names& names;
+  bool moves;
+  std::vector<HauledBar> hauled;  // bars that drums haul, where it moves
+  Imported out;
+  SceneText body;
+
+  const Environment& environment() const { return gear.environment; }
+  bool has_current() const { return environment().speed != 0; }
+  /// Whether there are waves that the scene can have.
+  bool has_waves() const;
+  /// Whether water ever passes what is in it.
+  bool has_flow() const { return has_current() || moves; }
+  /// Whether water and bed pass together, and nodes lie on the bed.
+  bool is_towed() const;
+  /// Direction to which the water flows [rad].
+  double flow_angle() const;
+  /// The same from -180 to 180 degrees [rad].
+  double heading() const;
+  /// Whether the mesh has nodes of a type.
+  bool has_nodes(std::size_t type) const;
+
+  void note(const Place& place, const std::string& what, const std::string& text) {
+    out.findings.push_back({place, Finding::Kind::note, what, text});
+  }
+  void leave_out(const Place& place, const std::string& what, const std::string& text) {
+    out.findings.push_back({place, Finding::Kind::left_out, what, text});
+  }
+  /// A number that the scene will accept; else an error where it stands.
+  double within(double value, double lo, double hi, const Place& place, const std::string& what);
+
+  void begin_part(const std::string& name, const std::string& type, const std::string& comment = {}) {
+    body.begin_part(name, type, comment);
+  }
+  template <class Value>
+  void line(const std::string& key, const Value& value) {
+    body.line(key, value);
+  }
+  void stands_on_mesh() { line("mesh", quoted(names.own_mesh)); }
+  void write_drag(double cd, double friction, const Place& place);
+
+ private:
+  Diagnostics& diagnostics_;
+};
+
+/// "[0, 1.5]", to nine decimals: times are sums of steps.
+std::string list_of(const std::vector<double>& numbers);
+
+/// Lengths over time of bars that drums haul. They are parts of their own, and bend against no other.
+void find_hauled(SceneDraft& to);
+
+void write_netting(SceneDraft& to);
+void write_cables(SceneDraft& to);
+/// Of cables with one another.
+void write_clamps(SceneDraft& to);
+/// Masses, boxes, forces and beds at nodes, by their types.
+void write_loads(SceneDraft& to);
+void write_catch(SceneDraft& to);
+void write_holds(SceneDraft& to);
+/// Holds what nothing in the file does.
+void hold_what_is_loose(SceneDraft& to);
+/// What the author wanted to have printed.
+void write_results(SceneDraft& to);
+
+}  // namespace netloft::io::femnet

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/analysis.hpp"
+
+#include "framework/study/named_component.hpp"
+#include "io/scenes/reading/element_choice.hpp"
+#include "io/scenes/reading/keys.hpp"
+#include "io/scenes/reading/parameter_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace netloft::io {
+
+namespace {
+
+TableReader own_table(TableReader& analysis, const std::string& name) {
+  const ComponentTable at = table_of_component(name);
+  TableReader plugin = analysis.table(at.plugin, Presence::optional);
+  return at.component.empty() ? plugin : plugin.table(at.component, Presence::optional);
+}
+
+/// What the scene says of a solver, an integrator or a strategy; read once.
+template <class Type>
+const Values& parameters_of(const Type& component, TableReader& analysis, Analysis& a) {
+  const auto [given, is_new] = a.given.try_emplace(component.type);
+  if (is_new) {
+    TableReader own = own_table(analysis, component.type);
+    given->second = read_parameters(component.parameters, own);
+  }
+  return given->second;
+}
+
+/// An integrator as a solver: `solver` is its name, and motion has to die.
+void read_settling(TableReader& table, Registry& registry, Analysis& a) {
+  a.dynamics.integrator = a.solver;
+  const IntegratorType& type = registry.integrator(a.solver);
+  a.dynamics.integrator_parameters = parameters_of(type, table, a);
+  if (!table.has("mass_damping")) a.dynamics.march.mass_damping = 1;
+  if (!table.has("duration")) a.dynamics.march.duration = 1e6;
+  if (!table.has("max_iterations")) a.limits.iterations = 1000000;
+  a.dynamics.march.output_interval = 0;
+  a.dynamics.march.budget = false;
+}
+
+/// Refuses what speaks of time where nobody said that there is none: kind = "dynamic" may be forgotten.
+void pass_over_time(TableReader& table) {
+  bool is_refused = table.has("kind");  // it may stay for another day
+  for (const auto& key : dynamics_keys())
+    if (table.has(key.name) && !std::exchange(is_refused, true))
+      table.error(key.name, "has no effect on an equilibrium",
+                  "kind = \"dynamic\" for a motion, kind = \"static\" to keep it for another day");
+}
+
+/// What speaks of time. True: no solver of an equilibrium is wanted.
+bool read_time(TableReader& table, Registry& registry, Analysis& a) {
+  const bool moves = a.kind == AnalysisKind::dynamics;
+  a.settles = !moves && is_integrator(registry, a.solver);
+  if (!moves && !a.settles) {
+    pass_over_time(table);
+    return false;
+  }
+  a.dynamics = read_dynamics(table, registry);
+  if (!a.dynamics.integrator.empty())
+    a.dynamics.integrator_parameters = parameters_of(registry.integrator(a.dynamics.integrator), table, a);
+  if (!table.has("tangent")) a.tangent = TangentChoice::symmetric;
+  if (moves && !table.has("tolerance")) a.limits.tolerance = 1e-5;
+  if (moves && !table.has("max_iterations")) a.limits.iterations = 25;
+  if (a.settles) read_settling(table, registry, a);
+  return a.settles;
+}
+
+void read_solver(TableReader& table, Registry& registry, Analysis& a) {
+  const SolverType& solver = registry.solver(a.solver);
+  a.solver_parameters = parameters_of(solver, table, a);
+  // A step begins so near its end that Newton's method wants no damping.
+  if (a.kind == AnalysisKind::dynamics && a.solver == "newton")
+    a.solver_parameters.try_emplace("damping", 0.0);
+}
+
+/// A solver that is named alone is to show what it is worth by itself. A motion names the solver of its
+/// steps; the equilibrium that it may start from is found by the default strategy.
+void read_strategy(TableReader& table, Registry& registry, const Values& values, Analysis& a) {
+  const bool only_solver = values.contains("solver") && !values.contains("strategy");
+  if (only_solver && a.kind == AnalysisKind::statics) a.strategy = kStrategyOfNamedSolver;
+  const StrategyType& strategy = registry.strategy(a.strategy);
+  a.strategy_parameters = parameters_of(strategy, table, a);
+}
+
+/// An integrator that stands for a solver goes to the equilibrium in time, and asks no strategy.
+void pass_over_strategy(TableReader& table, Registry& registry, const Values& values, Analysis& a) {
+  if (values.contains("strategy")) {
+    registry.strategy(a.strategy);
+    table.diagnostics().warning(table.place("strategy"),
+                                table.path("strategy") + " has no effect: the integrator " + a.solver +
+                                    " goes to the equilibrium in time, and asks no strategy",
+                                "a strategy asks solvers, such as newton");
+  }
+  a.strategy.clear();
+}
+
+Analysis from_keys(const AnalysisKeys& keys) {
+  Analysis a;
+  a.strategy = keys.strategy;
+  a.solver = keys.solver;
+  a.work = keys.work;
+  a.tangent = static_cast<TangentChoice>(keys.tangent);
+  a.limits.tolerance = keys.tolerance;
+  a.limits.iterations = static_cast<int>(keys.max_iterations);
+  a.limits.seconds = keys.max_seconds;
+  a.limits.judging.accept_swinging = keys.swinging != 0;
+  a.kind = static_cast<AnalysisKind>(keys.kind);
+  return a;
+}
+
+/// Says of each component that is not there under which key it stands.
+template <class Read>
+void read_component(TableReader& table, const char* key, bool& refused, const Read& read) {
+  try {
+    read();
+  } catch (const PluginRefused& e) {
+    refused = true;
+    report_refusal(table, key, e.what());
+  }
+}
+
+/// Keys of earlier versions, and what took their place.
+void report_successors(TableReader& table) {
+  constexpr std::array<std::array<const char*, 2>, 2> kSuccessors = {
+      {{"continuation", "strategy = \"auto\" solves easier variants first; \"direct\" does not"},
+       {"look"
+        "s",
+        "analysis.auto.restarts, or --strategy auto:restarts=6"}}};
+  for (const auto& [key, successor] : kSuccessors)
+    if (table.has(key)) table.error(key, "is no longer a key of [analysis]", successor);
+}
+
+/// A strategy that is named as a solver gets a hint; whether it is one is asked of its plugin.
+bool is_strategy(Registry& registry, const std::string& name) {
+  try {
+    registry.strategy(name);
+    return true;
+  } catch (const PluginRefused&) {
+    return false;
+  }
+}
+
+/// Solvers and strategies that parameters of a strategy name.
+void check_named_by(const StrategyType& strategy, const Values& values, TableReader own, Registry& registry,
+                    bool& refused) {
+  for (const auto& parameter : strategy.parameters) {
+    if (!names_component(parameter) || own.kind(parameter.name) != Kind::text) continue;
+    try {
+      check_named(parameter, std::get<std::string>(values.at(parameter.name)), registry);
+    } catch (const PluginRefused& e) {
+      refused = true;
+      report_refusal(own, parameter.name, e.what());
+    } catch (const std::invalid_argument& e) {
+      own.error(parameter.name, e.what());
+    }
+  }
+}
+
+/// Of every strategy that something is said of: which of them another one calls is seen when it is solved.
+void check_names(TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
+  for (const auto& [type, values] : a.given)
+    for (const auto& strategy : registry.plugin(table_of_component(type).plugin).strategies)
+      if (strategy.type == type) check_named_by(strategy, values, own_table(table, type), registry, refused);
+}
+
+/// Tables of components that the scene does not name: a strategy may call them.
+void read_others(TableReader& table, Registry& registry, Analysis& a) {
+  const auto read = [&](const auto& all) {
+    for (const auto& component : all) parameters_of(component, table, a);
+  };
+  for (const auto& name : registry.available()) {
+    if (!table.has(name)) continue;
+    const PluginContent& plugin = registry.plugin(name);
+    read(plugin.solvers);
+    read(plugin.integrators);
+    read(plugin.strategies);
+  }
+}
+
+}  // namespace
+
+ComponentTable table_of_component(const std::string& name) {
+  const auto slash = name.find('/');
+  const std::string plugin = name.substr(0, slash);
+  const std::string component = slash == std::string::npos ? plugin : name.substr(slash + 1);
+  return {plugin, component == plugin ? "" : component};
+}
+
+Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
+  const Values values = read_parameters(analysis_keys(), table);
+  report_successors(table);
+  std::vector<std::string> faults;
+  const ParameterBlock block(analysis_keys(), sizeof(AnalysisKeys), values, faults);
+  if (!faults.empty()) return {};
+  Analysis a = from_keys(*static_cast<const AnalysisKeys*>(block.data()));
+  if (a.solver.empty()) {
+    table.error("solver", "is empty; the name of a solver is wanted, such as newton");
+    return a;
+  }
+  if (a.strategy.empty()) {
+    table.error("strategy", "is empty; the name of a strategy is wanted, such as auto");
+    return a;
+  }
+  if (const auto names = registry.available();
+      std::find(names.begin(), names.end(), a.solver) != names.end() && is_strategy(registry, a.solver)) {
+    table.error("solver", "\"" + a.solver + "\" is a strategy, not a solver",
+                "--strategy " + a.solver + ", or strategy = \"" + a.solver + "\" in [analysis]");
+    return a;
+  }
+  bool settles = false;
+  read_component(table, "solver", refused, [&] {
+    settles = read_time(table, registry, a);
+    if (!settles) read_solver(table, registry, a);
+  });
+  if (!refused)
+    read_component(table, "strategy", refused, [&] {
+      settles ? pass_over_strategy(table, registry, values, a) : read_strategy(table, registry, values, a);
+    });
+  read_component(table, "strategy", refused, [&] { read_others(table, registry, a); });
+  check_names(table, registry, a, refused);
+  return a;
+}
+
+}  // namespace netloft::io

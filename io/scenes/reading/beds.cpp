@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/beds.hpp"
+
+#include "framework/parameters/find_number.hpp"
+#include "io/scenes/reading/known_parameters.hpp"
+#include "io/formats/units/in_metres.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+/// A plane that is soft to some depth [m].
+struct Bed {
+  const Part* part = nullptr;
+  Place place;
+  BedPlane plane;
+  double softness = 0;
+
+  double above(const double* x) const { return x[2] - plane.height(x[0], x[1]); }
+};
+
+std::vector<Bed> beds_of(const LoadedScene& loaded) {
+  std::vector<Bed> beds;
+  for (const auto& part : loaded.scene.parts)
+    if (const auto plane = bed_plane_of(part); plane && !part.nodes.empty())
+      beds.push_back({&part, loaded.place_of(part.name), *plane,
+                      number_or(0, part.parameters, parameter::kBedSoftness.name)});
+  return beds;
+}
+
+void check_height(const Bed& bed, const Scene& scene, Diagnostics& diagnostics) {
+  double highest = -std::numeric_limits<double>::infinity(), held = 0;
+  for (std::size_t x = 0; x < scene.positions.size(); x += 3)
+    highest = std::max(highest, bed.above(&scene.positions[x]));
+  std::string lowest_held;
+  for (const auto node : bed.part->nodes) {
+    const double above = bed.above(&scene.positions[3 * std::size_t{node}]);
+    if (above < held && scene.held[node] == kAllAxes) {
+      held = above;
+      lowest_held = scene.node_name(node);
+    }
+  }
+  const double sinking = std::max(bed.softness, 1e-3);
+  if (highest < -sinking)
+    diagnostics.error(
+        bed.place, bed.part->name + ": all of the gear is below it, by " + in_metres(-highest) + " or more",
+        "depth counts downwards from the surface, z = 0");
+  else if (held < -sinking)
+    diagnostics.warning(bed.place,
+                        bed.part->name + ": " + lowest_held + " is held " + in_metres(-held) + " below it",
+                        "the bed pushes at what cannot move");
+}
+
+/// The same node on two beds is pushed by both. `is_first`: heights are above bed `a`.
+void check_pair(const Bed& a, const Bed& b, bool is_first, Diagnostics& diagnostics) {
+  const std::set<std::uint32_t> carried(a.part->nodes.begin(), a.part->nodes.end());
+  const bool shares = std::any_of(b.part->nodes.begin(), b.part->nodes.end(),
+                                  [&](auto node) { return carried.contains(node); });
+  const std::string other = a.part->name + " at " + diagnostics.where(a.place);
+  if (shares)
+    diagnostics.error(b.place, b.part->name + ": carries what " + other + " carries, too: both push at it",
+                      "one bed with everything in `on`");
+  else if (is_first && a.plane != b.plane)
+    diagnostics.warning(b.place, b.part->name + ": is another plane than " + other,
+                        "heights in the report are those above " + a.part->name);
+}
+
+}  // namespace
+
+std::optional<BedPlane> bed_plane_of(const Part& part) {
+  const double* depth = find_number(part.parameters, parameter::kBedDepth.name);
+  if (!depth) return {};
+  return BedPlane{*depth, number_or(0, part.parameters, parameter::kBedSlopeX.name),
+                  number_or(0, part.parameters, parameter::kBedSlopeY.name)};
+}
+
+void check_beds(const LoadedScene& loaded, Diagnostics& diagnostics) {
+  const auto beds = beds_of(loaded);
+  for (std::size_t i = 0; i < beds.size(); ++i) {
+    check_height(beds[i], loaded.scene, diagnostics);
+    for (std::size_t k = 0; k < i; ++k)
+      check_pair(beds[k], beds[i], k == 0 && !loaded.scene.bed.is_there, diagnostics);
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/reading/loaded_scene.hpp"
+#include "io/formats/toml/diagnostics.hpp"
+
+namespace netloft::io {
+
+/// A plane of ground that a part states: z = slope_x x + slope_y y - depth [m].
+struct BedPlane {
+  double depth = 0, slope_x = 0, slope_y = 0;
+  double height(double x, double y) const { return slope_x * x + slope_y * y - depth; }
+  bool operator==(const BedPlane&) const = default;
+};
+std::optional<BedPlane> bed_plane_of(const Part& part);
+
+/// Refuses a bed that lies above the whole gear, and two beds under one node; warns of what is held below
+/// its bed, and of beds at different depths under one gear.
+void check_beds(const LoadedScene& loaded, Diagnostics& diagnostics);
+
+}  // namespace netloft::io

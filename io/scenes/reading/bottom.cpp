@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/bottom.hpp"
+
+#include "io/scenes/reading/keys.hpp"
+#include "io/formats/units/units.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr const char* kBottom = "bottom";
+constexpr double kMostFactor = 1e6;  // from mud to rock
+
+const netloft_parameter& bottom_key() {
+  return *std::ranges::find_if(bed_keys(),
+                               [](const auto& key) { return key.name == std::string_view(kBottom); });
+}
+
+/// Number of a column of `[bed] bottom`; none if it has no such column.
+std::optional<std::size_t> column_named(const char* name) {
+  for (std::size_t k = 0; bottom_key().columns[k]; ++k)
+    if (!std::strcmp(bottom_key().columns[k], name)) return k;
+  return {};
+}
+
+/// No factor is negative, and what carries nothing is no bed.
+void check_factors(const Samples& rows, TableReader& bottom) {
+  for (std::size_t k = 2; bottom_key().columns[k]; ++k) {
+    const std::string_view name = bottom_key().columns[k];
+    const bool may_be_zero = name != "stiffness";
+    for (const auto& row : rows)
+      if (!(row[k] >= 0 && row[k] <= kMostFactor) || (row[k] == 0 && !may_be_zero)) {
+        bottom.error(name,
+                     "= " + format(row[k], "1") + " is outside " + (may_be_zero ? "[" : "(") + "0, 1e6]",
+                     "factors of what the parts that rest on the bed say of it");
+        break;
+      }
+  }
+}
+
+bool is_bottom(const netloft_parameter& p) {
+  const std::string_view name = p.name;
+  return p.kind == NETLOFT_TABLE && p.arguments == 2 && (name == kBottom || name.ends_with(".bottom"));
+}
+
+}  // namespace
+
+SeaBottom::SeaBottom(const Values& values, TableReader bed) {
+  const auto given = values.find(kBottom);
+  if (given == values.end()) return;
+  rows_ = std::get<Samples>(given->second);
+  TableReader bottom = bed.table(kBottom);
+  if (std::ranges::all_of(rows_, [](const auto& row) { return row.size() == 5; }))
+    check_factors(rows_, bottom);
+}
+
+bool SeaBottom::is_symmetric() const {
+  return std::ranges::all_of(rows_, [&](const auto& row) {
+    return std::ranges::any_of(rows_, [&](const auto& other) {
+      return other[0] == row[0] && other[1] == -row[1] &&
+             std::equal(other.begin() + 2, other.end(), row.begin() + 2);
+    });
+  });
+}
+
+bool SeaBottom::lay_under(const ElementType& type, Part& part) const {
+  bool takes = false;
+  for (const auto& p : type.parameters) {
+    if (!is_bottom(p)) continue;
+    takes = true;
+    Samples own(rows_.size());
+    for (std::size_t k = 0; p.columns[k]; ++k)
+      for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const auto column = column_named(p.columns[k]);
+        own[i].push_back(column ? rows_[i][*column] : 1);
+      }
+    part.parameters.try_emplace(p.name, std::move(own));
+  }
+  return takes;
+}
+
+}  // namespace netloft::io

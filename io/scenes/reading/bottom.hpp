@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/registry.hpp"
+#include "framework/scene/scene.hpp"
+#include "io/formats/toml/table_reader.hpp"
+
+namespace netloft::io {
+
+/// What the bed of a scene is made of, `[bed] bottom`: rows of x, y and factors of what the elements that
+/// rest on it say of it. It is handed to every element type with a grid named `bottom`, which says by its
+/// columns which of the factors it takes.
+class SeaBottom {
+ public:
+  SeaBottom() = default;
+  /// `values` are those of bed_keys(), read from `bed`.
+  SeaBottom(const Values& values, TableReader bed);
+
+  bool empty() const { return rows_.empty(); }
+  /// Whether it is the same at y and -y.
+  bool is_symmetric() const;
+  /// Gives a part what its type takes, unless the part says something else itself. False: it takes nothing.
+  bool lay_under(const ElementType& type, Part& part) const;
+
+ private:
+  Samples rows_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/dynamics.hpp"
+
+#include "framework/parameters/nearest.hpp"
+#include "io/scenes/reading/parameter_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace netloft::io {
+
+namespace {
+
+struct DynamicsKeys {
+  const char *integrator = nullptr, *start = nullptr;
+  double duration = 0, step = 0, longest_step = 0, shortest_step = 0, accuracy = 0, output_interval = 0;
+  double mass_damping = 0, stiffness_damping = 0;
+  bool adaptive = false, dense = false, energy_budget = false, material_damping = false, check = false;
+};
+
+ParameterTable<DynamicsKeys> make_table() {
+  using K = DynamicsKeys;
+  ParameterTable<K> t;
+  t.text("integrator", &K::integrator, "time scheme; its own parameters stand in a table of its name",
+         "generalized-alpha");
+  t.text("start", &K::start, "where a motion begins, at rest: sketch, equilibrium, or a result, found.hdf",
+         "sketch");
+  t.real("duration", &K::duration, "s", "time that is gone through", {.lo = 1e-9, .hi = 1e9, .fallback = 10});
+  t.boolean("adaptive", &K::adaptive, "steps as long as the accuracy allows; otherwise all alike", true);
+  t.real("step", &K::step, "s", "first step, or all of them; 0: found, if adaptive",
+         {.lo = 0, .hi = 1e6, .fallback = 0});
+  t.real("accuracy", &K::accuracy, "1",
+         "error of the path, over the longest element: from 1e-2 on, that of one step",
+         {.lo = 1e-12, .hi = 1, .fallback = 1e-2});
+  t.boolean(
+      "check", &K::check,
+      "compare with the same motion in steps twice as long, for the error of the path: exit code 3 if it is "
+      "above the accuracy",
+      false);
+  t.real("longest_step", &K::longest_step, "s", "longest step", {.lo = 1e-9, .hi = 1e9, .fallback = 1e9});
+  t.real("shortest_step", &K::shortest_step, "s", "step below which it gives up",
+         {.lo = 1e-15, .hi = 1, .fallback = 1e-9});
+  t.real("output_interval", &K::output_interval, "s", "time between outputs; 0: the beginning and the end",
+         {.lo = 0, .hi = 1e9, .fallback = 0.1});
+  t.boolean("dense", &K::dense, "outputs lie between steps; otherwise steps end at them", false);
+  t.boolean("energy_budget", &K::energy_budget, "keep account of all energies", true);
+  t.boolean("material_damping", &K::material_damping,
+            "loss factors of twines, ropes and wires count, if the scheme bounds no step", true);
+  t.real("mass_damping", &K::mass_damping, "1/s", "artificial damping c of the force -c m v",
+         {.lo = 0, .hi = 1e9, .fallback = 0});
+  t.real("stiffness_damping", &K::stiffness_damping, "s",
+         "damping of stretch where a part has none: tension per strain rate over EA",
+         {.lo = 0, .hi = 1e9, .fallback = 0});
+  return t;
+}
+
+constexpr Range kTimes{-1e9, 1e9, false, false};
+
+std::vector<double> read_times(TableReader& table) {
+  const auto t = table.reals("t", {.unit = "s", .doc = "times", .range = kTimes, .count = {.least = 1}});
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (!(t[i] > t[i - 1])) {
+      table.error("t", "does not ascend: each time must be later than the one before");
+      break;
+    }
+  return t;
+}
+
+/// The columns x, y, z, as many as there are times; those left out are zero.
+std::vector<Course::Point> read_columns(TableReader& table, const char* unit, const char* doc, Range range,
+                                        std::size_t count) {
+  std::vector<Course::Point> points(count, Course::Point{});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string key(1, "xyz"[axis]);
+    if (!table.has(key)) continue;
+    const auto column = table.reals(key, {.unit = unit, .doc = doc, .range = range, .count = exactly(count)});
+    for (std::size_t i = 0; i < std::min(count, column.size()); ++i) points[i][axis] = column[i];
+  }
+  return points;
+}
+
+/// Velocities that let a cubic through the points be smooth: the mean slope to both neighbours, none at ends.
+Course through(const std::vector<double>& t, const std::vector<Course::Point>& d) {
+  Course course;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    Course::Knot knot{t[i], d[i], {}};
+    if (i > 0 && i + 1 < t.size())
+      for (std::size_t k = 0; k < 3; ++k) knot.v[k] = (d[i + 1][k] - d[i - 1][k]) / (t[i + 1] - t[i - 1]);
+    course.knots.push_back(knot);
+  }
+  return course;
+}
+
+/// The way gone with velocities that are straight between the points, from nothing at t = 0.
+Course gone(const std::vector<double>& t, const std::vector<Course::Point>& v) {
+  Course course;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    Course::Knot knot{t[i], {}, v[i]};
+    for (std::size_t k = 0; k < 3 && i > 0; ++k)
+      knot.d[k] = course.knots[i - 1].d[k] + 0.5 * (v[i][k] + v[i - 1][k]) * (t[i] - t[i - 1]);
+    course.knots.push_back(knot);
+  }
+  const Course::Point at_zero = course.at(0).d;
+  for (auto& knot : course.knots)
+    for (std::size_t k = 0; k < 3; ++k) knot.d[k] -= at_zero[k];
+  return course;
+}
+
+}  // namespace
+
+std::span<const netloft_parameter> dynamics_keys() {
+  static const auto table = make_table();
+  return table.rows();
+}
+
+namespace {
+
+const std::string kSketch = "sketch", kEquilibrium = "equilibrium";
+
+/// The words that `start` knows, and a result by its name.
+void read_start(const std::string& start, TableReader& analysis, Dynamics& d) {
+  d.from_equilibrium = start == kEquilibrium;
+  if (d.from_equilibrium || start == kSketch) return;
+  if (analysis.has("start") && analysis.kind("start") != Kind::text) return;  // reported already
+  if (std::filesystem::path(start).extension() == ".hdf") {
+    d.start_file = start;
+    return;
+  }
+  const auto near = nearest(start, std::array{kSketch, kEquilibrium});
+  analysis.error("start",
+                 "\"" + start + "\" is no place to begin; allowed: sketch, equilibrium, the name of a result",
+                 near ? "did you mean \"" + *near + "\"?" : "the name of a result ends in .hdf");
+}
+
+}  // namespace
+
+Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
+  const int errors_before = analysis.diagnostics().errors();
+  const Values values = read_parameters(dynamics_keys(), analysis);
+  std::vector<std::string> faults;
+  const ParameterBlock block(dynamics_keys(), sizeof(DynamicsKeys), values, faults);
+  if (!faults.empty()) return {};
+  const auto& k = *static_cast<const DynamicsKeys*>(block.data());
+  Dynamics d;
+  d.integrator = k.integrator;
+  read_start(k.start, analysis, d);
+  d.march.duration = k.duration;
+  d.march.step = k.step;
+  d.march.adaptive = k.adaptive;
+  d.march.accuracy = k.accuracy;
+  d.march.longest_step = k.longest_step;
+  d.march.shortest_step = k.shortest_step;
+  d.march.output_interval = k.output_interval;
+  d.march.check = k.check;
+  d.march.dense = k.dense;
+  d.march.budget = k.energy_budget;
+  d.march.mass_damping = k.mass_damping;
+  d.stiffness_damping = k.stiffness_damping;
+  d.material_damping = k.material_damping;
+  const IntegratorType& type = registry.integrator(d.integrator);
+  if (analysis.diagnostics().errors() > errors_before) return d;  // what follows from them helps nobody
+  if (!k.adaptive && k.step == 0 && !type.is_explicit())
+    analysis.error("step", "is 0 with adaptive = false: say how long all steps are");
+  if (k.output_interval > 0 && k.duration / k.output_interval > 1e6)
+    analysis.error("output_interval", "asks for more than a million outputs");
+  return d;
+}
+
+bool is_integrator(Registry& registry, const std::string& name) {
+  try {
+    registry.integrator(name);
+    return true;
+  } catch (const PluginRefused&) {
+    return false;
+  }
+}
+
+Course read_course(TableReader& hold) {
+  const bool by_way = hold.has("displacement"), by_speed = hold.has("velocity");
+  if (by_way && by_speed)
+    hold.error("velocity", "is one way to say how it moves, displacement is another; give one of them");
+  if (!by_way && !by_speed) return {};
+  TableReader table = hold.table(by_way ? "displacement" : "velocity");
+  const auto t = read_times(table);
+  if (by_way) return through(t, read_columns(table, "m", "way from where it is held", {-1e6, 1e6}, t.size()));
+  return gone(t, read_columns(table, "m/s", "velocity of what is held", {-1e3, 1e3}, t.size()));
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/gear_parts.hpp"
+
+#include "io/gears/catalogue/part_kinds.hpp"
+#include "io/gears/plan/twine_coordinates.hpp"
+#include "io/scenes/reading/gear_model.hpp"
+#include "io/scenes/reading/idle_keys.hpp"
+#include "io/scenes/reading/inventory.hpp"
+#include "io/scenes/reading/known_parameters.hpp"
+#include "io/scenes/reading/part_names.hpp"
+#include "io/scenes/reading/plan_contact.hpp"
+#include "io/scenes/reading/riding.hpp"
+#include "io/scenes/reading/ship_course.hpp"
+#include "io/scenes/reading/thickness.hpp"
+#include "io/formats/toml/merge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+/// What the part of a plan bears, where it says so.
+void keep_strength(LoadedScene& loaded, const std::string& part, const Value& numbers, int twines,
+                   const std::string& material) {
+  const double load = breaking_load_of(numbers) * twines;
+  if (load > 0) loaded.strengths[part] = {load, material};
+}
+
+}  // namespace
+
+bool is_seam(TableReader& join) {
+  const bool sews = join.has("edges") && !join.has("points");
+  if (sews) join.has("take_up");
+  return sews;
+}
+
+GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& choice, Draft& draft)
+    : plan_(plan), draft_(draft), diagnostics_(root.diagnostics()) {
+  for (const char* key : {"panels", "ropes", "hang", "floats", "points", "ship"}) root.has(key);
+  const int errors_before = diagnostics_.errors();
+  GearInScene& in_scene = draft_.out.gear.emplace();
+  Fineness fineness;
+  if (auto model = read_gear_model(plan, root)) {
+    gear_ = std::move(model->gear);
+    fineness = model->fineness;
+    in_scene.times = gear_.extent == Extent::half ? 2 : 1;
+    in_scene.nodes = fineness.nodes;
+    in_scene.size = fineness.size;
+    in_scene.bill = bill_of(plan);
+    in_scene.sheet = sheet_of(plan, gear_);
+  }
+  TableReader table = root.table("elements", Presence::optional);
+  elements_.emplace(plan, gear_, table, choice);
+  if (diagnostics_.errors() > errors_before) return;
+  mesh_ = divide(gear_, fineness);
+  if (fineness.knots) in_scene.nodes = mesh_.nodes;
+  own_.resize(mesh_.nodes);
+}
+
+/// A board starts where warps of such boards have it: as deep as they reach, on the bed where there is one.
+/// Only a start: what is found does not depend on it, unless a gear has several equilibria.
+BodyOfPlan GearParts::place_of(const GearBody& body) const {
+  BodyOfPlan place{body.is_mirrored ? -1.0 : 1.0, {}};
+  const io::Rope* warp = plan_.find_rope(kWarp);
+  if (!plan_.ship || !warp) return place;
+  place.guess = [this, warp, side = place.side](double lowest) {
+    constexpr double kDepth = 0.3, kSpread = 0.09;  // over the length of warp
+    const double L = warp->length, y = plan_.ship->block_gap / 2 + kSpread * L;
+    const SeaBed& bed = draft_.out.scene.bed;
+    const double reach = plan_.ship->block_height - kDepth * L;
+    const double z = bed.is_there ? std::max(reach, bed.at(L, side * y)[0] - lowest) : reach;
+    const double down = plan_.ship->block_height - z;
+    return std::array{std::sqrt(std::max(L * L - down * down, 0.25 * L * L)), side * y, z};
+  };
+  return place;
+}
+
+void GearParts::tie(const GearBody& body, std::size_t part) {
+  const Geometry& geometry = draft_.geometries[part];
+  if (body.body->stands == io::Standing::pair)
+    draft_.out.gear->pairs[body.body->name].push_back(static_cast<std::uint32_t>(part));
+  for (std::uint32_t k = 0; geometry.body && k < geometry.body->names.size(); ++k) {
+    const auto node = mesh_.points.find(body.name + "." + geometry.body->names[k]);
+    if (node == mesh_.points.end()) continue;
+    own_[node->second].push_back({part, k + 1});
+    for (int axis = 0; axis < 3; ++axis)
+      known_.push_back({node->second, axis,
+                        geometry.positions[3 * (k + std::size_t{1}) + static_cast<std::size_t>(axis)]});
+  }
+}
+
+void GearParts::add_parts() {
+  start_ = start_shape(gear_, mesh_, known_);
+  for (std::size_t p = 0; p < mesh_.panels.size(); ++p) add_panel(gear_.panels[p], mesh_.panels[p]);
+  for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) add_rope(gear_.ropes[r], mesh_.ropes[r]);
+  for (const auto& pieces : gear_.pieces) draft_.announce_rider(pieces.name);
+  name_points();
+}
+
+void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
+  const io::Panel& plan = *panel.panel;
+  Geometry geometry;
+  geometry.names.panel = mesh.meshes;
+  geometry.names.sets = mesh.sets;
+  geometry.names.place = plan.place;
+  geometry.elements = mesh.triangles;
+  for (const auto own : mesh.triangles) {
+    const auto [U, V] = mesh.meshes[own];
+    const auto [u, v] = twine_coordinates(plan.orientation, plan.angle, U, V);
+    geometry.data[datum::kU.name].push_back(u);
+    geometry.data[datum::kV.name].push_back(v);
+    geometry.data[datum::kToAft.name].push_back(plan.depth - V);
+  }
+  geometry.data[datum::kBarLength.name].assign(mesh.triangles.size() / 3, plan.mesh / 2);
+  Value twine = plan.twine;
+  keep_strength(draft_.out, panel.name, plan.twine, plan.twines, plan.twine_name);
+  if (plan.twines > 1 && twine.as<Table>())
+    put(*twine.as<Table>(), "number", {plan.place, std::int64_t{plan.twines}});
+  add_part("netting", panel.name, "panels." + plan.name, std::move(twine), !plan.twine_name.empty(),
+           std::move(geometry), mesh.nodes);
+  if (plan.orientation == "t90")
+    check_turned_netting(draft_.out.scene.parts.back(), plan.place, diagnostics_);
+}
+
+void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
+  Geometry geometry;
+  geometry.names.sets = mesh.sets;
+  geometry.names.place = rope.rope->place;
+  for (std::uint32_t i = 0; i + 1 < mesh.nodes.size(); ++i)
+    geometry.elements.insert(geometry.elements.end(), {i, i + 1});
+  geometry.data[datum::kRestLength.name] = mesh.rest_lengths;
+  keep_strength(draft_.out, rope.name, rope.rope->rope, 1, rope.rope->part_name);
+  add_part("ropes", rope.name, "ropes." + rope.rope->name, rope.rope->rope, !rope.rope->part_name.empty(),
+           std::move(geometry), mesh.nodes);
+}
+
+/// `nodes`: own number -> node of the gear.
+void GearParts::add_part(std::string_view kind, const std::string& name, const std::string& path,
+                         Value numbers, bool is_of_catalogue, Geometry geometry,
+                         const std::vector<std::uint32_t>& nodes) {
+  Part part;
+  part.name = name;
+  const bool is_sound = elements_->read_part(kind, path, std::move(numbers), is_of_catalogue, part);
+  if (const auto fault = thickness_fault(part, geometry); fault && is_sound)
+    diagnostics_.error(geometry.names.place, path + "." + fault->key + ": " + fault->message, kThicknessCure);
+  geometry.names.name = name;
+  const std::size_t p = draft_.geometries.size();
+  for (std::uint32_t own = 0; own < nodes.size(); ++own) {
+    own_[nodes[own]].push_back({p, own});
+    const auto x = start_.begin() + 3 * std::ptrdiff_t{nodes[own]};
+    geometry.positions.insert(geometry.positions.end(), x, x + 3);
+  }
+  GearInScene& gear = *draft_.out.gear;
+  (kind == "netting" ? gear.panels : gear.ropes).push_back(static_cast<std::uint32_t>(p));
+  draft_.add_part(std::move(part), std::move(geometry), elements_->type_of(kind), is_sound);
+}
+
+/// Points of the plan that no part has for its own: towing points.
+void GearParts::name_points() {
+  for (const auto& [name, node] : mesh_.points)
+    if (name.find('.') == std::string::npos && !own_[node].empty()) {
+      const auto& [part, own] = own_[node].front();
+      draft_.points[name] = {part, {own}};
+    }
+}
+
+void GearParts::join(Joiner& joiner) const {
+  for (const auto& same : own_) {
+    std::vector<Joiner::Ends> ends;
+    for (const auto& [part, own] : same) ends.push_back({part, {own}});
+    if (ends.size() > 1) joiner.join(ends);
+  }
+}
+
+std::uint32_t GearParts::scene_node(std::uint32_t gear_node) const {
+  const auto& [part, own] = own_[gear_node].front();
+  return draft_.out.parts[part].nodes[own];
+}
+
+void GearParts::add_pieces() {
+  GearInScene& gear = *draft_.out.gear;
+  for (const auto& pieces : gear_.pieces) put_pieces(pieces);
+  for (const auto& [name, node] : mesh_.points) gear.points[point_name(name)] = scene_node(node);
+  name_lines(gear);
+}
+
+void GearParts::put_pieces(const GearPieces& pieces) {
+  Part part;
+  part.name = pieces.name;
+  const bool is_sound = elements_->read_part("floats", "floats." + pieces.pieces->name, pieces.pieces->piece,
+                                             !pieces.pieces->part_name.empty(), part);
+  std::vector<double> carried(draft_.out.scene.node_count(), 0.0);
+  ride_on_nodes(nodes_of(pieces, carried), carried, pieces.number, part);
+  draft_.out.gear->pieces.push_back(static_cast<std::uint32_t>(draft_.out.scene.parts.size()));
+  draft_.add_rider(std::move(part), pieces.pieces->place, elements_->type_of("floats"), is_sound);
+}
+
+/// Where pieces are hung, and how much of the rope or edge every node carries.
+std::vector<std::uint32_t> GearParts::nodes_of(const GearPieces& pieces, std::vector<double>& carried) const {
+  std::vector<std::uint32_t> nodes;
+  const auto carry = [&](std::uint32_t from, std::uint32_t to, double length) {
+    carried[from] += length / 2;
+    carried[to] += length / 2;
+  };
+  if (!pieces.point.empty()) return {scene_node(mesh_.points.at(pieces.point))};
+  if (!pieces.rope.empty()) {
+    const RopeMesh& rope =
+        mesh_.ropes[static_cast<std::size_t>(gear_.find_rope(pieces.rope) - gear_.ropes.data())];
+    for (const auto node : rope.nodes) nodes.push_back(scene_node(node));
+    for (std::size_t i = 1; i < nodes.size(); ++i) carry(nodes[i - 1], nodes[i], rope.rest_lengths[i - 1]);
+  }
+  for (const auto& ref : pieces.edges) {
+    const PanelMesh& panel = mesh_.panels[ref.panel];
+    const auto& edge = panel.sets.at(gear_.panels[ref.panel].outline.edges[ref.edge].name);
+    for (std::size_t i = 0; i < edge.size(); ++i) {
+      nodes.push_back(scene_node(panel.nodes[edge[i]]));
+      if (i == 0) continue;
+      const auto &a = panel.meshes[edge[i - 1]], &b = panel.meshes[edge[i]];
+      carry(nodes[nodes.size() - 2], nodes.back(), std::hypot(b[0] - a[0], b[1] - a[1]));
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+/// The roles that the plan gives its ropes; parts of ropes are in the order of the gear's.
+void GearParts::name_lines(GearInScene& gear) const {
+  for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
+    const io::Rope& rope = *gear_.ropes[r].rope;
+    if (rope.stands == io::Standing::middle) gear.across.insert(gear.ropes[r]);
+    if (rope.role == "headline")
+      gear.headline = gear_.ropes[r].name;
+    else if (rope.role == "footrope")
+      gear.footrope = gear_.ropes[r].name;
+    else if (!rope.role.empty())
+      gear.roles[rope.role].push_back(gear.ropes[r]);
+  }
+}
+
+/// Ends of a rope across the gear have the same names in the whole and in the half.
+std::string GearParts::point_name(const std::string& name) const {
+  const auto dot = name.find('.');
+  const GearRope* rope = dot == std::string::npos ? nullptr : gear_.find_rope(name.substr(0, dot));
+  if (!rope || rope->rope->stands != io::Standing::middle) return name;
+  const bool is_whole = gear_.extent == Extent::whole;
+  const std::string end = name.substr(dot + 1);
+  if (end == "start") return rope->name + (is_whole ? ".port" : ".middle");
+  return end == "end" ? rope->name + ".starboard" : name;
+}
+
+/// Of a pair, by the one to starboard.
+bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
+  for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
+    if (gear_.ropes[r].rope->name == rope)
+      return std::ranges::all_of(mesh_.ropes[r].nodes,
+                                 [&](auto node) { return carried.contains(scene_node(node)); });
+  return false;
+}
+
+bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const {
+  for (const std::string& name : {point, "starboard-" + point})
+    if (const auto node = mesh_.points.find(name); node != mesh_.points.end())
+      return carried.contains(scene_node(node->second));
+  return false;
+}
+
+std::vector<std::pair<std::string, Value>> GearParts::contacts(const std::set<std::uint32_t>& carried) const {
+  std::vector<std::pair<std::string, Value>> all;
+  if (!elements_->has_contact()) return all;
+  for (const io::Rope& rope : plan_.ropes)
+    if (rests_on_bed(rope) && !is_carried(rope.name, carried))
+      all.emplace_back(rope.name + "-on-bed", elements_->contact_of(rope.name, {rope.name}, rope.place));
+  for (const PlanBody& body : plan_.bodies) {
+    auto shoes = shoes_of(body);
+    std::erase_if(shoes, [&](const auto& shoe) { return is_carried_at(shoe, carried); });
+    if (!shoes.empty())
+      all.emplace_back(body.name + "-on-bed", elements_->contact_of(body.name, std::move(shoes), body.place));
+  }
+  return all;
+}
+
+bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
+  if (!plan_.ship || elements_->has_contact()) return false;
+  return std::ranges::any_of(plan_.ropes, [&](const io::Rope& rope) {
+    return rope.role == "footrope" && !is_carried(rope.name, carried);
+  });
+}
+
+void GearParts::hold_middle() {
+  if (mesh_.middle.empty()) return;
+  Scene& scene = draft_.out.scene;
+  Hold hold{kPlaneOfSymmetry, {}, {}};
+  for (const auto node : mesh_.middle) {
+    hold.nodes.push_back(scene_node(node));
+    hold.axes.push_back(kAxisY);
+    scene.held[hold.nodes.back()] |= kAxisY;
+    scene.positions[3 * std::size_t{hold.nodes.back()} + 1] = 0;
+  }
+  draft_.out.holds.push_back(std::move(hold));
+}
+
+void GearParts::hold_blocks() {
+  if (!plan_.ship) return;
+  Scene& scene = draft_.out.scene;
+  Hold hold{kShip, {}, {}};
+  for (const auto& point : gear_.points) {
+    if (point.point->name != kBlock) continue;
+    const std::uint32_t node = scene_node(mesh_.points.at(point.name));
+    hold.nodes.push_back(node);
+    hold.axes.push_back(kAllAxes);
+    scene.held[node] = kAllAxes;
+    std::copy(point.at->begin(), point.at->end(), scene.positions.begin() + 3 * std::ptrdiff_t{node});
+    if (!plan_.ship->path.empty())
+      scene.guides.push_back({{node}, {kAllAxes}, course_of_block(*plan_.ship, (*point.at)[1])});
+  }
+  draft_.out.holds.push_back(std::move(hold));
+  set_winches();
+  draft_.out.gear->ship_speed = plan_.ship->speed;
+  draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
+}
+
+/// Of a warp with a tension the length is found, and its winch holds the tension in a motion unless it is
+/// said how it runs. It starts at its block.
+void GearParts::set_winches() {
+  for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
+    const GearRope& rope = gear_.ropes[r];
+    const io::Rope& plan = *rope.rope;
+    if (!plan.tension && plan.winch.empty()) continue;
+    const std::uint32_t block = scene_node(mesh_.ropes[r].nodes.front());
+    const double tension = plan.tension.value_or(0),
+                 wanted = rope.is_mirrored ? plan.tension_port.value_or(tension) : tension;
+    if (plan.tension)
+      draft_.out.scene.settings.push_back({"length of " + rope.name, rope.name, datum::kRestLength.name,
+                                           datum::kRestLength.unit, block, wanted});
+    Winch winch{rope.name, parameter::kLengthShare.name, block,
+                rope.is_mirrored ? plan.length_port.value_or(plan.length) : plan.length, plan.winch};
+    if (winch.stages.empty())
+      winch.stages.push_back({.max_speed = kWinchSpeed, .band = kWinchBand * tension});
+    WinchStage& first = winch.stages.front();
+    if (plan.tension && first.follows == WinchStage::Follows::tension && first.rows.size() < 2)
+      first.rows = {{0, wanted}};
+    draft_.out.scene.winches.push_back(std::move(winch));
+  }
+}
+
+void GearParts::follow_holds() {
+  if (mesh_.nodes == 0) return;
+  Scene& scene = draft_.out.scene;
+  std::vector<KnownCoordinate> known = known_;
+  for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+    for (int axis = 0; axis < 3; ++axis)
+      if (const auto in = scene_node(node); scene.held[in] & (1 << axis) && !scene.frames.contains(in))
+        known.push_back({node, axis, scene.positions[3 * std::size_t{in} + static_cast<std::size_t>(axis)]});
+  const auto start = start_shape(gear_, mesh_, known);
+  for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+    std::copy_n(start.begin() + 3 * std::ptrdiff_t{node}, 3,
+                scene.positions.begin() + 3 * std::ptrdiff_t{scene_node(node)});
+}
+
+bool GearParts::has_name(const std::string& name) const {
+  const auto is_it = [&](const auto& one) { return one.name == name; };
+  return std::any_of(gear_.panels.begin(), gear_.panels.end(), is_it) ||
+         std::any_of(gear_.ropes.begin(), gear_.ropes.end(), is_it) ||
+         std::any_of(gear_.pieces.begin(), gear_.pieces.end(), is_it) ||
+         std::any_of(gear_.points.begin(), gear_.points.end(), is_it) ||
+         std::any_of(gear_.bodies.begin(), gear_.bodies.end(), is_it);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/geometry_keys.hpp"
+
+namespace netloft::io {
+
+namespace {
+
+using Shape = GeometryKey::Shape;
+const Range kCoordinates = between(-1e6, 1e6);
+const Range kMeshes{.lo = 0, .hi = 1e6, .lo_open = true};
+const Range kRadii = between(0, 1e4);
+
+/// The last word of a dotted name.
+std::string leaf(const GeometryKey& key) { return key.name.substr(key.name.find('.') + 1); }
+
+}  // namespace
+
+const GeometryKey kAt{"at", "m", "where the point starts", Shape::points, kCoordinates, exactly(1)};
+const GeometryKey kLength{
+    "length", "m", "unstretched length of the rope", Shape::real, {.lo = 0, .hi = 1e6, .lo_open = true}, {}};
+const GeometryKey kBars{"cells", "1", "bars the rope is divided into", Shape::integer, between(1, kMostCells),
+                        {}};
+const GeometryKey kLine{"sketch",      "m",          "points of the line along which the rope starts",
+                        Shape::points, kCoordinates, {.least = 2}};
+const GeometryKey kAcross{"panel.across", "1", "meshes across the panel", Shape::real, kMeshes, {}};
+const GeometryKey kAlong{"panel.along", "1", "meshes along the panel", Shape::real, kMeshes, {}};
+const GeometryKey kBar{"panel.bar",
+                       "m",
+                       "unstretched bar, from knot to knot: half the mesh size",
+                       Shape::real,
+                       {.lo = 0, .hi = 100, .lo_open = true},
+                       {}};
+const GeometryKey kNetting{
+    "panel.netting",
+    "1",
+    "how the netting hangs: diamond, meshes along; t90, the same turned by a right angle; "
+    "square, one twine direction along",
+    Shape::word,
+    {},
+    {},
+    false,
+    {"diamond", "t90", "square"}};
+const GeometryKey kCells{
+    "cells",   "1", "cells across and along, divided into triangles", Shape::integers, between(1, kMostCells),
+    exactly(2)};
+const GeometryKey kDivision{
+    "division",
+    "1",
+    "triangles of a cell: alternating, two, the diagonal changing from cell to cell; crossed, four about a "
+    "node in the middle",
+    Shape::word,
+    {},
+    {},
+    false,
+    {"alternating", "crossed"}};
+const GeometryKey kSquareCells{"cells",
+                               "1",
+                               "cells across and along, as many meshes wide as long, four bars each",
+                               Shape::integers,
+                               between(1, kMostCells),
+                               exactly(2)};
+const GeometryKey kCorners{
+    "sketch",      "m",          "corners: fore left, fore right, aft right, aft left; need not be accurate",
+    Shape::points, kCoordinates, exactly(4),
+    false};
+const GeometryKey kFrom{"tube.from",   "m",          "middle of the fore edge, of a panel sketched as a tube",
+                        Shape::points, kCoordinates, exactly(1),
+                        false};
+const GeometryKey kTo{"tube.to",  "m",  "middle of the aft edge of the tube", Shape::points, kCoordinates,
+                      exactly(1), false};
+const GeometryKey kRadius{"tube.radius", "m", "radius of the tube", Shape::real, kRadii, {}, false};
+const GeometryKey kRadiusAft{
+    "tube.radius_aft", "m", "radius at the aft edge, if it is another one", Shape::real, kRadii, {}, false};
+
+namespace {
+const Range kAngles = between(-3.15, 3.15);
+}
+const GeometryKey kOrigin{"at", "m", "where its origin starts", Shape::points, kCoordinates, exactly(1)};
+const GeometryKey kPoints{"points",
+                          "m",
+                          "places where parts are joined to it, by name: [aft, outward, up] from its origin",
+                          Shape::named_points,
+                          kCoordinates,
+                          {},
+                          false};
+const GeometryKey kSide{"side",
+                        "1",
+                        "side to which outward is; to port, what is given in its axes is mirrored",
+                        Shape::word,
+                        {},
+                        {},
+                        false,
+                        {"starboard", "port"}};
+const GeometryKey kHeading{"turned.heading",
+                           "rad",
+                           "angle at the start by which its nose is turned outward",
+                           Shape::real,
+                           kAngles,
+                           {},
+                           false};
+const GeometryKey kHeel{"turned.heel", "rad", "by which its top leans outward", Shape::real, kAngles, {},
+                        false};
+const GeometryKey kTrim{"turned.trim", "rad", "by which its nose is up", Shape::real, kAngles, {}, false};
+const GeometryKey kTurns{"turns",
+                         "1",
+                         "whether it turns freely, about one axis of the scene alone, or not at all",
+                         Shape::word,
+                         {},
+                         {},
+                         false,
+                         {"freely", "about x", "about y", "about z", "not"}};
+const GeometryKey kOutline{"outline",     "m",          "corners of its shape in pictures, in its own axes",
+                           Shape::points, kCoordinates, {.least = 3},
+                           false};
+
+double read_real(TableReader& table, const GeometryKey& key, std::optional<double> fallback) {
+  return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .fallback = fallback});
+}
+
+std::string read_word(TableReader& table, const GeometryKey& key) {
+  return table.choice(leaf(key), {.allowed = key.words, .doc = key.doc, .fallback = key.words[0]});
+}
+
+Point read_one_point(TableReader& table, const GeometryKey& key) {
+  const auto at =
+      table.reals(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .count = exactly(3)});
+  return at.size() == 3 ? Point{at[0], at[1], at[2]} : Point{};
+}
+
+std::vector<std::int64_t> read_integers(TableReader& table, const GeometryKey& key) {
+  const auto lo = static_cast<std::int64_t>(key.range.lo), hi = static_cast<std::int64_t>(key.range.hi);
+  if (key.shape == Shape::integer) return {table.integer(leaf(key), {.doc = key.doc, .lo = lo, .hi = hi})};
+  return table.integers(leaf(key), {.doc = key.doc, .lo = lo, .hi = hi, .count = key.count});
+}
+
+std::vector<Point> read_points(TableReader& table, const GeometryKey& key) {
+  std::vector<Point> points;
+  for (const auto& row : table.rows(
+           leaf(key),
+           {.unit = key.unit, .doc = key.doc, .range = key.range, .rows = key.count, .columns = exactly(3)}))
+    if (row.size() == 3) points.push_back({row[0], row[1], row[2]});
+  return points;
+}
+
+const std::vector<GeometryKey>& geometry_keys(Layout layout) {
+  static const ByLayout<std::vector<GeometryKey>> keys{
+      {kAt},
+      {kLength, kBars, kLine},
+      {kAcross, kAlong, kBar, kNetting, kCells, kDivision, kCorners, kFrom, kTo, kRadius, kRadiusAft},
+      {kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft},
+      {kOrigin, kPoints, kSide, kHeading, kHeel, kTrim, kTurns, kOutline}};
+  return keys.of(layout);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The keys with which parts say where they stand, and how they are read. For the readers of geometry alone.
+#pragma once
+#include "io/scenes/reading/geometry.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace netloft::io {
+
+inline constexpr std::int64_t kMostCells = 100000;  // along one direction
+
+using Point = std::array<double, 3>;
+
+/// What parts have that stand so or so.
+template <class T>
+struct ByLayout {
+  T point, line, panel_in_triangles, panel_in_bars, body;
+
+  const T& of(Layout layout) const {
+    switch (layout) {
+      case Layout::line:
+        return line;
+      case Layout::panel_in_triangles:
+        return panel_in_triangles;
+      case Layout::panel_in_bars:
+        return panel_in_bars;
+      case Layout::body:
+        return body;
+      default:
+        return point;
+    }
+  }
+};
+
+extern const GeometryKey kAt, kLength, kBars, kLine, kAcross, kAlong, kBar, kNetting, kCells, kDivision,
+    kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft, kOrigin, kPoints, kSide, kHeading, kHeel, kTrim,
+    kTurns, kOutline;
+
+double read_real(TableReader& table, const GeometryKey& key, std::optional<double> fallback = {});
+/// The first of those that are allowed if it is missing.
+std::string read_word(TableReader& table, const GeometryKey& key);
+/// A point that is needed; the origin if something is wrong with it.
+Point read_one_point(TableReader& table, const GeometryKey& key);
+/// One, where the key is of one integer.
+std::vector<std::int64_t> read_integers(TableReader& table, const GeometryKey& key);
+std::vector<Point> read_points(TableReader& table, const GeometryKey& key);
+
+inline double distance(const Point& a, const Point& b) {
+  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+inline Point between_points(const Point& a, const Point& b, double t) {
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+}
+
+inline void append(std::vector<double>& positions, const Point& p) {
+  positions.insert(positions.end(), p.begin(), p.end());
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/hold_reader.hpp"
+
+#include "io/scenes/reading/bodies.hpp"
+#include "io/scenes/reading/tow.hpp"
+#include "io/formats/units/in_quotes.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+void HoldReader::read() {
+  Holder holder(out_.scene);
+  for (auto& table : root_.tables("hold")) {
+    const int errors_before = diagnostics_.errors();
+    const HoldEntry entry = read_hold(table);
+    check_hold_name(entry, table);
+    if (table.kind("on") != Kind::text && table.kind("on") != Kind::array) continue;
+    const auto nodes = find_held(entry, table);
+    if (nodes.empty() || diagnostics_.errors() > errors_before) continue;
+    out_.holds.push_back(holder.hold(entry, nodes, table));
+    guide(read_course(table), entry, out_.holds.back(), table);
+    if (gear_ && out_.gear->times == 1) one_sided_.add(entry, table.place("on"));
+  }
+}
+
+/// Nodes of all that a hold names; empty where something is wrong with it.
+std::vector<std::uint32_t> HoldReader::find_held(const HoldEntry& entry, TableReader& table) {
+  std::vector<std::uint32_t> nodes;
+  std::size_t sets = 0;
+  for (std::size_t i = 0; i < entry.on.size(); ++i)
+    for (const auto& m : draft_.expand(mention_of_item(entry.on[i], table, "on", i))) {
+      const auto set = draft_.find_nodes(m);
+      if (!set || !draft_.is_sound[set->part]) return {};
+      const auto own = draft_.scene_nodes(*set);
+      if (const auto carried =
+              std::find_if(own.begin(), own.end(), [&](auto n) { return body_that_carries(out_.scene, n); });
+          carried != own.end()) {
+        refuse_carried(m, *carried);
+        return {};
+      }
+      nodes.insert(nodes.end(), own.begin(), own.end());
+      ++sets;
+    }
+  if (sets > 1) drop_repeats(nodes);
+  return nodes;
+}
+
+void HoldReader::refuse_carried(const Mention& m, std::uint32_t node) {
+  const std::string body = body_that_carries(out_.scene, node)->name;
+  diagnostics_.error(m.place,
+                     m.path + ": " + in_quotes(m.name) + " holds a point of the body " + in_quotes(body) +
+                         ", which carries it",
+                     "hold its origin, on = \"" + body + ".origin\"; turns = \"not\" in [bodies." + body +
+                         "] holds its attitude");
+}
+
+/// Lets what a hold holds go along a course.
+void HoldReader::guide(Course course, const HoldEntry& entry, const Hold& hold, TableReader& table) {
+  if (course.knots.empty()) return;
+  guides_.push_back(table);
+  const char* key = table.has("velocity") ? "velocity" : "displacement";
+  const bool is_turned = entry.frame || std::any_of(hold.nodes.begin(), hold.nodes.end(), [&](auto node) {
+                           return out_.scene.frames.contains(node);
+                         });
+  if (is_turned) table.error(key, "does not go with along and plane", "hold it by axes to move it");
+  out_.scene.guides.push_back({hold.nodes, hold.axes, std::move(course)});
+}
+
+void HoldReader::check_guides() {
+  TableReader analysis = root_.table("analysis", Presence::optional);
+  if (diagnostics_.where(analysis.place("kind")).starts_with("--set")) return;
+  for (auto& hold : guides_)
+    hold.error(hold.has("velocity") ? "velocity" : "displacement", "nothing moves in a static analysis",
+               "kind = \"dynamic\" in [analysis], or leave it out");
+  if (!plan_) return;
+  const auto refuse = [&](const char* what, Place place) {
+    diagnostics_.error(place, std::string(what) + ": nothing moves in a static analysis",
+                       "kind = \"dynamic\" in [analysis], or leave it out");
+  };
+  if (plan_->ship && !plan_->ship->path.empty()) refuse("ship.path", plan_->ship->path_place);
+  for (const auto& rope : plan_->ropes)
+    if (!rope.winch.empty()) refuse("ship.warp.winch", rope.winch_place);
+}
+
+void HoldReader::check_hold_name(const HoldEntry& entry, TableReader& table) {
+  const char* key = table.has("name") ? "name" : "on";
+  const auto [earlier, is_new] = hold_names_.emplace(entry.name, table.place(key));
+  if (!is_new && !entry.name.empty())
+    table.error(key,
+                "there is a hold named " + in_quotes(entry.name) + " already, at " +
+                    diagnostics_.where(earlier->second),
+                "give one of them a name of its own: name = \"…\"");
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/reading/loaded_scene.hpp"
+#include "io/formats/toml/table_reader.hpp"
+
+#include <optional>
+#include <unordered_map>
+
+namespace netloft::io {
+
+/// One `[[hold]]` as it is written.
+struct HoldEntry {
+  std::vector<std::string> on;
+  std::string name;
+  std::uint8_t axes = kAllAxes;
+  std::optional<std::array<double, 9>> frame;  // its own axes, for `along` and `plane`
+  bool as_sketched = false;                    // at = "sketch"
+  std::vector<std::array<double, 3>> at;       // points of a line; empty: not said
+};
+
+/// Errors are located and go to the diagnostics of `table`.
+HoldEntry read_hold(TableReader& table);
+
+/// Fixes nodes of a scene where the entries say, and finds entries that contradict one another.
+class Holder {
+ public:
+  explicit Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {}
+
+  /// `nodes` of the scene in the order of the set. What is held already counts with the entry that held it
+  /// first, so that the reactions of all holds add up to what holds the gear.
+  Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, TableReader& table);
+
+ private:
+  using Point = std::array<double, 3>;
+  /// Where an entry has put a node, along which axes, and where it says so.
+  struct Put {
+    Point point;
+    std::uint8_t axes;
+    Place said_at;
+  };
+
+  std::vector<Point> places(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes) const;
+  bool put(std::uint32_t node, const Put& put, TableReader& table);
+  bool holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const;
+  bool turn(std::uint32_t node, const std::array<double, 9>& frame);
+
+  Scene& scene_;
+  std::vector<double> sketch_;
+  std::unordered_map<std::uint32_t, std::vector<Put>> put_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/join_reader.hpp"
+#include "io/formats/units/in_quotes.hpp"
+
+namespace netloft::io {
+
+void JoinReader::read() {
+  Joiner joiner(draft_.geometries);
+  join_by_others(joiner);
+  for (auto& table : root_.tables("join")) {
+    if (gear_ && is_seam(table)) continue;
+    read_join(table, joiner);
+  }
+  if (diagnostics_.errors() == 0) check_joins(joiner);
+  number(joiner);
+}
+
+/// Nodes that meshes and the net plan have in common.
+void JoinReader::join_by_others(Joiner& joiner) const {
+  reading_.meshes.connect(joiner);
+  if (gear_) gear_->join(joiner);
+}
+
+void JoinReader::read_join(TableReader& table, Joiner& joiner) {
+  const int errors_before = diagnostics_.errors();
+  const bool together = table.boolean("together", {.doc = "all nodes become one", .fallback = false});
+  const auto points = table.texts("points", {.doc = "two or more points or edges that become one",
+                                             .count = {.least = together ? 1u : 2u}});
+  if (diagnostics_.errors() > errors_before) return;
+  std::vector<Joiner::Ends> sets;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (auto set = draft_.find_nodes(mention_of_item(points[i], table, "points", i))) sets.push_back(*set);
+  if (sets.size() != points.size() || !can_be_joined(sets, points, table, together)) return;
+  joins_.push_back({sets, mention("", table, "points"), together});
+  joins_.back().make(joiner);
+}
+
+bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
+                               TableReader& table, bool together) {
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    if (!draft_.is_sound[sets[s].part]) return false;  // it has no true number of nodes
+    if (!together && sets[s].own.size() != sets[0].own.size()) {
+      table.error("points",
+                  in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +
+                      in_quotes(points[s]) + " has " + std::to_string(sets[s].own.size()) +
+                      "; only as many to as many can be joined",
+                  "give both the same cells, join node by node (net.node-17), or write together = true to "
+                  "gather all in one");
+      return false;
+    }
+    for (std::size_t t = 0; t < s; ++t)
+      if (sets[s].part == sets[t].part && sets[s].own == sets[t].own) {
+        table.error("points", in_quotes(points[s]) + " is joined to itself");
+        return false;
+      }
+  }
+  return true;
+}
+
+/// Joins must leave every element its size. The first that does not is found by making them again one by
+/// one.
+void JoinReader::check_joins(Joiner& joiner) const {
+  if (!joiner.find_collapse(reading_.nodes_per_element())) return;
+  Joiner again(draft_.geometries);
+  join_by_others(again);
+  for (const auto& join : joins_) {
+    join.make(again);
+    if (const auto fault = again.find_collapse(reading_.nodes_per_element()))
+      return diagnostics_.error(join.at.place,
+                                join.at.path + ": " + in_quotes(draft_.out.scene.parts[fault->part].name) +
+                                    " element " + std::to_string(fault->element) +
+                                    " would have two of its corners in one node, and no size",
+                                "join nodes that are no neighbours: more cells make room");
+  }
+}
+
+/// Gives the nodes of the scene their numbers, and elements their nodes.
+void JoinReader::number(Joiner& joiner) {
+  LoadedScene& out = draft_.out;
+  joiner.number(out.scene);
+  for (std::size_t p = 0; p < draft_.geometries.size(); ++p) {
+    PartGeometry& names = draft_.geometries[p].names;
+    names.nodes = joiner.nodes(p);
+    for (const auto own : draft_.geometries[p].elements) out.scene.parts[p].nodes.push_back(names.nodes[own]);
+    out.parts.push_back(names);
+  }
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/parameters/parameters.hpp"
+#include "io/formats/toml/table_reader.hpp"
+
+#include <span>
+
+namespace netloft::io {
+
+/// Reads what a parameter table asks for out of a TOML table; a dot in a name is a table within ("twine.EA").
+/// What is absent and not required is left to its default. Errors are located and go to the diagnostics.
+Values read_parameters(std::span<const netloft_parameter> table, TableReader& from);
+
+}  // namespace netloft::io

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/reading/loaded_scene.hpp"
+#include "io/formats/units/in_quotes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// What is wrong with the name of a part or a result, as the end of a sentence; empty when nothing is.
+std::string name_fault(const std::string& name);
+
+/// Own nodes of a part by the name of a set, or "node-17". False: there is none.
+bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::string& name,
+                    std::vector<std::uint32_t>& own);
+
+/// "did you mean "rope"?", or what there is.
+std::string name_hint(const std::string& name, const std::vector<std::string>& there);
+
+/// The same for the sets and nodes of a part.
+std::string set_hint(const PartGeometry& part, std::size_t count, const std::string& name);
+
+}  // namespace netloft::io

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/plan_elements.hpp"
+
+#include "io/scenes/reading/gear_model.hpp"
+#include "io/scenes/reading/part_names.hpp"
+#include "io/scenes/reading/plan_contact.hpp"
+#include "io/formats/toml/merge.hpp"
+#include "io/formats/units/in_quotes.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+/// Numbers of the catalogue's that a part may know and its element need not: what is left is known.
+void drop_unknown_numbers(Table& numbers, const ElementType& type, const std::string& key) {
+  std::erase_if(numbers.members, [&](const Member& number) {
+    const std::string name = key + "." + number.key;
+    return std::none_of(type.parameters.begin(), type.parameters.end(),
+                        [&](const auto& p) { return name == p.name; });
+  });
+}
+
+const Value* find_exception(const std::map<std::string, Value>& exceptions, const std::string& name) {
+  const auto said = exceptions.find(name);
+  return said == exceptions.end() ? nullptr : &said->second;
+}
+
+}  // namespace
+
+PlanElements::PlanElements(const NetPlan& plan, const Gear& gear, TableReader& elements,
+                           const ElementChoice& choice)
+    : plan_(plan), choice_(choice), diagnostics_(elements.diagnostics()) {
+  for (const auto& of : gear_elements())
+    if (of.kind != std::string_view(kContact))
+      made_.push_back(read_elements(elements, of));
+    else if (const Value* said = elements.has(of.kind) ? elements.raw(of.kind) : nullptr;
+             said && said->as<Table>())
+      contact_ = *said;
+  read_exceptions(elements, gear);
+}
+
+/// Whether the name of a rope, a body or of the kind itself stands for what rests on the bed.
+bool PlanElements::touches_bed(const std::string& name) const {
+  if (!contact_) return false;
+  const io::Rope* rope = plan_.find_rope(name);
+  const PlanBody* body = plan_.find_body(name);
+  return name == kContact || (rope && rests_on_bed(*rope)) || (body && !shoes_of(*body).empty());
+}
+
+/// `[elements.top-codend]`: what one part of the plan is made of, over what all of its kind are.
+void PlanElements::read_exceptions(TableReader& elements, const Gear& gear) {
+  std::vector<std::string> names;
+  for (const auto& panel : gear.panels) names.push_back(panel.name);
+  for (const auto& rope : gear.ropes) names.push_back(rope.name);
+  for (const auto& pieces : gear.pieces) names.push_back(pieces.name);
+  for (const auto& body : gear.bodies) names.push_back(body.name);
+  for (const auto& of : gear_elements()) names.push_back(of.kind);
+  for (const auto& name : elements.keys()) {
+    const Value* said = elements.raw(name);
+    const auto meant = meant_by(name, names);
+    if (meant.empty())
+      elements.error(name, "there is nothing named " + in_quotes(name) + " in the net plan",
+                     name_hint(name, names));
+    else if (said->as<Table>() && said->as<Table>()->find(contact_elements().key) && !touches_bed(name))
+      elements.error(name,
+                     std::string("says ") + contact_elements().key + ", and " +
+                         (contact_ ? "does not touch the bed" : "nothing of the plan rests on the bed"),
+                     contact_ ? "footropes, bridles, sweeps, legs and boards with a toe or heel do"
+                              : "[elements.contact] lets all that touches it rest there");
+    else if (!said->as<Table>())
+      elements.error(name, "a table is expected, such as { drag = \"hydro/morison\" }");
+    else if (meant.front() == name)
+      exceptions_[name] = *said;
+    else
+      for (const auto& side : meant) exceptions_of_pairs_[side] = *said;
+  }
+}
+
+PlanElements::Made PlanElements::read_elements(TableReader& elements, const GearElements& of) const {
+  TableReader table = elements.table(of.kind, Presence::optional);
+  for (const auto& key : table.keys()) table.raw(key);  // read with each part
+  Made made{&of, {table.place(), Table{}}, nullptr};
+  if (const Value* said = elements.raw(of.kind); said && said->as<Table>()) made.said = *said;
+  made.type = choice_.find(
+      table.has("type") ? read_name(table, "type", "element type, such as priour/triangle") : of.type, table);
+  if (made.type && made.type->element.stencil != of.stencil) {
+    table.error("type", made.type->type + " does not stand on what " + of.doc + " are divided into",
+                std::string("such as ") + of.type);
+    made.type = nullptr;
+  }
+  return made;
+}
+
+const PlanElements::Made& PlanElements::made(std::string_view kind) const {
+  return *std::find_if(made_.begin(), made_.end(), [&](const auto& m) { return m.of->kind == kind; });
+}
+
+bool PlanElements::read_part(std::string_view kind, const std::string& path, Value numbers,
+                             bool is_of_catalogue, Part& part) const {
+  const Made& how = made(kind);
+  const int errors_before = diagnostics_.errors();
+  if (Table* table = numbers.as<Table>(); table && is_of_catalogue)
+    drop_unknown_numbers(*table, *how.type, how.of->key);
+  Value whole{numbers.place, Table{}};
+  put(*whole.as<Table>(), how.of->key, std::move(numbers));
+  merge(whole, how.said);
+  for (const auto* exceptions : {&exceptions_of_pairs_, &exceptions_})
+    if (const auto said = exceptions->find(part.name); said != exceptions->end())
+      merge(whole, without_contact(said->second));
+  TableReader reader(whole, diagnostics_, path);
+  reader.has("type");
+  choice_.read(*how.type, reader, part);
+  reader.finish();
+  return diagnostics_.errors() == errors_before;
+}
+
+Value PlanElements::contact_of(const std::string& name, std::vector<std::string> on, Place place) const {
+  const GearElements& of = contact_elements();
+  Value table{contact_->place, Table{}};
+  put(*table.as<Table>(), "type", {contact_->place, std::string(of.type)});
+  if (const double radius = radius_along(plan_, name); radius > 0) {
+    Table seabed;
+    put(seabed, "radius", {place, radius});
+    put(*table.as<Table>(), of.key, {place, std::move(seabed)});
+  }
+  merge(table, *contact_);
+  for (const auto* said :
+       {find_exception(exceptions_of_pairs_, "starboard-" + name), find_exception(exceptions_, name)})
+    if (said) merge(table, only_contact(*said));
+  Array names;
+  for (auto& point : on) names.items.push_back({place, std::move(point)});
+  put(*table.as<Table>(), "on", {place, std::move(names)});
+  return table;
+}
+
+}  // namespace netloft::io

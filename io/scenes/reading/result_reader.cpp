@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/result_reader.hpp"
+
+#include "io/scenes/reading/part_names.hpp"
+#include "io/scenes/reading/result_request.hpp"
+#include "io/formats/units/in_quotes.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+void ResultReader::read() {
+  const bool holds_are_known = diagnostics_.errors() == 0;
+  TableReader results = root_.table("results", Presence::optional);
+  for (const auto& name : results.keys()) {
+    if (const std::string fault = name_fault(name); !fault.empty())
+      diagnostics_.error(results.place(name), "the name of a result, " + in_quotes(name) + ", " + fault);
+    TableReader entry = results.table(name, Presence::required, "such as { of = \"net\", take = \"min z\" }");
+    read_result(name, entry, holds_are_known);
+  }
+}
+
+void ResultReader::read_result(const std::string& name, TableReader& entry, bool holds_are_known) {
+  ResultRequest request;
+  request.name = name;
+  request.of = read_name(entry, "of", "a part, an edge or a point");
+  request.take = read_name(entry, "take", "what of it, such as \"min z\" or \"max tension\"");
+  if (request.of.empty() || request.take.empty()) return;
+  const auto set = draft_.find_set(mention(request.of, entry, "of"));
+  if (!set || !draft_.types[set->part]) return;
+  request.part = static_cast<std::uint32_t>(set->part);
+  request.nodes = draft_.scene_nodes(*set);
+  if (draft_.geometries[set->part].body && request.of.find('.') == std::string::npos) {
+    request.nodes.resize(1);  // of a body as a whole its origin
+    request.body = static_cast<std::uint32_t>(out_.scene.body_at(request.nodes[0]).value_or(0));
+  }
+  drop_repeats(request.nodes);  // of a part that is joined to itself
+  if (!understand(request, *draft_.types[set->part], entry)) return;
+  if (request.nodes.empty() && draft_.is_sound[set->part] && request.source != ResultRequest::Source::output)
+    draft_.refuse_rider(mention("", entry, "take"), request.of);
+  if (holds_are_known) check_reaction(request, entry);
+  out_.results.push_back(std::move(request));
+}
+
+void ResultReader::check_reaction(const ResultRequest& request, TableReader& entry) {
+  const int axes = request.axis == 3 ? kAllAxes : 1 << request.axis;
+  const bool has_one = std::any_of(request.nodes.begin(), request.nodes.end(),
+                                   [&](auto node) { return out_.scene.held[node] & axes; });
+  if (request.source == ResultRequest::Source::reaction && !has_one)
+    entry.error("take",
+                "nothing of " + in_quotes(request.of) + " is held there, so there is no " + request.quantity,
+                "reactions are of what a [[hold]] holds");
+}
+
+}  // namespace netloft::io

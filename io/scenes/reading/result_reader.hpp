@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/reading/scene_reading.hpp"
+
+namespace netloft::io {
+
+/// Reads `[results]`: what is asked of the answer, and whether there is such a thing.
+class ResultReader : ReadingStep {
+ public:
+  explicit ResultReader(SceneReading& reading) : ReadingStep(reading) {}
+
+  void read();
+
+ private:
+  void read_result(const std::string& name, TableReader& entry, bool holds_are_known);
+  void check_reaction(const ResultRequest& request, TableReader& entry);
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/rider_reader.hpp"
+
+#include "framework/scene/pairs.hpp"
+#include "io/scenes/reading/keys.hpp"
+#include "io/scenes/reading/part_reader.hpp"
+#include "io/scenes/reading/riders.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+bool rests_on_bed(const ElementType& type) {
+  const auto both = NETLOFT_READS_BED | NETLOFT_FROM_OUTSIDE;
+  return type.element.stencil == NETLOFT_NODE && std::ranges::any_of(type.terms, [&](const auto& term) {
+           return (term.traits & both) == std::uint32_t{both};
+         });
+}
+
+/// What only the riders of a part know has been handed to them.
+void keep_own_parameters(Part& part, const ElementType& type) {
+  std::erase_if(part.parameters, [&](const auto& given) {
+    return std::none_of(type.parameters.begin(), type.parameters.end(),
+                        [&](const auto& p) { return given.first == p.name; });
+  });
+}
+
+}  // namespace
+
+void RiderReader::read(const std::string& name, TableReader& table) {
+  const int errors_before = diagnostics_.errors();
+  const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
+  Part part;
+  part.name = name;
+  if (type) {
+    elements_.read(*type, table, part);
+    stand_on_others(*type, table, draft_, part);
+  } else {
+    for (const auto& key : table.keys()) table.raw(key);
+  }
+  draft_.add_rider(std::move(part), table.place(), type, diagnostics_.errors() == errors_before);
+}
+
+void RiderReader::read_contacts() {
+  const std::set<std::uint32_t> carried = carried_by_beds();
+  if (const auto all = gear_->contacts(carried); !all.empty() && !out_.scene.bed.is_there)
+    return diagnostics_.error(
+        all.front().second.place,
+        "elements." + std::string(kContact) + ": there is no bed that the gear could touch",
+        "[bed] depth = \"100 m\"");
+  for (const auto& [name, said] : gear_->contacts(carried)) {
+    TableReader table(said, diagnostics_, "elements." + std::string(kContact));
+    const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
+    if (type && !rests_on_bed(*type))
+      return table.error("type", type->type + " does not rest on the bed of the scene", "such as seabed/bed");
+    read(name, table);
+    table.finish();
+    if (diagnostics_.errors()) return;  // said once, not of every rope
+  }
+  if (out_.scene.bed.is_there && gear_->sinks_into_bed(carried))
+    diagnostics_.warning(
+        root_.table("bed").place(), "the footrope passes through the bed: no part carries the gear there",
+        "[elements.contact] seabed = { friction = 0.47 } lets all of the plan that touches the bed "
+        "rest on it");
+}
+
+/// Nodes that parts of the scene carry which stand on a bed.
+std::set<std::uint32_t> RiderReader::carried_by_beds() const {
+  std::set<std::uint32_t> nodes;
+  for (std::size_t p = 0; p < draft_.types.size(); ++p)
+    if (draft_.types[p] && rests_on_bed(*draft_.types[p]))
+      nodes.insert(out_.scene.parts[p].nodes.begin(), out_.scene.parts[p].nodes.end());
+  return nodes;
+}
+
+void RiderReader::add_companions() {
+  if (diagnostics_.errors()) return;
+  for (std::size_t p = 0, parts = out_.scene.parts.size(); p < parts; ++p) {
+    const ElementType& type = *draft_.types[p];
+    for (const auto* rider : elements_.companions_of(type)) {
+      Part companion = make_companion(out_.scene.parts[p], type, *rider);
+      if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;  // it has no pairs
+      companions_.push_back(rider);
+      out_.scene.parts.push_back(std::move(companion));
+      out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}, {}});
+    }
+    keep_own_parameters(out_.scene.parts[p], type);
+  }
+}
+
+}  // namespace netloft::io

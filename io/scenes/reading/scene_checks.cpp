@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/scene_checks.hpp"
+
+#include "io/scenes/reading/beds.hpp"
+#include "io/scenes/reading/halves.hpp"
+#include "io/scenes/reading/tow.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+/// Parameters across the plane y = 0, which are called so.
+void check_symmetric_parameters(const SceneReading& reading, const std::string& cure) {
+  const LoadedScene& out = reading.draft.out;
+  for (std::size_t p = 0; p < reading.draft.types.size(); ++p) {
+    const ElementType* type = reading.draft.types[p];  // null for one that is not there, which was said
+    if (!type || type->is_on_body()) continue;         // whose y is outward
+    const Part& part = out.scene.parts[p];
+    for (const auto& [name, value] : part.parameters)
+      if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
+        reading.diagnostics.error(out.place_of(part.name),
+                                  part.name + ": " + name + " is not zero, and tells port from starboard",
+                                  cure);
+  }
+}
+
+/// A start from which a gear can come free is a warning; what is held stays where it is.
+void check_crossings(const LoadedScene& out, Diagnostics& diagnostics) {
+  for (const auto& crossing : find_crossings(out, out.scene.positions)) {
+    const Place place = out.parts[crossing.part].place;
+    const std::string fault = "at the start " + crossing.sentence;
+    if (crossing.is_held)
+      diagnostics.error(place, fault, "hold what is to starboard at a positive y");
+    else
+      diagnostics.warning(place, fault, "let it start at a positive y");
+  }
+}
+
+void check_held(const SceneReading& reading) {
+  const LoadedScene& out = reading.draft.out;
+  for (const auto& fault : find_loose_parts(out.scene, reading.nodes_per_element()))
+    reading.diagnostics.error(out.place_of(fault.part), fault.message);
+}
+
+/// Friction of what the gear is towed over points aft only if the ground passes, too.
+void check_ground(const Draft& draft, Diagnostics& diagnostics) {
+  const LoadedScene& out = draft.out;
+  for (std::size_t p = 0; p < draft.types.size(); ++p)
+    if (is_rubbed_by_standing_ground(out.scene, out.scene.parts[p], *draft.types[p]))
+      diagnostics.warning(
+          out.parts[p].place,
+          out.scene.parts[p].name +
+              ": its friction is that of a ground that stands, in "
+              "water that flows; a towed gear passes both",
+          "[tow] speed = \"3 kn\" lets both pass, instead of water.current; [tow] speed = 0 says "
+          "that the ground stands");
+}
+
+/// What lies on the bed of the scene wants one.
+void check_bed(const Draft& draft, Diagnostics& diagnostics) {
+  const LoadedScene& out = draft.out;
+  for (std::size_t p = 0; p < draft.types.size(); ++p)
+    for (const auto& term : draft.types[p]->terms)
+      if (const auto both = NETLOFT_READS_BED | NETLOFT_FROM_OUTSIDE;
+          (term.traits & both) == std::uint32_t{both} && names_needed_by(term).empty())
+        diagnostics.error(out.parts[p].place,
+                          out.scene.parts[p].name + ": " + draft.types[p]->type +
+                              " stands on the bed of the scene, and there is none",
+                          "[bed] depth = \"100 m\"");
+}
+
+}  // namespace
+
+void check_symmetry(SceneReading& reading, const WaterReader& water) {
+  const LoadedScene& out = reading.out();
+  const std::string cure = "[gear] extent = \"whole\"";
+  const auto across = [](const auto& all) {
+    return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.velocity[1] != 0; });
+  };
+  if (across(out.scene.current.samples) || across(out.scene.current.drifts)) {
+    reading.root.table("water", Presence::optional)
+        .error("current", "flows across the plane y = 0, of which half a gear is the mirror image", cure);
+  }
+  if (out.scene.ground[1] != 0) {
+    reading.root.table("tow").error(
+        "leeway", "leads across the plane y = 0, of which half a gear is the mirror image", cure);
+  }
+  if (const char* key = water.uneven_key()) {
+    reading.root.table("bed").error(
+        key, "tells port from starboard of the plane y = 0, of which half a gear is the mirror image", cure);
+  }
+  check_symmetric_parameters(reading, cure);
+}
+
+void check_scene(SceneReading& reading, const WaterReader& water) {
+  check_held(reading);
+  if (!water.says_tow()) check_ground(reading.draft, reading.diagnostics);
+  if (!reading.out().scene.bed.is_there) check_bed(reading.draft, reading.diagnostics);
+  check_beds(reading.out(), reading.diagnostics);
+  check_crossings(reading.out(), reading.diagnostics);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/ship_course.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+/// Between two knots of the course: a cubic is 2e-8 of its radius from an arc of that angle.
+constexpr double kArc = 0.05;  // [rad]
+
+ShipMoment between(const ShipMoment& a, const ShipMoment& b, double s) {
+  return {a.t + s * (b.t - a.t), a.speed + s * (b.speed - a.speed), a.heading + s * (b.heading - a.heading)};
+}
+
+Course::Point velocity(const Ship& ship, const ShipMoment& m) {
+  return {ship.speed - m.speed * std::cos(m.heading), m.speed * std::sin(m.heading), 0};
+}
+
+double rate_of_turn(const ShipMoment& a, const ShipMoment& b) {
+  return (b.heading - a.heading) / (b.t - a.t);
+}
+
+/// The smaller one where a turn begins, ends or changes: a course has one velocity there, and that of the
+/// block jumps. It is made up for on the side that turns more, where knots are close.
+double at_corner(double before, double after) {
+  if (before * after <= 0) return 0;
+  return std::abs(before) < std::abs(after) ? before : after;
+}
+
+/// The moments of a path, as close to each other as (1) is followed, with dψ/dt.
+struct Row {
+  std::vector<ShipMoment> moments;
+  std::vector<double> turns;
+};
+Row divide(const std::vector<ShipMoment>& path) {
+  Row row{{path.front()}, {0}};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double turn = rate_of_turn(path[i - 1], path[i]);
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil(std::abs(path[i].heading - path[i - 1].heading) / kArc)));
+    if (i > 1) row.turns.back() = at_corner(row.turns.back(), turn);
+    for (int k = 1; k <= parts; ++k) {
+      row.moments.push_back(between(path[i - 1], path[i], double(k) / parts));
+      row.turns.push_back(turn);
+    }
+  }
+  row.turns.back() = 0;
+  return row;
+}
+
+}  // namespace
+
+Course course_of_block(const Ship& ship, double from_the_middle) {
+  const bool are_two = !ship.path_port.empty();
+  const double across = are_two ? 0 : from_the_middle;
+  const Row row = divide(are_two && from_the_middle < 0 ? ship.path_port : ship.path);
+  Course course;
+  Course::Point way{};
+  for (std::size_t i = 0; i < row.moments.size(); ++i) {
+    const ShipMoment& m = row.moments[i];
+    if (i > 0) {  // Simpson's rule
+      const ShipMoment& before = row.moments[i - 1];
+      const auto v0 = velocity(ship, before), v1 = velocity(ship, between(before, m, 0.5)),
+                 v2 = velocity(ship, m);
+      for (std::size_t k = 0; k < 3; ++k) way[k] += (m.t - before.t) / 6 * (v0[k] + 4 * v1[k] + v2[k]);
+    }
+    const double s = std::sin(m.heading), c = std::cos(m.heading), turn = across * row.turns[i];
+    Course::Knot knot{m.t, way, velocity(ship, m)};  // (1)
+    knot.d[0] += across * s;
+    knot.d[1] += across * (c - 1);
+    knot.v[0] += turn * c;
+    knot.v[1] -= turn * s;
+    course.knots.push_back(knot);
+  }
+  return course;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/water_reader.hpp"
+
+#include "io/scenes/water/current.hpp"
+#include "io/scenes/reading/parameter_reader.hpp"
+#include "io/scenes/reading/tow.hpp"
+#include "io/scenes/reading/waves.hpp"
+#include "io/formats/units/in_quotes.hpp"
+#include "io/formats/units/units.hpp"
+
+#include <cmath>
+
+namespace netloft::io {
+
+void WaterReader::read() {
+  TableReader water = root_.table("water", Presence::optional);
+  const Values values = read_parameters(water_keys(), water);
+  std::vector<std::string> faults;
+  const ParameterBlock block(water_keys(), sizeof(WaterKeys), values, faults);
+  if (faults.empty()) take_water(*static_cast<const WaterKeys*>(block.data()), water);
+  out_.scene.current = read_current(water);
+  if ((says_tow_ = root_.has("tow"))) read_tow(root_.table("tow"), out_.scene);
+  if (root_.has("bed")) bottom_ = read_bed(root_.table("bed"), out_.scene);
+  read_ship();
+  out_.scene.waves = read_waves(water, out_.scene);
+}
+
+void WaterReader::check_waves() {
+  if (!out_.scene.waves ||
+      diagnostics_.where(root_.table("analysis", Presence::optional).place("kind")).starts_with("--set"))
+    return;
+  TableReader water = root_.table("water");
+  water.error("waves", "act on nothing in a static analysis",
+              "kind = \"dynamic\" in [analysis], or leave them out");
+}
+
+/// A ship tows the gear of a net plan.
+void WaterReader::read_ship() {
+  if (!root_.has("ship")) return;
+  if (!plan_)
+    return root_.error("ship", "tows a gear from a net plan, and there is none",
+                       "[tow] speed and a [[hold]] tow other gears");
+  if (says_tow_)
+    diagnostics_.error(plan_->ship->speed_place, "ship.speed stands beside [tow], and either tows the gear",
+                       "leave out one of them");
+  says_tow_ = true;
+  out_.scene.ground = {plan_->ship->speed, 0, 0};
+  out_.scene.current.tow = out_.scene.ground;
+}
+
+/// A model at 1 : s in water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the
+/// gear in water of viscosity ν s^1.5, and where nothing stretches all else is similar (W. Froude).
+void WaterReader::take_water(const WaterKeys& keys, TableReader& water) {
+  out_.scene.water = keys;
+  if (keys.model_twine_scale == 0) {
+    out_.scene.water.viscosity *= std::pow(keys.model_scale, 1.5);
+    return;
+  }
+  const bool is_whole = keys.model_twine_scale >= 1;
+  if (!is_whole || keys.model_twine_scale > keys.model_scale)
+    water.error("model_twine_scale",
+                "is outside [1, " + format(keys.model_scale) +
+                    "]: by Tauti's rule twines are scaled less than lengths",
+                is_whole ? "model_scale = " + format(keys.model_twine_scale) + ", or more"
+                         : "model_twine_scale = 1, or more; none for Froude's rule");
+  tauti_ = TautiModel{keys.model_scale, keys.model_twine_scale};
+  out_.scene.water.viscosity *= tauti_->viscosity_of_netting();
+}
+
+void WaterReader::take_model() {
+  if (!tauti_ || diagnostics_.errors() > 0) return;
+  if (const Part* dry = find_part_above_water(out_.scene))
+    root_.table("water").error("model_twine_scale", "Tauti's rule is for what is under water, and " +
+                                                        in_quotes(dry->name) + " may be above it");
+  if (out_.analysis.kind == AnalysisKind::dynamics)
+    root_.table("water").error("model_twine_scale",
+                               "Tauti's rule knows no masses: it is for kind = \"static\"");
+  tauti_->scale_ropes_and_floats(out_.scene);
+}
+
+void WaterReader::lay_bottom() {
+  if (bottom_.empty()) return;
+  bool is_felt = false;
+  for (std::size_t p = 0; p < draft_.types.size(); ++p)
+    is_felt |= bottom_.lay_under(*draft_.types[p], out_.scene.parts[p]);
+  if (!is_felt)
+    root_.table("bed").error("bottom", "has no effect: nothing rests on the bed that would feel it",
+                             "a part of the type seabed/bed, or a board that ploughs");
+}
+
+const char* WaterReader::uneven_key() const {
+  const SeaBed& bed = out_.scene.bed;
+  if (bed.slope_y != 0) return "slope_y";
+  if (!bed.relief.empty() && !bed.relief.is_even_in_y()) return "relief";
+  return bottom_.is_symmetric() ? nullptr : "bottom";
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/reading/bottom.hpp"
+#include "io/scenes/reading/keys.hpp"
+#include "io/scenes/reading/scene_reading.hpp"
+#include "io/scenes/reading/tauti.hpp"
+
+namespace netloft::io {
+
+/// Reads what a gear is towed through and over: `[water]`, `[tow]`, `[bed]`, and the speed of the `[ship]`.
+class WaterReader : ReadingStep {
+ public:
+  explicit WaterReader(SceneReading& reading) : ReadingStep(reading) {}
+
+  void read();
+  /// Waves act on what moves; a static result would be one of still water.
+  void check_waves();
+  /// Forces of an equilibrium are similar by Tauti's rule, masses are not.
+  void take_model();
+  /// What the bed is made of, under all parts that rest on it.
+  void lay_bottom();
+  /// The key of the bed that tells port from starboard; null: none does.
+  const char* uneven_key() const;
+  bool says_tow() const { return says_tow_; }
+
+ private:
+  void read_ship();
+  void take_water(const WaterKeys& keys, TableReader& water);
+
+  bool says_tow_ = false;
+  SeaBottom bottom_;
+  std::optional<TautiModel> tauti_;
+};
+
+}  // namespace netloft::io

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/waves.hpp"
+
+#include "io/scenes/reading/keys.hpp"
+#include "io/scenes/reading/parameter_reader.hpp"
+#include "io/formats/units/in_metres.hpp"
+#include "io/scenes/water/jonswap.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace netloft::io {
+
+namespace {
+
+double depth_of(const WaveKeys& keys, const Scene& scene) {
+  if (keys.depth > 0) return keys.depth;
+  return scene.bed.is_there && scene.bed.depth > 0 ? scene.bed.depth
+                                                   : std::numeric_limits<double>::infinity();
+}
+
+bool is_drawn(const WaveKeys& keys) { return keys.spectrum != 0; }
+
+/// Keys of the other kind of waves would be read and mean nothing.
+void refuse_idle(const WaveKeys& keys, TableReader& waves) {
+  if (is_drawn(keys)) {
+    if (waves.has("phase"))
+      waves.error("phase", "is drawn for each wave of a spectrum", "leave it out; seed draws other phases");
+    return;
+  }
+  for (const char* key : {"peakedness", "components", "seed"})
+    if (waves.has(key))
+      waves.error(key, "belongs to a spectrum, and these waves are regular", "spectrum = \"jonswap\"");
+}
+
+/// The height of one wave, or the significant height at the period of the peak.
+void check_height(const WaveKeys& keys, double k, double depth, TableReader& waves) {
+  const double length = 2 * std::numbers::pi / k, highest = highest_wave(k, depth);
+  if (keys.height >= highest)
+    waves.error("height",
+                "= " + in_metres(keys.height) + " breaks: waves of this period are " + in_metres(length) +
+                    " long and at most " + in_metres(highest) + " high",
+                "a smaller height or a longer period");
+}
+
+void check_depth(double k, double depth, bool is_own, TableReader& waves) {
+  if (!is_shallow(k, depth)) return;
+  waves.error(is_own ? "depth" : "period",
+              "makes waves of " + in_metres(2 * std::numbers::pi / k) + " in " + in_metres(depth) +
+                  " of water, longer than 20 depths: linear waves do not describe them",
+              "a shorter period or deeper water");
+}
+
+AiryWaves::Sea sea_of(const WaveKeys& keys, double depth) {
+  AiryWaves::Sea sea{{}, keys.direction, depth, keys.ramp, keys.stretching == 0};
+  if (is_drawn(keys))
+    sea.components = draw({keys.height, keys.period, keys.peakedness, keys.components, keys.seed});
+  else
+    sea.components = {{keys.height / 2, 2 * std::numbers::pi / keys.period, keys.phase}};
+  return sea;
+}
+
+}  // namespace
+
+std::shared_ptr<const WaterField> read_waves(TableReader& water, const Scene& scene) {
+  if (!water.has("waves")) return nullptr;
+  TableReader waves = water.table("waves");
+  const std::size_t before = waves.diagnostics().errors();
+  const Values values = read_parameters(wave_keys(), waves);
+  std::vector<std::string> faults;
+  const ParameterBlock block(wave_keys(), sizeof(WaveKeys), values, faults);
+  if (!faults.empty() || waves.diagnostics().errors() > before) return nullptr;
+  const auto& keys = *static_cast<const WaveKeys*>(block.data());
+  refuse_idle(keys, waves);
+  if (scene.water.gravity == 0) {
+    waves.error("height", "stands in water without gravity, which has no waves", "water.gravity = 9.80665");
+    return nullptr;
+  }
+  const double depth = depth_of(keys, scene), omega = 2 * std::numbers::pi / keys.period;
+  const double k = wave_number(omega, scene.water.gravity, depth);
+  check_height(keys, k, depth, waves);
+  check_depth(k, depth, keys.depth > 0, waves);
+  if (waves.diagnostics().errors() > before) return nullptr;
+  return std::make_shared<AiryWaves>(sea_of(keys, depth), scene.water.gravity, scene.current);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/scene/scene.hpp"
+#include "io/formats/toml/table_reader.hpp"
+
+#include <memory>
+
+namespace netloft::io {
+
+/// `water.waves` of a scene whose water, current and bed have been read; null if it is absent or wrong.
+std::shared_ptr<const WaterField> read_waves(TableReader& water, const Scene& scene);
+
+}  // namespace netloft::io

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/scene/scene.hpp"
+#include "io/formats/toml/table_reader.hpp"
+
+namespace netloft::io {
+
+/// `water.current`: one velocity [vx, vy, vz], or a profile { z = […], x = […], y = […] } over height.
+/// Absent: still.
+Current read_current(TableReader& water);
+
+}  // namespace netloft::io

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/diagnostics.hpp"
+#include "io/studies/variables/distribution.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// A scene that something was measured of.
+struct CalibrationScene {
+  std::string name;
+  std::string file;  // from the folder of the calibration file
+  Place place;
+  std::vector<std::string> set;  // as `--set` takes them
+};
+
+/// What is not known of the scenes, with what is known of it before.
+struct CalibrationVariable {
+  Variable variable;
+  Distribution distribution;
+  std::vector<std::size_t> scenes;  // that have it
+  /// Whether it is one of all scenes, and not set for one of them.
+  bool is_shared = true;
+  double prior_mean() const;
+  double prior_deviation() const;
+};
+
+/// What was measured of a figure of a scene. Value and deviation are texts with units until the unit of the
+/// figure is known.
+struct MeasuredFigure {
+  std::size_t scene = 0;
+  std::string figure;  // "gear/mouth/headline_height", as in a study
+  Place place, value_place;
+  std::string value, deviation;
+  bool is_held_back = false;
+};
+
+/// What a calibration file says (CALIBRATION.md).
+struct CalibrationFile {
+  std::string name;         // of the file, without its ending
+  double confidence = 0.9;  // of intervals and bands
+  std::vector<CalibrationScene> scenes;
+  std::vector<CalibrationVariable> variables;
+  std::vector<MeasuredFigure> measured;
+};
+
+/// Reads a calibration file; what is wrong goes to `diagnostics`, and then the result must not be used.
+CalibrationFile read_calibration_file(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+}  // namespace netloft::io

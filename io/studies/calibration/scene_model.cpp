@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/calibration/scene_model.hpp"
+
+#include "io/studies/sweep/path_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr int kIterations = 30;  // from the equilibrium before, until it is looked for anew
+constexpr double kStep = 0.1;    // of the prior's deviation: above the noise of solves, below their curvature
+
+double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
+  const auto at = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == name; });
+  return at == figures.end() ? std::numeric_limits<double>::quiet_NaN() : at->value;
+}
+
+bool all_finite(const std::vector<double>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+/// A scene that has been solved, from which it is solved again.
+struct SceneModel::Solved {
+  std::unique_ptr<Case> the_case;
+  std::vector<double> x;  // over all degrees of freedom [m]
+  bool is_stable = true;
+};
+
+std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t scene,
+                                      const std::vector<double>& parameters) {
+  std::vector<std::string> words = file.scenes[scene].set;
+  for (std::size_t v = 0; v < file.variables.size(); ++v) {
+    const CalibrationVariable& variable = file.variables[v];
+    if (std::find(variable.scenes.begin(), variable.scenes.end(), scene) == variable.scenes.end()) continue;
+    for (auto& word : variable.variable.overrides(variable.variable.value_of(parameters[v])))
+      words.push_back(std::move(word));
+  }
+  return words;
+}
+
+SceneModel::SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry,
+                       Watch watch, OnSolve on_solve)
+    : file_(file),
+      folder_(std::move(folder)),
+      registry_(registry),
+      watch_(std::move(watch)),
+      on_solve_(std::move(on_solve)),
+      last_(file.scenes.size()) {}
+
+SceneModel::~SceneModel() = default;
+
+std::vector<std::string> SceneModel::unstable() const {
+  std::vector<std::string> names;
+  for (std::size_t s = 0; s < last_.size(); ++s)
+    if (!last_[s].is_stable) names.push_back(file_.scenes[s].name);
+  return names;
+}
+
+/// The figures measured of one scene, in the order of the file. `from` is where it was solved before.
+std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
+                                                       const std::vector<double>& parameters, Solved& from,
+                                                       bool keep) {
+  auto the_case = std::make_unique<Case>(
+      CaseSource{folder_ / file_.scenes[scene].file, overrides_of(file_, scene, parameters), 1}, registry_);
+  trouble_ = file_.scenes[scene].name + ": ";
+  if (the_case->open() != Case::State::ready)
+    return trouble_ += "it cannot be read with these values", std::nullopt;
+  Solution found;
+  ++solves_;
+  if (from.the_case && the_case->has_topology_of(*from.the_case))
+    found = the_case->continue_from(the_case->assembler().displacements_to(from.x), kIterations, watch_);
+  if (!is_stationary(found)) found = the_case->solve(watch_);
+  if (on_solve_) on_solve_(static_cast<std::size_t>(solves_), file_.scenes[scene].name);
+  if (!is_stationary(found))
+    return trouble_ += std::string(name_of(found.status)) + "; " + found.reason, std::nullopt;
+  const auto all = figures_of(*the_case, found);
+  std::vector<double> figures;
+  for (const MeasuredFigure& m : file_.measured)
+    if (m.scene == scene) figures.push_back(figure_named(all, m.figure));
+  if (!all_finite(figures)) return trouble_ += "a figure has no value there", std::nullopt;
+  if (keep) from = {std::move(the_case), found.x, found.status == SolveStatus::converged};
+  return figures;
+}
+
+std::optional<std::vector<double>> SceneModel::predict(const std::vector<double>& parameters) {
+  std::vector<std::vector<double>> of_scene;
+  for (std::size_t s = 0; s < file_.scenes.size(); ++s) {
+    if (is_interrupted()) return std::nullopt;
+    auto found = figures(s, parameters, last_[s], true);
+    if (!found) return std::nullopt;
+    of_scene.push_back(std::move(*found));
+  }
+  std::vector<double> predicted;
+  std::vector<std::size_t> next(of_scene.size(), 0);
+  for (const MeasuredFigure& m : file_.measured) predicted.push_back(of_scene[m.scene][next[m.scene]++]);
+  return predicted;
+}
+
+double SceneModel::step_to(std::size_t variable, double from, int side) const {
+  const CalibrationVariable& v = file_.variables[variable];
+  return std::clamp(from + side * kStep * v.prior_deviation(), v.variable.interval->low,
+                    v.variable.interval->high);
+}
+
+std::optional<std::vector<std::vector<double>>> SceneModel::slopes(const std::vector<double>& parameters) {
+  std::vector<std::vector<double>> rows(file_.measured.size(), std::vector<double>(parameters.size(), 0.0));
+  for (std::size_t v = 0; v < parameters.size(); ++v)
+    for (const std::size_t scene : file_.variables[v].scenes) {
+      if (is_interrupted()) return std::nullopt;
+      std::vector<double> left = parameters, right = parameters;
+      left[v] = step_to(v, parameters[v], -1);
+      right[v] = step_to(v, parameters[v], 1);
+      const auto below = figures(scene, left, last_[scene], false),
+                 above = figures(scene, right, last_[scene], false);
+      if (!below || !above) return std::nullopt;
+      std::size_t next = 0;
+      for (std::size_t m = 0; m < file_.measured.size(); ++m) {
+        if (file_.measured[m].scene != scene) continue;
+        rows[m][v] = ((*above)[next] - (*below)[next]) / (right[v] - left[v]);
+        ++next;
+      }
+    }
+  return rows;
+}
+
+}  // namespace netloft::io

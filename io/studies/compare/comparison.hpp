@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/compare/discretisation.hpp"
+#include "io/studies/compare/reference_path.hpp"
+
+#include <map>
+
+namespace netloft::io {
+
+/// The methods, tolerances and meshes that a comparison runs.
+struct ComparisonTask {
+  bool is_of_motions = false;      // methods are integrators
+  std::vector<Method> methods;     // at least one
+  std::vector<double> tolerances;  // decreasing; accuracies, if methods are integrators
+  int repeats = 3;                 // runs of every trial; the cheapest counts
+  std::string reference;  // solver or integrator asked for references; empty: one other than the method
+  std::optional<CellList> cells;  // meshes for the discretisation error
+  // Integrators among the methods whose plugins are not installed, and a sentence about each.
+  std::map<std::string, std::string> absent;
+};
+
+/// The distance of a method's answer from a reference that is a different equilibrium.
+struct OtherEquilibrium {
+  double distance = 0;           // largest distance of a node [m]
+  double energy_difference = 0;  // energy of the method's answer minus that of the reference [J]
+  bool has_energy = false;       // false: some forces have no energy
+};
+
+/// One method at every tolerance, with the reference that its errors are measured against.
+struct MethodResult {
+  Method method;
+  std::vector<Trial> trials;
+  std::optional<ReferenceAnswer> reference;  // empty: no other solver converged
+  std::optional<OtherEquilibrium> other;     // if set, distances are no errors and the trials have none
+  bool is_absent = false;                    // its one trial says why
+};
+
+/// Speed against error of several methods on one scene.
+struct Comparison {
+  bool is_of_motions = false;
+  std::string scene, mesh;  // "32 x 32 cells of net"
+  std::size_t unknowns = 0;
+  double factorisation_seconds = 0;  // processor time of one numeric factorisation of the same tangent
+  int repeats = 1;
+  double size = 0;  // diagonal of the gear's bounding box [m]
+  std::vector<MethodResult> methods;
+  std::optional<Discretisation> discretisation;
+  bool is_interrupted = false;  // by the user: methods that had not begun are left out, and what comes after
+
+  bool any_converged() const;
+  bool any_failed() const;  // the plugin of a method, in a trial
+};
+
+/// Runs all trials. The scene must have been opened with every method before, so that it is known to be free
+/// of errors. Throws std::runtime_error if it has errors, std::invalid_argument for divisions that the scene
+/// does not have.
+Comparison compare(const CaseSource& source, Registry& registry, const ComparisonTask& task,
+                   const Watch& watch);
+
+}  // namespace netloft::io

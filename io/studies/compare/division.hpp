@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/scenes/reading/loaded_scene.hpp"
+
+#include <cstdint>
+
+namespace netloft::io {
+
+/// One division of a scene into cells, or of a scene with a net plan into nodes of the gear.
+struct MeshLevel {
+  // cells of the leading part across or along it, or the approximate number of gear nodes
+  std::int64_t cells = 0;
+  std::vector<std::string> overrides;
+};
+
+/// The measure of how finely a scene is divided, by which meshes are compared.
+struct MeshSize {
+  std::int64_t count = 0;  // cells of the leading part, or nodes of a gear
+  double width = 0;        // mesh width in arbitrary units: 1/cells, 1/√nodes
+  std::string of;          // what is counted: "cells of net", "nodes of the gear"
+  bool is_similar = true;  // to those of other counts: cells are divided evenly, a gear is triangulated anew
+};
+MeshSize count_mesh(const LoadedScene& loaded);
+
+/// The argument of `--cells`: "8,16,32" for all parts, or "net=8,16,32" for one part alone.
+struct CellList {
+  std::string part;                 // empty: all parts in proportion
+  std::vector<std::int64_t> cells;  // increasing
+};
+
+/// Throws std::invalid_argument with a sentence if `text` is not a list of cells.
+CellList read_cell_list(const std::string& text);
+
+/// The part whose cells a division is named after: the first panel, else the first rope. Throws
+/// std::invalid_argument when nothing in the scene is divided.
+const PartGeometry& leading_part(const LoadedScene& loaded);
+
+/// The divisions of a list: the leading part has as many cells as the list says, all other parts are divided
+/// in proportion. Throws std::invalid_argument if a part would have no whole number of cells, or if the scene
+/// names a node by its number, which means a different node on another mesh.
+std::vector<MeshLevel> mesh_levels(const LoadedScene& loaded, const CellList& list);
+
+/// Divisions of a gear into approximately these numbers of nodes; parts outside the gear keep their cells.
+/// Throws std::invalid_argument as above, and if the scene has no gear.
+std::vector<MeshLevel> gear_levels(const LoadedScene& loaded, const std::vector<std::int64_t>& nodes);
+
+/// Two divisions to compare with the scene's own in order to estimate its mesh error. Preferred are a quarter
+/// and a half of its cells, which cost little; then half and twice as many; then twice as many alone. For a
+/// gear they are half and twice its nodes, or twice and four times as many if half would be too few to
+/// be worth a solve. Throws as above.
+std::vector<MeshLevel> levels_around(const LoadedScene& loaded);
+
+}  // namespace netloft::io

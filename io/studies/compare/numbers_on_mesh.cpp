@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/compare/numbers_on_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace netloft::io {
+
+NumbersOnMesh numbers_of(const Case& solved, const RunResult& result) {
+  return {count_mesh(solved.loaded()),
+          solved.plan().unknowns,
+          result.solution.cost.statistics.total_seconds,
+          result.solution.status == SolveStatus::converged,
+          result.scalars,
+          result.gear,
+          result.ropes};
+}
+
+std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& source, Registry& registry,
+                                      const Watch& watch, std::string& why_not) {
+  CaseSource divided = source;
+  divided.overrides.insert(divided.overrides.end(), level.overrides.begin(), level.overrides.end());
+  Case one(divided, registry);
+  if (one.open() != Case::State::ready) {
+    const auto errors = one.diagnostics().sorted();
+    why_not = fmt::format("with {} the scene has an error: {}", fmt::join(level.overrides, ", "),
+                          errors.empty() ? "" : errors.front().message);
+    return {};
+  }
+  RunResult result;
+  result.solution = one.solve(watch);
+  const MeshSize mesh = count_mesh(one.loaded());
+  if (!is_stationary(result.solution)) {
+    why_not = fmt::format("with {} {} the result was {}: {}", mesh.count, mesh.of,
+                          name_of(result.solution.status), result.solution.reason);
+    return {};
+  }
+  collect(one.loaded(), one.assembler(), result);
+  return numbers_of(one, result);
+}
+
+Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<NumbersOnMesh>& meshes,
+                    std::size_t asked) {
+  std::vector<double> values, widths;
+  for (const auto& mesh : meshes) {
+    const NamedScalar* found = find_scalar(mesh.*numbers, name);
+    if (!found || !std::isfinite(found->value)) return {};
+    values.push_back(found->value);
+    widths.push_back(mesh.mesh.width);
+  }
+  return find_trend(values, widths, asked, meshes[asked].mesh.is_similar);
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/compare/polish.hpp"
+#include "io/studies/compare/trial.hpp"
+
+namespace netloft::io {
+
+/// The answer that errors of a method are measured against: found by another solver and brought to the
+/// round-off floor.
+struct ReferenceAnswer {
+  Method method;
+  bool independent = true;  // found by another solver plugin than the method under test
+  double tolerance = 0;     // the tolerance to which that solver converged by itself
+  Stability stability = Stability::unknown;
+  Polished answer;
+  // of a motion: its path, and whether loss factors count in it; answer.uncertainty is the largest distance
+  // from the path of another integrator at the same accuracy
+  std::vector<std::vector<double>> path = {};
+  bool is_damped = true;
+};
+
+/// Solvers to ask for a reference for `method`, the best first. Those of its own plugin come last, so that no
+/// method is compared with itself while there is another. `available` lists names of plugins; if `wanted` is
+/// not empty, it is the only solver asked.
+std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
+                                      const std::string& wanted);
+
+/// The solver plugin of a method: "newton" for "newton:method=classic"; for a strategy the default solver,
+/// which its stages use.
+std::string plugin_of(const Method& method);
+
+/// The answers of reference solvers to one scene, each computed on first use.
+class ReferenceAnswers {
+ public:
+  ReferenceAnswers(const CaseSource& source, Registry& registry, std::string wanted, const Watch& watch)
+      : source_(source), registry_(registry), wanted_(std::move(wanted)), watch_(watch) {}
+
+  /// Returns nothing if none of the solvers converges.
+  std::optional<ReferenceAnswer> find_for(const Method& method);
+
+ private:
+  const std::optional<ReferenceAnswer>& answer_of(const Method& method);
+
+  const CaseSource& source_;
+  Registry& registry_;
+  std::string wanted_;  // specification of a solver
+  const Watch& watch_;
+  std::map<std::string, std::optional<ReferenceAnswer>> found_;
+};
+
+}  // namespace netloft::io

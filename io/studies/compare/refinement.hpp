@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/compare/numbers_on_mesh.hpp"
+
+namespace netloft::io {
+
+/// The numbers that a scene reports on finer and finer meshes.
+struct Refinement {
+  std::string scene;
+  std::vector<NumbersOnMesh> meshes;  // from the coarsest to the finest
+  std::vector<std::string> missing;   // sentences about meshes without an answer
+  bool is_interrupted = false;        // by the user: the mesh at hand and those after it are left out
+};
+
+/// One number on all meshes, and its limit.
+struct RefinedNumber {
+  std::string name, unit;      // "results/lowest_z", "gear/mouth/area", as in result files
+  std::vector<double> values;  // one per mesh
+  Trend trend;                 // its error is the one of the finest mesh
+
+  /// Whether the values differ by more than round-off.
+  bool varies() const;
+  /// Whether it is the tension at the end of a rope that has no limit; there is no error then.
+  bool diverges() const;
+};
+
+/// Solves the scene on every mesh. A mesh without an equilibrium is left out and named in `missing`.
+Refinement refine(const CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
+                  const Watch& watch);
+
+/// Named results, then figures of the gear, in the order in which the finest mesh reports them; empty for
+/// fewer than two meshes.
+std::vector<RefinedNumber> find_trends(const Refinement& refinement);
+
+/// refinement_text has a line for every number that varies with the mesh, except figures by part;
+/// refinement_json is one JSON object with all numbers.
+std::string refinement_text(const Refinement& refinement);
+std::string refinement_json(const Refinement& refinement);
+
+}  // namespace netloft::io

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/compare/comparison.hpp"
+#include "io/formats/svg/plot.hpp"
+
+namespace netloft::io {
+
+/// The comparison as a table for people.
+std::string comparison_text(const Comparison& c);
+
+/// One row per trial and per mesh, for spreadsheets; the first line names the columns. Solver errors and
+/// discretisation errors are rows of different kinds. Unknown values are empty.
+std::string comparison_csv(const Comparison& c);
+
+/// One JSON object; unknown values are null.
+std::string comparison_json(const Comparison& c);
+
+/// The work-precision diagram: a line per method, from its loosest tolerance to its tightest, and a mark at
+/// the discretisation error of each mesh.
+LinePlot comparison_plot(const Comparison& c);
+
+}  // namespace netloft::io

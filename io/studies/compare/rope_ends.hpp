@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/compare/numbers_on_mesh.hpp"
+
+namespace netloft::io {
+
+/// Where netting has a free corner, the tension at the end of the rope there has no limit on finer meshes: it
+/// is singular. Such a figure has no error, but the tension a little way inside has one.
+///
+/// Whether `figure` is the tension at the end of a rope, or one made of such tensions.
+bool is_of_rope_end(const std::string& figure);
+
+/// "ropes/headrope/tension_starboard does not converge with the mesh; 1.2 m from that end, twice the longest
+/// bar there, it is 4873 N ± 41 N". `asked` is the mesh whose tension and error are meant.
+std::string divergence_text(const std::string& figure, const std::vector<NumbersOnMesh>& meshes,
+                            std::size_t asked);
+
+}  // namespace netloft::io

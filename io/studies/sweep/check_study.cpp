@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/sweep/check_study.hpp"
+
+#include "framework/parameters/nearest.hpp"
+#include "io/runs/case.hpp"
+#include "io/studies/sweep/path_run.hpp"
+#include "io/studies/variables/scene_faults.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+/// The values at which a variable is tried.
+std::vector<VariableValue> tried(const Variable& variable) {
+  if (!variable.interval) return variable.values;
+  return {variable.value_of(variable.interval->low), variable.value_of(variable.interval->high)};
+}
+
+/// "gear.nodes" of "gear.nodes=500".
+std::string path_of(const std::string& word) { return word.substr(0, word.find('=')); }
+
+/// Opens one scene after the other.
+class Inspection {
+ public:
+  Inspection(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
+             Diagnostics& diagnostics)
+      : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics) {
+    for (std::size_t v = 0; v < file.variables.size(); ++v) {
+      if (!file.variables[v].is_sound) continue;
+      counts_.insert(v);
+      for (const FollowingKey& key : file.variables[v].variable.keys)
+        places_.emplace(key.path, file.variables[v].variable.place);
+    }
+    for (const std::string& word : file.set) places_.emplace(path_of(word), file.set_place);
+  }
+
+  CheckedScenes inspect() {
+    while (!open({}))
+      if (!leave_out_blamed()) return std::move(found_);
+    for (const std::size_t v : counts_) {
+      const auto values = tried(file_.variables[v].variable);
+      for (std::size_t i = 1; i < values.size(); ++i)
+        if (!open({{v, values[i]}})) break;  // what is wrong with one value is mostly wrong with the others
+    }
+    check_figures();
+    return std::move(found_);
+  }
+
+ private:
+  bool open(const std::map<std::size_t, VariableValue>& others) {
+    CaseSource source{folder_ / file_.scene, file_.set, 1};
+    for (const std::size_t v : counts_) {
+      const Variable& variable = file_.variables[v].variable;
+      const auto other = others.find(v);
+      for (auto& word : variable.overrides(other == others.end() ? tried(variable).front() : other->second))
+        source.overrides.push_back(std::move(word));
+    }
+    Case the_case(source, registry_);
+    const Case::State state = the_case.open();
+    hand_on_faults(the_case.diagnostics(), places_, file_.scene_place, diagnostics_);
+    blamed_.clear();
+    for (const Diagnostic& fault : the_case.diagnostics().sorted())
+      if (fault.severity == Severity::error) blamed_.insert(the_case.diagnostics().where(fault.place));
+    found_.refused |= state == Case::State::refused;
+    if (state == Case::State::ready) learn(the_case);
+    return state == Case::State::ready;
+  }
+
+  /// Leaves out the variables that the last scene blames. False: it blames none.
+  bool leave_out_blamed() {
+    const auto is_blamed = [&](std::size_t v) {
+      const auto& keys = file_.variables[v].variable.keys;
+      return std::any_of(keys.begin(), keys.end(),
+                         [&](const FollowingKey& key) { return blamed_.contains("--set " + key.path); });
+    };
+    return std::erase_if(counts_, is_blamed) > 0;
+  }
+
+  void learn(Case& the_case) {
+    for (const SourceFile& file : the_case.loaded().files) {
+      const std::pair<std::string, std::string> one(file.path, file.hash);
+      if (std::find(found_.files.begin(), found_.files.end(), one) == found_.files.end())
+        found_.files.push_back(one);
+    }
+    if (the_case.loaded().analysis.kind == AnalysisKind::dynamics)
+      diagnostics_.error(file_.scene_place, "the scene goes through time; a study compares equilibria",
+                         "set = [\"analysis.kind=static\"]");
+    if (file_.figures.empty()) return;
+    Solution at_start;
+    at_start.x = the_case.assembler().start();
+    at_start.residual.resize(at_start.x.size());
+    for (const StudyFigure& figure : figures_of(the_case, at_start)) known_.insert(figure.name);
+  }
+
+  void check_figures() {
+    found_.figures.assign(known_.begin(), known_.end());
+    for (std::size_t f = 0; f < file_.figures.size(); ++f) {
+      if (known_.contains(file_.figures[f])) continue;
+      const auto near = nearest(file_.figures[f], found_.figures);
+      diagnostics_.error(file_.figure_places[f],
+                         "the scene does not report a figure \"" + file_.figures[f] + "\"",
+                         near ? "did you mean \"" + *near + "\"?"
+                              : "such as results/NAME, gear/mouth/headline_height, held/NAME/x");
+    }
+  }
+
+  const StudyFile& file_;
+  const std::filesystem::path& folder_;
+  Registry& registry_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, Place> places_;  // of keys
+  std::set<std::string> known_;          // figures
+  std::set<std::size_t> counts_;         // variables that the scene is tried with
+  std::set<std::string> blamed_;         // where the last scene has errors
+  CheckedScenes found_;
+};
+
+}  // namespace
+
+CheckedScenes check_scenes(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
+                           Diagnostics& diagnostics) {
+  return Inspection(file, folder, registry, diagnostics).inspect();
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/sweep/manifest.hpp"
+
+#include "io/formats/files/whole_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+#include <utility>
+
+namespace netloft::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+
+std::string line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json column_json(const StudyColumn& column) {
+  Json keys = Json::array();
+  for (const FollowingKey& key : column.variable.keys)
+    keys.push_back({{"key", key.path}, {"factor", key.factor}, {"offset", key.offset}});
+  return {{"name", column.variable.name}, {"unit", column.variable.unit}, {"is_number", column.is_number},
+          {"in_path", column.is_in_path}, {"is_drawn", column.is_drawn},  {"keys", std::move(keys)}};
+}
+
+Json columns_json(const Study& study) {
+  Json columns = Json::array();
+  for (const StudyColumn& column : study.columns) columns.push_back(column_json(column));
+  return columns;
+}
+
+Json head_json(const Study& study) {
+  Json files = Json::array();
+  for (const auto& [path, hash] : study.files) files.push_back({{"path", path}, {"hash", hash}});
+  return {{"netloft_study", kFormat},     {"name", study.name},
+          {"scene", study.scene},         {"set", study.set},
+          {"figures", study.figures},     {"variables", columns_json(study)},
+          {"draw", study.drawing},        {"seed", study.seed},
+          {"files", std::move(files)},    {"items", study.items.size()},
+          {"points", study.point_count()}};
+}
+
+/// A value by its number if it has one: its text follows from it only where it was drawn, so both are there.
+Json value_json(const VariableValue& value) {
+  return value.number ? Json::array({value.text, *value.number}) : Json::array({value.text});
+}
+
+Json values_json(const std::vector<VariableValue>& values) {
+  Json all = Json::array();
+  for (const VariableValue& value : values) all.push_back(value_json(value));
+  return all;
+}
+
+Json item_json(const Study& study, const StudyItem& item) {
+  Json points = Json::array();
+  for (const StudyPoint& point : item.points)
+    points.push_back({{"set", point.set}, {"values", values_json(point.values)}});
+  Json json = {{"id", item.id}};
+  if (item.draw > 0) {
+    json["draw"] = item.draw;
+    json["seed"] = study.seed;
+  }
+  json["set"] = item.set;
+  json["values"] = values_json(item.values);
+  json["points"] = std::move(points);
+  json["hash"] = item.hash;
+  return json;
+}
+
+std::vector<VariableValue> read_values(const Json& json) {
+  std::vector<VariableValue> values;
+  for (const Json& value : json) {
+    VariableValue& read = values.emplace_back();
+    value.at(0).get_to(read.text);
+    if (value.size() > 1) read.number = value.at(1).get<double>();
+  }
+  return values;
+}
+
+StudyColumn read_column(const Json& json) {
+  StudyColumn column;
+  json.at("name").get_to(column.variable.name);
+  json.at("unit").get_to(column.variable.unit);
+  json.at("is_number").get_to(column.is_number);
+  json.at("in_path").get_to(column.is_in_path);
+  json.at("is_drawn").get_to(column.is_drawn);
+  for (const Json& key : json.at("keys"))
+    column.variable.keys.push_back(
+        {key.at("key").get<std::string>(), key.at("factor").get<double>(), key.at("offset").get<double>()});
+  return column;
+}
+
+void read_head(const Json& json, Study& study) {
+  if (const int format = json.at("netloft_study").get<int>(); format != kFormat)
+    throw StudyError("it has format " + std::to_string(format) + ", and this version of Netloft reads " +
+                     std::to_string(kFormat));
+  json.at("name").get_to(study.name);
+  json.at("scene").get_to(study.scene);
+  json.at("set").get_to(study.set);
+  json.at("figures").get_to(study.figures);
+  json.at("draw").get_to(study.drawing);
+  json.at("seed").get_to(study.seed);
+  for (const Json& column : json.at("variables")) study.columns.push_back(read_column(column));
+  for (const Json& file : json.at("files"))
+    study.files.emplace_back(file.at("path").get<std::string>(), file.at("hash").get<std::string>());
+}
+
+StudyItem read_item(const Json& json, const Study& study) {
+  StudyItem item;
+  json.at("id").get_to(item.id);
+  json.at("set").get_to(item.set);
+  json.at("hash").get_to(item.hash);
+  item.draw = json.value("draw", std::size_t{0});
+  item.values = read_values(json.at("values"));
+  for (const Json& point : json.at("points"))
+    item.points.push_back({point.at("set").get<std::vector<std::string>>(), read_values(point.at("values"))});
+  for (const StudyPoint& point : item.points)
+    if (item.values.size() + point.values.size() != study.columns.size())
+      throw StudyError("a point has another number of values than there are variables");
+  if (item.id != study.items.size() + 1) throw StudyError("items are not numbered one by one");
+  if (item.hash != hash_of(study, item)) throw StudyError("an item does not match its hash");
+  return item;
+}
+
+std::string text_of_manifest(const fs::path& path) {
+  try {
+    if (auto text = read_whole(path)) return std::move(*text);
+  } catch (const ReadError& e) {
+    throw StudyError(e.what());
+  }
+  throw StudyError("there is no " + path.string() + "; `netloft study plan STUDY.toml` makes it");
+}
+
+}  // namespace
+
+std::string manifest_text(const Study& study) {
+  std::string text = line(head_json(study));
+  for (const StudyItem& item : study.items) text += line(item_json(study, item));
+  return text;
+}
+
+Study read_manifest(const fs::path& path) {
+  std::istringstream in(text_of_manifest(path));
+  Study study;
+  std::size_t number = 0, items = 0;
+  for (std::string text; std::getline(in, text);) try {
+      ++number;
+      const Json json = Json::parse(text);
+      if (number == 1) {
+        read_head(json, study);
+        json.at("items").get_to(items);
+      } else
+        study.items.push_back(read_item(json, study));
+    } catch (const std::exception& e) {
+      throw StudyError(path.string() + ":" + std::to_string(number) + ": the manifest is damaged (" +
+                       e.what() + "); plan the study again");
+    }
+  if (number == 0 || study.items.size() != items)
+    throw StudyError(path.string() + ": the manifest is not complete; plan the study again");
+  return study;
+}
+
+fs::path manifest_path(const fs::path& folder) { return folder / "manifest.jsonl"; }
+
+namespace {
+
+fs::path path_of(const fs::path& folder, const StudyItem& item, const char* ending) {
+  return folder / "items" / (item.hash.substr(item.hash.find(':') + 1) + ending);
+}
+
+}  // namespace
+
+fs::path record_path(const fs::path& folder, const StudyItem& item) { return path_of(folder, item, ".json"); }
+fs::path failure_path(const fs::path& folder, const StudyItem& item) {
+  return path_of(folder, item, ".failed");
+}
+
+}  // namespace netloft::io

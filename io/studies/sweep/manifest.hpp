@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/sweep/study.hpp"
+
+#include <stdexcept>
+
+namespace netloft::io {
+
+/// A file of a study that cannot be used; what() is a sentence for the user.
+class StudyError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The manifest: JSON lines. The first says what the study is, every further one is an item. Equal studies
+/// give equal bytes.
+std::string manifest_text(const Study& study);
+
+/// Reads a manifest that manifest_text() wrote. Throws StudyError with the line if it is damaged.
+Study read_manifest(const std::filesystem::path& path);
+
+/// Where things are in the folder of a study.
+std::filesystem::path manifest_path(const std::filesystem::path& folder);
+std::filesystem::path record_path(const std::filesystem::path& folder, const StudyItem& item);
+std::filesystem::path failure_path(const std::filesystem::path& folder, const StudyItem& item);
+
+}  // namespace netloft::io

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/sweep/path_run.hpp"
+
+#include "framework/balance/statistics.hpp"
+#include "io/results/file/provenance.hpp"
+#include "io/results/figures/run_result.hpp"
+#include "io/studies/sweep/branch.hpp"
+#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/kept_analyses.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace netloft::io {
+
+namespace {
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+std::vector<Variable> variables_of_path(const Study& study) {
+  std::vector<Variable> variables;
+  for (const StudyColumn& column : study.columns)
+    if (column.is_in_path) variables.push_back(column.variable);
+  return variables;
+}
+
+/// One item while it is solved.
+class PathRun {
+ public:
+  PathRun(const Study& study, const StudyItem& item, const PathContext& context)
+      : study_(study),
+        item_(item),
+        context_(context),
+        make_(keep_analyses(make_factorisation)),
+        watch_(context.watch),
+        branch_(
+            variables_of_path(study), [this](const auto& values) { return open_at(values); }, watch_) {}
+
+  std::optional<ItemRecord> run() {
+    ItemRecord record;
+    record.hash = item_.hash;
+    record.program = program_version();
+    record.cost.host = host_name();
+    record.cost.started = utc_now();
+    const double wall = wall_seconds(), cpu = cpu_seconds();
+    for (const StudyPoint& point : item_.points) {
+      record.points.push_back(solve(point));
+      if (is_interrupted()) return std::nullopt;
+    }
+    record.cost.wall_seconds = wall_seconds() - wall;
+    record.cost.cpu_seconds = cpu_seconds() - cpu;
+    return record;
+  }
+
+ private:
+  bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
+
+  std::shared_ptr<Case> make_case(const std::vector<std::string>& set) const {
+    return std::make_shared<Case>(source_of(study_, item_, set, context_), *context_.registry, make_);
+  }
+
+  /// Between points.
+  std::shared_ptr<Case> open_at(const std::vector<VariableValue>& values) const {
+    std::vector<std::string> set;
+    std::size_t v = 0;
+    for (const StudyColumn& column : study_.columns)
+      if (column.is_in_path)
+        for (auto& word : column.variable.overrides(values[v++])) set.push_back(std::move(word));
+    auto the_case = make_case(set);
+    return the_case->open() == Case::State::ready ? the_case : nullptr;
+  }
+
+  PointRecord solve(const StudyPoint& point) {
+    const auto the_case = make_case(point.set);
+    PointRecord record;
+    if (the_case->open() != Case::State::ready) {
+      record.status = "wrong input";
+      record.reason = first_fault(the_case->diagnostics());
+      return record;
+    }
+    require_same_files(*the_case);
+    if (const auto why_not = the_case->why_unfit()) throw StudyError(*why_not);
+    const Reached reached = branch_.reach(the_case, point.values);
+    record.start = reached.was_continued ? "continued" : "anew";
+    record.events = reached.events;
+    fill(record, *the_case, reached.solution);
+    return record;
+  }
+
+  void require_same_files(Case& the_case) const {
+    for (const SourceFile& file : the_case.loaded().files)
+      if (std::none_of(study_.files.begin(), study_.files.end(),
+                       [&](const auto& known) { return known.second == file.hash; }))
+        throw StudyError(file.path + " has changed since the study was planned; plan it again");
+  }
+
+  void fill(PointRecord& record, Case& the_case, const Solution& s) const {
+    record.status = name_of(s.status);
+    record.reason = s.reason;
+    record.iterations = s.cost.statistics.iterations;
+    record.factorisations = s.cost.statistics.factorisations;
+    record.work = s.cost.work;
+    record.figures = figures_of(the_case, s);
+    if (study_.figures.empty()) return;
+    std::erase_if(record.figures, [&](const StudyFigure& figure) {
+      return std::find(study_.figures.begin(), study_.figures.end(), figure.name) == study_.figures.end();
+    });
+  }
+
+  const Study& study_;
+  const StudyItem& item_;
+  const PathContext& context_;
+  MakeFactorisation make_;
+  Watch watch_;
+  Branch branch_;
+};
+
+}  // namespace
+
+std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, const PathContext& context) {
+  return PathRun(study, item, context).run();
+}
+
+CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
+                     const PathContext& context) {
+  CaseSource source{context.folder / study.scene, study.set, context.threads};
+  source.overrides.insert(source.overrides.end(), item.set.begin(), item.set.end());
+  source.overrides.insert(source.overrides.end(), set.begin(), set.end());
+  return source;
+}
+
+std::string first_fault(const Diagnostics& diagnostics) {
+  for (const Diagnostic& d : diagnostics.sorted())
+    if (d.severity == Severity::error) return diagnostics.where(d.place) + ": " + d.message;
+  return "a plugin is missing";
+}
+
+std::vector<StudyFigure> figures_of(Case& the_case, const Solution& solution) {
+  RunResult result;
+  result.solution = solution;
+  collect(the_case.loaded(), the_case.assembler(), result);
+  std::vector<StudyFigure> figures;
+  for (const NamedScalar& s : result.scalars) figures.push_back({"results/" + s.name, s.unit, s.value});
+  for (const NamedScalar& s : result.gear) figures.push_back({"gear/" + s.name, s.unit, s.value});
+  for (const HoldForce& hold : result.hold_forces)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      figures.push_back({"held/" + hold.name + "/" + "xyz"[axis], "N", hold.force[axis]});
+  return figures;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/registry.hpp"
+#include "io/runs/case.hpp"
+#include "io/studies/sweep/record.hpp"
+
+#include <memory>
+
+namespace netloft::io {
+
+/// Where and with what an item is solved.
+struct PathContext {
+  std::filesystem::path folder;  // of the study
+  Registry* registry = nullptr;
+  Watch watch = {};
+  int threads = 1;  // of the assembly
+};
+
+/// Solves the points of an item one after the other, along a branch of equilibria (branch.hpp). All of them
+/// order and analyse their matrices once, if these have one pattern. Nothing if the user interrupts. Throws
+/// StudyError where the item cannot be computed at all, such as when a file has changed since the study was
+/// planned.
+std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, const PathContext& context);
+
+/// The scene of an item with what a point sets, beside the item and the study.
+CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
+                     const PathContext& context);
+
+/// The first error of a scene that cannot be read.
+std::string first_fault(const Diagnostics& diagnostics);
+
+/// All numbers that a case reports at a solution.
+std::vector<StudyFigure> figures_of(Case& the_case, const Solution& solution);
+
+}  // namespace netloft::io

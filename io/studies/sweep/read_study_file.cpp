@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/parameters/nearest.hpp"
+#include "io/studies/sweep/study_file.hpp"
+#include "io/formats/units/units.hpp"
+#include "io/studies/variables/read_variable.hpp"
+
+#include <algorithm>
+
+namespace netloft::io {
+
+namespace {
+
+constexpr std::int64_t kMostDraws = 1'000'000;
+
+/// Reads one study file; members are steps in the order they happen.
+class StudyReader {
+ public:
+  StudyReader(const Value& root, Diagnostics& diagnostics) : root_(root, diagnostics) {}
+
+  StudyFile read() {
+    read_scene();
+    read_variables();
+    read_design();
+    read_path();
+    read_figures();
+    root_.finish();
+    return std::move(study_);
+  }
+
+ private:
+  void read_scene() {
+    study_.scene = root_.text("scene", {.doc = "the scene that is varied, relative to this file"});
+    study_.scene_place = root_.place("scene");
+    study_.set = root_.texts(
+        "set", {.doc = "values of all points, as --set takes them", .fallback = std::vector<std::string>{}});
+    study_.set_place = root_.place("set");
+  }
+
+  void read_variables() {
+    TableReader variables = root_.table("variables", Presence::required, "what is varied, a table each");
+    for (const std::string& name : variables.keys()) {
+      const int errors = root_.diagnostics().errors();
+      TableReader table = variables.table(name, Presence::required, "key, and values or range");
+      DesignVariable read{read_variable(name, table), {}, false};
+      check_name(read.variable);
+      if (read.is_drawn())
+        read.distribution = read_distribution(read.variable, table, {"uniform", "logarithmic", "normal"});
+      read.is_sound = root_.diagnostics().errors() == errors;
+      study_.variables.push_back(std::move(read));
+    }
+    if (root_.has("variables") && study_.variables.empty())
+      root_.error("variables", "is empty: a study varies something", "such as [variables.speed]");
+    refuse_shared_keys();
+  }
+
+  /// Names become columns of tables and names in result files.
+  void check_name(const Variable& variable) {
+    const bool is_word =
+        !variable.name.empty() && std::all_of(variable.name.begin(), variable.name.end(), [](char c) {
+          return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+                 c == '-';
+        });
+    if (!is_word)
+      root_.diagnostics().error(variable.place, "the name of a variable, \"" + variable.name +
+                                                    "\", must consist of letters, digits, - and _");
+  }
+
+  void refuse_shared_keys() {
+    std::map<std::string, std::string> owners;
+    for (const auto& [variable, distribution, in_path, sound] : study_.variables)
+      for (const FollowingKey& key : variable.keys) {
+        const auto [owner, is_new] = owners.emplace(key.path, variable.name);
+        if (!is_new)
+          root_.diagnostics().error(variable.place, key.path + " is varied by " + owner->second + " already");
+      }
+  }
+
+  void read_design() {
+    TableReader design = root_.table("design", Presence::optional, "how values are combined");
+    const std::string combine =
+        design.choice("combine", {.allowed = {"grid", "list"},
+                                  .doc = "listed values: all with all, or the first with the first",
+                                  .fallback = "grid"});
+    study_.combination = combine == "list" ? Combination::list : Combination::grid;
+    const std::string draw = design.choice("draw", {.allowed = {"latin-hypercube", "sobol"},
+                                                    .doc = "how draws fill the ranges",
+                                                    .fallback = "latin-hypercube"});
+    study_.drawing = draw == "sobol" ? Drawing::sobol : Drawing::latin_hypercube;
+    const int errors = root_.diagnostics().errors();
+    study_.draws = static_cast<std::size_t>(design.integer(
+        "draws", {.doc = "number of draws from the ranges", .lo = 0, .hi = kMostDraws, .fallback = 0}));
+    const bool draws_are_sound = root_.diagnostics().errors() == errors;
+    study_.seed = static_cast<std::uint64_t>(
+        design.integer("seed", {.doc = "another one draws otherwise", .lo = 0, .fallback = 1}));
+    if (draws_are_sound) check_draws(design);
+    if (study_.combination == Combination::list) check_list();
+  }
+
+  void check_draws(TableReader& design) {
+    const bool some_are_drawn = std::any_of(study_.variables.begin(), study_.variables.end(),
+                                            [](const auto& v) { return v.is_drawn(); });
+    if (some_are_drawn && study_.draws == 0)
+      root_.diagnostics().error(design.place(),
+                                "design.draws is missing or zero: variables with a range are drawn",
+                                "[design] draws = 50");
+    const bool all_are_sound = std::all_of(study_.variables.begin(), study_.variables.end(),
+                                           [](const auto& v) { return v.is_sound; });
+    if (!some_are_drawn && all_are_sound && study_.draws > 0)
+      design.error("draws", "there is no variable with a range to draw from");
+  }
+
+  void check_list() {
+    const DesignVariable* first = nullptr;
+    for (const DesignVariable& v : study_.variables) {
+      if (v.is_drawn()) continue;
+      if (first && v.variable.values.size() != first->variable.values.size())
+        root_.diagnostics().error(v.variable.place, v.variable.name + " has " +
+                                                        std::to_string(v.variable.values.size()) +
+                                                        " values, " + first->variable.name + " has " +
+                                                        std::to_string(first->variable.values.size()) +
+                                                        "; in a list they go together one by one");
+      if (!first) first = &v;
+    }
+  }
+
+  /// Left out, the path goes through all listed numbers.
+  void read_path() {
+    if (!root_.has("path")) {
+      for (DesignVariable& v : study_.variables) v.is_in_path = !v.is_drawn() && v.variable.is_number();
+      return;
+    }
+    const auto names = root_.texts(
+        "path", {.doc = "variables along which points are continued, the last one varies fastest"});
+    std::vector<DesignVariable> ordered;
+    for (const std::string& name : names) {
+      const auto found = std::find_if(study_.variables.begin(), study_.variables.end(),
+                                      [&](const auto& v) { return v.variable.name == name; });
+      if (found == study_.variables.end()) {
+        refuse_in_path(name);
+        continue;
+      }
+      if (found->is_drawn())
+        root_.error("path", name + " is drawn from a range; a path goes through listed values");
+      if (found->is_in_path) root_.error("path", name + " is there twice");
+      found->is_in_path = true;
+      ordered.push_back(*found);
+    }
+    // Those in the path last, in its order: they vary fastest.
+    std::erase_if(study_.variables, [](const auto& v) { return v.is_in_path; });
+    study_.variables.insert(study_.variables.end(), ordered.begin(), ordered.end());
+  }
+
+  void refuse_in_path(const std::string& name) {
+    std::vector<std::string> known;
+    for (const auto& v : study_.variables) known.push_back(v.variable.name);
+    const auto near = nearest(name, known);
+    root_.error("path", "there is no variable \"" + name + "\"",
+                near ? "did you mean \"" + *near + "\"?" : "");
+  }
+
+  void read_figures() {
+    study_.figures =
+        root_.texts("figures", {.doc = "figures that are kept, such as gear/mouth/headline_height",
+                                .fallback = std::vector<std::string>{}});
+    const Value* raw = root_.raw("figures");
+    const Array* array = raw ? raw->as<Array>() : nullptr;
+    for (std::size_t i = 0; array && i < array->items.size(); ++i)
+      study_.figure_places.push_back(array->items[i].place);
+  }
+
+  TableReader root_;
+  StudyFile study_;
+};
+
+}  // namespace
+
+StudyFile read_study_file(const std::filesystem::path& path, Diagnostics& diagnostics) {
+  const Document document = Document::load(path, {}, diagnostics);
+  if (diagnostics.errors()) return {};
+  StudyFile study = StudyReader(document.root(), diagnostics).read();
+  study.name = path.stem().string();
+  return study;
+}
+
+}  // namespace netloft::io

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/sweep/manifest.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace netloft::io {
+
+/// A number that a point reports.
+struct StudyFigure {
+  std::string name, unit;  // "gear/mouth/area", "results/pull", "held/warp/x"
+  double value = 0;        // NaN: there is none at this point
+};
+
+/// What came out at one point.
+struct PointRecord {
+  std::string status;               // as in result files; "wrong input": the scene cannot be read so
+  std::string reason;               // sentence
+  std::string start;                // "continued", from the point before; "anew", as the scene says
+  std::vector<std::string> events;  // on the way from the point before: folds, jumps
+  std::int64_t iterations = 0, factorisations = 0;
+  double work = 0;  // in the units of framework/balance/work.hpp
+  std::vector<StudyFigure> figures;
+};
+
+/// What depends on when and where an item was computed. It is kept apart: no table holds it.
+struct ItemCost {
+  double wall_seconds = 0, cpu_seconds = 0;
+  std::string host, started;
+};
+
+/// What came out of one item.
+struct ItemRecord {
+  std::string hash, program;  // of the item; version of Netloft
+  std::vector<PointRecord> points;
+  ItemCost cost;
+};
+
+/// A record as the content of its file: JSON, and a line with its CRC-32.
+std::string record_text(const ItemRecord& record);
+
+/// Reads a record back. Throws StudyError with a sentence if it is damaged or is not of this item.
+ItemRecord read_record(const std::string& text, const StudyItem& item);
+
+/// The record of an item in the folder of its study, if there is one that can be used; `fault` says what is
+/// wrong with one that cannot.
+std::optional<ItemRecord> find_record(const std::filesystem::path& folder, const StudyItem& item,
+                                      std::string& fault);
+
+}  // namespace netloft::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/sweep/unit_points.hpp"
+#include "io/formats/toml/document.hpp"
+#include "io/studies/variables/distribution.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// How listed values of several variables go together.
+enum class Combination { grid, list };
+
+struct DesignVariable {
+  Variable variable;
+  Distribution distribution;  // of a variable with an interval
+  bool is_in_path = false;
+  bool is_sound = true;  // it was read without errors
+  bool is_drawn() const { return variable.interval.has_value(); }
+};
+
+/// What a study file says (STUDY.md): which scene, what of it is varied, and how the values are combined.
+struct StudyFile {
+  std::string name;   // of the file, without its ending
+  std::string scene;  // path of the scene, from the folder of the file
+  Place scene_place;
+  std::vector<std::string> set;  // of all points, as `--set` takes them
+  Place set_place;
+  std::vector<DesignVariable> variables;  // in the order of the file
+  Combination combination = Combination::grid;
+  Drawing drawing = Drawing::latin_hypercube;
+  std::size_t draws = 0;
+  std::uint64_t seed = 1;
+  std::vector<std::string> figures;  // that are kept; empty: all
+  std::vector<Place> figure_places;
+};
+
+/// Reads a study file; what is wrong goes to `diagnostics`, and then the result may only be used to find what
+/// else is wrong (check_study.hpp).
+StudyFile read_study_file(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+}  // namespace netloft::io

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/sweep/study_table.hpp"
+
+#include "io/formats/files/whole_file.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace netloft::io {
+
+namespace {
+
+/// The reason that a worker left for an item that it could not compute.
+std::string failure_of(const std::filesystem::path& folder, const StudyItem& item) {
+  try {
+    const std::string text = read_whole(failure_path(folder, item)).value_or("");
+    return text.substr(0, text.find('\n'));
+  } catch (const ReadError& e) {
+    return e.what();
+  }
+}
+
+/// Reads item by item; members are steps in the order they happen.
+class Collector {
+ public:
+  Collector(const Study& study, const std::filesystem::path& folder) : study_(study), folder_(folder) {
+    table_.columns = study.columns;
+  }
+
+  StudyTable collect() {
+    for (const StudyItem& item : study_.items) add_item(item);
+    for (StudyRow& row : table_.rows) row.figures = sorted(row.record);
+    if (programs_.size() > 1) say_versions();
+    return std::move(table_);
+  }
+
+ private:
+  void add_item(const StudyItem& item) {
+    std::string fault;
+    auto record = find_record(folder_, item, fault);
+    if (record) ++programs_[record->program];
+    if (!record) fault = why_missing(item, fault);
+    for (std::size_t p = 0; p < item.points.size(); ++p) {
+      StudyRow row{item.id, item.draw, p + 1, study_.values_of(item, item.points[p]), {}, {}};
+      if (record)
+        row.record = std::move(record->points[p]);
+      else {
+        row.record.status = "missing";
+        row.record.reason = fault;
+      }
+      learn(row.record);
+      table_.rows.push_back(std::move(row));
+    }
+  }
+
+  std::string why_missing(const StudyItem& item, const std::string& fault) {
+    ++table_.missing_items;
+    const std::string failure = failure_of(folder_, item);
+    const std::string why = !fault.empty() ? fault : !failure.empty() ? failure : "it has not been computed";
+    table_.sentences.push_back("item " + std::to_string(item.id) + " is missing: " + why);
+    return why;
+  }
+
+  void learn(const PointRecord& record) {
+    for (const StudyFigure& figure : record.figures)
+      if (places_.emplace(figure.name, table_.figures.size()).second)
+        table_.figures.push_back({figure.name, figure.unit, std::numeric_limits<double>::quiet_NaN()});
+  }
+
+  std::vector<double> sorted(const PointRecord& record) const {
+    std::vector<double> values(table_.figures.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const StudyFigure& figure : record.figures) values[places_.at(figure.name)] = figure.value;
+    return values;
+  }
+
+  void say_versions() {
+    std::string all;
+    for (const auto& [program, items] : programs_)
+      all += (all.empty() ? "" : ", ") + std::to_string(items) + " by " + program;
+    table_.sentences.push_back("items were computed by several versions of Netloft: " + all);
+  }
+
+  const Study& study_;
+  const std::filesystem::path& folder_;
+  StudyTable table_;
+  std::map<std::string, std::size_t> places_;    // of figures
+  std::map<std::string, std::size_t> programs_;  // versions, with their items
+};
+
+}  // namespace
+
+std::map<std::string, std::size_t> StudyTable::count_by_status() const {
+  std::map<std::string, std::size_t> counts;
+  for (const StudyRow& row : rows) ++counts[row.record.status];
+  return counts;
+}
+
+StudyTable collect_table(const Study& study, const std::filesystem::path& folder) {
+  return Collector(study, folder).collect();
+}
+
+}  // namespace netloft::io

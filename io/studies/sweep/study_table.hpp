@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/sweep/record.hpp"
+
+namespace netloft::io {
+
+/// One row of the table: a point, and what came out.
+struct StudyRow {
+  std::size_t item = 0, draw = 0, point = 0;  // items and points from 1; draw 0: nothing was drawn
+  std::vector<VariableValue> values;          // of the columns of the study
+  PointRecord record;                         // of a missing item: the status "missing"
+  std::vector<double> figures;                // in the order of StudyTable::figures; NaN: none
+};
+
+/// All points of a study with what came out, in the order of the manifest.
+struct StudyTable {
+  std::vector<StudyColumn> columns;
+  std::vector<StudyFigure> figures;  // names and units
+  std::vector<StudyRow> rows;
+  std::vector<std::string> sentences;  // what is to be said of items: missing, damaged, of other versions
+  std::size_t missing_items = 0;
+  std::map<std::string, std::size_t> count_by_status() const;
+};
+
+/// Reads the records of all items in the folder of a study. What is missing or damaged becomes rows that say
+/// so.
+StudyTable collect_table(const Study& study, const std::filesystem::path& folder);
+
+/// The table as comma-separated values, a row for every point.
+std::string study_csv(const StudyTable& table);
+
+/// The table as an HDF5 file (STUDY.md). Equal tables give equal bytes.
+std::string study_hdf5(const Study& study, const StudyTable& table);
+
+/// What the items cost, and where: comma-separated values, a row for every item that has a record.
+std::string costs_csv(const Study& study, const std::filesystem::path& folder);
+
+}  // namespace netloft::io

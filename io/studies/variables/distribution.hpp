@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/table_reader.hpp"
+#include "io/studies/variables/variable.hpp"
+
+namespace netloft::io {
+
+/// How the draws of a variable lie in its interval. With p in (0, 1) for equally likely draws and F the
+/// standard normal distribution,
+///   uniform       low + p (high − low)                                                     (1)
+///   logarithmic   low (high/low)^p, low > 0                                                (2)
+///   normal        mean + deviation F⁻¹(q), q from F at the low end to F at the high end    (3)
+/// (3) is the normal distribution cut off at both ends.
+struct Distribution {
+  enum class Kind { uniform, logarithmic, normal };
+  Kind kind = Kind::uniform;
+  double mean = 0, deviation = 1;  // of (3), in the variable's unit
+};
+
+/// F⁻¹ of (3), the quantile of the standard normal distribution; 0 < q < 1.
+double normal_quantile(double q);
+
+/// The number below which a fraction p of all draws lies.
+double quantile(const Distribution& distribution, const Interval& interval, double p);
+
+/// Reads how the draws of `variable`, which has an interval, lie in it, out of the same table:
+///   distribution = "normal"   or one of the other `kinds`, the first of which is the default
+///   mean, deviation           of a normal one, numbers like those of the range
+Distribution read_distribution(const Variable& variable, TableReader& table,
+                               const std::vector<std::string>& kinds);
+
+}  // namespace netloft::io

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/diagnostics.hpp"
+
+#include <map>
+#include <string>
+
+namespace netloft::io {
+
+/// Shows what is wrong with a scene that another file sets keys of, in that file: what a key is to blame for
+/// at `keys`, the places of keys by their path; all else, with its place in the scene, at `scene`.
+void hand_on_faults(const Diagnostics& of_scene, const std::map<std::string, Place>& keys, const Place& scene,
+                    Diagnostics& to);
+
+}  // namespace netloft::io

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/diagnostics.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft::io {
+
+/// One value of a variable.
+struct VariableValue {
+  std::string text;              // as `--set` takes it: "2.5 kn", "pe-braided-4mm", "[64, 64]"
+  std::optional<double> number;  // in the unit of the variable; none for names, switches and arrays
+};
+
+/// A key of a scene that follows a variable: key = offset + factor × variable, in the variable's unit.
+struct FollowingKey {
+  std::string path;  // as `--set` takes it: "tow.speed", "points.towing-point.at[2]"
+  double factor = 1, offset = 0;
+  bool follows_as_it_is() const { return factor == 1 && offset == 0; }
+};
+
+/// The interval in which a number may lie, ends included, in the unit of its variable.
+struct Interval {
+  double low = 0, high = 0;
+  bool contains(double number) const { return number >= low && number <= high; }
+};
+
+/// What one input of a scene, or several that go together, are varied by: listed values or an interval.
+struct Variable {
+  std::string name;  // in tables, plots and messages
+  Place place;       // of its table
+  std::vector<FollowingKey> keys;
+  std::string unit;                   // in which its numbers are written, "kn"; empty: in none
+  std::vector<VariableValue> values;  // in the order of the file; empty: an interval
+  std::optional<Interval> interval;
+
+  /// Whether there is a number between two of its values: it has an interval, or only numbers are listed.
+  bool is_number() const;
+  VariableValue value_of(double number) const;
+  /// "path=value" for every key, as `--set` takes them.
+  std::vector<std::string> overrides(const VariableValue& value) const;
+};
+
+}  // namespace netloft::io

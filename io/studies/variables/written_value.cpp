@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/variables/written_value.hpp"
+
+#include "io/formats/units/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace netloft::io {
+
+namespace {
+
+/// A basic string of TOML.
+std::string quote(std::string_view text) {
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (byte >= 0x20 && byte != 0x7F)
+      quoted += c;
+    else
+      (quoted += "\\u00") += {kHex[byte >> 4], kHex[byte & 15]};
+  }
+  return quoted + '"';
+}
+
+/// Whether a text without quotes is read as that text: as a quantity with a unit, or as a word.
+bool is_plain(const std::string& text) {
+  constexpr std::array<std::string_view, 4> kValues = {"true", "false", "inf", "nan"};
+  const auto is_of_words = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '/' || c == '.';
+  };
+  if (const WrittenQuantity quantity = read_as_written(text); quantity.ok()) return !quantity.unit.empty();
+  return !text.empty() && !(text[0] >= '0' && text[0] <= '9') && text[0] != '-' &&
+         std::all_of(text.begin(), text.end(), is_of_words) &&
+         std::find(kValues.begin(), kValues.end(), text) == kValues.end();
+}
+
+template <class Items, class Spell>
+std::string listed(const Items& items, const char* brackets, const Spell& spell) {
+  std::string text;
+  for (const auto& item : items) text += (text.empty() ? "" : ", ") + spell(item);
+  return brackets[0] + text + brackets[1];
+}
+
+/// Texts within an array or a table need their quotes.
+std::string spell_inside(const Value& value) {
+  const auto* text = value.as<std::string>();
+  return text ? quote(*text) : spell_for_set(value);
+}
+
+std::string spell_real(double real) {
+  const std::string text = format(real);
+  const bool is_real = !std::isfinite(real) || text.find_first_of(".e") != std::string::npos;
+  return is_real ? text : text + ".0";
+}
+
+}  // namespace
+
+std::string spell_for_set(const Value& value) {
+  switch (value.kind()) {
+    case Kind::table:
+      return listed(value.as<Table>()->members, "{}",
+                    [](const Member& m) { return spell_key(m.key) + " = " + spell_inside(m.value); });
+    case Kind::array:
+      return listed(value.as<Array>()->items, "[]", spell_inside);
+    case Kind::text: {
+      const std::string& text = *value.as<std::string>();
+      return is_plain(text) ? text : quote(text);
+    }
+    case Kind::integer:
+      return std::to_string(*value.as<std::int64_t>());
+    case Kind::real:
+      return spell_real(*value.as<double>());
+    case Kind::boolean:
+      return *value.as<bool>() ? "true" : "false";
+    case Kind::date:
+      return value.as<Date>()->text;
+  }
+  return {};
+}
+
+}  // namespace netloft::io

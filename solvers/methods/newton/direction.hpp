@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solvers/methods/newton/damping.hpp"
+#include "solvers/methods/newton/iterate.hpp"
+#include "solvers/methods/newton/nearly_definite.hpp"
+
+namespace netloft::newton {
+
+/// A step s of (2) of Newton, and the matrix it belongs to; or why there is none.
+struct Direction {
+  std::span<const double> s = {};
+  double damping = 0;            // μ; where a convex part was added, that asked for, of which more was used
+  bool nearly_definite = false;  // K is not positive definite, and K + μ M is, with a μ next to nothing
+  const char* note = "";
+  std::optional<Outcome> failure = {};
+  explicit operator bool() const { return !failure; }
+};
+
+/// Finds steps s along which the merit falls.
+class Directions {
+ public:
+  Directions(const DampingRange& range, const Problem& problem, NearlyDefinite& nearly_definite)
+      : range_(range), nearly_definite_(nearly_definite), s_(problem.size()) {}
+
+  /// Newton's own step, if it leads downhill and moves no node by more than the length of an element; else as
+  /// `find` has it.
+  Direction find_first(Iterate& iterate, double damping);
+  /// A step with at least the damping μ. It fails if no matrix could be factorised, or with none s leads
+  /// downhill. The vector is valid until the next search.
+  Direction find(Iterate& iterate, double damping);
+
+ private:
+  Direction find_symmetric(Iterate& iterate, double damping);
+  std::optional<Direction> find_nearly_definite(Iterate& iterate, double damping);
+  Direction find_partly_convex(Iterate& iterate, double damping);
+  Direction find_unsymmetric(Iterate& iterate, double damping);
+  Factor factorise_partly_convex(Problem& problem, double shift);
+  Direction solve(Iterate& iterate, double damping, const char* note = "");
+
+  const DampingRange& range_;
+  NearlyDefinite& nearly_definite_;
+  std::vector<double> s_;
+  double convex_share_ = 1;          // θ of the last time
+  bool tests_near_definite_ = true;  // K + μ M was positive definite the last time, or K nearly so
+};
+
+}  // namespace netloft::newton

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/methods/newton/damping.hpp"
+#include "solvers/methods/newton/direction.hpp"
+#include "solvers/methods/newton/iterate.hpp"
+#include "solvers/methods/newton/merit_steps.hpp"
+#include "solvers/methods/newton/methods.hpp"
+#include "solvers/methods/newton/nearly_definite.hpp"
+#include "solvers/methods/newton/negative_curvature.hpp"
+#include "solvers/methods/newton/round_off_steps.hpp"
+
+namespace netloft::newton {
+
+namespace {
+
+/// From this t on a step means that the model is trusted, below it that it reaches too far.
+constexpr double kTrusted = 0.5;
+
+/// μ for the direction after a step.
+double damping_after(const Step& step, const DampingRange& range) {
+  if (!step) return range.raised(step.damping);
+  if (step.rule == Step::Rule::residual) return range.lowered(step.damping);
+  if (step.rule != Step::Rule::energy) return step.damping;
+  return step.length > kTrusted ? range.lowered(step.damping)
+                                : range.raised(step.damping, kTrusted / step.length);
+}
+
+class Globalised {
+ public:
+  Globalised(const Newton::Parameters& parameters, Problem& problem)
+      : iterate_(problem),
+        range_(parameters, problem.symmetric()),
+        damping_(parameters.damping),
+        nearly_definite_(range_),
+        curvature_(parameters, problem),
+        directions_(range_, problem, nearly_definite_),
+        by_merit_(parameters, problem.size()),
+        at_round_off_(parameters, problem, nearly_definite_, curvature_) {}
+
+  Outcome run() {
+    if (!iterate_.evaluate()) return Outcome::left_domain;
+    const char* note = "";
+    // `report` is false when the host says stop: the iteration has arrived, or a limit is reached.
+    for (bool is_first = true; iterate_.report(note); is_first = false) {
+      if (!iterate_.split_residual()) return Outcome::left_domain;
+      const Direction direction =
+          is_first ? directions_.find_first(iterate_, damping_) : directions_.find(iterate_, damping_);
+      if (!direction) return *direction.failure;
+      const Step step = take_step(direction);
+      if (!step && step.damping >= range_.most) return Outcome::step_too_short;
+      damping_ = damping_after(step, range_);
+      note = direction.note;
+    }
+    return Outcome::stopped;
+  }
+
+ private:
+  Step take_step(const Direction& direction) {
+    const bool is_at_round_off = iterate_.promises_round_off({direction.s});
+    Step step =
+        is_at_round_off ? at_round_off_.take(iterate_, direction) : by_merit_.take(iterate_, direction);
+    const double energy = iterate_.energy();
+    if (direction.nearly_definite) step.leaves_saddle = leave_saddle(direction.damping);
+    if (!step && is_at_round_off) step = at_round_off_.fall_back(iterate_, direction.damping);
+    if (step.leaves_saddle) by_merit_.add_gain(energy - iterate_.energy());  // all forces have an energy
+    if (step.rule == Step::Rule::energy || step.leaves_saddle) at_round_off_.reset_stall_count();
+    return step;
+  }
+
+  /// (6), after the step by K + σ M: with the factor that gave it, from where it has led. Over that step the
+  /// direction in which K curves most downwards changes little, so that the old factor finds it at the new
+  /// point.
+  bool leave_saddle(double sigma) {
+    const auto v = curvature_.find_direction(iterate_.problem(), sigma);
+    return v && curvature_.leave_along(*v, iterate_);
+  }
+
+  Iterate iterate_;
+  const DampingRange range_;
+  double damping_;
+  NearlyDefinite nearly_definite_;
+  NegativeCurvature curvature_;
+  Directions directions_;
+  MeritSteps by_merit_;
+  RoundOffSteps at_round_off_;
+};
+
+}  // namespace
+
+Outcome solve_globalised(const Newton::Parameters& parameters, Problem& problem) {
+  return Globalised(parameters, problem).run();
+}
+
+}  // namespace netloft::newton

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/solver.hpp>
+#include <netloft/vectors.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solvers/adapters/common/round_off.hpp"
+#include "solvers/methods/newton/line_search.hpp"
+#include "solvers/methods/newton/newton.hpp"
+
+namespace netloft::newton {
+
+/// How all searches along a line go on.
+inline Refinement refinement_of(const Newton::Parameters& p) {
+  return {.margin = p.margin, .most = static_cast<int>(p.refinements)};
+}
+
+/// u(t) = u + t s + ½ t² a; straight where `a` is empty.
+struct Path {
+  std::span<const double> s, a = {};
+};
+
+/// The point u from which a step is sought, with residual r, energy E and nonconservative forces d there; and
+/// a trial point on a path from it.
+class Iterate {
+ public:
+  explicit Iterate(Problem& problem);
+
+  Problem& problem() { return problem_; }
+  std::size_t size() const { return r_.size(); }
+  double energy() const { return energy_; }
+  std::span<const double> residual() const { return r_; }
+  /// All forces have an energy: there are no d.
+  bool is_conservative() const { return d_.empty(); }
+  double slope(const Path& path) const { return dot(r_, path.s); }
+  /// What rounding may change of the merit along a path.
+  double round_off(const Path& path) const;
+  /// What a step promises to gain along a path is no more than that.
+  bool promises_round_off(const Path& path) const;
+  /// Points accepted so far.
+  std::size_t count() const { return count_; }
+
+  /// Evaluates at u, with the tangent if `matrix` says so.
+  bool evaluate(Matrix matrix = Matrix::exact);
+  /// d = r − g of (3).
+  bool split_residual();
+  bool report(const char* note) { return problem_.progress(problem_.u(), energy_, r_, note); }
+
+  /// s = −A⁻¹ r with the last factor A.
+  void solve(std::span<double> s);
+  /// r at u(t); nothing where elements are not defined.
+  std::optional<std::span<const double>> residual_at(const Path& path, double t);
+  /// (3) and its derivative. Forces at the last trial point are kept: a second call for the same point, and a
+  /// step that ends there, do not evaluate them again. Call split_residual() first.
+  std::optional<Sample> merit(const Path& path, double t);
+  /// Moves u to u(t) and evaluates the tangent there, unless elements are not defined there. False: u and the
+  /// tangent are what they were.
+  bool try_move(const Path& path, double t);
+  /// The same, unless ‖r‖ there is more than here.
+  bool try_move_if_residual_below(const Path& path, double t);
+
+ private:
+  /// What is known of the trial point.
+  enum class Known { nothing, residual, gradient_too };
+
+  bool move_trial(const Path& path, double t);
+  bool evaluate_trial(const Path& path, double t, Known wanted);
+  bool keep_tangent_of_trial(const Path& path, double t);
+  void accept_trial();
+  void find_nonconservative(std::span<const double> gradient);
+
+  Problem& problem_;
+  double energy_ = 0, energy_trial_ = 0;
+  std::size_t count_ = 0;
+  std::vector<double> r_, trial_, r_trial_, gradient_;
+  std::vector<double> d_;  // empty, as is the gradient, if all forces have an energy
+  bool is_split_ = false;  // d is that of u
+  Known known_ = Known::nothing;
+};
+
+}  // namespace netloft::newton

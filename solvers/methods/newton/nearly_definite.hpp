@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/imbalance.hpp>
+#include <netloft/solver.hpp>
+
+#include <algorithm>
+#include <optional>
+
+#include "solvers/methods/newton/damping.hpp"
+
+namespace netloft::newton {
+
+/// K is nearly definite where K + σ M is positive definite with a σ of `least_damping` to kMatters, the least
+/// stiffness that matters over M.
+class NearlyDefinite {
+ public:
+  explicit NearlyDefinite(const DampingRange& range) : range_(range), sigma_(range.least) {}
+
+  /// The smallest such σ, from one below that of the last time, by `factor`; K + σ M is then factorised. None
+  /// where K is not nearly definite.
+  std::optional<double> factorise(Problem& problem) {
+    for (sigma_ = std::max(range_.least, sigma_ / range_.factor); sigma_ <= kMatters * (1 + kShortest);
+         sigma_ *= range_.factor)
+      if (problem.factorise(Matrix::exact, sigma_) == Factor::ok) return sigma_;
+    sigma_ = range_.least;
+    return {};
+  }
+
+ private:
+  const DampingRange& range_;
+  double sigma_;  // of the last K that was nearly definite
+};
+
+}  // namespace netloft::newton

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/methods/ptc/ptc.hpp"
+
+using netloft::ptc::PseudoTransient;
+
+NETLOFT_PLUGIN("ptc", "0.2.0", "pseudo-transient continuation") {
+  using P = PseudoTransient::Parameters;
+  auto& ptc = plugin.solver<PseudoTransient>(
+      "ptc", "pseudo-transient continuation in the metric of the linear stiffness, by implicit Euler steps");
+  ptc.integer("corrections", &P::corrections,
+              "corrections after which a step is taken back; half as many allow a longer one", 2, 1000, 8);
+  ptc.real("solved", &P::solved, "1", "part of a step that its last correction may be",
+           {.lo = 1e-12, .hi = 0.5, .fallback = 0.01});
+}

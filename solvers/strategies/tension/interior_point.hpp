@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "solvers/strategies/tension/members.hpp"
+#include "solvers/strategies/tension/second_order_cone.hpp"
+
+namespace netloft::tension {
+
+/// Equilibrium of members that bear tension only, by an interior-point method. Whether a member is slack or
+/// taut is the complementarity of two points of a second-order cone K, which is solved for together with the
+/// positions, so that no step has to guess which members are slack. With r all other forces, n and c those of
+/// netloft_member:
+///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
+///   z ∘ y = μ e,  μ → 0                                                                     (2)
+/// At μ = 0 either T = 0 and the member is as short as it likes, or w has length l₀ (1 + T/EA) and q = T t.
+/// Under dead loads these are the conditions of a convex problem, which has one energy (Y. Kanno, M. Ohsaki,
+/// J. Ito, "Large-deformation and friction analysis of non-linear elastic cable networks by second-order cone
+/// programming", Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2), scaled by W (W z =
+/// W⁻¹ y, H = W²), T, q and z₀ eliminated member by member, h = (H₁₀, H₂₀, H₃₀), H̄ the rest:
+///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀)]) s = −(r + Σ n c [q − ḡ + h ζ])               (3)
+///   ζ = (EA (1 − z₀) + T + g₀)/(EA + H₀₀)                                                   (4)
+///   g = −y to see how far a step leads (a₀), then W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)), v = W z,
+///   σ = (1 − a₀)³, with the same matrix                                                     (5)
+///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
+/// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
+/// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag, whose law is none of a
+/// convex problem, is linearised at every step like all of r; where that leaves a step no longer than what
+/// (6) keeps from the boundary, the method ends. It has converged once μ and the residual are half of the
+/// digits of a double below the load: Newton's method, which goes on from there, finds the others in a step.
+/// What members bear in compression is left out: a solver that goes on from here brings it in.
+class InteriorPoint {
+ public:
+  /// What steers the method; strategies.cpp says what it is.
+  struct Parameters {
+    double to_boundary = 0;  // (6)
+    /// What a step keeps from the boundary, and the first point in z₀, too.
+    double room() const { return 1 - to_boundary; }
+  };
+
+  enum class Ending { converged, called_off, no_forces, no_factor, no_step };
+
+  InteriorPoint(const Parameters& parameters, netloft_members& members);
+
+  /// From u to where it ends. `load` is the first μ [N]: what drives the gear, all in all.
+  Ending solve(std::span<double> u, double load);
+
+  double largest_residual() const { return largest_of({residual_.data(), members_.unknowns()}); }
+  double mu() const { return mu_; }
+
+ private:
+  struct State {
+    double z0;  // the rest of z is w/l₀
+    cone::Point y;
+    cone::Point dz{}, dy{};  // the step
+  };
+
+  void begin(std::span<const double> u);
+  double EA(std::size_t e) const { return members_[e].EA; }
+  cone::Point z_of(std::size_t e) const;
+  double strain(std::size_t e) const { return std::sqrt(dot(w_[e], w_[e])) / members_[e].rest_length - 1; }
+  bool has_converged() const;
+  double mean_complementarity() const;
+
+  bool evaluate(std::span<const double> u);
+  void set_members();
+  void set_member(std::size_t e);
+  bool factorise();
+
+  double find_step();
+  void predict();
+  void correct(double mu);
+  void solve_for_step();
+  void set_step(std::size_t e);
+  double zeta(std::size_t e, double g0, double along) const;
+  double longest_step() const;
+  void take(double a, std::span<double> u);
+
+  Parameters p_;
+  Members members_;
+  double load_ = 0;  // [N]
+  std::vector<State> states_;
+  std::vector<cone::Scaling> scaling_;
+  std::vector<cone::Point> g_;
+  std::vector<Block> blocks_;
+  std::vector<Vector> w_, forces_, changes_;
+  std::vector<double> rest_, residual_, rhs_, step_;
+  double mu_ = 0;               // [N]
+  bool is_indefinite_ = false;  // (3), because of r
+};
+
+}  // namespace netloft::tension

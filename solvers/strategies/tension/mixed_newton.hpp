@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "solvers/strategies/tension/members.hpp"
+
+namespace netloft::tension {
+
+/// Newton's method with the tension of every member as an unknown of its own: a point is positions u and
+/// tensions T that need not belong to one another until the end.
+///   r(u) + Σ n c T t = 0,  T = k ε(u),  k = EA where T > 0, else EA_c                              (1)
+/// with r all other forces, n and c those of netloft_member; linearised in u and T together, T eliminated:
+///   (∂r/∂u + Σ n c cᵀ [k/l₀ t tᵀ + T/l (I − t tᵀ)] + D) s = −(r + Σ n c k ε(u) t)                   (2)
+///   T ← T + a (k (ε + t·Σ c s / l₀) − T),  u ← u + a s                                             (3)
+/// Newton's own matrix has k ε(u) in the place of T. After a step in which a stiff bar turns by θ, that is
+/// too large by k θ²/2, and it holds the bar where it is until the next step has taken it back: the stiffer
+/// the bar, the shorter the steps. T of (3) does not see that stretch. After D. Magisano, L. Leonetti, G.
+/// Garcea, "How to improve efficiency and robustness of the Newton method in geometrically non-linear
+/// structural problem discretized via displacement-based finite elements", Comput. Methods Appl. Mech. Eng.
+/// 313 (2017). Where it deviates:
+/// - a < 1 where a member would turn by more than `farthest_turn`; no energy is searched;
+/// - D = μ Σ n c cᵀ EA/l₀ I, the linear stiffness, holds what is slack; μ falls after a whole step and
+///   becomes μ/2a after a shorter one;
+/// - far from an equilibrium T = k ε(u) instead of (3), and μ follows the residual (W. A. Mulder
+///   and B. van Leer, J. Comput. Phys. 59 (1985) 232-246).
+class MixedNewton {
+ public:
+  /// μ above which steps no longer depend on anything else.
+  static constexpr double kMostDamping = 1;
+
+  /// What steers the method whatever the stage; strategies.cpp says what it is.
+  struct Parameters {
+    double factor = 0;  // by which μ falls and rises
+  };
+
+  /// One solve with the stiffness of every part reduced.
+  struct Stage {
+    const char* name = "";
+    std::vector<double> factor;  // on EA and EA_c, by part; at most 1
+    bool is_far = false;         // T = k ε(u), and μ follows the residual
+    double damping = 0;          // first μ
+    double farthest_turn = 0;    // of any member in one step [rad]
+    bool is_between = false;     // over after the first whole step, else
+    double tolerance = 0;        // when no residual exceeds so much of the largest reaction
+    std::int64_t iterations = 0;
+  };
+
+  enum class Ending { converged, out_of_iterations, called_off, no_forces };
+
+  MixedNewton(const Parameters& parameters, netloft_members& members);
+
+  /// From u to where it ends, with the tensions with which the last stage ended.
+  Ending solve(const Stage& stage, std::span<double> u);
+
+  /// Largest tension or compression in the members of each part [N].
+  std::vector<double> tensions_by_part() const;
+  /// Stiffness of the members of each part [N]; zero where there are none.
+  std::vector<double> stiffness_by_part() const;
+
+ private:
+  struct Law {
+    double EA, EA_compression, inverse_l0;
+  };
+  struct Geometry {
+    Vector t;
+    double inverse_l, strain;
+  };
+  void begin(const Stage& stage, std::span<const double> u);
+  void update_geometry(std::span<const double> u);
+  void follow_positions();
+  double stiffness(std::size_t e) const {  // k of (1)
+    return T_[e] > 0 ? laws_[e].EA : laws_[e].EA_compression;
+  }
+  double tension_at(std::size_t e, double strain) const {
+    return (strain > 0 ? laws_[e].EA : laws_[e].EA_compression) * strain;
+  }
+  bool find_rest(std::span<const double> u);
+  bool has_converged(const Stage& stage);
+  bool find_residual();
+  bool is_balanced(double tolerance) const;
+  bool assemble();
+  void follow_residual();
+  bool find_step();
+  double largest_turn() const;
+  void take(const Stage& stage, std::span<double> u);
+  void move_tensions(double a);
+  void adapt_damping(double a);
+  void set_damping(double damping);
+
+  Parameters p_;
+  Members members_;
+  std::vector<Law> laws_;
+  std::vector<Geometry> geometry_;
+  std::vector<Vector> w_, changes_, forces_;
+  std::vector<Line> lines_;
+  std::vector<double> T_;                               // by member; empty before the first stage
+  std::vector<double> rest_, residual_, mixed_, step_;  // r; (1); right-hand side of (2); s
+  double damping_ = 0;                                  // μ
+  double norm_ = 0;                                     // of the last residual
+  bool took_whole_step_ = false;
+  bool knows_rest_ = false;  // rest_ and its tangent belong to u
+};
+
+}  // namespace netloft::tension

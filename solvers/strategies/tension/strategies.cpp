@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers/strategies/tension/strategies.hpp"
+
+#include <algorithm>
+
+namespace netloft::tension {
+
+namespace {
+
+/// Solves the scene as it is; an equilibrium is an answer.
+void solve_from(Study& study, Displacements u) {
+  const Stage stage = study.solve({.name = "as it is, from there"}, std::move(u));
+  if (stage.is_stationary()) study.answer(stage.u);
+}
+
+std::string counted(std::size_t members) {
+  return std::to_string(members) + (members == 1 ? " member" : " members");
+}
+
+/// Where all members resist compression as they do tension, there is nothing to be found out about them.
+bool some_can_be_slack(const netloft_members& members) {
+  return std::any_of(members.member, members.member + members.count,
+                     [](const netloft_member& m) { return m.EA_compression < m.EA; });
+}
+
+const char* beginning(const Study& study) {
+  return study.starts_from_sketch() ? "from the sketch" : "from the given start";
+}
+
+}  // namespace
+
+void Only::describe(StrategyTable<Only>& t) {
+  t.needs(NETLOFT_STUDY_MEMBERS);
+  t.real("to_boundary", &Parameters::to_boundary, "1",
+         "part of the way to the boundary of the cone that a step takes; the rest is the strain by which "
+         "members start inside it, and a step that is shorter ends the method",
+         {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
+}
+
+void Only::run(const Parameters& parameters, Study& study) {
+  if (!(study.load() > 0)) return study.decline("nothing drives the gear");
+  bool has_converged = false;
+  const char* why_not = "its interior point did not converge";
+  Displacements u = study.with_members(
+      {.name = "tension only"}, study.start(), [&](netloft_members& members, std::span<double> there) {
+        if (!some_can_be_slack(members)) {
+          why_not = "its members resist compression as they do tension";
+          return;
+        }
+        InteriorPoint method(parameters, members);
+        has_converged = method.solve(there, study.load()) == InteriorPoint::Ending::converged;
+      });
+  if (!has_converged) return study.decline(why_not);
+  solve_from(study, std::move(u));
+}
+
+std::string Only::explain(const Parameters&, Study& study) {
+  return "interior point, " + counted(study.members()) + " bearing tension only, " + beginning(study) +
+         ": no step has to guess which are slack\nthe analysis' solver from there: with all forces as they "
+         "are";
+}
+
+// Dampings are parts of the linear stiffness. What is said to be fitted was chosen on four real gears, out of
+// thousands of random sets and a grid: tests/validation/README.md, "How sure it is".
+void FromSoft::describe(StrategyTable<FromSoft>& t) {
+  using P = Parameters;
+  t.needs(NETLOFT_STUDY_MEMBERS);
+  t.integer("iterations", &P::iterations,
+            "limit of every stage: of 150 first stages that converged on a draw of hard cases two took more",
+            1, 10000, 40);
+  const auto add = [&](const char* name, double P::*member, const char* unit, double fallback,
+                       const char* doc, double least = 1e-16) {
+    t.real(name, member, unit, doc, {.lo = least, .hi = 1e9, .fallback = fallback});
+  };
+  // Least of what is multiplied by again and again: at one there is no end; with this `last` is reached from
+  // one in 104 steps.
+  constexpr double kLeastGrowth = 1.1;
+  add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");
+  add("ratio", &P::ratio, "1", 5,
+      "stiffness of a part over its tension in the second stage, and by how much that grows from stage to "
+      "stage; fitted",
+      kLeastGrowth);
+  add("last", &P::last, "1", 2e4,
+      "stiffness over tension before parts are as stiff as they are; a part is taken to bear at least the "
+      "tension of the busiest part over this");
+  add("tolerance", &P::tolerance, "1", 0.15,
+      "largest residual over the largest reaction that ends the first stage; fitted");
+  add("damping", &P::damping, "1", 2e-5, "first damping of later stages; fitted");
+  add("turn", &P::turn, "rad", 0.25, "most that a member turns in a step of a later stage; fitted");
+  add("factor", &P::factor, "1", 10,
+      "by which damping falls after a whole step and rises where a matrix has no factor; in the first stage "
+      "it follows the residual, by no more than this",
+      kLeastGrowth);
+}
+
+void FromSoft::run(const Parameters& parameters, Study& study) {
+  Displacements u = study.with_members(
+      {.name = "from soft to stiff, tensions as unknowns"}, study.start(),
+      [&](netloft_members& members, std::span<double> there) { Stages(parameters, members).solve(there); });
+  if (all_finite(u)) solve_from(study, std::move(u));
+}
+
+std::string FromSoft::explain(const Parameters&, Study& study) {
+  return "stages from soft to stiff, the tensions of " + counted(study.members()) + " as unknowns, " +
+         beginning(study) +
+         ": stiff ropes turn without being stretched\nthe analysis' solver from there: with all forces as "
+         "they are";
+}
+
+}  // namespace netloft::tension

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/toml/override.hpp"
+
+#include "tests/unit/io/formats/toml/scratch.hpp"
+
+namespace netloft::io {
+namespace {
+
+using testing::Input;
+
+const char* const kScene =
+    "[parts.net]\ncells = [32, 32]\ntwine = { EA = 1, density = 2 }\n[[hold]]\non = \"net.fore\"\n";
+
+TEST(Override, ReplacesAValue) {
+  Input in(kScene, {"parts.net.cells=[64,64]"});
+  EXPECT_EQ(in.reader.table("parts").table("net").integers("cells", {}), (std::vector<std::int64_t>{64, 64}));
+}
+TEST(Override, AddsAKey) {
+  Input in(kScene, {"parts.net.twine.diameter=3"});
+  EXPECT_EQ(in.reader.table("parts").table("net").table("twine").integer("diameter", {}), 3);
+}
+TEST(Override, MakesTheTablesOnItsWay) {
+  Input in(kScene, {"water.current.speed=3"});
+  EXPECT_EQ(in.reader.table("water").table("current").integer("speed", {}), 3);
+}
+TEST(Override, ReplacesAWholeTable) {
+  Input in(kScene, {"parts.net.twine={ EA = 7 }"});
+  EXPECT_EQ(in.reader.table("parts").table("net").table("twine").keys(), std::vector<std::string>{"EA"});
+}
+TEST(Override, ReplacesAnItemOfAnArray) {
+  Input in(kScene, {"parts.net.cells[1]=64"});
+  EXPECT_EQ(in.reader.table("parts").table("net").integers("cells", {}), (std::vector<std::int64_t>{32, 64}));
+}
+TEST(Override, ReachesIntoTheTablesOfAnArray) {
+  Input in(kScene, {"hold[0].at=[[1, 2, 3]]", "hold[0].at[0][2]=7 m"});
+  EXPECT_EQ(in.reader.tables("hold")[0].rows("at", {.unit = "m"}),
+            (std::vector<std::vector<double>>{{1, 2, 7}}));
+}
+TEST(Override, RefusesItemsThatAreNotThere) {
+  EXPECT_EQ(Input(kScene, {"parts.net.cells[2]=1"}).error(),
+            "1:1: parts.net.cells has 2 items, so there is no parts.net.cells[2]");
+  EXPECT_EQ(Input(kScene, {"parts.net[0]=1"}).error(),
+            "1:1: parts.net is not an array in the scene, so parts.net[0] cannot be set");
+  for (const char* path : {"[0]", "hold[", "hold[]", "hold[x]", "hold[-1]", "hold[0]x", "hold[0].",
+                           "hold[99999999999999999999]"})
+    EXPECT_TRUE(Input(kScene, {std::string(path) + "=1"}).error().ends_with("is not a path of dotted keys"))
+        << path;
+}
+TEST(Override, LeavesBracketsInQuotesAlone) {
+  Input in(kScene, {"\"a[0]\".b=3"});
+  EXPECT_EQ(in.reader.table("a[0]").integer("b", {}), 3);
+}
+TEST(Override, TakesABareWordAsAText) {
+  Input in(kScene, {"solver=newton"});
+  EXPECT_EQ(in.reader.text("solver", {}), "newton");
+}
+TEST(Override, TakesANumberWithAUnitAsAText) {
+  Input in(kScene, {"bar = 0.6 m"});
+  EXPECT_EQ(in.reader.real("bar", {.unit = "m"}), 0.6);
+}
+TEST(Override, TakesNothingAsAnEmptyText) {
+  Input in(kScene, {"solver="});
+  EXPECT_EQ(in.reader.text("solver", {.fallback = "x"}), "");
+}
+TEST(Override, TakesAValueThatBringsASecondKeyAsAText) {
+  Input in(kScene, {"a=1\nb=2"});
+  EXPECT_EQ(in.reader.text("a", {}), "1\nb=2");
+  EXPECT_FALSE(in.reader.has("b"));
+}
+TEST(Override, AcceptsQuotedKeys) {
+  Input in(kScene, {"\"a=b\".c=3"});
+  EXPECT_EQ(in.reader.table("a=b").integer("c", {}), 3);
+}
+TEST(Override, LetsTheLastOneWin) {
+  Input in(kScene, {"a=1", "a=2"});
+  EXPECT_EQ(in.reader.integer("a", {}), 2);
+}
+TEST(Override, ShowsItselfAsThePlaceOfItsValue) {
+  Input in(kScene, {"parts.net.cells=[64,x4]", "parts.net.cells=[64,-4]"});
+  in.reader.table("parts").table("net").integers("cells", {.lo = 1});
+  EXPECT_EQ(in.diagnostics.render(false),
+            "--set parts.net.cells: error: parts.net.cells[1] = -4 is outside [1, inf)\n"
+            "  1 | parts.net.cells=[64,-4]\n"
+            "    |                     ^~\n");
+}
+TEST(Override, DoesNotWalkThroughAValue) {
+  EXPECT_EQ(Input(kScene, {"parts.net.cells.x=1"}).error(),
+            "1:1: parts.net.cells is not a table, so parts.net.cells.x cannot be set");
+}
+TEST(Override, DoesNotWalkThroughAnArrayOfTables) {
+  EXPECT_EQ(Input(kScene, {"hold.on=1"}).hint(),
+            "set the whole array: hold=[...], or one of its items: hold[0]=...");
+}
+TEST(Override, DoesNotWalkThroughWhatAnotherOneSet) {
+  EXPECT_EQ(Input(kScene, {"a=1", "a.b=2"}).error(), "1:1: a is not a table, so a.b cannot be set");
+}
+TEST(Override, WantsAnEqualsSign) {
+  EXPECT_EQ(Input(kScene, {"parts.net"}).error(), "1:1: there is no '=' in parts.net");
+}
+TEST(Override, CannotSetInclude) {
+  EXPECT_EQ(Input(kScene, {"include=[]"}).error(),
+            "1:1: include cannot be set: files are read before values are set");
+}
+
+TEST(Override, FindsNoEqualsSignInAKeyThatIsNeverClosed) {
+  EXPECT_EQ(Input(kScene, {"\"a=1"}).error(), "1:1: there is no '=' in \"a=1");
+}
+
+class BadPath : public ::testing::TestWithParam<const char*> {};
+TEST_P(BadPath, IsRefused) {
+  Input in(kScene, {std::string(GetParam()) + "=1"});
+  EXPECT_NE(in.error().find("is not a path of dotted keys"), std::string::npos) << in.error();
+}
+INSTANTIATE_TEST_SUITE_P(Override, BadPath,
+                         ::testing::Values("", ".", "a.", "a..b", "a b", "hold[0", "[a]", "#", "a\nb", "é"));
+
+}  // namespace
+}  // namespace netloft::io

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/meshing/gear_mesh.hpp"
+
+#include "io/gears/meshing/cloths.hpp"
+#include "io/gears/plan/twine_coordinates.hpp"
+#include "tests/unit/io/gears/plan/divided.hpp"
+#include "tests/unit/io/gears/plan/plans.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+namespace netloft::io {
+namespace {
+
+/// A divided gear with all that it points into.
+struct Divided {
+  CheckedPlan checked;
+  Gear gear;
+  GearMesh mesh;
+
+  const PanelMesh& panel(const std::string& name) const {
+    return mesh.panels[static_cast<std::size_t>(gear.find_panel(name) - gear.panels.data())];
+  }
+  const RopeMesh& rope(const std::string& name) const {
+    return mesh.ropes[static_cast<std::size_t>(gear.find_rope(name) - gear.ropes.data())];
+  }
+  /// Gear nodes of an edge or a corner.
+  std::vector<std::uint32_t> nodes(const std::string& panel_name, const std::string& set) const {
+    std::vector<std::uint32_t> all;
+    for (const auto own : panel(panel_name).sets.at(set)) all.push_back(panel(panel_name).nodes[own]);
+    return all;
+  }
+};
+
+Fineness by_nodes(std::size_t nodes) {
+  Fineness fineness;
+  fineness.nodes = nodes;
+  return fineness;
+}
+
+Fineness by_size(double size) {
+  Fineness fineness;
+  fineness.size = size;
+  return fineness;
+}
+
+Divided divided(const std::string& text, Extent extent, const Fineness& fineness) {
+  Divided all{check_text(text), {}, {}};
+  EXPECT_EQ(all.checked.diagnostics.errors(), 0u) << all.checked.said();
+  all.gear = make_gear(all.checked.plan, extent);
+  all.mesh = divide(all.gear, fineness);
+  return all;
+}
+
+const std::vector<std::string> kLibrary = {"83-112-eastern.toml", "codend-100-round.toml", "four-panel.toml"};
+
+/// Calls `test` with all gears of the library and the good plan, whole and half.
+template <class Test>
+void with_all_gears(const Fineness& fineness, Test test) {
+  std::vector<std::string> texts{kGoodPlan};
+  for (const auto& name : kLibrary) texts.push_back(library_text(name));
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    for (const Extent extent : {Extent::whole, Extent::half}) {
+      SCOPED_TRACE((k ? kLibrary[k - 1] : "good plan") + (extent == Extent::half ? ", half" : ", whole"));
+      test(divided(texts[k], extent, fineness));
+    }
+}
+
+TEST(GearMesh, HasTheAreaOfItsOutlines) {
+  for (const std::size_t nodes : {500u, 2000u})
+    with_all_gears(by_nodes(nodes), [](const Divided& all) { expect_areas(all.gear, all.mesh); });
+}
+
+Fineness by_knots() {
+  Fineness fineness;
+  fineness.knots = true;
+  return fineness;
+}
+
+/// A plan of one rectangle.
+std::string rectangle(const std::string& more) {
+  return "[panels.net]\nstands = \"alone\"\nmesh = \"0.1 m\"\ntwine = { diameter = \"2 mm\", EA = 1000, "
+         "density = 1140 }\n"
+         "fore = 12\ndepth = 9\nouter = \"AN\"\ninner = \"AN\"\nopen = [\"fore\", \"aft\", \"outer\", "
+         "\"inner\"]\n" +
+         more;
+}
+
+/// Whether two sides of a triangle are single bars, one of either direction.
+bool is_between_knots(const PanelMesh& panel, std::size_t t, const Panel& plan) {
+  std::set<std::array<double, 2>> bars;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto a = panel.meshes[panel.triangles[3 * t + k]],
+               b = panel.meshes[panel.triangles[3 * t + (k + 1) % 3]];
+    const auto from = twine_coordinates(plan.orientation, plan.angle, a[0], a[1]),
+               to = twine_coordinates(plan.orientation, plan.angle, b[0], b[1]);
+    const double u = std::abs(to[0] - from[0]), v = std::abs(to[1] - from[1]);
+    if (std::abs(u + v - 1) < 1e-9 && std::min(u, v) < 1e-9) bars.insert({std::round(u), std::round(v)});
+  }
+  return bars.size() == 2;
+}
+
+TEST(GearMeshByKnots, HasEveryKnotOfARectangleForANodeAndNoOther) {
+  for (const char* orientation : {"diamond", "t90"}) {
+    const Divided all =
+        divided(rectangle("orientation = \"" + std::string(orientation) + "\"\n"), Extent::whole, by_knots());
+    EXPECT_EQ(all.mesh.nodes, 13u * 10 + 12 * 9);
+    const PanelMesh& net = all.mesh.panels[0];
+    for (std::size_t t = 0; t < net.triangles.size() / 3; ++t)
+      EXPECT_TRUE(is_between_knots(net, t, *all.gear.panels[0].panel)) << t;
+  }
+}
+TEST(GearMeshByKnots, HasEveryKnotOfSquareNettingToo) {
+  const Divided all = divided(rectangle("orientation = \"square\"\n"), Extent::whole, by_knots());
+  EXPECT_EQ(all.mesh.nodes, 13u * 10);
+}
+TEST(GearMeshByKnots, IsWithoutHolesAndHasTheAreaOfItsOutlines) {
+  with_all_gears(by_knots(), [](const Divided& all) {
+    expect_areas(all.gear, all.mesh);
+    expect_closed_and_oriented(all.gear, all.mesh);
+  });
+}
+// Off the borders: most of all triangles.
+TEST(GearMeshByKnots, HasTrianglesBetweenKnotsButForItsBorders) {
+  const Divided all = divided(library_text("codend-100-round.toml"), Extent::whole, by_knots());
+  for (std::size_t p = 0; p < all.mesh.panels.size(); ++p) {
+    const PanelMesh& panel = all.mesh.panels[p];
+    const std::size_t count = panel.triangles.size() / 3;
+    std::size_t between = 0;
+    for (std::size_t t = 0; t < count; ++t) between += is_between_knots(panel, t, *all.gear.panels[p].panel);
+    EXPECT_GT(static_cast<double>(between), 0.95 * static_cast<double>(count)) << all.gear.panels[p].name;
+  }
+}
+
+TEST(GearMesh, IsWithoutHolesAndShowsOneFaceOutwards) {
+  for (const std::size_t nodes : {100u, 500u, 2000u})
+    with_all_gears(by_nodes(nodes),
+                   [](const Divided& all) { expect_closed_and_oriented(all.gear, all.mesh); });
+}
+
+void expect_about(std::size_t nodes, const GearMesh& mesh) {
+  const auto asked = static_cast<double>(nodes);
+  EXPECT_NEAR(static_cast<double>(mesh.nodes), asked, 0.15 * asked);
+}
+
+TEST(GearMesh, HasAboutAsManyNodesAsAreAskedFor) {
+  for (const std::size_t nodes : {500u, 2000u})
+    with_all_gears(by_nodes(nodes), [&](const Divided& all) { expect_about(nodes, all.mesh); });
+  for (const std::size_t nodes : {8000u, 30000u})
+    expect_about(nodes, divided(library_text("four-panel.toml"), Extent::half, by_nodes(nodes)).mesh);
+}
+
+TEST(GearMesh, NumbersItsNodesWithoutGaps) {
+  with_all_gears(by_nodes(500), [](const Divided& all) {
+    std::vector<int> used(all.mesh.nodes, 0);
+    for (const auto& panel : all.mesh.panels)
+      for (const auto node : panel.nodes) used.at(node) = 1;
+    for (const auto& rope : all.mesh.ropes)
+      for (const auto node : rope.nodes) used.at(node) = 1;
+    EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
+  });
+}
+
+TEST(GearMesh, HasNoSlivers) {
+  with_all_gears(by_nodes(2000), [](const Divided& all) {
+    EXPECT_GT(all.mesh.quality.least_angle, 17 * std::numbers::pi / 180);
+    EXPECT_LT(all.mesh.quality.greatest_angle, 140 * std::numbers::pi / 180);
+    std::size_t triangles = 0;
+    for (const auto& panel : all.mesh.panels) triangles += panel.triangles.size() / 3;
+    EXPECT_EQ(all.mesh.quality.triangles, triangles);
+  });
+}
+
+TEST(GearMesh, SewnEdgesHaveTheSameNodes) {
+  with_all_gears(by_nodes(2000), [](const Divided& all) {
+    for (const auto& seam : all.gear.seams) {
+      std::array<std::set<std::uint32_t>, 2> nodes;
+      for (std::size_t r = 0; r < 2; ++r)
+        for (const auto& ref : seam.edges[r])
+          for (const auto node : all.nodes(all.gear.panels[ref.panel].name,
+                                           all.gear.panels[ref.panel].outline.edges[ref.edge].name))
+            nodes[r].insert(node);
+      EXPECT_EQ(nodes[0], nodes[1]) << all.gear.name_of(seam.edges[0][0]);
+      EXPECT_GE(nodes[0].size(), 3u);
+    }
+  });
+}
+
+/// 60 meshes on 56: every node is at the same fraction of both edges.
+TEST(GearMesh, TakeUpIsSpreadEvenlyOverTheSeam) {
+  const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(2000));
+  const auto &body = all.panel("top-body"), &bag = all.panel("top-intermediate");
+  std::map<std::uint32_t, double> at;
+  for (const auto own : bag.sets.at("fore")) at[bag.nodes[own]] = bag.meshes[own][0] / 30;
+  for (const auto own : body.sets.at("aft"))
+    EXPECT_NEAR(body.meshes[own][0] / 28, at.at(body.nodes[own]), 1e-9);
+}
+
+TEST(GearMesh, RestLengthsAddUpToTheRopes) {
+  with_all_gears(by_nodes(500), [](const Divided& all) {
+    for (std::size_t r = 0; r < all.gear.ropes.size(); ++r) {
+      const auto& rope = all.mesh.ropes[r];
+      ASSERT_EQ(rope.rest_lengths.size() + 1, rope.nodes.size());
+      const double sum = std::accumulate(rope.rest_lengths.begin(), rope.rest_lengths.end(), 0.0);
+      EXPECT_NEAR(sum, all.gear.ropes[r].length, 1e-9 * sum) << all.gear.ropes[r].name;
+      for (const double l : rope.rest_lengths) EXPECT_GT(l, 0);
+    }
+  });
+}
+
+/// Along a hung edge, the rope has the nodes of the edge in a row and the length that the hanging says.
+TEST(GearMesh, RopesRunAlongTheNodesOfTheirEdges) {
+  const auto all = divided(library_text("four-panel.toml"), Extent::whole, by_nodes(500));
+  EXPECT_EQ(all.rope("headline").nodes, all.nodes("top", "fore"));
+  auto breast = all.nodes("starboard-side", "fore");
+  std::reverse(breast.begin(), breast.end());  // from the headline's end down to the footrope's
+  EXPECT_EQ(all.rope("starboard-breast-line").nodes, breast);
+}
+
+/// Wings take 36 of 83.9 ft and the bosom 11.9; the missing length of rope is distributed among them.
+TEST(GearMesh, RopesTakeTheSharesOfTheirEdges) {
+  const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(2000));
+  const auto& rope = all.rope("headrope");
+  const std::size_t bosom = all.panel("top-body").sets.at("bosom").size() - 1;
+  const double sum = std::accumulate(rope.rest_lengths.begin(),
+                                     rope.rest_lengths.begin() + static_cast<std::ptrdiff_t>(bosom), 0.0);
+  EXPECT_NEAR(sum, 12.65 * 5.95 / (5.95 + 36), 1e-9);
+}
+
+TEST(GearMesh, PointsThatAreOneAreOneNode) {
+  const auto all = divided(library_text("83-112-eastern.toml"), Extent::whole, by_nodes(500));
+  const auto& at = all.mesh.points;
+  EXPECT_EQ(at.at("headrope.end"), at.at("starboard-top-wing.fore-inner"));
+  EXPECT_EQ(at.at("headrope.start"), at.at("port-upper-bridle.end"));
+  EXPECT_EQ(at.at("starboard-lower-bridle.end"), at.at("starboard-lower-extension.start"));
+  EXPECT_EQ(at.at("starboard-towing-point"), at.at("starboard-upper-bridle.start"));
+  EXPECT_EQ(at.at("top-body.starboard-aft-outer"), at.at("bottom-intermediate.starboard-fore-outer"));
+  EXPECT_EQ(at.at("headrope.middle"), at.at("top-body.fore-inner"));
+  EXPECT_NE(at.at("port-towing-point"), at.at("starboard-towing-point"));
+}
+
+TEST(GearMesh, RopesLongerThanTheirEdgesHaveFreeEnds) {
+  const auto all = divided(kGoodPlan, Extent::half, by_nodes(200));
+  EXPECT_NE(all.mesh.points.at("headline.end"), all.mesh.points.at("wing.fore-inner"));
+  const auto& rope = all.rope("headline");
+  const auto tip = std::find(rope.nodes.begin(), rope.nodes.end(), all.mesh.points.at("wing.fore-inner"));
+  const auto hung = rope.rest_lengths.begin() + (tip - rope.nodes.begin());
+  EXPECT_NEAR(std::accumulate(rope.rest_lengths.begin(), hung, 0.0), 0.5 + 1.9, 1e-9);
+}
+
+TEST(GearMesh, HalvesLieOnThePlaneOfSymmetry) {
+  const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(500));
+  const std::set<std::uint32_t> middle(all.mesh.middle.begin(), all.mesh.middle.end());
+  for (std::size_t p = 0; p < all.gear.panels.size(); ++p)
+    for (std::size_t k = 0; k < all.mesh.panels[p].nodes.size(); ++k)
+      if (all.gear.panels[p].panel->stands == Standing::middle) {
+        EXPECT_EQ(middle.contains(all.mesh.panels[p].nodes[k]), all.mesh.panels[p].meshes[k][0] == 0);
+      }
+  EXPECT_TRUE(middle.contains(all.rope("footrope").nodes.front()));
+}
+
+using Meshes = std::multiset<std::array<double, 2>>;
+
+Meshes meshes_of(const PanelMesh& panel, double sign) {
+  Meshes all;
+  for (const auto& at : panel.meshes)
+    all.insert({std::round(1e6 * (at[0] == 0 ? 0 : sign * at[0])), std::round(1e6 * at[1])});
+  return all;
+}
+
+TEST(GearMesh, IsTheSameToPortAndToStarboard) {
+  for (const auto& name : kLibrary) {
+    const auto all = divided(library_text(name), Extent::whole, by_nodes(2000));
+    for (std::size_t p = 0; p < all.gear.panels.size(); ++p) {
+      const auto& panel = all.gear.panels[p];
+      const std::string starboard = "starboard-" + panel.panel->name;
+      if (panel.panel->stands == Standing::middle)
+        EXPECT_EQ(meshes_of(all.mesh.panels[p], 1), meshes_of(all.mesh.panels[p], -1)) << panel.name;
+      else
+        EXPECT_EQ(meshes_of(all.mesh.panels[p], 1), meshes_of(all.panel(starboard), 1)) << panel.name;
+    }
+  }
+}
+
+/// Mean length of the sides of triangles where netting is spread.
+double mean_side(const Divided& all, const std::string& name) {
+  const auto& mesh = all.panel(name);
+  double sum = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto &a = mesh.meshes[mesh.triangles[t + k]], &b = mesh.meshes[mesh.triangles[t + (k + 1) % 3]];
+      const PanelPoint d = spread(*all.gear.find_panel(name)->panel, {b[0] - a[0], b[1] - a[1]});
+      sum += std::hypot(d.x, d.y);
+    }
+  return sum / static_cast<double>(mesh.triangles.size());
+}
+
+TEST(GearMesh, SidesAreAboutAsLongAsAskedFor) {
+  const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_size(0.2));
+  for (const char* panel : {"top-wing", "top-body", "bottom-body"})
+    EXPECT_NEAR(mean_side(all, panel), 0.2, 0.15 * 0.2) << panel;
+  const auto& bridle = all.rope("upper-bridle").rest_lengths;
+  for (const double l : bridle) EXPECT_NEAR(l, 0.2, 0.01 * 0.2);
+}
+
+TEST(GearMesh, PartsMayBeFinerThanOthers) {
+  Fineness fineness = by_size(0.3);
+  fineness.finer = {{"top-wing", 3}, {"upper-bridle", 2}};
+  const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, fineness);
+  EXPECT_NEAR(mean_side(all, "top-wing"), 0.1, 0.15 * 0.1);
+  EXPECT_NEAR(mean_side(all, "bottom-body"), 0.3, 0.15 * 0.3);
+  EXPECT_NEAR(all.rope("upper-bridle").rest_lengths[0], 0.15, 0.01);
+  EXPECT_NEAR(all.rope("lower-bridle").rest_lengths[0], 0.3, 0.02);
+  expect_closed_and_oriented(all.gear, all.mesh);
+}
+
+/// A rib rope along a seam has the seam's nodes.
+TEST(GearMesh, EdgesMayBeSewnAndHung) {
+  const auto all = divided(library_text("four-panel.toml") + R"(
+[ropes.rib]
+stands = "pair"
+rope = { diameter = "12 mm", EA = "100 kN", density = 1000 }
+length = "7 m"
+[[hang]]
+edge = "side.outer"
+on = "rib"
+length = "7 m"
+)",
+                           Extent::half, by_nodes(500));
+  EXPECT_EQ(all.rope("rib").nodes, all.nodes("side", "outer"));
+  const auto seam = all.nodes("top", "sides");
+  EXPECT_EQ(all.rope("rib").nodes, seam);
+}
+
+TEST(GearMesh, TubesAreSewnToThemselves) {
+  const std::string text = R"(
+[panels.bag]
+mesh = "80 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
+round = 60
+depth = 50
+)";
+  const auto all = divided(text, Extent::whole, by_nodes(300));
+  expect_closed_and_oriented(all.gear, all.mesh);
+  expect_areas(all.gear, all.mesh);
+  const auto half = divided(text, Extent::half, by_nodes(300));
+  const std::set<std::uint32_t> middle(half.mesh.middle.begin(), half.mesh.middle.end());
+  for (const auto node : half.nodes("bag", "sides")) EXPECT_TRUE(middle.contains(node));
+}
+
+}  // namespace
+}  // namespace netloft::io

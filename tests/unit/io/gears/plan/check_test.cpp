@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/unit/io/gears/plan/plans.hpp"
+
+namespace netloft::io {
+namespace {
+
+bool says(const CheckedPlan& checked, const std::string& words) {
+  return checked.said().find(words) != std::string::npos;
+}
+
+std::string with_the_slip() {
+  std::string text = library_text("83-112-eastern.toml");
+  const std::string right = "cut = \"3B1M out\"";
+  return text.replace(text.find(right), right.size(), "cut = \"381M out\"");
+}
+
+/// The plan as published; the numbers are worked out by hand: 3 + 43 + 133.7 - 70·2.5/3.5 = 129.7.
+TEST(EasternTrawl, TheLibraryGearCanBeSewn) {
+  const auto checked = check_text(library_text("83-112-eastern.toml"));
+  EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  EXPECT_EQ(checked.diagnostics.warnings(), 2) << checked.said();
+  EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, the plan says 127.5, +1.7 %"))
+      << checked.said();
+}
+
+/// Headrope: 2·36 + 11.9 ft = 83.9 ft = 25.57 m on 83 ft = 25.3 m.
+TEST(EasternTrawl, TheHeadropeIsAFootShort) {
+  EXPECT_TRUE(says(check_text(library_text("83-112-eastern.toml")),
+                   "headrope: 25.3 m long, 25.57 m of it are given to edges"));
+}
+
+TEST(EasternTrawl, TheSlipOfThePrintedPlanIsFoundAndNamed) {
+  const auto checked = check_text(with_the_slip());
+  EXPECT_EQ(checked.diagnostics.errors(), 1) << checked.said();
+  EXPECT_TRUE(
+      says(checked, "top-wing.breast-cut: cutting \"381M\" is not a rate; 3B1M, 43 M over 25.8 M, fits"))
+      << checked.said();
+  EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, the plan says 127.5, +1.7 %"))
+      << checked.said();
+}
+
+TEST(EasternTrawl, TheSlipIsFoundAlsoWhereTheOtherCutTakesTheRest) {
+  std::string text = with_the_slip();
+  const std::string depth = ", depth = 70 }";
+  text.replace(text.find(depth), depth.size(), " }");
+  const auto checked = check_text(text);
+  EXPECT_TRUE(says(checked, "3B1M, 43 M over 25.8 M, fits")) << checked.said();
+  EXPECT_TRUE(says(checked, "the cuttings give 129.9 meshes")) << checked.said();
+}
+
+/// 0.71 meshes of both sides of the bottom body: half a mesh a side is the selvedge's.
+TEST(PlanCheck, AMeshMoreOrLessIsNotTold) {
+  EXPECT_FALSE(says(check_text(library_text("83-112-eastern.toml")), "bottom-body.aft"));
+}
+
+TEST(PlanCheck, ACureClosesThePanel) {
+  const auto checked = check_text(changed_plan("aft = 20\n", "aft = 22\n"));
+  ASSERT_TRUE(says(checked, "body.aft: the cuttings give 20 meshes, the plan says 22")) << checked.said();
+  ASSERT_TRUE(says(checked, "40.6 M of 5B1P in sides instead of 42")) << checked.said();
+  const auto cured = check_text(
+      changed_plan("depth = 42\naft = 20\nsides = \"5B1P in\"",
+                   "depth = 42\naft = 22\nsides = [{ name = \"sides\", cut = \"5B1P in\", depth = 40.6 },"
+                   " { name = \"straight\", cut = \"AN\" }]"));
+  EXPECT_FALSE(says(cured, "body.aft")) << cured.said();
+}
+
+TEST(PlanCheck, TakeUpIsTheRatioOfMeshes) {
+  const std::string join = "edges = [\"body.aft\", \"bag.fore\"]";
+  const auto checked = check_text(changed_plan("fore = 20\ndepth = 50", "fore = 25\ndepth = 50"));
+  EXPECT_TRUE(says(checked, "join[1]: body.aft has 20 meshes, bag.fore has 25 meshes, +25.0 %"))
+      << checked.said();
+  std::string text = changed_plan("fore = 20\ndepth = 50", "fore = 25\ndepth = 50");
+  text.replace(text.find(join), join.size(), join + "\ntake_up = 1.25");
+  EXPECT_FALSE(says(check_text(text), "join[1]"));
+}
+
+/// 130 meshes of 80 mm at the sides of a wedge: measured where meshes differ.
+TEST(PlanCheck, SidesOfOtherMeshesAreMeasuredAlongTheirTwines) {
+  std::string text = kGoodPlan;
+  const std::string bag = "fore = 20\ndepth = 50\nsides = \"AN\"\n";
+  text.replace(text.find(bag), bag.size(), bag + R"(
+[panels.cover]
+mesh = "100 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
+fore = 20
+depth = 40
+sides = "AN"
+)");
+  text += "[[join]]\nedges = [\"bag.sides\", \"cover.sides\"]\n";  // 50 of 80 mm on 40 of 100 mm: 4 m each
+  const auto checked = check_text(text);
+  EXPECT_FALSE(says(checked, "join[2]")) << checked.said();
+}
+
+TEST(PlanCheck, AHangingMayTakeTheStretchedLengthAndNoMore) {
+  EXPECT_EQ(check_text(changed_plan("length = \"1.9 m\"", "length = \"2 m\"")).diagnostics.errors(), 0);
+  const auto checked = check_text(changed_plan("length = \"1.9 m\"", "length = \"2.1 m\""));
+  EXPECT_TRUE(says(checked, "wing.inner is 2 m long when its meshes are stretched")) << checked.said();
+}
+
+/// A rib rope along a seam: sewn and hung.
+TEST(PlanCheck, AnEdgeMayBeBothSewnAndHung) {
+  const auto checked = check_text(kGoodPlan + R"(
+[ropes.rib]
+rope = { diameter = "12 mm", EA = "100 kN", density = 1000 }
+length = "3 m"
+[[hang]]
+edge = "wing.aft"
+on = "rib"
+length = "2.7 m"
+)");
+  EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+}
+
+TEST(PlanCheck, ARopeOfTheMiddleCarriesBothWings) {
+  const auto checked = check_text(changed_plan("length = \"6 m\"", "length = \"4 m\""));
+  EXPECT_TRUE(says(checked, "headline: 4 m long, 4.8 m of it are given to edges: 0.8 m too short"))
+      << checked.said();
+}
+
+}  // namespace
+}  // namespace netloft::io

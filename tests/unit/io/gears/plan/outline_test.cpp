@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/outline.hpp"
+
+#include "io/gears/plan/names.hpp"
+#include "io/gears/plan/twine_coordinates.hpp"
+#include "tests/unit/io/gears/plan/plans.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace netloft::io {
+namespace {
+
+const OutlineEdge& edge(const Outline& outline, const std::string& name) {
+  for (const auto& e : outline.edges)
+    if (e.name == name) return e;
+  ADD_FAILURE() << "no edge " << name;
+  return outline.edges.front();
+}
+
+void expect_closed(const Outline& outline) {
+  for (std::size_t i = 0; i < outline.edges.size(); ++i) {
+    const auto &end = outline.edges[i].to, &next = outline.edges[(i + 1) % outline.edges.size()].from;
+    EXPECT_NEAR(end.x, next.x, 1e-9);
+    EXPECT_NEAR(end.y, next.y, 1e-9);
+  }
+}
+
+TEST(Outline, OfAPairBeginsAtItsInnerSide) {
+  const auto checked = check_text(kGoodPlan);
+  const Outline outline = outline_of(*checked.plan.find_panel("wing"));
+  expect_closed(outline);
+  ASSERT_EQ(outline.edges.size(), 4u);
+  EXPECT_DOUBLE_EQ(edge(outline, "outer").to.x, 10);
+  EXPECT_DOUBLE_EQ(edge(outline, "outer").to.y, 20);
+  EXPECT_DOUBLE_EQ(edge(outline, "inner").from.x, -20);
+}
+
+TEST(Outline, OfAMiddlePanelIsItsStarboardHalf) {
+  const auto checked = check_text(kGoodPlan);
+  const Outline outline = outline_of(*checked.plan.find_panel("body"));
+  expect_closed(outline);
+  EXPECT_DOUBLE_EQ(edge(outline, "bosom").to.x, 10);  // half of 20
+  EXPECT_DOUBLE_EQ(edge(outline, "wing").to.x, 40);
+  EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 10);  // 40 less 42·2.5/3.5
+  EXPECT_DOUBLE_EQ(edge(outline, "middle").from.y, 42);
+}
+
+TEST(Outline, OfATriangleHasThreeCorners) {
+  const auto checked = check_text(
+      "[panels.wedge]\nstands = \"alone\"\nmesh = 0.1\ntwine = { diameter = 0.002, EA = 1, density = 1000 }\n"
+      "fore = 0\ndepth = 10\naft = 10\nouter = \"AB out\"\ninner = \"AN\"\n");
+  ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  EXPECT_EQ(outline_of(checked.plan.panels.front()).corners().size(), 3u);
+}
+
+TEST(Outline, KeepsTheCountsWhereCuttingsDiffer) {
+  const auto checked = check_text(library_text("83-112-eastern.toml"));
+  const Outline outline = outline_of(*checked.plan.find_panel("top-wing"));
+  expect_closed(outline);
+  const auto& aft = edge(outline, "aft");
+  EXPECT_NEAR(std::abs(aft.to.x - aft.from.x), 127.5, 1e-9);
+  EXPECT_NEAR(edge(outline, "inner").stretched, 95.5 / 2.5 * 3.5, 1e-9);
+}
+
+TEST(Outline, CornersOfASideOfSeveralCutsLieBetweenThem) {
+  const auto checked = check_text(library_text("83-112-eastern.toml"));
+  const auto& wing = *checked.plan.find_panel("bottom-wing");
+  const Outline outline = outline_of(wing);
+  EXPECT_EQ(outline.corners().size(), 5u);
+  EXPECT_NEAR(edge(outline, "breast-cut").to.y, 25.5, 1e-9);
+  const auto corners = corner_names(wing);
+  EXPECT_NE(std::find(corners.begin(), corners.end(), "breast-cut-aft"), corners.end());
+}
+
+/// The bag laced to a cover with three meshes of either side: 20 and 6 less, halved.
+std::string laced_plan() {
+  return kGoodPlan + R"(
+[panels.cover]
+mesh = "80 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960, mass = 0.003 }
+twines = 2
+fore = 20
+depth = 50
+sides = "AN"
+[[join]]
+edges = ["bag.sides", "cover.sides"]
+selvedge = 3
+)";
+}
+
+TEST(Selvedge, TakesItsMeshesOfThePanel) {
+  const auto checked = check_text(laced_plan());
+  const Outline outline = outline_of(*checked.plan.find_panel("cover"));
+  expect_closed(outline);
+  EXPECT_DOUBLE_EQ(edge(outline, "fore").meshes, 7);
+  EXPECT_DOUBLE_EQ(edge(outline, "sides").from.x, 7);
+  EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 7);
+}
+
+/// Three meshes of double netting are 12 twines; 50 meshes of 80 mm are 4 m.
+TEST(Selvedge, IsAStripOfItsTwines) {
+  const auto checked = check_text(laced_plan());
+  const Rope* rope = checked.plan.find_rope("cover-sides-selvedge");
+  ASSERT_TRUE(rope) << checked.said();
+  EXPECT_DOUBLE_EQ(rope->length, 4);
+  EXPECT_EQ(rope->stands, Standing::pair);
+  const auto number = [&](const char* key) { return *rope->rope.as<Table>()->find(key)->value.as<double>(); };
+  EXPECT_DOUBLE_EQ(number("EA"), 12 * 3000.0);
+  EXPECT_DOUBLE_EQ(number("mass"), 12 * 0.003);
+  EXPECT_DOUBLE_EQ(number("diameter"), std::sqrt(12.0) * 0.002);
+}
+
+/// The fore edge of the bag no longer fits the body's edge, and that is reported: 14 meshes on 20.
+TEST(Selvedge, ChangesWhatIsSewnBesideIt) {
+  const auto checked = check_text(laced_plan());
+  EXPECT_NE(checked.said().find("body.aft has 20 meshes, bag.fore has 14 meshes"), std::string::npos)
+      << checked.said();
+}
+
+TEST(Selvedge, OfARibRopeIsAllowed) {
+  const auto checked = check_text(laced_plan() + R"(
+[ropes.rib]
+rope = { diameter = "12 mm", EA = "100 kN", density = 1000 }
+length = "4 m"
+[[hang]]
+edge = "bag.sides"
+on = "rib"
+length = "3.9 m"
+)");
+  EXPECT_EQ(checked.said().find("hung twice"), std::string::npos) << checked.said();
+}
+
+Outline turned(const std::string& keys) {
+  const auto checked = check_text(
+      "[panels.sheet]\nstands = \"alone\"\nmesh = 0.1\ntwine = { diameter = 0.002, EA = 1, density = 1000 }\n"
+      "fore = 10\ndepth = 10\nouter = \"1N2B out\"\ninner = \"AN\"\n" +
+      keys);
+  EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  return outline_of(checked.plan.panels.front());
+}
+
+/// A mesh of diamond netting is two bars long either way; of square netting bars are counted.
+TEST(Outline, SquareNettingIsHalfAsLongWhenStretched) {
+  EXPECT_DOUBLE_EQ(edge(turned(""), "fore").stretched, 10);
+  EXPECT_DOUBLE_EQ(edge(turned("orientation = \"t90\"\n"), "fore").stretched, 10);
+  EXPECT_DOUBLE_EQ(edge(turned("orientation = \"square\"\n"), "fore").stretched, 5);
+}
+
+/// Expected by twine_coordinates.hpp (3) and by hand: 1N2B goes 5 across in 10 deep, 5 cycles of 2 bars and a
+/// point, two bars long: 10 stretched meshes.
+TEST(Outline, TwinesAlongACutAreThoseOfItsBarsAndPoints) {
+  EXPECT_DOUBLE_EQ(edge(turned(""), "outer").stretched, 5 * (2 * 0.5 + 1));
+}
+
+/// Along the bars of diamond netting, which is what turning by 45° makes of an edge, all twines are straight:
+/// 10 meshes of √2 bars are 10/√2 stretched meshes of two.
+TEST(Outline, NettingTurnedByAnEighthRunsAlongItsBars) {
+  EXPECT_NEAR(edge(turned("angle = \"45 deg\"\n"), "fore").stretched, 10 / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(edge(turned("angle = \"90 deg\"\n"), "fore").stretched, 10, 1e-12);
+}
+
+TEST(TwineCoordinates, OfDiamondTurnedByAnEighthAreThoseOfSquareNetting) {
+  const auto turned = twine_coordinates("diamond", std::numbers::pi / 4, 2, 5);
+  const auto square = twine_coordinates("square", 0, 2, 5);
+  EXPECT_NEAR(turned[0], std::sqrt(2.0) * square[1], 1e-12);
+  EXPECT_NEAR(turned[1], -std::sqrt(2.0) * square[0], 1e-12);
+}
+
+/// Turned by a right angle, diamond netting is T90 with the names of its twines exchanged.
+TEST(TwineCoordinates, OfDiamondTurnedByARightAngleAreThoseOfT90) {
+  const auto turned = twine_coordinates("diamond", std::numbers::pi / 2, 2, 5);
+  const auto t90 = twine_coordinates("t90", 0, 2, 5);
+  EXPECT_NEAR(turned[0], -t90[1], 1e-12);
+  EXPECT_NEAR(turned[1], -t90[0], 1e-12);
+}
+
+/// Whatever the angle, bars keep their length and knots their number: u² + v² and the area are kept.
+TEST(TwineCoordinates, TurningIsARotation) {
+  for (const char* orientation : {"diamond", "t90", "square"}) {
+    const auto plain = twine_coordinates(orientation, 0, 2, 5),
+               turned = twine_coordinates(orientation, 0.7, 2, 5);
+    EXPECT_NEAR(std::hypot(turned[0], turned[1]), std::hypot(plain[0], plain[1]), 1e-12);
+  }
+}
+
+TEST(EdgeSet, CountsBothHalvesAcrossTheMiddle) {
+  const auto checked = check_text(kGoodPlan);
+  Diagnostics d;
+  EXPECT_DOUBLE_EQ(find_edge(checked.plan, "body.fore", {}, "", d).meshes(), 80);
+  EXPECT_DOUBLE_EQ(find_edge(checked.plan, "body.bosom", {}, "", d).meshes(), 20);
+  const EdgeSet wing = find_edge(checked.plan, "body.wing", {}, "", d);
+  EXPECT_DOUBLE_EQ(wing.meshes(), 30);
+  EXPECT_EQ(wing.times(), 2);
+  EXPECT_EQ(d.errors(), 0);
+}
+
+}  // namespace
+}  // namespace netloft::io

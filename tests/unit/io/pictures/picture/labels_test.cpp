@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/pictures/picture/labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace netloft::io {
+namespace {
+
+constexpr Frame kPicture{0, 50, 800, 400};
+
+bool overlap(const Frame& a, const Frame& b) {
+  return a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height &&
+         b.top < a.top + a.height;
+}
+
+TEST(Labels, StandApartWhereLinesCross) {
+  std::vector<LabelledLine> lines;
+  for (int i = 0; i < 6; ++i) {
+    const double x = 100 * std::cos(0.5 * i), y = 100 * std::sin(0.5 * i);
+    lines.push_back({{400 - x, 250 - y, 0}, {400 + x, 250 + y, 0}, 150});
+  }
+  const auto places = place_labels(lines, 13, kPicture);
+  ASSERT_EQ(places.size(), lines.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(places[i], places[k])) << i << " " << k;
+}
+
+TEST(Labels, StayInThePicture) {
+  const std::vector<LabelledLine> lines = {{{780, 52, 0}, {795, 60, 0}, 120},
+                                           {{2, 440, 0}, {20, 449, 0}, 120},
+                                           {{790, 445, 0}, {799, 449, 0}, 120}};
+  for (const Frame& place : place_labels(lines, 13, kPicture)) {
+    EXPECT_GE(place.left, kPicture.left);
+    EXPECT_LE(place.left + place.width, kPicture.left + kPicture.width);
+    EXPECT_GE(place.top, kPicture.top);
+    EXPECT_LE(place.top + place.height, kPicture.top + kPicture.height);
+  }
+}
+
+TEST(Labels, StandInTheMiddleOfALineOfTheirOwn) {
+  const auto places = place_labels({{{100, 200, 0}, {300, 300, 0}, 80}}, 13, kPicture);
+  EXPECT_NEAR(places[0].left, 206, 1e-9);
+  EXPECT_NEAR(places[0].top + places[0].height, 244, 1e-9);
+}
+
+}  // namespace
+}  // namespace netloft::io

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Figures of gears against closed forms, on scenes whose parts are said to have come from a net plan.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "io/results/text/gear_text.hpp"
+#include "tests/folders.hpp"
+#include "tests/unit/io/results/figures/hand_made.hpp"
+
+namespace netloft::io {
+namespace {
+
+/// Headline and footrope, straight across from y0 to 3 m, 4 m apart, of three bars that are not at halves.
+std::string mouth(const std::string& y0, const std::string& length, const std::string& water,
+                  const std::string& more = "") {
+  const std::string rope = "type = \"rope/bar\"\ncells = 3\nlength = " + length +
+                           "\nrope = { diameter = 0.02, EA = 1e5, density = 2000 }\n";
+  return "[water]\n" + water + "\n[parts.headline]\n" + rope + "sketch = [[50, " + y0 +
+         ", -10], [50, 3, -10]]\n[parts.footrope]\n" + rope + "sketch = [[50, " + y0 +
+         ", -14], [50, 3, -14]]\n" + more +
+         "[[hold]]\non = \"headline\"\n[[hold]]\non = \"footrope\"\n[analysis]\nsolver = \"newton\"\n";
+}
+
+const HandMade::Parts kRopes{{}, {"headline", "footrope"}, {}};
+constexpr double kExact = 1e-12;
+
+TEST(GearMouth, OfARectangleIsItsHeightSpreadAndArea) {
+  const auto gear = HandMade(written(mouth("-3", "6", "current = [1, 0, 0]")), kRopes).at_start();
+  EXPECT_NEAR(value(gear, "mouth/headline_height"), 4, kExact);
+  EXPECT_NEAR(value(gear, "mouth/upper_wing_spread"), 6, kExact);
+  EXPECT_NEAR(value(gear, "mouth/lower_wing_spread"), 6, kExact);
+  EXPECT_NEAR(value(gear, "mouth/area"), 24, 24 * kExact);
+}
+
+TEST(GearMouth, IsSeenAlongTheCurrent) {
+  const auto askew = HandMade(written(mouth("-3", "6", "current = [1, 1, 0]")), kRopes).at_start();
+  EXPECT_NEAR(value(askew, "mouth/area"), 24 / std::numbers::sqrt2, 24 * kExact);
+  const auto still = HandMade(written(mouth("-3", "6", "")), kRopes).at_start();
+  EXPECT_NEAR(value(still, "mouth/area"), 24, 24 * kExact);
+}
+
+TEST(GearMouth, OfAHalfIsThatOfTheWhole) {
+  HandMade::Parts half = kRopes;
+  half.times = 2;
+  const auto gear = HandMade(written(mouth("0", "3", "current = [1, 0, 0]")), half).at_start();
+  EXPECT_NEAR(value(gear, "mouth/headline_height"), 4, kExact);
+  EXPECT_NEAR(value(gear, "mouth/upper_wing_spread"), 6, kExact);
+  EXPECT_NEAR(value(gear, "mouth/area"), 24, 24 * kExact);
+}
+
+TEST(GearMouth, StandsOverTheSeabedIfThereIsOne) {
+  const std::string bed =
+      "[parts.bed]\ntype = \"seabed/plane\"\non = \"footrope\"\n"
+      "seabed = { depth = 20, slope_x = 0.1 }\n";
+  const auto gear = HandMade(written(mouth("-3", "6", "", bed)), kRopes).at_start();
+  EXPECT_NEAR(value(gear, "mouth/headline_height"), -10 - (-20 + 0.1 * 50), kExact);
+}
+
+TEST(GearMouth, IsLeftOutWhereThereIsNone) {
+  const auto file = written(mouth("-3", "6", ""));
+  const auto none = HandMade(file, {{}, {"headline", "footrope"}, {}, "", ""}).at_start();
+  EXPECT_EQ(find_scalar(none, "mouth/area"), nullptr);
+  EXPECT_EQ(find_scalar(none, "mouth/headline_height"), nullptr);
+  const auto upper = HandMade(file, {{}, {"headline"}, {}, "headline", ""}).at_start();
+  EXPECT_EQ(find_scalar(upper, "mouth/headline_height"), nullptr);
+  EXPECT_NEAR(value(upper, "mouth/upper_wing_spread"), 6, kExact);
+}
+
+/// 10 by 10 meshes of 0.2 m, a flat rectangle 1.2 m by 1.6 m: taut bars of 0.1 m, meshes 3 : 4 : 5.
+const std::string kNetting = R"(
+[water]
+density = 1000
+gravity = 10
+current = [1, 0, 0]
+[parts.wall]
+type = "priour/triangle"
+panel = { across = 10, along = 10, bar = 0.1 }
+cells = [3, 5]
+twine = { diameter = 0.002, EA = 1e4, density = 1140 }
+sketch = [[0, -0.6, 0], [0, 0.6, 0], [0, 0.6, -1.6], [0, -0.6, -1.6]]
+[[hold]]
+on = "wall.fore"
+[analysis]
+solver = "newton"
+)";
+
+TEST(GearNetting, IsAsOpenAndAsLargeAsItIsSpread) {
+  const auto gear = HandMade(written(kNetting), {{"wall"}, {}, {}}).at_start();
+  for (const char* how : {"min", "mean", "max"})
+    EXPECT_NEAR(value(gear, std::string("panels/wall/opening_") + how), 0.6, 1e-12) << how;
+  EXPECT_NEAR(value(gear, "panels/wall/area"), 1.2 * 1.6, 1e-12);
+  EXPECT_NEAR(value(gear, "panels/wall/filtered_area"), 1.2 * 1.6, 1e-12);
+}
+
+// A mesh across and a mesh along hold two knots, each with two bars: 400 bars of 0.1 m in 10 by 10 meshes.
+TEST(GearNetting, HasTheTwineThatIsCounted) {
+  const auto gear = HandMade(written(kNetting), {{"wall"}, {}, {}}).at_start();
+  const double length = 400 * 0.1, section = std::numbers::pi / 4 * 0.002 * 0.002;
+  EXPECT_NEAR(value(gear, "panels/wall/twine_area"), length * 0.002, 1e-14);
+  EXPECT_NEAR(value(gear, "panels/wall/mass"), length * section * 1140, 1e-12);
+  EXPECT_NEAR(value(gear, "netting/mass"), length * section * 1140, 1e-12);
+  EXPECT_NEAR(value(gear, "weight_in_water/netting"), length * section * 140 * 10, 1e-11);
+}
+
+TEST(GearNetting, FiltersWhatItTurnsToTheCurrent) {
+  const std::string at60 = "water.current=[0.5, 0.8660254037844386, 0]";  // 60 degrees off its normal
+  const auto gear = HandMade(written(kNetting), {{"wall"}, {}, {}}, {at60}).at_start();
+  EXPECT_NEAR(value(gear, "panels/wall/filtered_area"), 1.2 * 1.6 / 2, 1e-12);
+  EXPECT_NEAR(value(gear, "panels/wall/area"), 1.2 * 1.6, 1e-12);
+}
+
+TEST(GearNetting, OfAHalfCountsTwice) {
+  HandMade::Parts half{{"wall"}, {}, {}};
+  half.times = 2;
+  const auto one = HandMade(written(kNetting), {{"wall"}, {}, {}}).at_start();
+  const auto both = HandMade(written(kNetting), half).at_start();
+  for (const char* name : {"panels/wall/area", "netting/mass", "weight_in_water/all", "drag/all/x"})
+    EXPECT_NEAR(value(both, name), 2 * value(one, name), 1e-12 * value(both, name)) << name;
+  EXPECT_EQ(value(both, "panels/wall/opening_mean"), value(one, "panels/wall/opening_mean"));
+}
+
+TEST(GearForces, WeighFloatsAgainstWeights) {
+  const std::string pieces = R"(
+[parts.floats]
+type = "float/float"
+on = "headline"
+number = 6
+float = { buoyancy = 25 }
+[parts.weights]
+type = "float/float"
+on = "footrope"
+number = 4
+float = { buoyancy = -30 }
+)";
+  HandMade::Parts parts = kRopes;
+  parts.pieces = {"floats", "weights"};
+  const auto gear =
+      HandMade(written(mouth("-3", "6", "density = 1000\ngravity = 10", pieces)), parts).at_start();
+  const double rope = std::numbers::pi / 4 * 0.02 * 0.02 * 6 * (2000 - 1000) * 10;
+  EXPECT_NEAR(value(gear, "weight_in_water_by_part/floats"), -150, 1e-12);
+  EXPECT_NEAR(value(gear, "weight_in_water/floats"), 120 - 150, 1e-12);
+  EXPECT_NEAR(value(gear, "weight_in_water/ropes"), 2 * rope, 1e-12);
+  EXPECT_NEAR(value(gear, "budget/sinking"), 2 * rope + 120, 1e-12);
+  EXPECT_NEAR(value(gear, "budget/floating"), -150, 1e-12);
+  EXPECT_NEAR(value(gear, "weight_in_water/all"), 2 * rope - 30, 1e-12);
+  EXPECT_NEAR(value(gear, "ropes/headline/mass"), std::numbers::pi / 4 * 0.02 * 0.02 * 6 * 2000, 1e-12);
+}
+
+// The footrope's bars are 2 m; its first two nodes are pushed into the bed: half of its bars' ends.
+TEST(GearGround, IsTouchedByAShareOfTheFootrope) {
+  const std::string bed =
+      "[parts.bed]\ntype = \"seabed/plane\"\non = \"footrope\"\n"
+      "seabed = { depth = 14, slope_y = -0.01, stiffness = 1e4, softness = 1e-6 }\n";
+  const auto gear = HandMade(written(mouth("-3", "6", "", bed)), kRopes).at_start();
+  EXPECT_NEAR(value(gear, "ground/footrope_fraction"), 0.5, kExact);
+  // Nodes at y = -3 and -1 carry 1 m and 2 m and are 3 cm and 1 cm deep, less half of what is soft.
+  const double n_z = 1 / std::hypot(1, 0.01), depths = (0.03 + 2 * 0.01) * n_z - 3 * 0.5e-6;
+  EXPECT_NEAR(value(gear, "ground/force"), 1e4 * depths, 1e-8);
+}
+
+double tension_error(int bars) {
+  const std::string cells = "parts.rope.cells=" + std::to_string(bars);
+  HandMade rope(test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {{}, {"rope"}, {}, "", ""},
+                {cells});
+  const auto gear = rope.solved().gear;
+  EXPECT_NEAR(value(gear, "ropes/rope/tension_start"), value(gear, "ropes/rope/tension_end"), 1e-7);
+  return value(gear, "ropes/rope/tension_end") - 5.82945518;  // exact (Irvine), as the scene says
+}
+
+TEST(GearRopes, OfACatenaryEndWithItsTension) {
+  const double coarse = tension_error(20), fine = tension_error(40);
+  EXPECT_LT(std::abs(fine), 2e-3);
+  EXPECT_NEAR(coarse / fine, 4, 0.5);  // second order
+}
+
+const std::vector<std::string> kPanels = {"upper1", "upper2", "upper3", "upper4",
+                                          "lower1", "lower2", "lower3", "lower4"};
+
+/// The small trawl, half or whole.
+HandMade small_trawl(const std::string& model) {
+  HandMade::Parts parts{kPanels, {"headline", "footrope", "starboard-upper-bridle"}, {"floats", "weights"}};
+  parts.times = model == "whole" ? 1 : 2;
+  return {test::source_folder() + "/gear-library/scenes/validation/small-trawl/" + model + ".toml", parts};
+}
+
+/// Whether a figure is the same for both models. Sums over the port bridles, which the half model lacks, and
+/// forces across the gear are not.
+bool is_comparable(const std::string& name) {
+  for (const char* other : {"bridle", "/y", "others", "headline/tension_start", "footrope/tension_start"})
+    if (name.find(other) != std::string::npos) return false;
+  return name.find("drag/") == std::string::npos && name.find("weight_in_water/") == std::string::npos;
+}
+
+// The half model mirrored is the whole model, so the figures differ by the solver's tolerance alone.
+TEST(GearFigures, OfAHalfAreThoseOfTheWhole) {
+  const auto half = small_trawl("half").solved().gear, whole = small_trawl("whole").solved().gear;
+  int compared = 0;
+  for (const auto& f : whole) {
+    if (!is_comparable(f.name)) continue;
+    EXPECT_NEAR(value(half, f.name), f.value, 1e-5 * (1 + std::abs(f.value))) << f.name;
+    ++compared;
+  }
+  EXPECT_GT(compared, 80);
+  for (const char* name : {"drag/netting/x", "drag/all/x", "weight_in_water/all", "budget/floating"})
+    EXPECT_NEAR(value(half, name), value(whole, name), 1e-5 * (1 + std::abs(value(whole, name)))) << name;
+}
+
+TEST(GearFigures, ComeWithTheSolversError) {
+  const auto gear = small_trawl("half").solved().gear;
+  for (const auto& f : gear) {
+    EXPECT_GE(f.solver_error, 0) << f.name;
+    EXPECT_LT(f.solver_error, 1e-4 * (1 + std::abs(f.value))) << f.name;
+  }
+}
+
+TEST(GearFigures, AddUp) {
+  const auto gear = small_trawl("half").solved().gear;
+  for (const char* axis : {"x", "y", "z"}) {
+    double parts = 0;
+    for (const auto& f : gear)
+      if (f.name.starts_with("drag_by_part/") && f.name.ends_with(axis)) parts += f.value;
+    EXPECT_NEAR(value(gear, std::string("drag/all/") + axis), parts, 1e-9);
+  }
+  EXPECT_NEAR(value(gear, "weight_in_water/all"),
+              value(gear, "budget/sinking") + value(gear, "budget/floating"), 1e-9);
+}
+
+TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
+  Case plain({test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
+             test::shipped_plugins());
+  ASSERT_EQ(plain.open(), Case::State::ready);
+  const auto& scene = plain.loaded().scene;
+  EXPECT_TRUE(collect_gear(plain.loaded(), plain.assembler(),
+                           ask_elements(scene, plain.assembler(), plain.assembler().start()))
+                  .empty());
+}
+
+// Tensions of members are in balance over a part; its loads are what else acts on it.
+TEST(PartForces, AreLoadsAndNotTheTensionsOfMembers) {
+  Case taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1}, test::shipped_plugins());
+  ASSERT_EQ(taut.open(), Case::State::ready);
+  Assembler& assembler = taut.assembler();
+  const auto forces = ask_elements(taut.loaded().scene, assembler, assembler.start()).forces;
+  ASSERT_EQ(forces.size(), 4);
+  EXPECT_EQ(std::ranges::count_if(forces, &PartForce::is_weight), 2);
+  EXPECT_EQ(std::ranges::count_if(forces, &PartForce::is_drag), 2);
+}
+
+TEST(GearText, SpeaksOfPowerAndFuelInTheUnitsOfTheTrade) {
+  const std::string text = gear_text({{"towing/power", "W", "power", 81234, 100, 0},
+                                      {"towing/fuel", "kg/s", "fuel", 0.015},
+                                      {"towing/fuel_per_area", "kg/m2", "fuel", 4e-4},
+                                      {"power/netting", "W", "of it", 40500}},
+                                     false);
+  for (const char* line :
+       {"81.234 kW    ± 1.0e-01", " 54 kg/h", " 4 kg/ha", "[kW]\n    netting                     40.500\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+}
+
+}  // namespace
+}  // namespace netloft::io

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/runs/case.hpp"
+#include "io/results/figures/run_result.hpp"
+#include "tests/verification/solving.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace netloft::io {
+
+/// An ordinary scene whose parts are said to have come from a net plan.
+class HandMade {
+ public:
+  /// Parts by name; `gear` of the scene is filled from them.
+  struct Parts {
+    std::vector<std::string> panels, ropes, pieces;
+    std::string headline = "headline", footrope = "footrope";
+    int times = 1;
+  };
+
+  HandMade(const std::filesystem::path& file, const Parts& parts,
+           const std::vector<std::string>& overrides = {})
+      : case_({file, overrides, 1}, test::shipped_plugins()) {
+    if (case_.open([&](LoadedScene& loaded) { loaded.gear = name_parts(loaded, parts); }) !=
+        Case::State::ready)
+      throw std::invalid_argument(case_.diagnostics().render(false));
+  }
+
+  const LoadedScene& loaded() { return case_.loaded(); }
+
+  /// Figures at the positions of the sketch.
+  std::vector<NamedScalar> at_start() {
+    Assembler& assembler = case_.assembler();
+    return collect_gear(loaded(), assembler, ask_elements(loaded().scene, assembler, assembler.start()));
+  }
+  /// The result in equilibrium.
+  RunResult solved() {
+    RunResult result;
+    result.solution = case_.solve();
+    EXPECT_EQ(result.solution.status, SolveStatus::converged) << result.solution.reason;
+    collect(loaded(), case_.assembler(), result);
+    return result;
+  }
+
+ private:
+  static GearInScene name_parts(const LoadedScene& loaded, const Parts& parts) {
+    GearInScene gear;
+    gear.times = parts.times, gear.headline = parts.headline, gear.footrope = parts.footrope;
+    gear.panels = numbers(loaded, parts.panels), gear.ropes = numbers(loaded, parts.ropes),
+    gear.pieces = numbers(loaded, parts.pieces);
+    return gear;
+  }
+  static std::vector<std::uint32_t> numbers(const LoadedScene& loaded,
+                                            const std::vector<std::string>& names) {
+    std::vector<std::uint32_t> found;
+    for (const auto& name : names)
+      for (std::uint32_t p = 0; p < loaded.scene.parts.size(); ++p)
+        if (loaded.scene.parts[p].name == name && !loaded.scene.parts[p].companion) found.push_back(p);
+    return found;
+  }
+
+  Case case_;
+};
+
+/// A scene file of the running test.
+inline std::filesystem::path written(const std::string& text) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto path = std::filesystem::temp_directory_path() /
+                    (std::string("netloft-") + test->test_suite_name() + "-" + test->name() + ".toml");
+  std::ofstream(path) << text;
+  return path;
+}
+
+/// A figure that must be there.
+inline const NamedScalar& figure(const std::vector<NamedScalar>& figures, const std::string& name) {
+  const NamedScalar* found = find_scalar(figures, name);
+  if (!found) throw std::invalid_argument("no figure " + name);
+  return *found;
+}
+inline double value(const std::vector<NamedScalar>& figures, const std::string& name) {
+  return figure(figures, name).value;
+}
+
+}  // namespace netloft::io

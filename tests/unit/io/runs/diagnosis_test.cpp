@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/runs/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "io/runs/case.hpp"
+#include "tests/folders.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::io {
+namespace {
+
+using Change = std::function<void(LoadedScene&)>;
+
+Solution solution_of(const std::string& scene, std::vector<std::string> overrides,
+                     const Change& change = {}) {
+  Case one({test::source_folder() + "/" + scene, std::move(overrides), 1}, test::shipped_plugins());
+  EXPECT_EQ(one.open(change), Case::State::ready) << one.diagnostics().render(false);
+  return one.solve();
+}
+
+bool has_sign(const Solution& s, const char* words) {
+  return std::any_of(s.diagnostics.begin(), s.diagnostics.end(),
+                     [&](const std::string& sign) { return sign.find(words) != sign.npos; });
+}
+
+constexpr const char* kFloat = "tests/stability/scenes/float-on-rope.toml";
+
+// A float straight below what holds it, on a rod: in balance, and pressed with all of its buoyancy.
+TEST(Diagnosis, NamesWhatStandsByCompression) {
+  const auto turned_over = [](LoadedScene& loaded) {
+    for (std::size_t d = 2; d < loaded.scene.positions.size(); d += 3)
+      loaded.scene.positions[d] = -400 - loaded.scene.positions[d];
+  };
+  const Solution s = solution_of(kFloat,
+                                 {"analysis.solver=newton", "analysis.newton.method=classic",
+                                  "parts.rope.cells=10", "parts.rope.rope.EA_compression=1e5"},
+                                 turned_over);
+  EXPECT_EQ(s.status, SolveStatus::unstable);
+  EXPECT_TRUE(has_sign(s, "rope bears compression in 10 of 10 elements"));
+}
+
+// The rope of 150 m between two points 148 m apart is slack before anything has moved: no iteration is
+// allowed.
+TEST(Diagnosis, NamesWhatIsSlack) {
+  const Solution s = solution_of(kFloat, {"analysis.solver=newton", "analysis.max_iterations=0"});
+  EXPECT_EQ(s.status, SolveStatus::not_converged);
+  EXPECT_TRUE(has_sign(s, "rope is slack: nothing pulls at it"));
+}
+
+// There and back again, at the eleventh node of 67 bars.
+TEST(Diagnosis, CountsFolds) {
+  const auto folded = [](LoadedScene& loaded) {
+    auto& x = loaded.scene.positions;
+    for (std::size_t d = 3 * 11 + 2; d < x.size(); d += 3) x[d] = 2 * x[3 * 10 + 2] - x[d];
+  };
+  const Solution s = solution_of(kFloat, {"analysis.solver=newton", "analysis.max_iterations=0"}, folded);
+  EXPECT_TRUE(has_sign(s, "rope lies back on itself at 1 place"));
+}
+
+TEST(Diagnosis, NamesWhatHasGone) {
+  const Solution s = solution_of("tests/stability/scenes/sliding-rope.toml", {"analysis.solver=newton"});
+  EXPECT_EQ(s.status, SolveStatus::not_converged);
+  EXPECT_TRUE(has_sign(s, "times the size of the gear"));
+}
+
+TEST(Diagnosis, HasNothingToSayOfWhatArrived) {
+  EXPECT_TRUE(solution_of(kFloat, {"analysis.solver=newton"}).diagnostics.empty());
+}
+
+}  // namespace
+}  // namespace netloft::io

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/runs/case.hpp"
+#include "tests/folders.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::io {
+namespace {
+
+// z of the middle [m]; a quarter of a metre off it is a binary number, too, and so the displacement back
+// exact
+constexpr double kStraight = -10;
+
+/// z of the middle of pressed-bars.toml, sketched at `sketch`, from where `start` says or from the sketch
+/// [m].
+double middle(double sketch, std::optional<double> start, const std::vector<std::string>& settings) {
+  const std::string file = "tests/unit/io/runs/pressed-bars.toml";
+  Case one({test::source_folder() + "/" + file, settings, 1}, test::shipped_plugins());
+  const auto z_of = [](std::vector<double>& x) -> double& { return x.at(5); };  // of node 1 of three
+  EXPECT_EQ(one.open([&](LoadedScene& loaded) { z_of(loaded.scene.positions) = sketch; }),
+            Case::State::ready);
+  std::vector<double> x = one.positions(one.assembler().start());
+  if (start) z_of(x) = *start;
+  const Solution s = start ? one.solve_from(one.assembler().displacements(x)) : one.solve();
+  EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
+  std::vector<double> end = one.positions(s.x);
+  return z_of(end);
+}
+
+// From an unstable equilibrium that a user names the search goes on there, and not from the sketch.
+TEST(SolveFrom, LeavesAnUnstableEquilibriumWhereverTheSceneIsSketched) {
+  const double rise = std::sqrt(1.05 * 1.05 - 1);
+  const std::vector<std::string> by{"analysis.strategy=auto"};
+  for (const double side : {-1, 1})
+    EXPECT_NEAR(middle(kStraight + side * 0.25, {}, by), kStraight + side * rise, 1e-9);
+  const double end = middle(kStraight - 0.25, kStraight, by);
+  EXPECT_NEAR(std::abs(end - kStraight), rise, 1e-9);
+  EXPECT_NEAR(middle(kStraight + 0.25, kStraight, by), end, 1e-9);
+}
+
+/// As heavy bars: a motion without a load has nothing to compare its end with.
+TEST(SolveFrom, BeginsAMotionThereToo) {
+  const std::vector<std::string> heavy{"analysis.solver=generalized-alpha", "water.gravity=9.81",
+                                       "parts.bar.rope.density=5000", "analysis.tolerance=1e-5"};
+  EXPECT_LT(middle(kStraight - 0.25, {}, heavy), kStraight - 0.1);
+  EXPECT_GT(middle(kStraight - 0.25, kStraight + 0.25, heavy), kStraight + 0.1);
+}
+
+}  // namespace
+}  // namespace netloft::io

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Moorings of MoorDyn in both versions of its input file.
+#include "io/scenes/import/moordyn.hpp"
+#include "tests/unit/io/scenes/import/samples.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace netloft::io {
+namespace {
+
+using femnet::changed;
+
+const std::string kMooring = R"(--------------------- MoorDyn Input File ------------------------------------
+a mooring with a float on the way
+---------------------- LINE TYPES -----------------------------------
+TypeName   Diam    Mass/m     EA     BA/-zeta    EI         Cd     Ca     CdAx    CaAx
+(name)     (m)     (kg/m)     (N)    (N-s/-)     (N-m^2)    (-)    (-)    (-)     (-)
+chain      0.1     150        1e8    -1          0          2.3    1      1.0     0.5
+---------------------- BODIES ---------------------------------------
+ID   Attachment  X0  Y0  Z0  r0 p0 y0  Mass CG* I* Volume CdA* Ca*
+(#)  (-) (m) (m) (m) (deg) (deg) (deg) (kg) (m) (kg-m^2) (m^3) (m^2) (-)
+1    Coupled     10  0   -5  0  0  0   1e3  0   1  1      0    0
+---------------------- POINTS ---------------------------------------
+ID   Attachment  X       Y     Z      Mass   Volume  CdA    Ca
+(#)   (word/ID) (m)     (m)   (m)    (kg)   (m^3)   (m^2)  (-)
+1     Fixed     -300     0     -100   0      0       0      0
+2     Free      -100     0     -60    200    3       1.5    0
+3     Body1      -2      0     1      0      0       0      0
+4     Coupled    50      0     -4     0      0       0      0
+---------------------- LINES ----------------------------------------
+ID   LineType   AttachA  AttachB  UnstrLen  NumSegs  LineOutputs
+(#)   (name)     (ID)     (ID)      (m)       (-)      (-)
+1     chain      1        2        250        20       p   ! the lower one
+2     chain      2        3        130        10       -
+3     chain      2        4        170        4        -
+---------------------- OPTIONS -----------------------------------------
+0.002     dtM       time step
+2e6       kbot      bottom stiffness (Pa/m)
+100       WtrDpth   depth
+1000      WtrDnsty  density
+9.8       g
+---------------------- OUTPUTS -----------------------------------------
+FAIRTEN1
+END
+------------------------- need this line -------------------------------------
+)";
+
+const std::string kOldMooring = R"(MoorDyn v1 sample input file
+----------------------- LINE DICTIONARY ------------------------------------------
+LineType  Diam      MassDen   EA        BA/-zeta   Can   Cat   Cdn    Cdt
+(-)       (m)       (kg/m)    (N)       (Pa-s/-)   (-)   (-)   (-)    (-)
+nylon     0.124     13.76     2515288.0  -0.8      1.0   0.0   1.6    0.05
+----------------------- NODE PROPERTIES ------------------------------------------
+Node      Type      X        Y         Z        M        V        FX       FY      FZ     CdA   CA
+(-)       (-)      (m)      (m)       (m)      (kg)     (m^3)    (N)      (N)     (N)   (m^2)  (-)
+1         Vessel     0.0     0      -10.00       0        0        0        0       0       0     0
+2         Fixed    267.0     0      -70.00       0        0        0        0       0       0     0
+3         Connect  100.0     0      -30.00       7        0        0        5       0       0     0
+-------------------------- LINE PROPERTIES -----------------------------------------
+Line     LineType  UnstrLen  NumSegs   NodeAnch  NodeFair  Flags/Outputs
+(-)      (-)       (m)         (-)       (-)       (-)      (-)
+1        nylon     180.0        5         2         3        p
+2        nylon     110.0        5         3         1        p
+-------------------------- SOLVER OPTIONS-------------------------------------------
+0.001    dtM          - time step
+)";
+
+struct Read {
+  explicit Read(const std::string& text)
+      : mooring(read_moordyn(text, diagnostics.add_source("lines.txt", text), diagnostics)) {}
+  std::string said() const { return diagnostics.render(false); }
+  Diagnostics diagnostics;
+  MooringFile mooring;
+};
+
+TEST(MoorDyn, IsReadAsPointsAndLines) {
+  const Read read(kMooring);
+  ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
+  const BarTable& table = read.mooring.table;
+  EXPECT_EQ(table.nodes.size(), 4u + 19 + 9 + 3);
+  EXPECT_EQ(table.nodes[0].hold, "xyz");
+  EXPECT_EQ(table.nodes[1].hold, "");
+  EXPECT_EQ(table.nodes[1].mass, 200);
+  EXPECT_EQ(table.nodes[1].volume, 3);
+  EXPECT_EQ(table.nodes[1].drag_area, 1.5);
+  EXPECT_EQ(table.nodes[2].at, (std::array<double, 3>{8, 0, -4}));  // on its body
+  ASSERT_EQ(table.ropes.size(), 3u);
+  const TableRope& line = table.ropes[0];
+  EXPECT_EQ(line.bars.size(), 20u);
+  EXPECT_DOUBLE_EQ(line.bars[3].length, 12.5);
+  EXPECT_DOUBLE_EQ(line.density, 150 / (std::numbers::pi * 0.01 / 4));
+  EXPECT_DOUBLE_EQ(*line.tangential, std::numbers::pi);
+  EXPECT_DOUBLE_EQ(line.bed, 2e6 * 0.1);
+  EXPECT_EQ(table.depth, 100);
+  EXPECT_EQ(table.density, 1000);
+  EXPECT_EQ(table.gravity, 9.8);
+  for (const auto& n : table.nodes) EXPECT_GE(n.at[2], -100);
+  ASSERT_EQ(read.mooring.findings.size(), 1u);  // point 4 is coupled
+  EXPECT_FALSE(read.mooring.findings[0].is_left_out);
+}
+
+TEST(MoorDyn, IsReadInItsFirstVersion) {
+  const Read read(kOldMooring);
+  ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
+  const BarTable& table = read.mooring.table;
+  ASSERT_EQ(table.ropes.size(), 2u);
+  EXPECT_EQ(table.ropes[0].normal, 1.6);
+  EXPECT_DOUBLE_EQ(*table.ropes[0].tangential, 0.05 * std::numbers::pi);
+  EXPECT_EQ(table.ropes[0].EI, 0);
+  EXPECT_EQ(table.ropes[0].bars.front().nodes[0], 1u);
+  EXPECT_DOUBLE_EQ(table.ropes[0].bars[0].length, 36);
+  EXPECT_EQ(table.ropes[0].bed, 0);  // no depth, no bed
+  EXPECT_EQ(table.nodes[2].mass, 7);
+  EXPECT_EQ(table.nodes[2].force[1], 5);
+}
+
+TEST(MoorDyn, BecomesPartsOnABed) {
+  const auto made = scene_of(Read(kMooring).mooring.table, {}, "gear.mesh");
+  const auto holds = [&](const std::string& words) { return made.scene.find(words) != std::string::npos; };
+  EXPECT_TRUE(
+      holds("on = [\"line-1\", \"line-2\", \"line-3\"]\nseabed = { depth = 100, stiffness = 2e+05, softness "
+            "= 0 }"))
+      << made.scene;
+  EXPECT_TRUE(holds("float = { mass = 200, volume = 3, area = 1.5, drag_coefficient = 1 }"));
+  EXPECT_TRUE(holds("density = 1000\ngravity = 9.8\n"));
+}
+
+TEST(MoorDyn, SaysWhatItLeavesOut) {
+  const Read read(changed(
+      changed(kMooring, "9.8       g\n", "1  Currents\nbed.txt SeafloorFile\n"),
+      "---------------------- POINTS",
+      "---- RODS ----\nID RodType\n(#) (name)\n1 Can Body1 0 0 2 0 0 15 8 p\n---------------------- POINTS"));
+  ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
+  int left_out = 0;
+  for (const auto& f : read.mooring.findings) left_out += f.is_left_out;
+  EXPECT_EQ(left_out, 3);
+}
+
+TEST(MoorDyn, AsksWhetherAFileWithoutAnEndIsWhole) {
+  const std::string cut = kMooring.substr(0, kMooring.find("9.8       g"));
+  const Read read(cut);
+  ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
+  ASSERT_EQ(read.mooring.findings.size(), 2u);  // and point 4 is coupled
+  EXPECT_NE(read.mooring.findings.back().text.find("is it whole?"), std::string::npos);
+}
+
+TEST(MoorDyn, AnswersWhatIsWrongWithItsPlace) {
+  const struct {
+    const char *old, *fresh, *says;
+  } wrong[] = {
+      {"chain      0.1", "chain      -0.1",
+       "lines.txt:6:12: error: the diameter of the line = -0.1 is outside"},
+      {"150        1e8", "150        ea.txt", "EA = \"ea.txt\": stiffness that is no single number"},
+      {"150        1e8", "x          1e8", "the mass of a metre of the line = \"x\" is no number"},
+      {"1     chain      1        2", "1     rope       1        2", "there is no line type \"rope\""},
+      {"1     chain      1        2", "1     chain      1        9", "there is no point \"9\""},
+      {"1     chain      1        2", "1     chain      1        1", "begins and ends at the same point"},
+      {"1     chain      1        2", "1     chain      R1A      2", "lines that end at rods"},
+      {"2     chain      2        3", "1     chain      2        3",
+       "there is a line with this number already"},
+      {"250        20", "250        0", "the number of segments = 0 is outside"},
+      {"250        20", "250        2.5", "the number of segments is not whole"},
+      {"250        20", "250        1000000000", "the number of segments = 1e+09 is outside"},
+      {"250        20       p", "250", "5 words stand here, and 6 are needed"},
+      {"2     Free ", "1     Free ", "there is a point \"1\" already"},
+      {"1     Fixed ", "1     Nailed", "the attachment \"Nailed\" is not known"},
+      {"1    Coupled     10", "1    Free        10", "bodies that move, such as \"Body1\""},
+      {"-5  0  0  0 ", "-5  0  9  0 ", "bodies that are turned, such as \"Body1\""},
+      {"-100     0     -60 ", "-100     nan   -60 ", "a coordinate of the point = \"nan\" is no number"},
+      {"200    3       1.5    0", "200    3", "words stand here, and 9 are needed"},
+      {"- LINES -", "- LIES -", "there are no lines"},
+      {"100       WtrDpth", "-7        WtrDpth", "the depth of the water = -7 is outside"}};
+  for (const auto& w : wrong) {
+    const Read read(changed(kMooring, w.old, w.fresh));
+    EXPECT_GE(read.diagnostics.errors(), 1) << w.fresh;
+    EXPECT_NE(read.said().find(w.says), std::string::npos) << w.fresh << "\n" << read.said();
+    for (const auto& d : read.diagnostics.sorted()) EXPECT_GT(d.place.line, 0) << d.message;
+  }
+}
+
+TEST(MoorDyn, IsAnsweredWhereverItIsCutOff) {
+  for (std::size_t end = 0; end < kMooring.find("- OPTIONS"); end += 11) {
+    const Read read(kMooring.substr(0, end));
+    EXPECT_TRUE(read.diagnostics.errors() > 0 || !read.mooring.table.ropes.empty()) << end;
+  }
+}
+
+}  // namespace
+}  // namespace netloft::io

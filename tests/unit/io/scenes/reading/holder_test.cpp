@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/holder.hpp"
+
+#include "tests/unit/io/formats/toml/scratch.hpp"
+
+namespace netloft::io {
+namespace {
+
+using testing::Input;
+
+/// Five nodes of a rope at x = 0 … 4.
+class Holding : public ::testing::Test {
+ protected:
+  Holding() {
+    scene.parts.emplace_back();
+    scene.parts[0].name = "rope";
+    for (std::uint32_t i = 0; i < 5; ++i) {
+      scene.positions.insert(scene.positions.end(), {double(i), 0, 0});
+      scene.labels.push_back({0, i});
+      scene.held.push_back(0);
+    }
+    holder.emplace(scene);
+  }
+  Hold hold(const std::string& text, const std::vector<std::uint32_t>& nodes) {
+    inputs.push_back(std::make_unique<Input>(text));
+    TableReader& table = inputs.back()->reader;
+    return holder->hold(read_hold(table), nodes, table);
+  }
+  std::array<double, 3> at(std::size_t node) const {
+    return {scene.positions[3 * node], scene.positions[3 * node + 1], scene.positions[3 * node + 2]};
+  }
+  std::string last_error() const { return inputs.back()->diagnostics.errors() ? inputs.back()->error() : ""; }
+
+  Scene scene;
+  std::optional<Holder> holder;
+  std::vector<std::unique_ptr<Input>> inputs;
+};
+
+TEST_F(Holding, LeavesNodesWhereTheyAreUnlessAPlaceIsGiven) {
+  hold("on = \"rope\"", {1, 2});
+  EXPECT_EQ(scene.held, (std::vector<std::uint8_t>{0, 7, 7, 0, 0}));
+  EXPECT_EQ(at(2), (std::array<double, 3>{2, 0, 0}));
+}
+
+TEST_F(Holding, SpreadsNodesAlongALine) {
+  hold("on = \"rope\"\nat = [[0, 0, 0], [0, 8, \"-4 m\"]]", {0, 1, 2, 3, 4});
+  EXPECT_EQ(at(0), (std::array<double, 3>{0, 0, 0}));
+  EXPECT_EQ(at(1), (std::array<double, 3>{0, 2, -1}));
+  EXPECT_EQ(at(4), (std::array<double, 3>{0, 8, -4}));
+}
+
+TEST_F(Holding, SpreadsThemByLengthRoundACorner) {
+  hold("on = \"rope\"\nat = [[0, 0, 0], [3, 0, 0], [3, 1, 0]]", {0, 1, 2, 3, 4});
+  EXPECT_EQ(at(2), (std::array<double, 3>{2, 0, 0}));
+  EXPECT_EQ(at(3), (std::array<double, 3>{3, 0, 0}));
+}
+
+TEST_F(Holding, FollowsTheOrderOfTheSet) {
+  hold("on = \"rope\"\nat = [[0, 0, 0], [0, 2, 0]]", {4, 0});
+  EXPECT_EQ(at(4), (std::array<double, 3>{0, 0, 0}));
+  EXPECT_EQ(at(0), (std::array<double, 3>{0, 2, 0}));
+}
+
+TEST_F(Holding, MovesHeldAxesOnly) {
+  hold("on = \"rope\"\naxes = \"z\"\nat = [9, 9, 9]", {1, 2});
+  EXPECT_EQ(at(1), (std::array<double, 3>{1, 0, 9}));
+  EXPECT_EQ(scene.held[1], kAxisZ);
+}
+
+TEST_F(Holding, RefusesManyNodesInOnePoint) {
+  hold("on = \"rope\"\nat = [9, 9, 9]", {1, 2});
+  EXPECT_EQ(last_error(), "2:6: at: 2 nodes cannot be held in one point");
+}
+
+TEST_F(Holding, CountsWhatTwoHoldWithTheFirst) {
+  const Hold first = hold("on = \"a\"\naxes = \"xz\"", {0, 1}), second = hold("on = \"b\"", {1, 2});
+  EXPECT_EQ(first.axes, (std::vector<std::uint8_t>{kAxisX | kAxisZ, kAxisX | kAxisZ}));
+  EXPECT_EQ(second.axes, (std::vector<std::uint8_t>{kAxisY, kAllAxes}));
+}
+
+TEST_F(Holding, CountsANodeOnceThatASetNamesTwice) {
+  EXPECT_EQ(hold("on = \"ring\"", {0, 1, 0}).axes, (std::vector<std::uint8_t>{7, 7, 0}));
+}
+
+TEST_F(Holding, RefusesTwoPlacesForOneNode) {
+  hold("on = \"a\"\nat = [1, 2, 3]", {0});
+  hold("on = \"b\"\nat = [1, 2, 4]", {0});
+  EXPECT_NE(last_error().find("rope node 0 is held at (1, 2, 4) m here and at (1, 2, 3) m"),
+            std::string::npos)
+      << last_error();
+}
+
+TEST_F(Holding, LetsTwoAgreeAlongTheAxesTheyShare) {
+  hold("on = \"a\"\naxes = \"xy\"\nat = [1, 2, 3]", {0});
+  hold("on = \"b\"\naxes = \"yz\"\nat = [9, 2, 4]", {0});
+  EXPECT_EQ(last_error(), "");
+  EXPECT_EQ(at(0), (std::array<double, 3>{1, 2, 4}));
+}
+
+TEST_F(Holding, TakesTheSketchAtItsWord) {
+  hold("on = \"a\"\nat = [1, 2, 3]", {0});
+  hold("on = \"b\"\nat = \"sketch\"", {0});
+  EXPECT_NE(last_error().find("rope node 0 is held at (0, 0, 0) m here"), std::string::npos) << last_error();
+}
+
+TEST_F(Holding, HasNoOpinionWithoutAPlace) {
+  hold("on = \"a\"\nat = [1, 2, 3]", {0});
+  hold("on = \"b\"", {0});
+  EXPECT_EQ(last_error(), "");
+  EXPECT_EQ(at(0), (std::array<double, 3>{1, 2, 3}));
+}
+
+TEST(HoldEntry, IsNamedAfterWhatItHolds) {
+  Input in("on = \"net.fore\"");
+  EXPECT_EQ(read_hold(in.reader).name, "net.fore");
+}
+
+}  // namespace
+}  // namespace netloft::io

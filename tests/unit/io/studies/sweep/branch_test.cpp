@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/sweep/branch.hpp"
+
+#include "tests/unit/io/formats/toml/scratch.hpp"
+#include "tests/verification/solving.hpp"
+
+#include <cmath>
+#include <regex>
+
+namespace netloft::io {
+namespace {
+
+/// Two bars lean against one another, 2 b wide and h high at rest, and are loaded on top (R. von Mises 1923):
+///   f(z) = 2 EA (1/l₀ − 1/l) z,   l = (b² + z²)^½                                         (1)
+/// is the load upwards that is in balance at the height z. Pressed down, they snap through at the fold of
+/// (1),
+///   l³ = b² l₀                                                                            (2)
+constexpr const char* kTruss = R"([water]
+density = 0
+[parts.truss]
+type = "rope/bar"
+cells = 2
+length = 2.0396078054371140
+sketch = [[-1, 0, 0], [0, 0, 0.2], [1, 0, 0]]
+rope = { diameter = "10 mm", EA = 10000, EA_compression = 10000, density = 1e-6 }
+[parts.load]
+type = "force/constant"
+on = "truss.middle"
+force = { z = 0 }
+[[hold]]
+on = ["truss.start", "truss.end"]
+[[hold]]
+on = "truss.middle"
+axes = "y"
+[results]
+z = { of = "truss.middle", take = "z" }
+)";
+/// A wire of steel that a force keeps taut.
+constexpr const char* kWire = R"([water]
+density = 0
+[parts.wire]
+type = "rope/bar"
+cells = 8
+length = 100
+sketch = [[0, 0, 0], [60, 0, -80]]
+rope = { diameter = "20 mm", EA = 2e7, EA_compression = 0, density = 7800 }
+[parts.load]
+type = "force/constant"
+on = "wire.end"
+force = { x = 30000, z = -20000 }
+[[hold]]
+on = "wire.start"
+)";
+constexpr double kEA = 1e4, kL0 = 1.0198039027185570;
+
+double load_of(double z) { return 2 * kEA * (1 / kL0 - 1 / std::hypot(1, z)) * z; }  // (1)
+double load_of_fold() {
+  const double l = std::cbrt(kL0);  // (2)
+  return load_of(std::sqrt(l * l - 1));
+}
+
+class BranchTest : public testing::Scratch {
+ protected:
+  void SetUp() override {
+    Scratch::SetUp();
+    write("s.toml", kTruss);
+    variable_.name = "load", variable_.unit = "N", variable_.keys = {{"parts.load.force.z", 1, 0}};
+  }
+  std::shared_ptr<Case> opened(const std::vector<VariableValue>& values) {
+    auto one = std::make_shared<Case>(CaseSource{folder_ / "s.toml", variable_.overrides(values[0]), 1},
+                                      test::shipped_plugins());
+    EXPECT_EQ(one->open(), Case::State::ready) << one->diagnostics().render(false);
+    return one;
+  }
+  /// Follows the loads; heights at all of them.
+  std::vector<double> follow(const std::vector<double>& loads) {
+    const Watch watch;
+    Branch branch(
+        {variable_}, [this](const auto& values) { return opened(values); }, watch);
+    std::vector<double> heights;
+    for (const double load : loads) {
+      const std::vector<VariableValue> values{variable_.value_of(load)};
+      const auto the_case = opened(values);
+      const Reached reached = branch.reach(the_case, values);
+      EXPECT_EQ(reached.solution.status, SolveStatus::converged) << reached.solution.reason;
+      heights.push_back(the_case->positions(reached.solution.x)[3 * 1 + 2]);
+      factorisations_.push_back(reached.solution.cost.statistics.factorisations);
+      for (const auto& event : reached.events) events_.push_back(event);
+      was_continued_.push_back(reached.was_continued);
+    }
+    return heights;
+  }
+
+  Variable variable_;
+  std::vector<std::string> events_;
+  std::vector<bool> was_continued_;
+  std::vector<int> factorisations_;
+};
+
+TEST_F(BranchTest, IsFollowedWithoutEventsWhereItIsSmooth) {
+  const std::vector<double> loads{1, -5, -10, -15, -20, -25, -28};
+  const auto z = follow(loads);
+  for (std::size_t i = 0; i < z.size(); ++i) EXPECT_NEAR(load_of(z[i]), loads[i], 1e-6);
+  EXPECT_GT(z.back(), 0.11);
+  EXPECT_TRUE(events_.empty()) << events_[0];
+  EXPECT_EQ(was_continued_, (std::vector<bool>{false, true, true, true, true, true, true}));
+}
+TEST_F(BranchTest, EndsAtAFoldWhichIsFoundBetweenTheValuesThatEncloseIt) {
+  const auto z = follow({1, -10, -20, -28, -32, -36});
+  EXPECT_LT(z[4], -0.2) << "snapped through";
+  ASSERT_EQ(events_.size(), 1u);
+  const std::regex loads("(fold beyond|jump between) load (\\S+) N(?: and load (\\S+) N)?.* truss node 1");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(events_[0], found, loads)) << events_[0];
+  const double before = std::stod(found[2]);
+  EXPECT_GT(before, load_of_fold()) << events_[0];
+  EXPECT_LT(before, load_of_fold() + 4.0 / 32 + 1e-9)
+      << "no more than the smallest step of four newtons away";
+  if (found[3].matched) {
+    EXPECT_LT(std::stod(found[3]), load_of_fold());
+  }
+}
+// dz/df by (1): 1/f', f' = 2 EA (1/l₀ − 1/l + z²/l³).
+TEST_F(BranchTest, HasTheTangentOfTheClosedForm) {
+  constexpr double kLittle = -1e-5;  // [N]
+  const auto here = opened({variable_.value_of(-10)}), near = opened({variable_.value_of(-10 + kLittle)});
+  const Solution at = here->solve();
+  Statistics spent;
+  const auto tangent = here->tangent_towards(*near, at.x, spent);
+  ASSERT_TRUE(tangent);
+  EXPECT_EQ(spent.factorisations, 1);
+  const double z = here->positions(at.x)[3 * 1 + 2], l = std::hypot(1, z);
+  EXPECT_NEAR(
+      here->positions(*tangent)[3 * 1 + 2] / kLittle * 2 * kEA * (1 / kL0 - 1 / l + z * z / (l * l * l)), 1,
+      1e-5);
+}
+// A longer wire between the same ends is slack, and nothing holds what is slack: without the tangent, which
+// moves its end out, steps are halved until the wire stays taut, and each of them takes ten times as many
+// factorisations.
+TEST_F(BranchTest, LeadsAlongTheTangentWhereTheNextPointIsOnNoLine) {
+  write("s.toml", kWire);
+  variable_.name = "length", variable_.unit = "", variable_.keys = {{"parts.wire.length", 1, 0}};
+  follow({100, 130, 100, 160});
+  EXPECT_TRUE(events_.empty()) << events_[0];
+  EXPECT_EQ(was_continued_, (std::vector<bool>{false, true, true, true}));
+  for (const std::size_t i : {1u, 2u, 3u}) EXPECT_LE(factorisations_[i], 6) << i;
+}
+TEST_F(BranchTest, StaysOnTheOtherSideOnTheWayBack) {
+  const auto z = follow({-40, -20, -1, 20});
+  EXPECT_TRUE(events_.empty());
+  for (const double height : z) EXPECT_LT(height, -0.1);
+  EXPECT_NEAR(load_of(z[3]), 20, 1e-6);
+}
+
+}  // namespace
+}  // namespace netloft::io
