@@ -13,13 +13,13 @@ namespace netloft {
 
 namespace {
 
-using Vector = std::array<double, 3>;
+using Vector3 = std::array<double, 3>;
 
-Vector row(const double* field, std::size_t lane) {
+Vector3 row(const double* field, std::size_t lane) {
   return {field[lane], field[NETLOFT_LANES + lane], field[2 * NETLOFT_LANES + lane]};
 }
 
-Vector across(const Vector& flow, const Vector& direction) {
+Vector3 across(const Vector3& flow, const Vector3& direction) {
   const double along = dot(flow, direction);
   return {flow[0] - along * direction[0], flow[1] - along * direction[1], flow[2] - along * direction[2]};
 }
@@ -44,7 +44,7 @@ bool holds(const LawType& law, const ParameterBlock& block, const netloft_validi
 }  // namespace
 
 double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_flow& f, std::size_t lane) {
-  const Vector W = row(f.flow, lane), d = row(f.direction, lane);
+  const Vector3 W = row(f.flow, lane), d = row(f.direction, lane);
   const double reynolds_of_unit = f.diameter[lane] / f.water_viscosity;
   switch (quantity) {
     case NETLOFT_REYNOLDS:

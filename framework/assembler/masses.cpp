@@ -18,7 +18,7 @@ const double* entry_of(const double* tangent, bool symmetric, std::size_t dofs, 
   return tangent + at * kLanes;
 }
 
-double largest_of(std::span<const double> lanes) {
+double largest_lane(std::span<const double> lanes) {
   double largest = 0;
   for (const double m : lanes) largest = std::max(largest, std::abs(m));
   return largest;
@@ -82,7 +82,7 @@ bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::s
         for (std::size_t c = 0; c < dofs; ++c) {
           const double* lanes = entry_of(w.scratch.data(), symmetric, dofs, r, c);
           if (!on_body && r / 3 != c / 3) {
-            coupled = std::max(coupled, largest_of({lanes, t.count}));
+            coupled = std::max(coupled, largest_lane({lanes, t.count}));
             continue;
           }
           for (std::size_t lane = 0; lane < t.count; ++lane) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/tiling.hpp"
 
+#include "framework/assembler/workspace.hpp"
+
 #include <algorithm>
 
 namespace netloft {
 
 namespace {
-
-constexpr std::size_t kLanes = NETLOFT_LANES;
 
 /// Greedy colouring: a tile takes the lowest colour that no other tile at its nodes has.
 std::vector<int> colour_tiles(const ElementFamily& family, std::size_t tiles, std::size_t nodes) {

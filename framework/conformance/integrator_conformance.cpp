@@ -32,8 +32,6 @@ struct IntegratorBench : MethodBench {
   const IntegratorType& type;
 };
 
-using Bench = IntegratorBench;
-
 const PracticeSwing kFree{};
 const PracticeSwing kDamped{.damping = 0.2};
 const PracticeSwing kPushed{.push = 1};
@@ -47,7 +45,7 @@ Finding up_to(double figure, double limit, std::string detail) {
   return f;
 }
 
-Finding integrator_lets_no_exception_escape(Bench& b) {
+Finding integrator_lets_no_exception_escape(IntegratorBench& b) {
   for (const int status : {NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN, NETLOFT_ERROR}) {
     PracticeMotion motion({.fails = status});
     b.run(motion, {0.01}, 0.03);
@@ -55,14 +53,14 @@ Finding integrator_lets_no_exception_escape(Bench& b) {
   return judged(b.thrown);
 }
 
-Finding fills_every_output(Bench& b) {
+Finding fills_every_output(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   if (const int status = b.run(motion, {0.01}, 0.02); status != NETLOFT_OK)
     return failed("a step of a linear oscillator returned " + std::to_string(status));
   return motion.is_finite() ? Finding{} : failed("u_new, v_new or a_new holds what is no number");
 }
 
-Finding leaves_the_start_alone(Bench& b) {
+Finding leaves_the_start_alone(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   b.run(motion, {0.01}, 0.03);
   return motion.left_alone() ? Finding{} : failed("u, v or a at the start of a step has changed");
@@ -70,21 +68,21 @@ Finding leaves_the_start_alone(Bench& b) {
 
 constexpr double kSpan = 2;  // [s] of a motion whose periods are 3 to 6 s
 
-double error_with(Bench& b, const PracticeSwing& like, int steps) {
+double error_with(IntegratorBench& b, const PracticeSwing& like, int steps) {
   PracticeMotion motion(like);
   b.run(motion, {kSpan / steps}, kSpan);
   return motion.t < kSpan * (1 - 1e-9) ? std::numeric_limits<double>::infinity() : motion.error();
 }
 
 /// Power of the step with which the error at the end shrinks.
-double order_of(Bench& b, const PracticeSwing& like) {
+double order_of(IntegratorBench& b, const PracticeSwing& like) {
   return std::log2(error_with(b, like, 128) / error_with(b, like, 256));
 }
 
 /// Orders are seen to this.
 constexpr double kOrderSeen = 0.2;
 
-Finding converges(Bench& b) {
+Finding converges(IntegratorBench& b) {
   const double order = order_of(b, kFree), error = error_with(b, kFree, 256);
   Finding f =
       up_to(1 - order, kOrderSeen, "order " + std::to_string(order) + " of the error of a free motion");
@@ -92,34 +90,36 @@ Finding converges(Bench& b) {
   return f;
 }
 
-Finding keeps_its_order(Bench& b, const PracticeSwing& like, const char* motion) {
+Finding keeps_its_order(IntegratorBench& b, const PracticeSwing& like, const char* motion) {
   const double free = order_of(b, kFree), here = order_of(b, like);
   return up_to(
       free - here, kOrderSeen,
       "order " + std::to_string(here) + " of " + motion + ", " + std::to_string(free) + " of a free one");
 }
 
-Finding keeps_its_order_with_damping(Bench& b) { return keeps_its_order(b, kDamped, "a damped motion"); }
-Finding keeps_its_order_under_a_load(Bench& b) {
+Finding keeps_its_order_with_damping(IntegratorBench& b) {
+  return keeps_its_order(b, kDamped, "a damped motion");
+}
+Finding keeps_its_order_under_a_load(IntegratorBench& b) {
   return keeps_its_order(b, kPushed, "a motion under a load that grows");
 }
 
 /// A step that is too long may be refused, but not be shortened in secret.
-Finding goes_all_the_way(Bench& b) {
+Finding goes_all_the_way(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   const double stable = b.stable_step(2), h = stable > 0 ? std::min(0.2, 0.5 * stable) : 0.2;
   if (b.run(motion, {h}, 3) != NETLOFT_OK) return nothing_to_ask("it refuses long steps");
   return up_to(motion.error(), 1, "of where it is after 3 s in steps of " + std::to_string(h) + " s");
 }
 
-double error_between(Bench& b, int steps) {
+double error_between(IntegratorBench& b, int steps) {
   PracticeMotion motion(kFree);
   b.run(motion, {kSpan / steps}, kSpan);
   return motion.error_between;
 }
 
 /// A cubic has no more than four.
-Finding answers_between_steps(Bench& b) {
+Finding answers_between_steps(IntegratorBench& b) {
   const double ends = std::min(4.0, order_of(b, kFree));
   const double here = std::log2(error_between(b, 128) / error_between(b, 256));
   return up_to(ends - here, kOrderSeen,
@@ -128,13 +128,13 @@ Finding answers_between_steps(Bench& b) {
 
 constexpr double kWhere = 0.5;  // [s] where velocities and accelerations are all there
 
-double estimate_with(Bench& b, int steps) {
+double estimate_with(IntegratorBench& b, int steps) {
   PracticeMotion motion(kFree);
   b.run(motion, {kWhere / steps}, kWhere);
   return motion.estimate;
 }
 
-Finding estimate_shrinks_as_said(Bench& b) {
+Finding estimate_shrinks_as_said(IntegratorBench& b) {
   const double coarse = estimate_with(b, 50), fine = estimate_with(b, 100);
   if (coarse == 0 && fine == 0) return nothing_to_ask("it gives no estimate of its errors");
   const double seen = std::log2(coarse / fine);
@@ -143,21 +143,21 @@ Finding estimate_shrinks_as_said(Bench& b) {
       "the estimate shrinks with order " + std::to_string(seen) + ", it says " + std::to_string(b.order()));
 }
 
-Finding estimate_is_honest(Bench& b) {
+Finding estimate_is_honest(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   b.run(motion, {0.02}, kWhere);
   if (motion.estimated == 0) return nothing_to_ask("it gives no estimate of its errors");
   return up_to(motion.error() / motion.estimated, 3, "error after 25 steps over the sum of their estimates");
 }
 
-Finding gains_no_energy(Bench& b) {
+Finding gains_no_energy(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   b.run(motion, {0.1}, 200);
   return up_to(motion.energy(), 1.05, "energy after 2000 steps of a free motion over that of the start");
 }
 
 /// Steps at most as long as it says; if any is stable, long ones of a hundred over the frequency.
-Finding stable_as_it_says(Bench& b) {
+Finding stable_as_it_says(IntegratorBench& b) {
   const double fastest = 2, stable = b.stable_step(fastest);
   const double h = stable > 0 ? 0.8 * stable : 100 / fastest;
   PracticeMotion motion(kFree);
@@ -166,59 +166,59 @@ Finding stable_as_it_says(Bench& b) {
                "energy after 1000 steps of " + std::to_string(h) + " s over that of the start");
 }
 
-Finding says_when_a_step_fails(Bench& b) {
+Finding says_when_a_step_fails(IntegratorBench& b) {
   PracticeMotion motion({.fails = NETLOFT_OUTSIDE_DOMAIN});
   return b.run(motion, {0.01}, 0.01) != NETLOFT_OK ? Finding{}
                                                    : failed("a step without forces counts as found");
 }
 
-Finding stops_at_an_error(Bench& b) {
+Finding stops_at_an_error_of_a_step(IntegratorBench& b) {
   PracticeMotion motion({.fails = NETLOFT_ERROR});
   const int status = b.run(motion, {0.01}, 0.01);
   return status < 0 ? Finding{}
                     : failed("returned " + std::to_string(status) + " after an error of the host");
 }
 
-bool same_bits(const PracticeMotion& one, const PracticeMotion& two) {
+bool moves_alike(const PracticeMotion& one, const PracticeMotion& two) {
   const auto same = [](const std::vector<double>& x, const std::vector<double>& y) {
     return std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
   };
   return same(one.u, two.u) && same(one.v, two.v) && same(one.a, two.a);
 }
 
-Finding integrator_has_no_hidden_state(Bench& b) {
+Finding integrator_has_no_hidden_state(IntegratorBench& b) {
   PracticeMotion first(kDamped), other(kFree), again(kDamped);
   b.run(first, {0.01, 0.02}, 0.1);
   b.run(other, {0.03}, 0.09);
   b.run(again, {0.01, 0.02}, 0.1);
-  return same_bits(first, again) ? Finding{} : failed("the same steps twice, answers differ");
+  return moves_alike(first, again) ? Finding{} : failed("the same steps twice, answers differ");
 }
 
-Finding remembers_nothing_in_scratch(Bench& b) {
+Finding remembers_nothing_in_scratch(IntegratorBench& b) {
   PracticeMotion kept(kDamped), cleared(kDamped);
   kept.clears_scratch = false;
   b.run(kept, {0.01}, 0.1);
   b.run(cleared, {0.01}, 0.1);
-  return same_bits(kept, cleared) ? Finding{}
-                                  : failed("a step depends on what an earlier one left in scratch");
+  return moves_alike(kept, cleared) ? Finding{}
+                                    : failed("a step depends on what an earlier one left in scratch");
 }
 
-Finding explicit_means_explicit(Bench& b) {
+Finding explicit_means_explicit(IntegratorBench& b) {
   if (!b.type.is_explicit()) return nothing_to_ask("it does not say that it is explicit");
   PracticeMotion motion(kFree);
   b.run(motion, {0.01}, 0.02);
   return motion.solves == 0 ? Finding{} : failed("it calls `solve`");
 }
 
-Finding steps_nothing(Bench& b) {
+Finding steps_nothing(IntegratorBench& b) {
   PracticeMotion motion({.unknowns = 0});
   const int status = b.run(motion, {0.01}, 0.02);
   return status == NETLOFT_OK ? Finding{} : failed("returned " + std::to_string(status));
 }
 
 // Order matters: a check stands below those that it leans on.
-const std::vector<Check<Bench>>& integrator_table() {
-  static const std::vector<Check<Bench>> checks = {
+const std::vector<Check<IntegratorBench>>& integrator_table() {
+  static const std::vector<Check<IntegratorBench>> checks = {
       {"defaults-are-allowed",
        method_defaults_are_allowed,
        {},
@@ -277,7 +277,7 @@ const std::vector<Check<Bench>>& integrator_table() {
        {"no-exception-escapes"},
        "look at what `solve` and `accelerate` return; Step::shorter says that the step was not found"},
       {"stops-at-an-error",
-       stops_at_an_error,
+       stops_at_an_error_of_a_step,
        {"no-exception-escapes"},
        "an error of the host ends the step with an error; no shorter step will do"},
       {"no-hidden-state",
@@ -302,7 +302,7 @@ const std::vector<Check<Bench>>& integrator_table() {
 }
 
 /// Over unknowns and steps.
-TermTiming time_stepping(Bench& b) {
+TermTiming time_stepping(IntegratorBench& b) {
   constexpr int kSteps = 100;
   constexpr std::uint32_t kUnknowns = 300;
   const double spent =

@@ -12,7 +12,7 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kKinkStep = 1e-6, kKinkLimit = 1e-3;
+constexpr double kLawKinkStep = 1e-6, kKinkLimit = 1e-3;
 constexpr double kSlopeLimit = 1e-5;
 
 /// flows + step·field in one of their arrays, a step per lane.
@@ -73,13 +73,14 @@ Finding law_has_no_kink(LawBench& b) {
   for (std::size_t part = 0; part < b.tiles.size(); ++part)
     for (int k = 0; k < b.options.directions; ++k) {
       const Flows& f = b.tiles[part];
-      const auto field = b.random_field(), h = steps(b, f, kKinkStep), scale = b.force_scale(part, f);
+      const auto field = b.random_field(), h = steps(b, f, kLawKinkStep), scale = b.force_scale(part, f);
       const LawAnswer here = b.evaluate(part, f, false);
       const LawAnswer right = b.evaluate(part, varied(f, &Flows::flow, field, h, 1), false);
       const LawAnswer left = b.evaluate(part, varied(f, &Flows::flow, field, h, -1), false);
       for (std::size_t i = 0; i < here.force.size(); ++i)
-        worst.note(ratio((right.force[i] - 2 * here.force[i] + left.force[i]) / kKinkStep, scale[i % kLanes]),
-                   [&] { return b.place(part, i % kLanes); });
+        worst.note(
+            ratio((right.force[i] - 2 * here.force[i] + left.force[i]) / kLawKinkStep, scale[i % kLanes]),
+            [&] { return b.place(part, i % kLanes); });
     }
   return judged(worst, "");
 }

@@ -10,11 +10,11 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kRounding = 1e-10;
+constexpr double kFlowRounding = 1e-10;
 
 /// Force with one array turned over, against `sign` times the force as it is.
 Finding compare_turned_over(LawBench& b, std::vector<double> Flows::*array, double sign) {
-  Worst worst(kRounding);
+  Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {
     Flows over = b.tiles[part];
     for (double& v : over.*array) v = -v;
@@ -28,7 +28,7 @@ Finding compare_turned_over(LawBench& b, std::vector<double> Flows::*array, doub
 }
 
 /// Every vector of an array [3][64], turned about z.
-void turn(std::vector<double>& v, double angle) {
+void turn_flow(std::vector<double>& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const double x = v[at(0, lane)], y = v[at(1, lane)];
@@ -40,7 +40,7 @@ void turn(std::vector<double>& v, double angle) {
 }  // namespace
 
 Finding law_needs_flow(LawBench& b) {
-  Worst worst(kRounding);
+  Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {
     Flows still = b.tiles[part];
     std::fill(still.flow.begin(), still.flow.end(), 0.0);
@@ -54,7 +54,7 @@ Finding law_needs_flow(LawBench& b) {
 
 /// Power of the force seen from the water, F·W, may not be negative.
 Finding law_never_gains_energy(LawBench& b) {
-  Worst worst(kRounding);
+  Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {
     const Flows& f = b.tiles[part];
     const LawAnswer a = b.evaluate(part, f, false);
@@ -70,14 +70,14 @@ Finding law_never_gains_energy(LawBench& b) {
 }
 
 Finding rotation_turns_the_force_of_a_law(LawBench& b) {
-  Worst worst(kRounding);
+  Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {
     Flows turned = b.tiles[part];
     const double angle = b.sampler.uniform(0.3, 1.2);
-    turn(turned.flow, angle);
-    turn(turned.direction, angle);
+    turn_flow(turned.flow, angle);
+    turn_flow(turned.direction, angle);
     LawAnswer expected = b.evaluate(part, b.tiles[part], false);
-    turn(expected.force, angle);
+    turn_flow(expected.force, angle);
     const LawAnswer found = b.evaluate(part, turned, false);
     const auto scale = b.force_scale(part, turned);
     for (std::size_t i = 0; i < found.force.size(); ++i)

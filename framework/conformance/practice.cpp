@@ -12,7 +12,7 @@ namespace {
 constexpr double kBarrier = 0.1, kHardening = 100;  // b, q/h of (1)
 constexpr double kStrength = 100, kShift = 0.025;   // F, d of (1)
 constexpr double kReach = 0.72;  // R of (1): n² f/(2 k) of a chain with the defaults of Practice
-constexpr double kTolerance = 1e-10;
+constexpr double kPracticeTolerance = 1e-10;
 constexpr int kMostIterations = 20000, kMostEvaluations = 1000000;
 
 }  // namespace
@@ -237,7 +237,7 @@ int PracticeProblem::progress(const double* u, const double* r) {
     worst_report = error <= worst_report ? worst_report : error;  // also when it is no number
   }
   stopped_ = true;
-  if (imbalance(reported) <= kTolerance) return NETLOFT_ARRIVED;
+  if (imbalance(reported) <= kPracticeTolerance) return NETLOFT_ARRIVED;
   if (iterations >= kMostIterations || iterations == like_.interrupted_after) return NETLOFT_GIVE_UP;
   stopped_ = false;
   return NETLOFT_GO_ON;

@@ -16,7 +16,7 @@ bool all_finite(const std::vector<double>& x) {
   return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
 }
 
-double largest(const std::vector<double>& x) {
+double largest_component(const std::vector<double>& x) {
   double most = 0;
   for (const double value : x) most = std::max(most, std::abs(value));
   return most;
@@ -81,7 +81,7 @@ int PracticeMotion::step(const netloft_integrator& scheme, const void* parameter
   u = next_u_;
   v = next_v_;
   a = next_a_;
-  estimate = largest(error_);
+  estimate = largest_component(error_);
   estimated += estimate;
   t += h;
   return NETLOFT_OK;

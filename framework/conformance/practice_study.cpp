@@ -12,17 +12,16 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kTolerance = 1e-8;              // of the analysis, over the load on a mass
+constexpr double kStudyTolerance = 1e-8;         // of the analysis, over the load on a mass
 constexpr std::uint32_t kIterations = 30;        // of the analysis
 constexpr double kStageCost = 0.1;               // of an evaluation, in iterations
 constexpr std::size_t kRoom = 256, kGuard = 64;  // of the message, and behind it
-constexpr char kUntouched = 0x5a;
 
 bool is_finite(const double* u, std::size_t n) {
   return std::all_of(u, u + n, [](double v) { return std::isfinite(v); });
 }
 
-double largest(const std::vector<double>& r) {
+double largest_residual(const std::vector<double>& r) {
   double most = 0;
   for (const double v : r) most = std::max(most, std::abs(v));
   return most;
@@ -106,7 +105,7 @@ bool PracticeStudy::is_scene(const netloft_variant& v) const {
 }
 
 double PracticeStudy::tolerance_of(const netloft_stage& s) {
-  return s.tolerance > 0 ? s.tolerance : kTolerance;
+  return s.tolerance > 0 ? s.tolerance : kStudyTolerance;
 }
 
 // ---------------------------------------------------------------- what is asked
@@ -235,7 +234,7 @@ netloft_ending PracticeStudy::step_to_balance(PracticeProblem& problem, netloft_
         NETLOFT_OK)
       return NETLOFT_ENDED_NOT_CONVERGED;
     std::copy(u.begin(), u.end(), stage.u);
-    if (largest(r) <= tolerance) return NETLOFT_ENDED_CONVERGED;
+    if (largest_residual(r) <= tolerance) return NETLOFT_ENDED_CONVERGED;
     if (stage.iterations_done == limit || stage.spent + cost > budget) return NETLOFT_ENDED_OUT_OF_WORK;
     ++stage.iterations_done;
     ++stage.factorisations;
@@ -246,7 +245,7 @@ netloft_ending PracticeStudy::step_to_balance(PracticeProblem& problem, netloft_
       u[i] -= r[i];
       moved[i] += std::abs(r[i]);
     }
-    if (largest(moved) > path) return NETLOFT_ENDED_UNSETTLED;
+    if (largest_residual(moved) > path) return NETLOFT_ENDED_UNSETTLED;
   }
 }
 
@@ -276,7 +275,7 @@ void PracticeStudy::judge(const PracticeProblem& problem, netloft_stage& s, netl
 
 void PracticeStudy::keep(const netloft_stage& s, const std::vector<double>& u,
                          const PracticeProblem& problem) {
-  const Rank found = rank(problem, u.data(), kTolerance);
+  const Rank found = rank(problem, u.data(), kStudyTolerance);
   if (is_scene(s.variant))
     met_ = {met_.balanced || found.balanced, met_.stable || found.stable};
   else if (found.balanced && level_of(s.variant) == 0)
@@ -354,7 +353,7 @@ int PracticeStudy::answer(const double* u) {
   if (!is_finite(u, n)) note(Slip::answer_no_number, "answers with what is no number");
   const bool is_of_variant =
       std::find(of_variants_.begin(), of_variants_.end(), answers_.back()) != of_variants_.end();
-  if (is_of_variant && !rank(PracticeProblem(scene_.like), u, kTolerance).balanced)
+  if (is_of_variant && !rank(PracticeProblem(scene_.like), u, kStudyTolerance).balanced)
     note(Slip::answer_of_variant, "answers with the equilibrium of an easier variant");
   return NETLOFT_OK;
 }
@@ -373,7 +372,7 @@ bool PracticeStudy::has_kept_an_equilibrium() const {
   const PracticeProblem scene(scene_.like);
   Rank best;
   for (const auto& u : answers_) {
-    const Rank one = rank(scene, u.data(), kTolerance);
+    const Rank one = rank(scene, u.data(), kStudyTolerance);
     best = {best.balanced || one.balanced, best.stable || one.stable};
   }
   return (met_.stable && !best.stable) || (met_.balanced && !best.balanced);

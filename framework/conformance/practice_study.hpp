@@ -7,6 +7,9 @@
 
 namespace netloft::conformance {
 
+/// Fills memory that nobody may write.
+inline constexpr char kUntouched = 0x5a;
+
 /// A scene for strategies to practise on.
 struct PracticeScene {
   Practice like = {};

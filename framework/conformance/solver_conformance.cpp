@@ -29,11 +29,11 @@ struct SolverBench : MethodBench {
   const SolverType& type;
 };
 
-const Practice kLinear{};
+const Practice kLinearProblem{};
 const Practice kStiffening{.stiffening = 1e5};
 const Practice kWalled{.wall = 0.3};
 const Practice kSwirling{.swirl = 5};
-const Practice kAll[] = {kLinear, kStiffening, kWalled};
+const Practice kAll[] = {kLinearProblem, kStiffening, kWalled};
 
 Finding solver_lets_no_exception_escape(SolverBench& b) {
   for (Practice p : kAll)
@@ -59,7 +59,7 @@ Finding solves(SolverBench& b, const Practice& like) {
   return f;
 }
 
-Finding solves_a_linear_problem(SolverBench& b) { return solves(b, kLinear); }
+Finding solves_a_linear_problem(SolverBench& b) { return solves(b, kLinearProblem); }
 Finding solves_a_stiffening_problem(SolverBench& b) { return solves(b, kStiffening); }
 Finding comes_back_from_outside(SolverBench& b) { return solves(b, kWalled); }
 
@@ -70,7 +70,7 @@ Finding solves_without_an_energy(SolverBench& b) {
 }
 
 Finding starts_at_the_answer(SolverBench& b) {
-  PracticeProblem first(kLinear), again(kLinear);
+  PracticeProblem first(kLinearProblem), again(kLinearProblem);
   b.solve(first);
   std::copy(first.u().begin(), first.u().end(), again.interface().u);
   b.solve(again);
@@ -118,7 +118,7 @@ Finding reports_what_is_true(SolverBench& b) {
 }
 
 Finding says_progress(SolverBench& b) {
-  PracticeProblem problem(kLinear);
+  PracticeProblem problem(kLinearProblem);
   b.solve(problem);
   return problem.iterations > 0 ? Finding{} : failed("ended without a single call of `progress`");
 }
@@ -251,7 +251,7 @@ ConformanceReport check_solver(const SolverType& type, const ConformanceOptions&
   Doubtful doubtful;
   report.checks = run_all(solver_table(), bench, doubtful);
   if (options.timings && !doubtful.among({"says-progress"}))
-    report.timings = {time_solving(bench, kLinear, "linear problem"),
+    report.timings = {time_solving(bench, kLinearProblem, "linear problem"),
                       time_solving(bench, kStiffening, "stiffening problem")};
   return report;
 }

@@ -14,8 +14,6 @@ namespace netloft {
 namespace conformance {
 namespace {
 
-using Bench = StrategyBench;
-
 /// What a scene may be said to have without having it: nothing in the study depends on these.
 constexpr std::uint32_t kMayBeClaimed =
     NETLOFT_STUDY_REMEMBERS | NETLOFT_STUDY_FLOWS | NETLOFT_STUDY_COMPRESSION;
@@ -23,7 +21,7 @@ constexpr std::uint32_t kMayBeClaimed =
 const char* const kNoScene = "it needs traits that no practice study has";
 
 /// Runs the strategy on every scene that it takes; `fault_of(study, status)` says what was wrong.
-Finding over(Bench& b, const std::vector<NamedScene>& scenes,
+Finding over(StrategyBench& b, const std::vector<NamedScene>& scenes,
              const std::function<std::string(const PracticeStudy&, int)>& fault_of) {
   bool any = false;
   for (auto [name, scene] : scenes) {
@@ -39,11 +37,11 @@ Finding over(Bench& b, const std::vector<NamedScene>& scenes,
   return any ? Finding{} : nothing_to_ask(kNoScene);
 }
 
-Finding never(Bench& b, Slip slip) {
+Finding never(StrategyBench& b, Slip slip) {
   return over(b, all_scenes(), [slip](const PracticeStudy& study, int) { return study.slip(slip); });
 }
 
-Finding strategy_lets_no_exception_escape(Bench& b) {
+Finding strategy_lets_no_exception_escape(StrategyBench& b) {
   auto all = all_scenes();
   for (const auto& [name, scene] : scenes()) {
     all.push_back({name, scene});
@@ -54,10 +52,10 @@ Finding strategy_lets_no_exception_escape(Bench& b) {
 
 // ---------------------------------------------------------------- answers
 
-constexpr double kBalanced = 1e-7;  // ten times the tolerance of the study
+constexpr double kBalancedStudy = 1e-7;  // ten times the tolerance of the study
 
 /// Skipped where the strategy asks for nothing: it has no use of a scene without a current, or so small.
-Finding is_answered(Bench& b, PracticeScene scene) {
+Finding is_answered(StrategyBench& b, PracticeScene scene) {
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
   PracticeStudy study(scene);
   if (!b.takes(study)) return nothing_to_ask(kNoScene);
@@ -66,7 +64,7 @@ Finding is_answered(Bench& b, PracticeScene scene) {
     return nothing_to_ask("it asks for no stage of such a scene");
   Finding f;
   f.figure = study.imbalance();
-  f.limit = kBalanced;
+  f.limit = kBalancedStudy;
   f.passed = f.figure <= f.limit;
   f.detail = "imbalance of the best of " + std::to_string(study.answers().size()) + " answers after " +
              std::to_string(study.stages) + " stages; `run` returned " + std::to_string(status);
@@ -74,7 +72,7 @@ Finding is_answered(Bench& b, PracticeScene scene) {
 }
 
 /// A strategy may have no use for some of these scenes, but must have one for at least one.
-Finding answers_easy_studies(Bench& b) {
+Finding answers_easy_studies(StrategyBench& b) {
   Finding worst = nothing_to_ask(kNoScene);
   bool takes_any = false;
   for (const auto& [name, scene] : easy_scenes()) {
@@ -104,22 +102,22 @@ std::vector<double> near_the_answer(const PracticeScene& scene) {
 }
 
 /// Where whole steps of Newton's method converge, and from the sketch do not.
-Finding answers_from_a_start(Bench& b) {
+Finding answers_from_a_start(StrategyBench& b) {
   PracticeScene scene = kGripped;
   scene.start = near_the_answer(kGripped);
   return is_answered(b, scene);
 }
 
-Finding answers_with_numbers(Bench& b) { return never(b, Slip::answer_no_number); }
-Finding answers_the_scene_itself(Bench& b) { return never(b, Slip::answer_of_variant); }
+Finding answers_with_numbers(StrategyBench& b) { return never(b, Slip::answer_no_number); }
+Finding answers_the_scene_itself(StrategyBench& b) { return never(b, Slip::answer_of_variant); }
 
-Finding hands_back_what_it_found(Bench& b) {
+Finding hands_back_what_it_found(StrategyBench& b) {
   return over(b, scenes(), [](const PracticeStudy& study, int) -> std::string {
     return study.has_kept_an_equilibrium() ? "met a better equilibrium than any of its answers" : "";
   });
 }
 
-Finding answers_nothing(Bench& b) {
+Finding answers_nothing(StrategyBench& b) {
   const NamedScene nothing{"a scene without unknowns", {.like = {.unknowns = 0}}};
   return over(b, {nothing}, [](const PracticeStudy&, int status) -> std::string {
     return status == NETLOFT_OK ? "" : "returned " + std::to_string(status);
@@ -128,7 +126,7 @@ Finding answers_nothing(Bench& b) {
 
 // ---------------------------------------------------------------- failures
 
-Finding no_equilibrium_is_no_error(Bench& b) {
+Finding no_equilibrium_is_no_error(StrategyBench& b) {
   return over(b, {{"a chain without an equilibrium", kRunaway}},
               [](const PracticeStudy&, int status) -> std::string {
                 return status == NETLOFT_OK ? "" : "returned " + std::to_string(status);
@@ -136,7 +134,7 @@ Finding no_equilibrium_is_no_error(Bench& b) {
 }
 
 /// Also where what it calls finds nothing to do, and costs nothing, or is itself.
-Finding comes_to_an_end(Bench& b) {
+Finding comes_to_an_end(StrategyBench& b) {
   NamedScene idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
   idle.scene.others_decline = true;
   auto all = all_scenes();
@@ -148,7 +146,7 @@ Finding comes_to_an_end(Bench& b) {
   });
 }
 
-Finding stops_at_an_error(Bench& b) {
+Finding stops_at_an_error(StrategyBench& b) {
   auto broken = easy_scenes();
   for (NamedScene& one : broken) one.scene.breaks = true;
   return over(b, broken, [](const PracticeStudy& study, int status) -> std::string {
@@ -158,18 +156,18 @@ Finding stops_at_an_error(Bench& b) {
   });
 }
 
-Finding stops_when_interrupted(Bench& b) { return never(b, Slip::after_interrupt); }
-Finding stops_when_work_is_used_up(Bench& b) { return never(b, Slip::after_budget); }
+Finding stops_when_interrupted(StrategyBench& b) { return never(b, Slip::after_interrupt); }
+Finding stops_when_work_is_used_up(StrategyBench& b) { return never(b, Slip::after_budget); }
 
 // ---------------------------------------------------------------- what is asked
 
-Finding names_its_stages(Bench& b) { return never(b, Slip::stage_without_name); }
-Finding fills_its_stages(Bench& b) { return never(b, Slip::stage_not_filled); }
-Finding asks_for_what_there_is(Bench& b) { return never(b, Slip::out_of_range); }
-Finding keeps_within_its_work(Bench& b) { return never(b, Slip::over_budget); }
-Finding starts_from_numbers(Bench& b) { return never(b, Slip::start_no_number); }
+Finding names_its_stages(StrategyBench& b) { return never(b, Slip::stage_without_name); }
+Finding fills_its_stages(StrategyBench& b) { return never(b, Slip::stage_not_filled); }
+Finding asks_for_what_there_is(StrategyBench& b) { return never(b, Slip::out_of_range); }
+Finding keeps_within_its_work(StrategyBench& b) { return never(b, Slip::over_budget); }
+Finding starts_from_numbers(StrategyBench& b) { return never(b, Slip::start_no_number); }
 
-Finding leaves_the_study_alone(Bench& b) {
+Finding leaves_the_study_alone(StrategyBench& b) {
   auto all = all_scenes();
   all.push_back({"a chain with a start", kLinear});
   all.back().scene.start.assign(kLinear.like.unknowns, 0.1);
@@ -180,7 +178,7 @@ Finding leaves_the_study_alone(Bench& b) {
   });
 }
 
-Finding strategy_has_no_hidden_state(Bench& b) {
+Finding strategy_has_no_hidden_state(StrategyBench& b) {
   return over(b, all_scenes(), [&b](const PracticeStudy& first, int) -> std::string {
     PracticeStudy other(kTwoMeshes), again(first.scene());
     if (b.takes(other)) b.run(other);
@@ -209,7 +207,7 @@ std::vector<Setting> bounds_of(const std::vector<netloft_parameter>& table) {
   return all;
 }
 
-std::string fault_at(Bench& b, const Setting& setting) {
+std::string fault_at(StrategyBench& b, const Setting& setting) {
   Values values = required_of(b.type.parameters, ParameterSampler(b.type.parameters, b.seed).parameters(0));
   values[setting.first] = setting.second;
   std::vector<std::string> faults;
@@ -225,7 +223,7 @@ std::string fault_at(Bench& b, const Setting& setting) {
   return "";
 }
 
-Finding survives_its_bounds(Bench& b) {
+Finding survives_its_bounds(StrategyBench& b) {
   const auto bounds = bounds_of(b.type.parameters);
   for (const auto& setting : bounds)
     if (const std::string fault = fault_at(b, setting); !fault.empty())
@@ -236,10 +234,9 @@ Finding survives_its_bounds(Bench& b) {
 // ---------------------------------------------------------------- explain
 
 constexpr std::size_t kExplainGuard = 64;
-constexpr char kUntouched = 0x5a;
 
 /// Calls `explain` with so much room; what is wrong with where it wrote, or with what it asked for.
-std::string fault_of_explaining(Bench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
+std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
   PracticeStudy study(scene);
@@ -256,7 +253,7 @@ std::string fault_of_explaining(Bench& b, const PracticeScene& like, std::uint32
              : "writes past the room of " + std::to_string(room) + " bytes, or no end of the text";
 }
 
-Finding explains(Bench& b, bool asks) {
+Finding explains(StrategyBench& b, bool asks) {
   if (!b.type.strategy.explain) return nothing_to_ask("it has no explain");
   for (const auto& [name, scene] : scenes())
     for (const std::uint32_t room : {8192u, 16u, 1u})
@@ -265,12 +262,12 @@ Finding explains(Bench& b, bool asks) {
   return {};
 }
 
-Finding explains_within_its_room(Bench& b) { return explains(b, false); }
-Finding explains_without_solving(Bench& b) { return explains(b, true); }
+Finding explains_within_its_room(StrategyBench& b) { return explains(b, false); }
+Finding explains_without_solving(StrategyBench& b) { return explains(b, true); }
 
 // Order matters: a check stands below those that it leans on.
-const std::vector<Check<Bench>>& strategy_table() {
-  static const std::vector<Check<Bench>> checks = {
+const std::vector<Check<StrategyBench>>& strategy_table() {
+  static const std::vector<Check<StrategyBench>> checks = {
       {"defaults-are-allowed",
        method_defaults_are_allowed,
        {},

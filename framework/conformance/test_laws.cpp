@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/conformance/test_laws.hpp"
 
+#include "framework/conformance/specimen.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,8 +10,6 @@
 namespace netloft::conformance {
 
 namespace {
-
-constexpr std::size_t kLanes = NETLOFT_LANES;
 
 void write_lane(const netloft_flow& f, std::size_t i, double half) {
   const auto at = [i](std::size_t row) { return row * kLanes + i; };

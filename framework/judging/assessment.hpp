@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/balance/assembled_scene.hpp"
-#include "framework/judging/linear_motion.hpp"
 #include "framework/balance/static_problem.hpp"
+#include "framework/judging/linear_motion.hpp"
 
 namespace netloft {
 

@@ -15,7 +15,7 @@ namespace {
 // what rounding leaves of differences of equal numbers.
 constexpr double kNothing = 1e-12;
 
-using Block = Eigen::Matrix3d;
+using Block3 = Eigen::Matrix3d;
 
 /// Of a body about its centre of mass, in the arm's units [kg]:
 ///   J = M_qq − M_Xqᵀ M_XX⁻¹ M_Xq,  X its origin, q its rotation times its arm                      (1)
@@ -24,7 +24,7 @@ class OwnMasses {
   OwnMasses(Assembler& assembler, const std::vector<double>& blocks, std::size_t body) {
     const auto [origin, rotation] = assembler.body_nodes()[body];
     const auto at = [&](std::size_t first) {
-      return Block(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&blocks[first]));
+      return Block3(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&blocks[first]));
     };
     mass_ = at(9 * std::size_t{origin});
     turning_ = at(9 * std::size_t{rotation});
@@ -33,7 +33,7 @@ class OwnMasses {
   bool has_mass() const { return is_definite(mass_, mass_.trace()); }
   /// Along those components of the rotation that can change.
   bool resists_turning(std::uint8_t held) const {
-    Block J = turning_ - coupling_.transpose() * mass_.inverse() * coupling_;  // (1)
+    Block3 J = turning_ - coupling_.transpose() * mass_.inverse() * coupling_;  // (1)
     const double largest = turning_.trace();
     for (int axis = 0; axis < 3; ++axis)
       if (held & (1 << axis)) {
@@ -45,11 +45,11 @@ class OwnMasses {
   }
 
  private:
-  static bool is_definite(const Block& M, double largest) {
-    return largest > 0 && Eigen::SelfAdjointEigenSolver<Block>(M, Eigen::EigenvaluesOnly).eigenvalues()(0) >
+  static bool is_definite(const Block3& M, double largest) {
+    return largest > 0 && Eigen::SelfAdjointEigenSolver<Block3>(M, Eigen::EigenvaluesOnly).eigenvalues()(0) >
                               kNothing * largest;
   }
-  Block mass_, turning_, coupling_;
+  Block3 mass_, turning_, coupling_;
 };
 
 /// The bodies without what is joined to their points: these are nodes of their own.

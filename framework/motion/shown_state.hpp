@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/motion/march_state.hpp"
 #include "framework/balance/moving_state.hpp"
+#include "framework/motion/march_state.hpp"
 
 namespace netloft {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/motion/time_march.hpp"
 
+#include "framework/balance/shared_unknowns.hpp"
 #include "framework/motion/energy_watch.hpp"
 #include "framework/motion/march_times.hpp"
-#include "framework/balance/shared_unknowns.hpp"
 #include "framework/motion/shown_state.hpp"
 #include "framework/motion/step_control.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/motion/achieved_accuracy.hpp"
 #include "framework/balance/assembled_scene.hpp"
+#include "framework/motion/achieved_accuracy.hpp"
 #include "framework/motion/energy_budget.hpp"
 #include "framework/motion/march_ending.hpp"
 #include "framework/motion/march_settings.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/motion/highest_frequency.hpp"
 #include "framework/balance/moving_state.hpp"
-#include "framework/motion/node_masses.hpp"
 #include "framework/balance/static_problem.hpp"
+#include "framework/motion/highest_frequency.hpp"
+#include "framework/motion/node_masses.hpp"
 #include "framework/registry/descriptors.hpp"
 
 #include <deque>

@@ -19,11 +19,11 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double kFirstChange =
     0.01;  // slopes are measured over this: a change of a tension by some percent,
            // of which an equilibrium found to 1e-10 of the load leaves 7 digits
-constexpr double kLargestChange = 0.05;  // in one step: from one length of warp to another that differs by 5
-                                         // % Newton's method finds the next equilibrium by itself
-constexpr int kMostHalvings = 3;         // of a step; 1/8 of 5 % is less than slopes were measured over
-constexpr int kMostSteps = 60;           // of 5 %: a factor of 18 up or down
-constexpr double kTolerance = 1e-9;      // of the wanted force: ten times what equilibria are found to
+constexpr double kLargestChange = 0.05;   // in one step: from one length of warp to another that differs by 5
+                                          // % Newton's method finds the next equilibrium by itself
+constexpr int kMostHalvings = 3;          // of a step; 1/8 of 5 % is less than slopes were measured over
+constexpr int kMostSteps = 60;            // of 5 %: a factor of 18 up or down
+constexpr double kForceTolerance = 1e-9;  // of the wanted force: ten times what equilibria are found to
 
 /// Factors, what the nodes bear with them, and how far that is from what is wanted.
 struct Point {
@@ -49,7 +49,7 @@ class Search {
     for (Eigen::Index k = 0; k < y.size(); ++k)
       y[k] = std::log(scene_.settings[static_cast<std::size_t>(k)].factor);
     Point at = find_at(y, start);
-    if (at.is_there && at.distance() > kTolerance && measure_slopes(at)) approach(at);
+    if (at.is_there && at.distance() > kForceTolerance && measure_slopes(at)) approach(at);
     return finished(std::move(at));
   }
 
@@ -98,7 +98,7 @@ class Search {
 
   void approach(Point& at) {
     bool just_measured = true;
-    for (int step = 0; step < kMostSteps && at.distance() > kTolerance && !is_interrupted_; ++step) {
+    for (int step = 0; step < kMostSteps && at.distance() > kForceTolerance && !is_interrupted_; ++step) {
       Point next = best_step(at);
       if (next.is_there && next.distance() < at.distance()) {
         at = std::move(next);
@@ -133,7 +133,7 @@ class Search {
     if (is_interrupted_) {
       s.status = SolveStatus::interrupted;
       s.reason = "interrupted while " + list_names() + " was looked for";
-    } else if (at.is_there && at.distance() > kTolerance) {
+    } else if (at.is_there && at.distance() > kForceTolerance) {
       s.status = SolveStatus::not_converged;
       s.reason = sentence_at(at);
       if (!failed_.empty()) s.reason += "; beyond that " + failed_;
@@ -154,7 +154,7 @@ class Search {
     for (std::size_t k = 0; k < factors.size(); ++k) {
       const Setting& setting = scene_.settings[k];
       const double off = at.off[static_cast<Eigen::Index>(k)];
-      if (std::abs(off) <= kTolerance) continue;
+      if (std::abs(off) <= kForceTolerance) continue;
       char line[256];
       std::snprintf(line, sizeof line,
                     "no %s was found at which its end bears %.6g N; the nearest is %.6g N, at %.6g %s",

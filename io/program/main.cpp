@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::program {
 namespace {
 
 /// `solves`: it may want more memory than the machine has room for, and says so before it begins.
@@ -57,6 +57,6 @@ int start(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::program
 
-int main(int argc, char** argv) { return netloft::io::start(argc, argv); }
+int main(int argc, char** argv) { return netloft::program::start(argc, argv); }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -134,4 +134,4 @@ void carry_rope(const Part& from, const std::vector<double>& x, const Part& to,
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

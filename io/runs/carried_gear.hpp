@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 /// Brings the nodes of a panel of triangles to where the same place of the netting is on another division of
 /// it, `from` with positions `x` [m]: within the triangle there that has the twine coordinates of the node,
@@ -16,4 +16,4 @@ void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
 void carry_rope(const Part& from, const std::vector<double>& x, const Part& to,
                 std::vector<double>& positions);
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

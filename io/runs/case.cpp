@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/runs/case.hpp"
 
+#include "framework/balance/work.hpp"
 #include "framework/judging/correction.hpp"
 #include "framework/motion/settling.hpp"
-#include "framework/balance/work.hpp"
 #include "framework/study/settings.hpp"
 #include "io/runs/diagnosis.hpp"
 #include "io/runs/idle_choices.hpp"
@@ -24,12 +24,13 @@
 #include <optional>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
 /// Throws SceneError for what a motion cannot move.
-void require_inertia(const LoadedScene& loaded, const Plan& plan, Registry& registry, Assembler& assembler) {
+void require_inertia(const scenes::LoadedScene& loaded, const Plan& plan, Registry& registry,
+                     Assembler& assembler) {
   const bool is_explicit = registry.integrator(loaded.analysis.dynamics.integrator).is_explicit();
   auto faults = find_missing_inertia(loaded.scene, plan, registry, assembler, is_explicit);
   if (!faults.empty()) throw SceneError(std::move(faults));
@@ -46,7 +47,7 @@ Case::Case(CaseSource source, Registry& registry, MakeFactorisation make)
 
 Case::~Case() = default;
 
-Case::State Case::open(const std::function<void(LoadedScene&)>& change) {
+Case::State Case::open(const std::function<void(scenes::LoadedScene&)>& change) {
   if (const State state = read(); state != State::ready) return state;
   if (change) change(loaded_);
   return assemble();
@@ -55,7 +56,7 @@ Case::State Case::open(const std::function<void(LoadedScene&)>& change) {
 Case::State Case::read() {
   Timed timed(reading_seconds_);
   bool refused = false;
-  loaded_ = read_scene(source_.file, source_.overrides, registry_, diagnostics_, refused);
+  loaded_ = scenes::read_scene(source_.file, source_.overrides, registry_, diagnostics_, refused);
   if (!diagnostics_.errors()) return State::ready;
   return refused ? State::refused : State::wrong_input;
 }
@@ -63,7 +64,7 @@ Case::State Case::read() {
 Case::State Case::assemble() {
   Timed timed(setup_seconds_);
   try {
-    const Analysis& analysis = loaded_.analysis;
+    const scenes::Analysis& analysis = loaded_.analysis;
     const bool moves = analysis.kind == AnalysisKind::dynamics || analysis.settles;
     if (moves && analysis.dynamics.stiffness_damping > 0)
       damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
@@ -107,9 +108,9 @@ class AllowedTime {
 
 /// Half a gear that has passed through its mirror image balances as no whole gear does: such an equilibrium
 /// of the scene is none of the gear. What is held beyond the plane was meant to be there.
-void object_to_crossings(const LoadedScene& loaded, const Assembler& assembler, Solution& s) {
+void object_to_crossings(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   if (!is_stationary(s) || !loaded.gear || loaded.gear->times != 2) return;
-  for (const Crossing& crossing : find_crossings(loaded, assembler.node_positions(s.x)))
+  for (const scenes::Crossing& crossing : scenes::find_crossings(loaded, assembler.node_positions(s.x)))
     if (!crossing.is_held) {
       s.status = SolveStatus::not_converged;
       s.at_fault = loaded.scene.parts[crossing.part].name;
@@ -136,7 +137,7 @@ Solution Case::continue_from(const std::vector<double>& u, int iterations, const
   const AllowedTime allowed(watch, loaded_.analysis.limits.seconds);
   Limits limits = loaded_.analysis.limits;
   limits.iterations = std::min(limits.iterations, iterations);
-  const StrategyUse alone{&registry_.strategy(kStrategyOfNamedSolver), {}};
+  const StrategyUse alone{&registry_.strategy(scenes::kStrategyOfNamedSolver), {}};
   Solution s = netloft::find_equilibrium(sites(), study_options(limits, watch), alone, u);
   adopt(s);
   object_to_crossings(loaded_, *assembler_, s);
@@ -155,7 +156,7 @@ void Case::adopt(const Solution& s) {
 /// The bill of materials lists the rope that was found.
 void Case::note_length(const Setting& setting) {
   if (!loaded_.gear) return;
-  for (BillItem& item : loaded_.gear->bill)
+  for (scenes::BillItem& item : loaded_.gear->bill)
     if (setting.part == item.name || setting.part == "starboard-" + item.name)
       item.length = amount_of(loaded_.scene, setting);
 }
@@ -272,7 +273,7 @@ WorkModel work_of_steps(const Assembler& assembler, const MakeFactorisation& mak
 }  // namespace
 
 Solution Case::settle(const Watch& watch, const std::vector<double>& from) {
-  const Dynamics& d = loaded_.analysis.dynamics;
+  const scenes::Dynamics& d = loaded_.analysis.dynamics;
   const IntegratorType& integrator = registry_.integrator(d.integrator);
   const SolverType& solver = registry_.solver(kStepSolver);
   const auto scheme =
@@ -296,7 +297,7 @@ Solution Case::settle(const Watch& watch, const std::vector<double>& from) {
 }
 
 MarchResult Case::march(const MarchWatch& watch, const Watch& who, const MarchState* from, double work) {
-  const Analysis& a = loaded_.analysis;
+  const scenes::Analysis& a = loaded_.analysis;
   const IntegratorType& integrator = registry_.integrator(a.dynamics.integrator);
   const SolverType& solver = registry_.solver(a.solver);
   const auto scheme = block_of(integrator.parameters, integrator.integrator.parameter_bytes,
@@ -348,7 +349,7 @@ std::vector<double> Case::find_start(const Watch& who, Solution& found) {
   limits.judging.accept_swinging = loaded_.analysis.limits.judging.accept_swinging;
   StudyOptions options =
       study_options(limits, {.interrupt = who.interrupt, .on_iteration = who.on_iteration});
-  options.solver = {&registry_.solver(kSolver), {}};
+  options.solver = {&registry_.solver(scenes::kSolver), {}};
   found = netloft::find_equilibrium(source, options, strategy());
   object_to_crossings(loaded_, assembler, found);
   if (found.status == SolveStatus::converged || found.status == SolveStatus::unstable) remember(found.u);
@@ -361,4 +362,4 @@ void Case::remember(std::span<const double> u) {
   assembler_->remember(x);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

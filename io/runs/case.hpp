@@ -3,8 +3,8 @@
 #include "framework/motion/time_march.hpp"
 #include "framework/scene/plan.hpp"
 #include "framework/study/study.hpp"
-#include "io/scenes/reading/loaded_scene.hpp"
 #include "io/formats/toml/diagnostics.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 class Meshes;
 
@@ -52,8 +52,8 @@ class Case {
 
   /// Reads, checks and assembles, with `change` between reading and planning: another start, another water.
   /// Unless it is ready, diagnostics() say why not.
-  State open(const std::function<void(LoadedScene&)>& change = {});
-  const Diagnostics& diagnostics() const { return diagnostics_; }
+  State open(const std::function<void(scenes::LoadedScene&)>& change = {});
+  const formats::Diagnostics& diagnostics() const { return diagnostics_; }
 
   /// Finds the equilibrium as the scene's analysis says, from displacements `from` (empty: its start). What
   /// the scene leaves open (Scene::settings) is then as it was found: its numbers change, and with them the
@@ -100,8 +100,8 @@ class Case {
   /// Positions of all nodes [m], 3 per node of the scene, out of a vector over all dofs.
   std::vector<double> positions(std::span<const double> x) const { return assembler_->node_positions(x); }
 
-  LoadedScene& loaded() { return loaded_; }
-  const LoadedScene& loaded() const { return loaded_; }
+  scenes::LoadedScene& loaded() { return loaded_; }
+  const scenes::LoadedScene& loaded() const { return loaded_; }
   const CaseSource& source() const { return source_; }
   const Plan& plan() const { return plan_; }
   Assembler& assembler() { return *assembler_; }
@@ -126,8 +126,8 @@ class Case {
 
   CaseSource source_;
   Registry& registry_;
-  Diagnostics diagnostics_;
-  LoadedScene loaded_;
+  formats::Diagnostics diagnostics_;
+  scenes::LoadedScene loaded_;
   Plan plan_;
   std::string material_damping_;
   std::unique_ptr<Assembler> assembler_;
@@ -141,4 +141,4 @@ class Case {
 /// sentence when the specification is not understood.
 std::vector<std::string> overrides_of(const std::string& key, const std::string& specification);
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

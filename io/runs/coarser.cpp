@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <array>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
 using Point = std::array<double, 3>;
 constexpr int kFewestAcross = 4, kFewestBars = 4;
 
-bool is_divided(const PartGeometry& part) { return !part.cells.empty(); }
+bool is_divided(const scenes::PartGeometry& part) { return !part.cells.empty(); }
 
 int half_of(int cells) { return (cells + 1) / 2; }
 
 /// A node that is called by its number would be another place.
-bool can_halve(const PartGeometry& part, Halved which) {
+bool can_halve(const scenes::PartGeometry& part, Halved which) {
   if (part.is_numbered) return false;
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
   return std::all_of(part.cells.begin(), part.cells.end(), [&](int cells) {
@@ -26,32 +26,32 @@ bool can_halve(const PartGeometry& part, Halved which) {
   });
 }
 
-std::string override_of(const PartGeometry& part) {
+std::string override_of(const scenes::PartGeometry& part) {
   std::string cells;
   for (const int n : part.cells) cells += (cells.empty() ? "" : ",") + std::to_string(half_of(n));
   return "parts." + part.name + ".cells=" + (part.cells.size() == 1 ? cells : "[" + cells + "]");
 }
 
 /// Nodes at the corners of the cells of a part, and those in the middles of them, which come behind.
-std::size_t corners_of(const PartGeometry& part) {
+std::size_t corners_of(const scenes::PartGeometry& part) {
   std::size_t nodes = 1;
   for (const int cells : part.cells) nodes *= static_cast<std::size_t>(cells) + 1;
   return nodes;
 }
 
-std::size_t middles_of(const PartGeometry& part) {
+std::size_t middles_of(const scenes::PartGeometry& part) {
   if (part.cells.size() != 2) return 0;
   return static_cast<std::size_t>(part.cells[0]) * static_cast<std::size_t>(part.cells[1]);
 }
 
-bool has_middles(const PartGeometry& part) {
+bool has_middles(const scenes::PartGeometry& part) {
   return middles_of(part) > 0 && part.nodes.size() == corners_of(part) + middles_of(part);
 }
 
 /// Own nodes of a part where another division of it has been brought to.
 class Shape {
  public:
-  Shape(const PartGeometry& part, const std::vector<double>& x) : part_(part), x_(x) {}
+  Shape(const scenes::PartGeometry& part, const std::vector<double>& x) : part_(part), x_(x) {}
 
   Point node(std::size_t own) const {
     const std::size_t at = 3 * std::size_t{part_.nodes[own]};
@@ -107,16 +107,16 @@ class Shape {
     return sum;
   }
 
-  const PartGeometry& part_;
+  const scenes::PartGeometry& part_;
   const std::vector<double>& x_;
 };
 
-bool is_structured(const PartGeometry& part) {
+bool is_structured(const scenes::PartGeometry& part) {
   return part.nodes.size() == corners_of(part) || has_middles(part);
 }
 
 /// Own node -> shares of the way along a rope, or across and along a panel.
-std::array<double, 2> shares_of(const PartGeometry& part, std::size_t own) {
+std::array<double, 2> shares_of(const scenes::PartGeometry& part, std::size_t own) {
   if (part.cells.size() == 1) return {static_cast<double>(own) / part.cells[0], 0};
   const bool is_middle = own >= corners_of(part);
   const auto columns = static_cast<std::size_t>(part.cells[0]) + (is_middle ? 0 : 1);
@@ -132,13 +132,13 @@ namespace {
 
 constexpr std::size_t kFewestNodes = 120;  // of a gear
 
-bool is_numbered(const GearInScene& gear, const std::vector<PartGeometry>& parts) {
+bool is_numbered(const scenes::GearInScene& gear, const std::vector<scenes::PartGeometry>& parts) {
   const auto numbered = [&](std::uint32_t p) { return parts[p].is_numbered; };
   return std::ranges::any_of(gear.panels, numbered) || std::ranges::any_of(gear.ropes, numbered);
 }
 
 /// Sides twice as long: a quarter of the nodes.
-std::vector<std::string> coarser_gear(const GearInScene& gear, const LoadedScene& fine) {
+std::vector<std::string> coarser_gear(const scenes::GearInScene& gear, const scenes::LoadedScene& fine) {
   const std::size_t nodes = fine.scene.node_count();
   if (nodes / 4 < kFewestNodes || is_numbered(gear, fine.parts)) return {};
   if (gear.size > 0) return {"gear.size=" + std::to_string(2 * gear.size)};
@@ -158,7 +158,7 @@ void carry_bodies(const Scene& from, const std::vector<double>& x, const Scene& 
   }
 }
 
-void carry_gear(const LoadedScene& from, const std::vector<double>& x, const LoadedScene& to,
+void carry_gear(const scenes::LoadedScene& from, const std::vector<double>& x, const scenes::LoadedScene& to,
                 std::vector<double>& positions) {
   for (const auto p : to.gear->ropes) carry_rope(from.scene.parts[p], x, to.scene.parts[p], positions);
   for (const auto p : to.gear->panels) carry_panel(from.scene.parts[p], x, to.scene.parts[p], positions);
@@ -166,7 +166,7 @@ void carry_gear(const LoadedScene& from, const std::vector<double>& x, const Loa
 
 }  // namespace
 
-std::vector<std::string> halved_cells(const LoadedScene& fine, Halved which) {
+std::vector<std::string> halved_cells(const scenes::LoadedScene& fine, Halved which) {
   std::vector<std::string> overrides;
   for (const auto& part : fine.parts)
     if (is_divided(part) && can_halve(part, which)) overrides.push_back(override_of(part));
@@ -175,15 +175,15 @@ std::vector<std::string> halved_cells(const LoadedScene& fine, Halved which) {
   return overrides;
 }
 
-std::optional<std::vector<double>> carried_over(const LoadedScene& from, const std::vector<double>& x,
-                                                const LoadedScene& to) {
+std::optional<std::vector<double>> carried_over(const scenes::LoadedScene& from, const std::vector<double>& x,
+                                                const scenes::LoadedScene& to) {
   if (from.parts.size() != to.parts.size() || from.gear.has_value() != to.gear.has_value()) return {};
   if (from.scene.bodies.size() != to.scene.bodies.size()) return {};
   std::vector<double> positions = to.scene.positions;
   carry_bodies(from.scene, x, to.scene, positions);
   if (to.gear) carry_gear(from, x, to, positions);
   for (std::size_t p = 0; p < to.parts.size(); ++p) {
-    const PartGeometry &source = from.parts[p], &part = to.parts[p];
+    const scenes::PartGeometry &source = from.parts[p], &part = to.parts[p];
     if (!is_divided(part)) continue;
     if (!is_structured(source) || !is_structured(part) || source.cells.size() != part.cells.size()) return {};
     const Shape shape(source, x);
@@ -196,4 +196,4 @@ std::optional<std::vector<double>> carried_over(const LoadedScene& from, const s
   return positions;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -183,4 +183,4 @@ std::vector<std::string> diagnose(const Scene& scene, Assembler& assembler, cons
   return Diagnosis(scene, assembler, solution).make();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

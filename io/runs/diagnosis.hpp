@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 /// What is to be seen where a solver ended without an equilibrium, as sentences about parts by name:
 ///   slack         no element of the part has tension, so that nothing holds it in its place
@@ -16,4 +16,4 @@ namespace netloft::io {
 /// In words of what elements put out ("tension"), so that parts of any plugin are understood.
 std::vector<std::string> diagnose(const Scene& scene, Assembler& assembler, const Solution& solution);
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -73,7 +73,8 @@ std::string first_of(const std::vector<std::string>& parts) {
 
 }  // namespace
 
-void warn_of_idle_choices(const LoadedScene& loaded, const Plan& plan, Diagnostics& diagnostics) {
+void warn_of_idle_choices(const scenes::LoadedScene& loaded, const Plan& plan,
+                          formats::Diagnostics& diagnostics) {
   IdleChoices choices(plan);
   for (const FamilyPlan& family : plan.families)
     for (const auto part : family.parts) choices.look_at(family, loaded.scene.parts[part]);
@@ -82,4 +83,4 @@ void warn_of_idle_choices(const LoadedScene& loaded, const Plan& plan, Diagnosti
                         first_of(c.parts) + ": " + c.what + " has no effect: " + c.reason);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

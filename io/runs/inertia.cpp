@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/runs/inertia.hpp"
 
-#include "framework/parameters/find_number.hpp"
 #include "framework/motion/missing_inertia.hpp"
+#include "framework/parameters/find_number.hpp"
 #include "io/formats/units/in_quotes.hpp"
 
 #include <algorithm>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -37,7 +37,7 @@ std::string keys_of(const Scene& scene, Registry& registry, const MissingInertia
 std::string sentence(const Scene& scene, Registry& registry, const MissingInertia& missing) {
   const std::string what = missing.is_of_turning ? "moment of inertia about some axis" : "mass";
   const std::string keys = keys_of(scene, registry, missing);
-  return (missing.body ? "the body " + in_quotes(scene.bodies[*missing.body].name)
+  return (missing.body ? "the body " + formats::in_quotes(scene.bodies[*missing.body].name)
                        : scene.node_name(missing.node)) +
          " has no " + what + ", and nothing bounds how fast it would move" +
          (keys.empty() ? "" : "; these keys give it: " + keys);
@@ -57,4 +57,4 @@ std::vector<SceneFault> find_missing_inertia(const Scene& scene, const Plan& pla
   return faults;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -3,7 +3,7 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/registry/registry.hpp"
 
-namespace netloft::io {
+namespace netloft::runs {
 
 /// What a motion cannot move because nothing gives it inertia, by its part, and the keys that would give it:
 /// those parameters of its elements whose unit is that of what is missing. `is_explicit`: the integrator
@@ -11,4 +11,4 @@ namespace netloft::io {
 std::vector<SceneFault> find_missing_inertia(const Scene& scene, const Plan& plan, Registry& registry,
                                              Assembler& assembler, bool is_explicit);
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

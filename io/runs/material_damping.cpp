@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -34,9 +34,9 @@ double value_of(const Part& part, const std::string& name, Registry& registry) {
 }
 
 /// Why no loss factor counts; empty: they do.
-std::string why_off(const Analysis& analysis, Registry& registry) {
+std::string why_off(const scenes::Analysis& analysis, Registry& registry) {
   if (analysis.settles) return "the analysis is static";
-  const Dynamics& d = analysis.dynamics;
+  const scenes::Dynamics& d = analysis.dynamics;
   if (!d.material_damping) return "material_damping = false";
   if (analysis.kind == AnalysisKind::statics) return "";
   if (d.stiffness_damping > 0) return "stiffness_damping takes its place";
@@ -68,7 +68,7 @@ std::string listed(const std::map<Losses, std::vector<std::string>>& parts) {
 
 }  // namespace
 
-std::string choose_material_damping(Scene& scene, const Analysis& analysis, Registry& registry) {
+std::string choose_material_damping(Scene& scene, const scenes::Analysis& analysis, Registry& registry) {
   std::map<Losses, std::vector<std::string>> losses;
   std::string off;
   for (Part& part : scene.parts)
@@ -92,4 +92,4 @@ void take_out_losses(Scene& scene, Registry& registry) {
       if (value_of(part, what + kLoss, registry) != 0) part.parameters[what + kLoss] = 0.0;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -107,4 +107,4 @@ double memory_within_reach() {
          std::max(0.0, std::min({memory_of_machine("MemAvailable"), left_by_group(), left_by_limit(now)}));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

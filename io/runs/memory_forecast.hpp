@@ -2,7 +2,7 @@
 #pragma once
 #include "io/runs/case.hpp"
 
-namespace netloft::io {
+namespace netloft::runs {
 
 /// What solving a case will take of memory, foreseen from its pattern before anything is factorised [bytes].
 struct MemoryForecast {
@@ -23,4 +23,4 @@ MemoryForecast foresee_memory(Case& the_case);
 /// of cgroup 2) and its limit of addresses (ulimit -v) leave. Infinite where nothing is known.
 double memory_within_reach();
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -15,7 +15,7 @@ constexpr unsigned kMostLevels = 32;
 
 /// What is free to move starts where the finer mesh does; what is held, where it is held.
 /// False: the two are no divisions of the same parts, so that nothing leads from one to the other.
-bool start_like(const LoadedScene& finer, LoadedScene& coarse) {
+bool start_like(const scenes::LoadedScene& finer, scenes::LoadedScene& coarse) {
   const auto positions = carried_over(finer, finer.scene.positions, coarse);
   if (!positions) return false;
   for (std::size_t d = 0; d < positions->size(); ++d)
@@ -25,51 +25,51 @@ bool start_like(const LoadedScene& finer, LoadedScene& coarse) {
 
 }  // namespace
 
-Meshes::Meshes(const CaseSource& source, const LoadedScene& finest, Registry& registry)
+Meshes::Meshes(const CaseSource& source, const scenes::LoadedScene& finest, Registry& registry)
     : source_(source),
       finest_(finest),
       registry_(registry),
       most_(halved_cells(finest, Halved::all).empty() ? 1 : kMostLevels) {}
 
 const Scene* Meshes::scene(unsigned level) {
-  const LoadedScene* const found = loaded(level);
+  const scenes::LoadedScene* const found = loaded(level);
   return found ? &found->scene : nullptr;
 }
 
-const LoadedScene* Meshes::loaded(unsigned level) {
+const scenes::LoadedScene* Meshes::loaded(unsigned level) {
   if (level == 0) return &finest_;
   if (level >= most_) return nullptr;
-  const LoadedScene* const finer = loaded(level - 1);
+  const scenes::LoadedScene* const finer = loaded(level - 1);
   if (!finer) return nullptr;
   if (coarser_.size() < level) coarser_.push_back(read_coarser(*finer));
   return coarser_[level - 1].get();
 }
 
 /// Where parts do not fit with half of all cells, parts with odd numbers stay as they are.
-std::unique_ptr<LoadedScene> Meshes::read_coarser(const LoadedScene& finer) {
+std::unique_ptr<scenes::LoadedScene> Meshes::read_coarser(const scenes::LoadedScene& finer) {
   for (const Halved which : {Halved::all, Halved::even_only})
     if (auto coarse = read_halved(finer, halved_cells(finer, which))) return coarse;
   return nullptr;
 }
 
-std::unique_ptr<LoadedScene> Meshes::read_halved(const LoadedScene& finer,
-                                                 const std::vector<std::string>& halved) {
+std::unique_ptr<scenes::LoadedScene> Meshes::read_halved(const scenes::LoadedScene& finer,
+                                                         const std::vector<std::string>& halved) {
   if (halved.empty()) return nullptr;
   std::vector<std::string> overrides = source_.overrides;
   overrides.insert(overrides.end(), halved.begin(), halved.end());
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   bool refused = false;
-  auto coarse =
-      std::make_unique<LoadedScene>(read_scene(source_.file, overrides, registry_, diagnostics, refused));
+  auto coarse = std::make_unique<scenes::LoadedScene>(
+      scenes::read_scene(source_.file, overrides, registry_, diagnostics, refused));
   if (refused || diagnostics.errors() || !start_like(finer, *coarse)) return nullptr;
   source_.overrides = std::move(overrides);
   return coarse;
 }
 
 std::vector<double> Meshes::carry(unsigned from, std::span<const double> positions, unsigned to) {
-  const LoadedScene *const source = loaded(from), *const target = loaded(to);
+  const scenes::LoadedScene *const source = loaded(from), *const target = loaded(to);
   if (!source || !target) return {};
   return carried_over(*source, {positions.begin(), positions.end()}, *target).value_or(std::vector<double>{});
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

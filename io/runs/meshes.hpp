@@ -5,28 +5,29 @@
 
 #include <memory>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 /// Coarser meshes of a case: each has half as many cells along a side as the one before, where cells can be
 /// halved (coarser.hpp). They are read when they are first asked for.
 class Meshes : public Levels {
  public:
-  Meshes(const CaseSource& source, const LoadedScene& finest, Registry& registry);
+  Meshes(const CaseSource& source, const scenes::LoadedScene& finest, Registry& registry);
 
   unsigned most() const override { return most_; }
   const Scene* scene(unsigned level) override;
   std::vector<double> carry(unsigned from, std::span<const double> positions, unsigned to) override;
 
  private:
-  const LoadedScene* loaded(unsigned level);
-  std::unique_ptr<LoadedScene> read_coarser(const LoadedScene& finer);
-  std::unique_ptr<LoadedScene> read_halved(const LoadedScene& finer, const std::vector<std::string>& halved);
+  const scenes::LoadedScene* loaded(unsigned level);
+  std::unique_ptr<scenes::LoadedScene> read_coarser(const scenes::LoadedScene& finer);
+  std::unique_ptr<scenes::LoadedScene> read_halved(const scenes::LoadedScene& finer,
+                                                   const std::vector<std::string>& halved);
 
   CaseSource source_;  // of the coarsest one that has been read
-  const LoadedScene& finest_;
+  const scenes::LoadedScene& finest_;
   Registry& registry_;
   unsigned most_;
-  std::vector<std::unique_ptr<LoadedScene>> coarser_;  // level 1, 2, …; null: there is none
+  std::vector<std::unique_ptr<scenes::LoadedScene>> coarser_;  // level 1, 2, …; null: there is none
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -51,10 +51,10 @@ std::vector<std::string> overrides_of(const std::string& key, const std::string&
       refuse(key, specification, "\"" + pair + "\" is not key=value");
     if (!keys.insert(pair.substr(0, equals)).second)
       refuse(key, specification, pair.substr(0, equals) + " is given twice");
-    const ComponentTable at = table_of_component(name);
+    const scenes::ComponentTable at = scenes::table_of_component(name);
     all.push_back("analysis." + at.plugin + (at.component.empty() ? "" : "." + at.component) + "." + pair);
   }
   return all;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -3,7 +3,7 @@
 
 #include "framework/parameters/find_number.hpp"
 
-namespace netloft::io {
+namespace netloft::runs {
 
 namespace {
 
@@ -28,4 +28,4 @@ void damp_stretch(Scene& scene, Registry& registry, double beta) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -3,7 +3,7 @@
 #include "framework/registry/registry.hpp"
 #include "framework/scene/scene.hpp"
 
-namespace netloft::io {
+namespace netloft::runs {
 
 /// The part of Rayleigh's damping that is proportional to stiffness, C = β K: of everything that has an axial
 /// stiffness EA and a damping η of its stretch (tension per strain rate), by the roles of its parameters,
@@ -12,4 +12,4 @@ namespace netloft::io {
 /// damped, as it would be by K itself, which holds the tension as well. β [s]
 void damp_stretch(Scene& scene, Registry& registry, double beta);
 
-}  // namespace netloft::io
+}  // namespace netloft::runs

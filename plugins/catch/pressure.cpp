@@ -29,8 +29,8 @@ Vec3<double> opposite(const State<4>& s, int j) {
 double front(const State<4>& s) { return s.x[3].x; }
 
 /// The quantities of one triangle in (6) to (9).
-struct Slice {
-  Slice(const Pressure::Parameters& p, const State<4>& s)
+struct FilledSlice {
+  FilledSlice(const Pressure::Parameters& p, const State<4>& s)
       : axis(kAxes[p.across]),
         n(cross(s.x[1] - s.x[0], s.x[2] - s.x[0])[axis]),
         arm((s.x[0][axis] + s.x[1][axis] + s.x[2][axis]) / 3 - p.middle) {}
@@ -76,7 +76,7 @@ void push(double pressure, const Pressure::Fraction& fraction, const State<4>& s
 
 void balance_volume(const Pressure::Parameters& p, double pressure, double triangles,
                     const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
-  const Slice slice(p, s);
+  const FilledSlice slice(p, s);
   const double k = pressure / std::cbrt(p.volume);
   out.force[3].x = k * (fraction.value() * slice.volume() -
                         in_time::share_at(p.growth, s.time) * p.volume / triangles);  // (7)
@@ -153,7 +153,7 @@ double Pressure::on(const Parameters& p, const Data& d, const State<4>& s) {
 }
 
 double Pressure::volume(const Parameters& p, const Data& d, const State<4>& s) {
-  return fraction_behind_front(d.to_aft, front(s)).value() * Slice(p, s).volume();
+  return fraction_behind_front(d.to_aft, front(s)).value() * FilledSlice(p, s).volume();
 }
 
 Status Pressure::Push::evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,

@@ -9,8 +9,8 @@ namespace netloft::rope {
 
 namespace {
 
-constexpr double kInLine = 1e-9;   // sin φ
-constexpr double kFolded = 1e-12;  // (1 + cos δ)/2
+constexpr double kInLine = 1e-9;          // sin φ
+constexpr double kFoldedAtClamp = 1e-12;  // (1 + cos δ)/2
 
 /// E and its derivatives with respect to φ [J].
 OfCosine over_angle(const Clamp::Parameters& p, const Clamp::Data& d, double delta) {
@@ -36,7 +36,7 @@ Status Clamp::Elastic::evaluate(const Parameters& p, const Data& d, const State<
     out.energy = over_angle(p, d, delta).E;
     return Status::ok;
   }
-  if (!(sine > kInLine) || !(0.5 + 0.5 * std::cos(delta) > kFolded)) return Status::outside_domain;
+  if (!(sine > kInLine) || !(0.5 + 0.5 * std::cos(delta) > kFoldedAtClamp)) return Status::outside_domain;
   const OfCosine f = over_angle(p, d, delta);
   add_of_cosine(q, {f.E, -f.E1 / sine, (f.E2 - f.E1 * q.c / sine) / (sine * sine)}, s, out);  // (4)
   return Status::ok;

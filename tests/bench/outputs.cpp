@@ -15,7 +15,7 @@
 
 namespace {
 
-using namespace netloft::io;
+using namespace netloft;
 using Clock = std::chrono::steady_clock;
 
 /// A rope for few nodes, netting for many.
@@ -44,30 +44,30 @@ std::vector<double> digits(std::size_t count, std::size_t seed) {
   return values;
 }
 
-SeriesLayout make_layout(const Gear& gear) {
-  SeriesLayout layout;
+formats::SeriesLayout make_layout(const Gear& gear) {
+  formats::SeriesLayout layout;
   layout.mesh.n_points = gear.nodes;
   for (std::size_t c = 0; c < gear.cells; ++c) {
     const auto node = static_cast<std::int64_t>(c % (gear.nodes - 1));
     layout.mesh.connectivity.insert(layout.mesh.connectivity.end(), {node, node + 1});
     layout.mesh.offsets.push_back(static_cast<std::int64_t>(layout.mesh.connectivity.size()));
-    layout.mesh.types.push_back(kLine);
+    layout.mesh.types.push_back(formats::kLine);
   }
   for (const char* name : {"displacement", "velocity", "reaction"})
-    layout.changing.push_back({name, "m", "field", Location::kPoint, 3, false});
+    layout.changing.push_back({name, "m", "field", formats::Location::kPoint, 3, false});
   for (const char* name : {"tension", "strain", "drag", "mass", "angle"})
-    layout.changing.push_back({name, "N", "field", Location::kCell, 1, false});
+    layout.changing.push_back({name, "N", "field", formats::Location::kCell, 1, false});
   for (int k = 0; k < 12; ++k) layout.columns.push_back({"column" + std::to_string(k), "N", "column"});
   return layout;
 }
 
-std::vector<SeriesState> make_states(const Gear& gear, const SeriesLayout& layout) {
-  std::vector<SeriesState> states(4);
+std::vector<formats::SeriesState> make_states(const Gear& gear, const formats::SeriesLayout& layout) {
+  std::vector<formats::SeriesState> states(4);
   for (std::size_t i = 0; i < states.size(); ++i) {
     states[i].points = digits(3 * gear.nodes, i);
     for (const auto& field : layout.changing)
-      states[i].fields.push_back(
-          digits((field.location == Location::kPoint ? gear.nodes : gear.cells) * field.components, i));
+      states[i].fields.push_back(digits(
+          (field.location == formats::Location::kPoint ? gear.nodes : gear.cells) * field.components, i));
     states[i].row = digits(layout.columns.size(), i);
   }
   return states;
@@ -94,11 +94,11 @@ Cost measure(const Gear& gear, const std::filesystem::path& result, Write&& writ
 }
 
 Cost measure_journal(const Gear& gear, const std::filesystem::path& result) {
-  const SeriesLayout layout = make_layout(gear);
+  const formats::SeriesLayout layout = make_layout(gear);
   auto states = make_states(gear, layout);
   const auto unknowns = digits(9 * gear.nodes, 0);
   const std::string checkpoint(reinterpret_cast<const char*>(unknowns.data()), 8 * unknowns.size());
-  auto journal = SeriesJournal::create(result.string() + ".part", "bench", "", layout);
+  auto journal = formats::SeriesJournal::create(result.string() + ".part", "bench", "", layout);
   return measure(
       gear, result,
       [&](std::size_t i) {
@@ -106,21 +106,21 @@ Cost measure_journal(const Gear& gear, const std::filesystem::path& result) {
         journal.write(states[i % 4], checkpoint);
       },
       [&] {
-        make_result(journal, result, [](Tree&) {});
+        formats::make_result(journal, result, [](formats::Tree&) {});
         journal.remove();
       });
 }
 
 Cost measure_flushes(const Gear& gear, const std::filesystem::path& result) {
-  const SeriesLayout layout = make_layout(gear);
+  const formats::SeriesLayout layout = make_layout(gear);
   const auto states = make_states(gear, layout);
   const auto unknowns = digits(9 * gear.nodes, 0);
-  ResultFile file(result);
+  formats::ResultFile file(result);
   file.begin(layout.mesh, layout.changing, layout.fixed, gear.outputs);
   return measure(
       gear, result,
       [&](std::size_t i) {
-        const SeriesState& state = states[i % 4];
+        const formats::SeriesState& state = states[i % 4];
         const std::vector<std::span<const double>> fields(state.fields.begin(), state.fields.end());
         file.write_state(static_cast<double>(i), state.points, fields);
         for (std::size_t k = 0; k < layout.columns.size(); ++k)

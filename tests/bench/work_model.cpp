@@ -9,8 +9,8 @@
 #include "framework/balance/work.hpp"
 #include "framework/registry/registry.hpp"
 #include "framework/scene/plan.hpp"
-#include "io/scenes/reading/read_scene.hpp"
 #include "io/formats/toml/diagnostics.hpp"
+#include "io/scenes/reading/read_scene.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
@@ -89,11 +89,11 @@ void print_panels(double largest, Registry& registry) {
 void print_trawls(double largest, Registry& registry) {
   for (const int nodes : {100, 400, 2000, 8000, 33000}) {
     if (3.0 * nodes > largest) continue;
-    io::Diagnostics diagnostics;
+    formats::Diagnostics diagnostics;
     bool refused = false;
-    const io::LoadedScene loaded =
-        io::read_scene(netloft::test::source_folder() + "/gear-library/scenes/83-112-flume-3.0kn.toml",
-                       {"gear.nodes=" + std::to_string(nodes)}, registry, diagnostics, refused);
+    const scenes::LoadedScene loaded =
+        scenes::read_scene(netloft::test::source_folder() + "/gear-library/scenes/83-112-flume-3.0kn.toml",
+                           {"gear.nodes=" + std::to_string(nodes)}, registry, diagnostics, refused);
     if (!diagnostics.errors()) print_row("83-112", loaded.scene, registry);
   }
 }

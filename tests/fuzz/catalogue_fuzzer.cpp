@@ -6,8 +6,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace netloft;
   fuzz::write_scratch("parts.toml", data, size);
-  io::Diagnostics diagnostics;
-  const io::Catalogue parts = io::Catalogue::load({fuzz::scratch_folder()}, diagnostics);
+  formats::Diagnostics diagnostics;
+  const gears::Catalogue parts = gears::Catalogue::load({fuzz::scratch_folder()}, diagnostics);
   fuzz::use(diagnostics.render(false).size());
   for (const auto& part : parts.parts()) {
     const auto* found = parts.find(part.name, {part.kind->name});

@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace netloft::io;
+using namespace netloft;
 
 constexpr double kMostNodes = 2000;  // of a gear that is divided, so that no input takes seconds
 
@@ -21,59 +21,62 @@ void use(std::size_t size) {
   sink = size;
 }
 
-void expect_again(const std::string& text, const InputMesh& mesh) {
-  Diagnostics diagnostics;
-  const InputMesh again = read_any_mesh(text, diagnostics.add_source("gear.mesh", text), diagnostics);
+void expect_again(const std::string& text, const formats::InputMesh& mesh) {
+  formats::Diagnostics diagnostics;
+  const formats::InputMesh again =
+      formats::read_any_mesh(text, diagnostics.add_source("gear.mesh", text), diagnostics);
   if (diagnostics.errors() && mesh.node_count() > 0) std::abort();
   if (again.node_count() != mesh.node_count()) std::abort();
 }
 
-void read_again(const InputMesh& mesh) {
-  expect_again(mesh_text(mesh, "a source"), mesh);
+void read_again(const formats::InputMesh& mesh) {
+  expect_again(formats::mesh_text(mesh, "a source"), mesh);
   if (mesh.node_count() == 0) return;
-  expect_again(obj_text(mesh, "a source"), mesh);
-  expect_again(vtk_text(mesh, "a source"), mesh);
+  expect_again(formats::obj_text(mesh, "a source"), mesh);
+  expect_again(formats::vtk_text(mesh, "a source"), mesh);
 }
 
 void try_mesh(const std::string& text) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   const int file = diagnostics.add_source("gear.mesh", text);
-  const InputMesh mesh = read_any_mesh(text, file, diagnostics);
+  const formats::InputMesh mesh = formats::read_any_mesh(text, file, diagnostics);
   if (diagnostics.errors() == 0) read_again(mesh);
   use(diagnostics.render(false).size());
 }
 
-void try_bars(const BarTable& table, const Diagnostics& diagnostics) {
+void try_bars(const scenes::BarTable& table, const formats::Diagnostics& diagnostics) {
   if (diagnostics.errors()) return;
-  const auto scene = scene_of(table, {"a source"}, "gear.mesh");
+  const auto scene = scenes::scene_of(table, {"a source"}, "gear.mesh");
   use(scene.scene.size());
   read_again(scene.mesh);
 }
 
 void try_table(const std::string& text) {
-  Diagnostics diagnostics;
-  try_bars(read_bar_table(text, diagnostics.add_source("gear.csv", text), diagnostics), diagnostics);
+  formats::Diagnostics diagnostics;
+  try_bars(scenes::read_bar_table(text, diagnostics.add_source("gear.csv", text), diagnostics), diagnostics);
   use(diagnostics.render(false).size());
 }
 
 void try_mooring(const std::string& text) {
-  Diagnostics diagnostics;
-  try_bars(read_moordyn(text, diagnostics.add_source("lines.txt", text), diagnostics).table, diagnostics);
+  formats::Diagnostics diagnostics;
+  try_bars(scenes::read_moordyn(text, diagnostics.add_source("lines.txt", text), diagnostics).table,
+           diagnostics);
   use(diagnostics.render(false).size());
 }
 
 void try_femnet(const std::string& gear_text, const std::string* mesh_text) {
-  Diagnostics diagnostics;
-  const auto gear = femnet::read_gear(gear_text, diagnostics.add_source("gear.don", gear_text), diagnostics);
-  femnet::MeshFile mesh;
+  formats::Diagnostics diagnostics;
+  const auto gear =
+      scenes::femnet::read_gear(gear_text, diagnostics.add_source("gear.don", gear_text), diagnostics);
+  scenes::femnet::MeshFile mesh;
   if (diagnostics.errors() == 0)
-    mesh = mesh_text ? femnet::read_mesh_file(*mesh_text, diagnostics.add_source("gear.mdg", *mesh_text),
-                                              gear, diagnostics)
-                     : femnet::divide_gear(gear, diagnostics, kMostNodes);
+    mesh = mesh_text ? scenes::femnet::read_mesh_file(
+                           *mesh_text, diagnostics.add_source("gear.mdg", *mesh_text), gear, diagnostics)
+                     : scenes::femnet::divide_gear(gear, diagnostics, kMostNodes);
   if (diagnostics.errors() == 0) {
-    for (const auto sought : {femnet::Sought::rest, femnet::Sought::motion}) {
+    for (const auto sought : {scenes::femnet::Sought::rest, scenes::femnet::Sought::motion}) {
       const auto imported =
-          femnet::import_gear(gear, mesh, {"gear.don", "gear.mdg", "gear.mesh"}, diagnostics, sought);
+          scenes::femnet::import_gear(gear, mesh, {"gear.don", "gear.mdg", "gear.mesh"}, diagnostics, sought);
       use(imported.scene.size());
       if (diagnostics.errors() == 0) read_again(imported.mesh);
     }
@@ -86,7 +89,7 @@ void try_femnet(const std::string& gear_text, const std::string* mesh_text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const auto begins = [&](const char* words) { return text.starts_with(words); };
-  if (is_mesh_text(text) || begins("# vtk") || begins("v ") || begins("{") || begins("glTF")) {
+  if (formats::is_mesh_text(text) || begins("# vtk") || begins("v ") || begins("{") || begins("glTF")) {
     try_mesh(text);
     return 0;
   }

@@ -3,8 +3,8 @@
 // changed: records left out, repeated, of another kind, with other bytes in them, all with the right
 // checksums, and then bytes of the file. It is read and reported as a result, and a run goes on from it. What
 // HDF5 itself reads of a journal, the image of what was known at the start, stays whole.
-#include "io/results/motion/checkpoint.hpp"
 #include "io/formats/hdf5/series_journal.hpp"
+#include "io/results/motion/checkpoint.hpp"
 #include "io/results/text/result_report.hpp"
 #include "io/results/text/tables.hpp"
 #include "tests/fuzz/choices.hpp"
@@ -31,7 +31,7 @@ struct Record {
 
 /// Behind the identity of the run stands the image, after its length.
 void spare_image(Record& record) {
-  io::ByteReader from(record.content);
+  formats::ByteReader from(record.content);
   record.whole_from = sizeof(std::uint64_t) + from.text().size();
   record.whole_to = record.whole_from + sizeof(std::uint64_t) + from.text().size();
 }
@@ -46,12 +46,13 @@ struct GoodJournal {
     if (!folder)
       std::fputs("NETLOFT_FUZZ_RESULTS: name the folder that make_results.sh has filled\n", stderr),
           std::exit(1);
-    io::Journal::read(fs::path(folder) / "rope-that-runs.hdf.part", [&](const auto& record, auto content) {
-      records.push_back({record.kind, std::string(content)});
-    });
+    formats::Journal::read(fs::path(folder) / "rope-that-runs.hdf.part",
+                           [&](const auto& record, auto content) {
+                             records.push_back({record.kind, std::string(content)});
+                           });
     for (auto& record : records)
       if (record.kind == kLayout) {
-        identity = io::ByteReader(record.content).text();
+        identity = formats::ByteReader(record.content).text();
         spare_image(record);
       }
   }
@@ -77,7 +78,7 @@ void change(Record& record, fuzz::Choices& source) {
 }
 
 void write_changed(const fs::path& path, const GoodJournal& good, fuzz::Choices& source) {
-  io::Journal journal = io::Journal::create(path);
+  formats::Journal journal = formats::Journal::create(path);
   for (Record record : good.records) {
     const int what = source.in<int>(0, 9);
     if (what == 1) continue;
@@ -99,22 +100,22 @@ void damage(const fs::path& path, fuzz::Choices& source) {
 
 void read(const fs::path& path) {
   try {
-    const io::StoredResult result(path);
-    fuzz::use(io::result_text(result).size() + io::result_json(result).size());
-    fuzz::use(io::nodes_csv(result, 0).size() + io::elements_csv(result, 0).size());
-  } catch (const io::FileError& e) {
+    const results::StoredResult result(path);
+    fuzz::use(results::result_text(result).size() + results::result_json(result).size());
+    fuzz::use(results::nodes_csv(result, 0).size() + results::elements_csv(result, 0).size());
+  } catch (const formats::FileError& e) {
     fuzz::use(std::strlen(e.what()));
   }
 }
 
 void go_on(const fs::path& path, const std::string& identity) {
   try {
-    io::SeriesJournal series = io::SeriesJournal::go_on(path, identity);
-    fuzz::use(io::unpack_checkpoint(series.checkpoint()).u.size());
-    const io::SeriesState last = series.state(series.size() - 1);
+    formats::SeriesJournal series = formats::SeriesJournal::go_on(path, identity);
+    fuzz::use(results::unpack_checkpoint(series.checkpoint()).u.size());
+    const formats::SeriesState last = series.state(series.size() - 1);
     for (std::size_t i = 0; i < series.size(); ++i) fuzz::use(series.state(i).points.size());
     series.write(last, series.checkpoint());
-  } catch (const io::FileError& e) {
+  } catch (const formats::FileError& e) {
     fuzz::use(std::strlen(e.what()));
   }
 }
@@ -123,7 +124,7 @@ void go_on(const fs::path& path, const std::string& identity) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const GoodJournal good;
-  io::silence_hdf5();
+  formats::silence_hdf5();
   fuzz::Choices source(data, size);
   const auto path = fuzz::scratch_folder() / "r.hdf.part";
   write_changed(path, good, source);

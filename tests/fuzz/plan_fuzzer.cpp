@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nonsense for everything that works on a net plan: each input is read, checked, drawn and made a gear of.
-#include "io/gears/plan/check.hpp"
 #include "io/gears/drawing/drawing.hpp"
+#include "io/gears/plan/check.hpp"
 #include "io/gears/plan/gear.hpp"
 #include "io/gears/plan/read_plan.hpp"
 #include "tests/folders.hpp"
@@ -11,13 +11,13 @@
 
 namespace {
 
-using namespace netloft::io;
+using namespace netloft;
 
 /// That of the library, read once.
-const Catalogue& catalogue() {
-  static const Catalogue parts = [] {
-    Diagnostics diagnostics;
-    return Catalogue::load({netloft::test::source_folder() + "/gear-library/catalogue"}, diagnostics);
+const gears::Catalogue& catalogue() {
+  static const gears::Catalogue parts = [] {
+    formats::Diagnostics diagnostics;
+    return gears::Catalogue::load({netloft::test::source_folder() + "/gear-library/catalogue"}, diagnostics);
   }();
   return parts;
 }
@@ -28,8 +28,8 @@ void use(std::size_t size) {
   sink = size;
 }
 
-void try_gear(const NetPlan& plan, Extent extent) {
-  const Gear gear = make_gear(plan, extent);
+void try_gear(const gears::NetPlan& plan, gears::Extent extent) {
+  const gears::Gear gear = gears::make_gear(plan, extent);
   use(gear.panels.size());
   for (const auto& panel : gear.panels)
     if (panel.has_sketch())
@@ -39,14 +39,14 @@ void try_gear(const NetPlan& plan, Extent extent) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  Diagnostics diagnostics;
-  NetPlan plan =
+  formats::Diagnostics diagnostics;
+  gears::NetPlan plan =
       read_plan_text({reinterpret_cast<const char*>(data), size}, "plan.toml", catalogue(), diagnostics);
-  if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
+  if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
   use(diagnostics.render(false).size());
   if (diagnostics.errors()) return 0;
-  use(draw_plan(plan).size());
-  try_gear(plan, Extent::whole);
-  try_gear(plan, Extent::half);
+  use(gears::draw_plan(plan).size());
+  try_gear(plan, gears::Extent::whole);
+  try_gear(plan, gears::Extent::half);
   return 0;
 }

@@ -154,13 +154,13 @@ void change(hid_t file, fuzz::Choices& source) {
 
 /// A result is the mesh of a scene, too.
 void stand_on(const fs::path& path) {
-  io::Diagnostics diagnostics;
-  const auto mesh = io::read_vtkhdf(path, diagnostics.add_source("r.hdf", ""), diagnostics);
+  formats::Diagnostics diagnostics;
+  const auto mesh = formats::read_vtkhdf(path, diagnostics.add_source("r.hdf", ""), diagnostics);
   fuzz::use(diagnostics.render(false).size());
   if (diagnostics.errors() > 0 || mesh.node_count() == 0) return;
-  const std::string text = io::mesh_text(mesh, "a result");
-  io::Diagnostics again;
-  io::read_mesh(text, again.add_source("r.mesh", text), again);
+  const std::string text = formats::mesh_text(mesh, "a result");
+  formats::Diagnostics again;
+  formats::read_mesh(text, again.add_source("r.mesh", text), again);
   if (again.errors()) {
     std::fputs(again.render(false).c_str(), stderr);
     std::abort();
@@ -169,13 +169,13 @@ void stand_on(const fs::path& path) {
 
 void look_at(const fs::path& path) {
   try {
-    const io::StoredResult result(path);
-    fuzz::use(io::result_text(result).size() + io::result_json(result).size() +
-              io::result_csv(result).size());
-    fuzz::use(io::materials_of(result).size());
+    const results::StoredResult result(path);
+    fuzz::use(results::result_text(result).size() + results::result_json(result).size() +
+              results::result_csv(result).size());
+    fuzz::use(results::materials_of(result).size());
     for (const std::size_t state : {std::size_t{0}, result.times.empty() ? 0 : result.times.size() - 1})
-      fuzz::use(io::nodes_csv(result, state).size() + io::elements_csv(result, state).size());
-  } catch (const io::FileError& e) {
+      fuzz::use(results::nodes_csv(result, state).size() + results::elements_csv(result, state).size());
+  } catch (const formats::FileError& e) {
     fuzz::use(std::strlen(e.what()));
   }
 }
@@ -183,7 +183,7 @@ void look_at(const fs::path& path) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  io::silence_hdf5();
+  formats::silence_hdf5();
   fuzz::Choices source(data, size);
   const auto path = fuzz::scratch_folder() / "r.hdf";
   fs::copy_file(good_results() / source.pick(kResults), path, fs::copy_options::overwrite_existing);

@@ -13,7 +13,7 @@ using namespace netloft;
 
 constexpr std::size_t kMostNodes = 2000;  // that a fuzzer has time for
 
-void assemble(const io::LoadedScene& loaded, Registry& registry) {
+void assemble(const scenes::LoadedScene& loaded, Registry& registry) {
   if (loaded.scene.node_count() > kMostNodes) return;
   try {
     const Plan plan = make_plan(loaded.scene, registry, loaded.analysis.tangent, loaded.analysis.kind);
@@ -41,10 +41,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     link_library();
     return plugins;
   }();
-  io::Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   bool refused = false;
   const auto scene =
-      io::read_scene(fuzz::write_scratch("scene.toml", data, size), {}, registry, diagnostics, refused);
+      scenes::read_scene(fuzz::write_scratch("scene.toml", data, size), {}, registry, diagnostics, refused);
   fuzz::use(diagnostics.render(false).size());
   if (diagnostics.errors() == 0) assemble(scene, registry);
   return 0;

@@ -20,24 +20,24 @@ using namespace netloft;
 
 constexpr double kFewPoints = 500;
 
-io::VariableValue number(double value) { return {std::to_string(value), value}; }
+studies::VariableValue number(double value) { return {std::to_string(value), value}; }
 
 /// Two points along a path, the hash of which is 1.
-io::Study small_study() {
-  io::Study study;
+studies::Study small_study() {
+  studies::Study study;
   study.name = "small", study.scene = "scene.toml";
-  io::StudyColumn speed;
+  studies::StudyColumn speed;
   speed.variable.name = "speed", speed.variable.unit = "kn", speed.is_in_path = true;
   study.columns.push_back(speed);
-  io::StudyItem item;
+  studies::StudyItem item;
   item.id = 1, item.hash = "fnv1a64:1";
   item.points = {{{"tow.speed=2"}, {number(2)}}, {{"tow.speed=3"}, {number(3)}}};
   study.items.push_back(item);
   return study;
 }
 
-void write_record(const io::Study& study, std::string_view text) {
-  const auto path = io::record_path(fuzz::scratch_folder(), study.items.front());
+void write_record(const studies::Study& study, std::string_view text) {
+  const auto path = studies::record_path(fuzz::scratch_folder(), study.items.front());
   std::filesystem::create_directories(path.parent_path());
   char sum[32];
   std::snprintf(sum, sizeof sum, "crc32 %08lx\n",
@@ -48,36 +48,37 @@ void write_record(const io::Study& study, std::string_view text) {
 }
 
 void collect_record(std::string_view text) {
-  static const io::Study study = small_study();
+  static const studies::Study study = small_study();
   write_record(study, text);
-  const io::StudyTable table = io::collect_table(study, fuzz::scratch_folder());
-  fuzz::use(io::study_csv(table).size() + io::study_hdf5(study, table).size());
-  fuzz::use(io::costs_csv(study, fuzz::scratch_folder()).size());
+  const studies::StudyTable table = studies::collect_table(study, fuzz::scratch_folder());
+  fuzz::use(studies::study_csv(table).size() + studies::study_hdf5(study, table).size());
+  fuzz::use(studies::costs_csv(study, fuzz::scratch_folder()).size());
   try {
-    for (const auto& plot : io::plots_of(table, {})) fuzz::use(io::draw_svg(plot).size());
-  } catch (const io::StudyError& e) {
+    for (const auto& plot : studies::plots_of(table, {})) fuzz::use(formats::draw_svg(plot).size());
+  } catch (const studies::StudyError& e) {
     fuzz::use(std::string_view(e.what()).size());
   }
 }
 
 void read_manifest(const std::filesystem::path& path) {
   try {
-    fuzz::use(io::manifest_text(io::read_manifest(path)).size());
-  } catch (const io::StudyError& e) {
+    fuzz::use(studies::manifest_text(studies::read_manifest(path)).size());
+  } catch (const studies::StudyError& e) {
     fuzz::use(std::string_view(e.what()).size());
   }
 }
 
 /// What is planned has a manifest that is read back as it was written.
 void plan(const std::filesystem::path& path) {
-  io::Diagnostics diagnostics;
-  const io::StudyFile file = io::read_study_file(path, diagnostics);
+  formats::Diagnostics diagnostics;
+  const studies::StudyFile file = studies::read_study_file(path, diagnostics);
   fuzz::use(diagnostics.render(false).size());
-  if (diagnostics.errors() || io::count_points(file) > kFewPoints) return;
-  const std::string text = io::manifest_text(io::make_study(file, file.scene, {{"scene.toml", "fnv1a64:2"}}));
+  if (diagnostics.errors() || studies::count_points(file) > kFewPoints) return;
+  const std::string text =
+      studies::manifest_text(studies::make_study(file, file.scene, {{"scene.toml", "fnv1a64:2"}}));
   const auto manifest =
       fuzz::write_scratch("manifest.jsonl", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  if (io::manifest_text(io::read_manifest(manifest)) != text) std::abort();
+  if (studies::manifest_text(studies::read_manifest(manifest)) != text) std::abort();
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ double radius(const SolvedFile& s, std::uint32_t node, int axis) {
 
 /// Mean radius of the nodes that lie V meshes behind the fore edge.
 double ring_radius(const SolvedFile& s, const std::string& part, double V, int axis) {
-  const io::PartGeometry& p = s.part(part);
+  const scenes::PartGeometry& p = s.part(part);
   double sum = 0, count = 0;
   for (std::size_t own = 0; own < p.nodes.size(); ++own)
     if (std::abs(p.panel[own][1] - V) < 1e-9) sum += radius(s, p.nodes[own], axis), ++count;
@@ -34,7 +34,7 @@ double ring_radius(const SolvedFile& s, const std::string& part, double V, int a
 
 /// Mean x of the ring V meshes behind the fore edge.
 double ring_position(const SolvedFile& s, const std::string& part, double V) {
-  const io::PartGeometry& p = s.part(part);
+  const scenes::PartGeometry& p = s.part(part);
   double sum = 0, count = 0;
   for (std::size_t own = 0; own < p.nodes.size(); ++own)
     if (std::abs(p.panel[own][1] - V) < 1e-9) sum += s.solved.position(p.nodes[own])[0], ++count;
@@ -140,7 +140,7 @@ std::vector<double> output(const SolvedFile& s, const std::string& type, const s
 
 /// Tension of the taut twines around the widest ring of nodes [N].
 double tension_at_largest(const SolvedFile& s) {
-  const io::PartGeometry& p = s.part("codend");
+  const scenes::PartGeometry& p = s.part("codend");
   double widest = 0, at = 0;
   for (const auto& [U, V] : p.panel)
     if (U == 0 && ring_radius(s, "codend", V, 0) > widest) widest = ring_radius(s, "codend", V, 0), at = V;
@@ -214,7 +214,7 @@ TEST_P(CodendWithCatch, IsTheSameWithItsFrontGivenAsItWasFound) {
 /// of the front.
 TEST(CatchVolume, IsThatOfThePolyhedronBehindTheFront) {
   const SolvedFile s = solve_codend(kCodends[0]);
-  const io::PartGeometry& p = s.part("codend");
+  const scenes::PartGeometry& p = s.part("codend");
   const auto& family = *s.solved.assembler->families()[0];
   const double apex = ring_position(s, "codend", 50);
   double six = 0;
@@ -299,7 +299,7 @@ const Ring kRings[] = {{5, 1.202471, 0.298398},  {10, 0.926500, 0.712108}, {15, 
 /// Mean radius and depth of each row of nodes, from the upper ring down.
 std::vector<Ring> rings_of(const SolvedFile& s, int along) {
   std::vector<Ring> rings;
-  const io::PartGeometry& p = s.part("net");
+  const scenes::PartGeometry& p = s.part("net");
   for (int j = 0; j <= along; ++j) {
     const double V = 30.0 * j / along;
     double z = 0, count = 0;

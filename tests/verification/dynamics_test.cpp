@@ -23,8 +23,8 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
 /// Positions of a scene at the end of its motion.
 std::vector<double> end_of(const std::string& scene, const std::vector<std::string>& overrides,
                            const MarchWatch& watch = {}) {
-  io::Case c({kScenes + scene, overrides, 1}, test::shipped_plugins());
-  if (c.open() != io::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
+  runs::Case c({kScenes + scene, overrides, 1}, test::shipped_plugins());
+  if (c.open() != runs::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
   const MarchResult r = c.march(watch);
   EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
   return r.u;
@@ -217,10 +217,10 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 Solution equilibrium_by(const std::string& solver, const std::vector<std::string>& overrides) {
-  io::Case c({kScenes + "dead-weight-panel.toml",
-              joined({"analysis.solver=\"" + solver + "\"", "parts.net.cells=[4,4]"}, overrides), 1},
-             test::shipped_plugins());
-  if (c.open() != io::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
+  runs::Case c({kScenes + "dead-weight-panel.toml",
+                joined({"analysis.solver=\"" + solver + "\"", "parts.net.cells=[4,4]"}, overrides), 1},
+               test::shipped_plugins());
+  if (c.open() != runs::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
   return c.solve();
 }
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "io/runs/case.hpp"
 #include "io/results/figures/run_result.hpp"
+#include "io/runs/case.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -54,11 +54,11 @@ struct Off {
 };
 
 Off off(const std::vector<std::string>& overrides, HungBars bars) {
-  io::CaseSource source{test::source_folder() + "/tests/stability/scenes/rope.toml", overrides, 1};
+  runs::CaseSource source{test::source_folder() + "/tests/stability/scenes/rope.toml", overrides, 1};
   source.overrides.push_back("parts.rope.cells=" + std::to_string(bars.n));
   source.overrides.insert(source.overrides.begin(), "analysis.strategy=auto");
-  io::Case rope(source, shipped_plugins());
-  EXPECT_EQ(rope.open(), io::Case::State::ready);
+  runs::Case rope(source, shipped_plugins());
+  EXPECT_EQ(rope.open(), runs::Case::State::ready);
   const Solution s = rope.solve({});
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
   const std::vector<double> x = rope.positions(s.x);
@@ -68,12 +68,13 @@ Off off(const std::vector<std::string>& overrides, HungBars bars) {
     off.furthest =
         std::max(off.furthest, std::hypot(x[3 * k] - static_cast<double>(bars.x[k][0]), x[3 * k + 1],
                                           x[3 * k + 2] - static_cast<double>(bars.x[k][1])));
-  io::RunResult result;
+  results::RunResult result;
   result.solution = s;
-  io::collect(rope.loaded(), rope.assembler(), result);
+  results::collect(rope.loaded(), rope.assembler(), result);
   for (std::size_t k = 0; k < bars.T.size(); ++k)
     off.tension = std::max(off.tension, std::abs(result.outputs[0][0][k] - static_cast<double>(bars.T[k])));
-  if (const auto* tension = io::find_scalar(result.scalars, "tension")) off.reported = tension->solver_error;
+  if (const auto* tension = results::find_scalar(result.scalars, "tension"))
+    off.reported = tension->solver_error;
   std::printf("%d bars: furthest %.1e m, tension off by %.1e N, reported %.1e N\n", bars.n, off.furthest,
               off.tension, off.reported);
   return off;

@@ -13,7 +13,7 @@
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
-namespace netloft::io {
+namespace netloft::test {
 namespace {
 
 constexpr double kLowestZ = -42.67468699107;     // [m], of the independent program
@@ -43,16 +43,17 @@ strategy = "coarse-to-fine"
 
 class PanelByKnots : public testing::Test {
  protected:
-  std::unique_ptr<Case> opened(std::vector<std::string> overrides) {
+  std::unique_ptr<runs::Case> opened(std::vector<std::string> overrides) {
     const auto folder = std::filesystem::path(test::build_folder()) / "scratch";
     std::filesystem::create_directories(folder);
     const auto file = folder / "panel-by-knots.toml";
     std::ofstream(file) << kPlan;
-    auto one = std::make_unique<Case>(CaseSource{file, std::move(overrides), 1}, test::shipped_plugins());
-    EXPECT_EQ(one->open(), Case::State::ready) << one->diagnostics().render(false);
+    auto one = std::make_unique<runs::Case>(runs::CaseSource{file, std::move(overrides), 1},
+                                            test::shipped_plugins());
+    EXPECT_EQ(one->open(), runs::Case::State::ready) << one->diagnostics().render(false);
     return one;
   }
-  static double lowest(Case& one, const Solution& s) {
+  static double lowest(runs::Case& one, const Solution& s) {
     double low = 0;
     const auto x = one.positions(s.x);
     for (std::size_t d = 2; d < x.size(); d += 3) low = std::min(low, x[d]);
@@ -82,4 +83,4 @@ TEST_F(PanelByKnots, IsNearerToTheNetThanTrianglesOfAsManyNodes) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::test

@@ -10,26 +10,26 @@ namespace netloft::test {
 
 /// A scene of the gear library, solved as its file says.
 struct SolvedFile {
-  io::LoadedScene loaded;
+  scenes::LoadedScene loaded;
   Solved solved;
 
-  const io::PartGeometry& part(const std::string& name) const {
+  const scenes::PartGeometry& part(const std::string& name) const {
     for (const auto& p : loaded.parts)
       if (p.name == name) return p;
     throw std::invalid_argument("no part \"" + name + "\"");
   }
   /// The one node of a set, such as "end" of "rope".
   std::uint32_t node(const std::string& part_name, const std::string& set) const {
-    const io::PartGeometry& p = part(part_name);
+    const scenes::PartGeometry& p = part(part_name);
     return p.nodes.at(p.sets.at(set).at(0));
   }
 };
 
 inline SolvedFile solve_file(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  io::Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   bool refused = false;
-  io::LoadedScene loaded = io::read_scene(test::source_folder() + "/gear-library/scenes/" + name, overrides,
-                                          shipped_plugins(), diagnostics, refused);
+  scenes::LoadedScene loaded = scenes::read_scene(test::source_folder() + "/gear-library/scenes/" + name,
+                                                  overrides, shipped_plugins(), diagnostics, refused);
   if (diagnostics.errors()) throw std::invalid_argument(diagnostics.render(false));
   Solving how;
   how.solver_parameters = loaded.analysis.solver_parameters;

@@ -18,7 +18,7 @@ Registry& shipped_plugins() {
   static Registry registry;
   [[maybe_unused]] static const bool filled = [] {
 #ifdef NETLOFT_STATIC
-    for (const auto& [name, describe] : io::static_plugins()) registry.add_builtin(name, describe);
+    for (const auto& [name, describe] : program::static_plugins()) registry.add_builtin(name, describe);
 #endif
     registry.add_folder(test::plugin_folder());
     return true;

@@ -41,20 +41,20 @@ std::uint32_t node_at(int n, double column, double row) {
 }
 
 /// The scene of the library with n x n cells.
-io::LoadedScene load_panel(double opening_stiffness, int n) {
+scenes::LoadedScene load_panel(double opening_stiffness, int n) {
   const std::string cells = std::to_string(n);
-  io::Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   bool refused = false;
-  io::LoadedScene loaded =
-      io::read_scene(test::source_folder() + "/gear-library/scenes/verification/stretched-panel.toml",
-                     {"parts.net.cells=[" + cells + "," + cells + "]",
-                      "parts.net.twine.opening_stiffness=" + std::to_string(opening_stiffness)},
-                     shipped_plugins(), diagnostics, refused);
+  scenes::LoadedScene loaded =
+      scenes::read_scene(test::source_folder() + "/gear-library/scenes/verification/stretched-panel.toml",
+                         {"parts.net.cells=[" + cells + "," + cells + "]",
+                          "parts.net.twine.opening_stiffness=" + std::to_string(opening_stiffness)},
+                         shipped_plugins(), diagnostics, refused);
   if (diagnostics.errors()) throw std::invalid_argument(diagnostics.render(false));
   return loaded;
 }
 
-Solved solve_loaded(const io::LoadedScene& loaded, Scene scene) {
+Solved solve_loaded(const scenes::LoadedScene& loaded, Scene scene) {
   Solving how;
   how.solver_parameters = loaded.analysis.solver_parameters;
   how.limits = loaded.analysis.limits, how.solver = loaded.analysis.solver;
@@ -62,14 +62,14 @@ Solved solve_loaded(const io::LoadedScene& loaded, Scene scene) {
 }
 
 Solved solve_panel(const Case& c, int n) {
-  const io::LoadedScene loaded = load_panel(c.opening_stiffness, n);
+  const scenes::LoadedScene loaded = load_panel(c.opening_stiffness, n);
   return solve_loaded(loaded, loaded.scene);
 }
 
 /// The panel without opening stiffness, kept in its plane and started from the shape with opening stiffness.
 Solved solve_without_opening(int n) {
   const Solved open = solve_panel(kCases[0], n);
-  const io::LoadedScene loaded = load_panel(0, n);
+  const scenes::LoadedScene loaded = load_panel(0, n);
   Scene scene = loaded.scene;
   for (std::uint32_t node = 0; node < scene.node_count(); ++node) {
     scene.held[node] = static_cast<std::uint8_t>(scene.held[node] | kAxisY);

@@ -31,18 +31,18 @@ std::vector<std::string> hanging_ball(std::vector<std::string> more) {
 }
 
 /// The scene with a winch at the start of its rope.
-std::unique_ptr<io::Case> open_with(const std::string& scene, const std::vector<std::string>& overrides,
-                                    Winch winch, bool at_end = false) {
-  auto c = std::make_unique<io::Case>(io::CaseSource{test::source_folder() + "/" + scene, overrides, 1},
-                                      test::shipped_plugins());
-  const auto state = c->open([&](io::LoadedScene& loaded) {
+std::unique_ptr<runs::Case> open_with(const std::string& scene, const std::vector<std::string>& overrides,
+                                      Winch winch, bool at_end = false) {
+  auto c = std::make_unique<runs::Case>(runs::CaseSource{test::source_folder() + "/" + scene, overrides, 1},
+                                        test::shipped_plugins());
+  const auto state = c->open([&](scenes::LoadedScene& loaded) {
     Part& rope = loaded.scene.parts[0];
     winch.part = rope.name, winch.parameter = "rope.length_share",
     winch.block = at_end ? rope.nodes.back() : rope.nodes.front();
     rope.parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};
     loaded.scene.winches.push_back(winch);
   });
-  if (state != io::Case::State::ready) throw std::invalid_argument(c->diagnostics().render(false));
+  if (state != runs::Case::State::ready) throw std::invalid_argument(c->diagnostics().render(false));
   return c;
 }
 
@@ -55,7 +55,7 @@ struct Marched {
   MarchResult result;
 };
 
-Marched march(io::Case& c, const MarchState* from = nullptr) {
+Marched march(runs::Case& c, const MarchState* from = nullptr) {
   Marched m;
   MarchWatch watch;
   watch.on_output = [&](const Snapshot& s) {
@@ -119,7 +119,7 @@ TEST(Winches, StandWithinTheirDeadBand) {
 }
 
 /// A line from the bed to a block that heaves.
-std::unique_ptr<io::Case> heaving(const Winch& winch, const std::vector<std::string>& more) {
+std::unique_ptr<runs::Case> heaving(const Winch& winch, const std::vector<std::string>& more) {
   std::vector<std::string> all = {"parts.line.sketch=[[0,0,-30],[0,0,0]]",
                                   "parts.line.length=29.86",
                                   "parts.line.cells=8",
@@ -176,7 +176,7 @@ TEST(Winches, GoOnToTheSameBits) {
 TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
   std::vector<std::vector<double>> ends;
   for (const char* accuracy : {"1e-1", "1e-2", "1e-3", "1e-5"}) {
-    io::Case c(
+    runs::Case c(
         {test::source_folder() + "/" + kBall,
          {"parts.rope.rope.length_share={t=[0.333,0.777],share=[1,0.8]}",
           "parts.rope.sketch=[[0,0,0],[0.2,0,-1]]", "parts.rope.rope.EA=500",
@@ -184,7 +184,7 @@ TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
           "analysis.output_interval=0", std::string("analysis.accuracy=") + accuracy},
          1},
         test::shipped_plugins());
-    ASSERT_EQ(c.open(), io::Case::State::ready) << c.diagnostics().render(false);
+    ASSERT_EQ(c.open(), runs::Case::State::ready) << c.diagnostics().render(false);
     int at_corners = 0;
     MarchWatch watch;
     watch.on_step = [&](const StepRecord& step, std::span<const double>) {

@@ -224,8 +224,7 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
     m.a = a[0];
     m.alpha = spin_rate_of(x[1], v[1], a[1]);
     m.current = current[0];
-    m.current_dz = read_dual < double;
-    N > (t.current_dz, lane, 0)[0];
+    m.current_dz = read_dual<double, N>(t.current_dz, lane, 0)[0];
     m.bed = bed_below(t, 0, lane);
   } else {
     m.x = x;

@@ -16,6 +16,7 @@
 #include <netloft/plugin.h>
 #include <netloft/imbalance.hpp>
 #include <netloft/parameters.hpp>
+#include <netloft/scatter.hpp>
 #include <netloft/solver.hpp>
 
 #include <algorithm>

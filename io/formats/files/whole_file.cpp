@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
 
@@ -105,4 +105,4 @@ std::optional<std::string> read_whole(const fs::path& path) {
   return content;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

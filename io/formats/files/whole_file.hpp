@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A file that cannot be written; what() is a sentence for the user.
 class WriteError : public std::runtime_error {
@@ -30,4 +30,4 @@ class ReadError : public std::runtime_error {
 /// pipe or a device, which may never end.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

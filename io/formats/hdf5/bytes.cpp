@@ -3,7 +3,7 @@
 
 #include "io/formats/hdf5/handle.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 std::string_view ByteReader::take(std::uint64_t count, std::size_t size) {
   if (count > rest_.size() / size) throw FileError("it is damaged: a record ends too early");
@@ -12,4 +12,4 @@ std::string_view ByteReader::take(std::uint64_t count, std::size_t size) {
   return taken;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 static_assert(std::endian::native == std::endian::little,
               "journals are little-endian, and written as they are");
@@ -86,4 +86,4 @@ class ByteReader {
   std::string_view rest_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 std::uint32_t by_zlib(std::string_view bytes, std::uint32_t before) {
@@ -95,4 +95,4 @@ std::uint32_t checksum(std::string_view bytes, std::uint32_t before) {
   return by_zlib(bytes, before);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

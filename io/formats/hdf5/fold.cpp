@@ -9,7 +9,7 @@
 #include "io/formats/hdf5/image.hpp"
 #include "io/formats/hdf5/result_file.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 const std::string kRoot = "/netloft";
@@ -153,4 +153,4 @@ Handle unfold(const std::filesystem::path& part) {
   });
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

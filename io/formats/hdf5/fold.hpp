@@ -6,7 +6,7 @@
 #include "io/formats/hdf5/series_journal.hpp"
 #include "io/formats/hdf5/tree.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Writes the outputs of a journal into an open HDF5 file as LAYOUT.md has them, one after the other, so that
 /// a motion may be larger than memory; only times and rows are held together.
@@ -20,4 +20,4 @@ void make_result(const SeriesJournal& journal, const std::filesystem::path& fina
 /// A result in a temporary file without a name, made of a journal for a reader.
 Handle unfold(const std::filesystem::path& part);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

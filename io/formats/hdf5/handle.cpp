@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 // After a full disk H5Fclose() fails and leaves an id behind, on which the clean-up at exit crashes (1.10.8).
@@ -49,4 +49,4 @@ std::string hdf5_message() {
   return ends.request == ends.cause ? cause : ends.request + " (" + cause + ")";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

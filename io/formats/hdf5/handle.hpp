@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A result file that cannot be written or read; what() is a sentence for the user.
 class FileError : public std::runtime_error {
@@ -68,4 +68,4 @@ class Handle {
   Close close_ = nullptr;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

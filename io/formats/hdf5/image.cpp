@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/hdf5/image.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -26,4 +26,4 @@ Handle access_in_memory() {
   return access;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

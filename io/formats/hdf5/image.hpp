@@ -5,7 +5,7 @@
 
 #include "io/formats/hdf5/tree.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// The bytes of an HDF5 file with what `write` puts into it, made in memory: for a file that is written
 /// whole, and for what a journal keeps of the inputs of a run.
@@ -14,4 +14,4 @@ std::string hdf5_image(const std::function<void(Tree&)>& write);
 /// How HDF5 opens a file in memory, which is never written to a disk.
 Handle access_in_memory();
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -13,7 +13,7 @@
 #include "io/formats/hdf5/bytes.hpp"
 #include "io/formats/hdf5/checksum.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
 
@@ -223,4 +223,4 @@ bool is_journal(const fs::path& path) {
   return std::string_view(bytes.data(), bytes.size()) == kMagic;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

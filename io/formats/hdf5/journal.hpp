@@ -8,7 +8,7 @@
 
 #include "io/formats/hdf5/locked_file.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A file to which records are only ever appended. All numbers are little-endian:
 ///
@@ -73,4 +73,4 @@ class Journal {
 /// Whether the file begins as a journal does.
 bool is_journal(const std::filesystem::path& path);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
 
@@ -116,4 +116,4 @@ void read_at(int fd, std::uint64_t place, char* to, std::size_t size) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -7,7 +7,7 @@
 
 #include "io/formats/hdf5/handle.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Owns a file descriptor; closing it also drops its lock.
 class Descriptor {
@@ -46,4 +46,4 @@ void read_at(int fd, std::uint64_t place, char* to, std::size_t size);
 /// The newest error of the system in words.
 std::string system_reason();
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 
 #include "io/formats/hdf5/seal.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
 
@@ -103,4 +103,4 @@ void sync_folder_of(const fs::path& file) {
   if (fd.get() >= 0) fsync(fd.get());  // where a folder cannot be synced, there is nothing more to do
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -5,7 +5,7 @@
 
 #include "io/formats/hdf5/locked_file.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// An HDF5 file that grows as NAME.hdf.part and takes its name only when it is complete.
 ///
@@ -44,4 +44,4 @@ class PartFile {
 /// Waits until the names in the folder of a file are on the disk.
 void sync_folder_of(const std::filesystem::path& file);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

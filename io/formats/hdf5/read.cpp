@@ -10,7 +10,7 @@
 #include "io/formats/hdf5/seal.hpp"
 #include "io/formats/hdf5/transfer.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
 
@@ -331,4 +331,4 @@ std::vector<double> Reader::slot(const std::string& path, const std::string& off
   return values;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

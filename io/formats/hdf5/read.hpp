@@ -9,7 +9,7 @@
 #include "io/formats/hdf5/handle.hpp"
 #include "io/formats/hdf5/vtkhdf.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Reads a finished result, or what a motion that runs or was killed has written so far. Every error is a
 /// FileError that names file and path.
@@ -69,4 +69,4 @@ class Reader {
   Handle file_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/hdf5/result_file.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 ResultFile::ResultFile(std::filesystem::path final_path)
     : ResultFile(final_path, final_path.string() + ".part") {}
 
@@ -52,4 +52,4 @@ void begin_result(Tree& tree, std::string_view outcome, std::string_view sentenc
   tree.set_attribute("/netloft/status", "sentence", sentence);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

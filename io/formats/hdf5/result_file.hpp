@@ -10,7 +10,7 @@
 #include "io/formats/hdf5/tree.hpp"
 #include "io/formats/hdf5/vtkhdf.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 inline constexpr int kResultFormat = 1;  // incremented when readers of /netloft must change
 
@@ -73,4 +73,4 @@ class ResultFile {
 /// Writes what every result begins with: the number of the format, and how the run stands.
 void begin_result(Tree& tree, std::string_view outcome, std::string_view sentence);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -16,13 +16,13 @@
 #include "io/formats/hdf5/locked_file.hpp"
 #include "io/formats/hdf5/text_heaps.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 constexpr std::string_view kTitle = "netloft checksums 1\n", kLastWord = "sealed ", kBetween = "*";
 constexpr std::size_t kLastLine = 33;  // "sealed ", 16 digits, a blank, 8 digits, a line feed
 constexpr std::size_t kSumAndEnd = 9;  // the 8 digits and the line feed
-constexpr std::size_t kBlock = 1 << 20;
+constexpr std::size_t kReadBlock = 1 << 20;
 
 struct SealedFile {
   std::uint64_t length = 0;  // of what is sealed
@@ -33,9 +33,9 @@ struct SealedFile {
 
 /// The checksum of bytes of a file, going on from one of others.
 std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std::uint32_t sum) {
-  std::string block(std::min<std::uint64_t>(length, kBlock), '\0');
+  std::string block(std::min<std::uint64_t>(length, kReadBlock), '\0');
   while (length > 0) {
-    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(length, kBlock));
+    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(length, kReadBlock));
     read_at(fd, place, block.data(), size);
     sum = checksum(std::string_view(block).substr(0, size), sum);
     place += size;
@@ -204,4 +204,4 @@ void check_seal(const std::filesystem::path& path) {
   });
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -7,7 +7,7 @@
 
 #include "io/formats/hdf5/handle.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Where the numbers of a dataset lie in the file.
 struct SealedRange {
@@ -30,4 +30,4 @@ void append_seal(int fd, const std::vector<SealedRange>& ranges);
 /// where HDF5 itself may come to no end.
 void check_seal(const std::filesystem::path& path);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 enum Kind : std::uint32_t { kLayout = 1, kOutput = 2, kRewind = 3, kStatus = 4 };
@@ -229,4 +229,4 @@ void SeriesJournal::set_status(const SeriesStatus& status) {
   status_ = status;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 #include "io/formats/hdf5/journal.hpp"
 #include "io/formats/hdf5/vtkhdf.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A column of the series: one number per state, under /netloft/series/<name>.
 struct SeriesColumn {
@@ -101,4 +101,4 @@ class SeriesJournal {
   ByteWriter buffer_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -10,14 +10,14 @@
 #include "io/formats/hdf5/handle.hpp"
 #include "io/formats/hdf5/locked_file.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 // A collection begins with its signature, version and 3 more bytes, an object in it with index, references
 // and 4 more; both then have their size in 8 bytes.
 constexpr std::string_view kBegin("GCOL\1", 5);
 constexpr std::uint64_t kHeader = 16;
-constexpr std::size_t kBlock = 1 << 20;
+constexpr std::size_t kHeapBlock = 1 << 20;
 
 std::string bytes_of(int fd, std::uint64_t place, std::uint64_t size) {
   std::string bytes(size, '\0');
@@ -55,11 +55,11 @@ void check_collection(int fd, std::uint64_t place, std::uint64_t end) {
 
 void check_text_heaps(int fd) {
   const std::uint64_t end = size_of(fd);
-  for (std::uint64_t place = 0; place + kBegin.size() <= end; place += kBlock) {
-    const std::string block = bytes_of(fd, place, std::min(end - place, kBlock + kBegin.size() - 1));
+  for (std::uint64_t place = 0; place + kBegin.size() <= end; place += kHeapBlock) {
+    const std::string block = bytes_of(fd, place, std::min(end - place, kHeapBlock + kBegin.size() - 1));
     for (auto found = block.find(kBegin); found != std::string::npos; found = block.find(kBegin, found + 1))
       check_collection(fd, place + found, end);
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

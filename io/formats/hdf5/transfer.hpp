@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// For each dataset whose values it converts, as it does strings, HDF5 takes and clears a megabyte
 /// (H5Pset_buffer) unless it is told that they need less.
@@ -25,4 +25,4 @@ inline Handle make_transfer(hid_t dataset, hid_t memory_type) {
   return transfer;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

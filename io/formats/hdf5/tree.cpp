@@ -6,7 +6,7 @@
 
 #include "io/formats/hdf5/transfer.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 Handle make_space(std::initializer_list<hsize_t> extents) {
@@ -238,4 +238,4 @@ void Tree::set_real_attribute(const std::string& path, const std::string& name, 
   put(path, [&](hid_t object) { put_attribute(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value); });
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

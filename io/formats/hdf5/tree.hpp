@@ -9,7 +9,7 @@
 
 #include "io/formats/hdf5/handle.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Writes named data anywhere in an open HDF5 file: `tree.write_real("/netloft/scalars/drag", 4.2e4, "N",
 /// "…")`.
@@ -85,4 +85,4 @@ void put_labels(hid_t object, std::string_view unit, std::string_view doc);
 /// Creation properties without time stamps: equal content gives equal bytes.
 Handle make_dataset_properties();
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -8,7 +8,7 @@
 #include "io/formats/hdf5/transfer.hpp"
 #include "io/formats/hdf5/tree.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 // Numbers that are written by one call: 1 MB, a small part of what a motion takes in memory.
@@ -281,4 +281,4 @@ void VtkHdf::SlotArray::write_block() {
   block.clear();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -8,7 +8,7 @@
 
 #include "io/formats/hdf5/handle.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// VTK's numbers of the cell shapes used for gears.
 enum CellType : std::uint8_t { kVertex = 1, kLine = 3, kTriangle = 5 };
@@ -104,4 +104,4 @@ class VtkHdf {
   std::vector<double> times_;      // of the states so far
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

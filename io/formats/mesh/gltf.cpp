@@ -14,7 +14,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -359,4 +359,4 @@ InputMesh read_gltf(std::string_view bytes, int file, Diagnostics& diagnostics) 
   return GltfReader(bytes, file, diagnostics).read();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

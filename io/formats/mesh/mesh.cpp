@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -106,4 +106,4 @@ std::string mesh_text(const InputMesh& mesh, const std::string& source) {
   return out + "\n[end]\n";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

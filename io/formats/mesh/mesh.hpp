@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// What the elements of a region are, with the numbers that each has of its own:
 ///   triangles  of netting: the corners in meshes of their panel, U1 V1 U2 V2 U3 V3
@@ -98,4 +98,4 @@ std::string comment_of(const std::string& source);
 /// The shortest text that reads as this number.
 std::string spell_number(double value);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -92,4 +92,4 @@ void MeshBuilder::share_out(MeshRegion& region) const {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Puts a mesh together for readers of foreign formats, and says what is wrong at its place.
 class MeshBuilder {
@@ -51,4 +51,4 @@ class MeshBuilder {
   std::size_t elements_ = 0;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -214,4 +214,4 @@ InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics) {
   return MeshReader(text, file, diagnostics).read();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::string obj_text(const InputMesh& mesh, const std::string& source) {
   return out;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

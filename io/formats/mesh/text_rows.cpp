@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::vector<Word> TextRows::words_of(std::string_view line) const {
   return words;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

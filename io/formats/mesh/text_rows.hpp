@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A word of a text with its place.
 struct Word {
@@ -44,4 +44,4 @@ class TextRows {
   char comment_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -305,4 +305,4 @@ std::string vtk_text(const InputMesh& mesh, const std::string& source) {
   return VtkWriter().write(mesh, source);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/mesh/vtk_cells.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 const double* VtkCells::numbers(const std::string& array, std::size_t components, std::size_t cell) const {
   const auto known = arrays.find(array);
@@ -68,4 +68,4 @@ void add_vtk_cells(const VtkCells& cells, const Place& place, MeshBuilder& build
     if (!add_cell(cells, c, builder)) return;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

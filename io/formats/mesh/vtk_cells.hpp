@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace vtk {
 inline constexpr int kVertex = 1, kPolyVertex = 2, kLine = 3, kPolyLine = 4, kTriangle = 5;  // types of cells
@@ -32,4 +32,4 @@ struct VtkCells {
 /// Puts cells whose nodes are there into a mesh. `place` is that of all of them.
 void add_vtk_cells(const VtkCells& cells, const Place& place, MeshBuilder& builder);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -213,4 +213,4 @@ InputMesh read_vtkhdf(const std::filesystem::path& path, int file, Diagnostics& 
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

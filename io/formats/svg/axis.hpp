@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// One direction of a plot: where a value lies, and where ticks are.
 class Axis {
@@ -30,4 +30,4 @@ class Axis {
   std::vector<Tick> ticks_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

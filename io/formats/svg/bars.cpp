@@ -2,21 +2,21 @@
 #include "io/formats/svg/bars.hpp"
 
 #include "io/formats/svg/linear_axis.hpp"
+#include "io/formats/svg/style.hpp"
 #include "io/formats/svg/svg.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
 // Lengths in units of the picture, as those of plot.cpp.
-constexpr double kWidth = 340, kLeft = 92, kRight = 14, kTop = 6, kAxisRoom = 38, kLegendLine = 14;
-constexpr double kBar = 7, kRowGap = 5, kTitle = 16, kText = 10, kWhisker = 1.6;
-constexpr const char *kInk = "#222222", *kGrid = "#dddddd";
-constexpr std::array<const char*, 4> kColours{"#0072b2", "#e69f00", "#009e73",
-                                              "#cc79a7"};  // after Okabe and Ito
+constexpr double kNameRoom = 92, kEndRoom = 14, kHeadRoom = 6;
+constexpr double kBar = 7, kRowGap = 5, kTitle = 16, kWhisker = 1.6;
+constexpr std::array<const char*, 4> kBarColours{"#0072b2", "#e69f00", "#009e73",
+                                                 "#cc79a7"};  // after Okabe and Ito
 
 std::vector<double> values_of(const BarChart& chart) {
   std::vector<double> values{0};
@@ -43,10 +43,10 @@ class BarDrawing {
   }
 
  private:
-  double x(double value) const { return kLeft + axis_.place(value) * (kWidth - kLeft - kRight); }
+  double x(double value) const { return kNameRoom + axis_.place(value) * (kWidth - kNameRoom - kEndRoom); }
 
   double bottom() const {
-    double y = kTop;
+    double y = kHeadRoom;
     for (const auto& group : chart_.groups)
       y += kTitle + static_cast<double>(group.rows.size()) * row_height();
     return y;
@@ -55,14 +55,14 @@ class BarDrawing {
 
   void draw_grid() {
     for (const auto& tick : axis_.ticks())
-      picture_.line({x(tick.value), kTop}, {x(tick.value), bottom()}, kGrid, 0.6);
+      picture_.line({x(tick.value), kHeadRoom}, {x(tick.value), bottom()}, kGrid, 0.6);
   }
 
   void draw_group(const BarChart::Group& group) {
-    picture_.text({kLeft + 5, y_ + 11}, group.title, kText, kInk, Anchor::start);
+    picture_.text({kNameRoom + 5, y_ + 11}, group.title, kText, kInk, Anchor::start);
     y_ += kTitle;
     for (const auto& row : group.rows) {
-      picture_.text({kLeft - 5, y_ + row_height() / 2 + 1}, row.name, kText, kInk, Anchor::end);
+      picture_.text({kNameRoom - 5, y_ + row_height() / 2 + 1}, row.name, kText, kInk, Anchor::end);
       for (std::size_t k = 0; k < row.bars.size(); ++k)
         draw_bar(row.bars[k], k, y_ + kBar * static_cast<double>(k));
       y_ += row_height();
@@ -80,33 +80,34 @@ class BarDrawing {
   }
 
   void draw_axis() {
-    picture_.frame({kLeft, kTop}, {kWidth - kRight, bottom()}, kInk);
-    picture_.line({x(0), kTop}, {x(0), bottom()}, kInk, 0.8);
+    picture_.frame({kNameRoom, kHeadRoom}, {kWidth - kEndRoom, bottom()}, kInk);
+    picture_.line({x(0), kHeadRoom}, {x(0), bottom()}, kInk, 0.8);
     for (const auto& tick : axis_.ticks())
       if (tick.labelled)
         picture_.number({x(tick.value), bottom() + 13}, tick.value, false, kText, Anchor::middle);
-    picture_.text({(kLeft + kWidth - kRight) / 2, bottom() + 28}, chart_.x_label, kText, kInk,
+    picture_.text({(kNameRoom + kWidth - kEndRoom) / 2, bottom() + 28}, chart_.x_label, kText, kInk,
                   Anchor::middle);
     y_ = bottom() + kAxisRoom;
   }
 
   void draw_legend() {
     for (std::size_t k = 0; k < chart_.kinds.size(); ++k, y_ += kLegendLine) {
-      picture_.area({{kLeft, y_}, {kLeft + 14, y_}, {kLeft + 14, y_ + 7}, {kLeft, y_ + 7}}, colour(k), 1);
-      picture_.text({kLeft + 20, y_ + 7.5}, chart_.kinds[k], kText, kInk, Anchor::start);
+      picture_.area({{kNameRoom, y_}, {kNameRoom + 14, y_}, {kNameRoom + 14, y_ + 7}, {kNameRoom, y_ + 7}},
+                    colour(k), 1);
+      picture_.text({kNameRoom + 20, y_ + 7.5}, chart_.kinds[k], kText, kInk, Anchor::start);
     }
   }
 
-  static const char* colour(std::size_t kind) { return kColours[kind % kColours.size()]; }
+  static const char* colour(std::size_t kind) { return kBarColours[kind % kBarColours.size()]; }
 
   const BarChart& chart_;
   LinearAxis axis_;
   SvgPicture picture_;
-  double y_ = kTop;
+  double y_ = kHeadRoom;
 };
 
 }  // namespace
 
 std::string draw_svg(const BarChart& chart) { return BarDrawing(chart).draw(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Groups of rows with a bar of each kind, from zero, and a whisker over its error.
 struct BarChart {
@@ -26,4 +26,4 @@ struct BarChart {
 /// The bars as a self-contained SVG of the width and the colours of a LinePlot (plot.hpp).
 std::string draw_svg(const BarChart& chart);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

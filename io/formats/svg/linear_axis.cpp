@@ -5,20 +5,20 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
-constexpr double kMargin = 0.04;  // of the range, that markers keep from the frame
+constexpr double kRangeMargin = 0.04;  // of the range, that markers keep from the frame
 // Values that differ by less, relative to their size, are drawn as one: their digits would not fit on labels.
 constexpr double kSame = 1e-6;
-constexpr double kSlack = 1e-9;  // of a tick's distance; covers rounding
+constexpr double kTickRounding = 1e-9;  // of a tick's distance; covers rounding
 
 /// The least of 1, 2 and 5 times a power of ten that is not below `length`.
 double round_length(double length) {
-  const double decade = std::pow(10.0, std::floor(std::log10(length) + kSlack));
+  const double decade = std::pow(10.0, std::floor(std::log10(length) + kTickRounding));
   for (const double step : {1.0, 2.0, 5.0})
-    if (length <= step * decade * (1 + kSlack)) return step * decade;
+    if (length <= step * decade * (1 + kTickRounding)) return step * decade;
   return 10 * decade;
 }
 
@@ -41,7 +41,7 @@ LinearAxis::LinearAxis(std::span<const double> values, int most_labels) {
     least -= half;
     most += half;
   }
-  const double margin = kMargin * (most - least);
+  const double margin = kRangeMargin * (most - least);
   low_ = least - margin;
   high_ = most + margin;
   find_ticks(most_labels);
@@ -53,8 +53,8 @@ double LinearAxis::place(double value) const { return (value - low_) / (high_ - 
 
 void LinearAxis::find_ticks(int most_labels) {
   const double step = round_length((high_ - low_) / std::max(1, most_labels));
-  for (double n = std::ceil(low_ / step - kSlack); n * step <= high_ + kSlack * step; ++n)
+  for (double n = std::ceil(low_ / step - kTickRounding); n * step <= high_ + kTickRounding * step; ++n)
     ticks_.push_back({n * step, true});
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A linear axis that includes all values with a margin.
 ///   place(v) = (v − low)/(high − low)                                                      (1)
@@ -21,4 +21,4 @@ class LinearAxis : public Axis {
   void find_ticks(int most_labels);
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

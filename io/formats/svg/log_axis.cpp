@@ -5,29 +5,29 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
 // Within this factor, an end of the axis equals a value; covers the rounding of powers of ten.
-constexpr double kSlack = 1e-9;
+constexpr double kDecadeRounding = 1e-9;
 // Markers keep at least this factor away from the frame.
-constexpr double kMargin = 1.15;
+constexpr double kMarginFactor = 1.15;
 // With more decades than this, their inner ticks would overlap.
 constexpr int kMostSubdivided = 5;
 
 double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
-int decade_below(double value) { return static_cast<int>(std::floor(std::log10(value) + kSlack)); }
+int decade_below(double value) { return static_cast<int>(std::floor(std::log10(value) + kDecadeRounding)); }
 
 /// The largest whole multiple of a power of ten, from one to nine, that is not above `value`; the smallest
 /// that is not below.
 double round_down(double value) {
   const double decade = power_of_ten(decade_below(value));
-  return std::floor(value / decade + kSlack) * decade;
+  return std::floor(value / decade + kDecadeRounding) * decade;
 }
 double round_up(double value) {
   const double decade = power_of_ten(decade_below(value));
-  return std::ceil(value / decade - kSlack) * decade;
+  return std::ceil(value / decade - kDecadeRounding) * decade;
 }
 
 /// Decades between labels, so that at most `most` of `count` are labelled.
@@ -55,8 +55,8 @@ void LogAxis::find_ends(std::span<const double> values) {
       most = std::max(most, v);
     }
   if (most == 0) return;
-  low_ = round_down(least / kMargin);
-  high_ = round_up(most * kMargin);
+  low_ = round_down(least / kMarginFactor);
+  high_ = round_up(most * kMarginFactor);
   if (high_ < 4 * low_) {
     low_ = round_down(low_ / 2);
     high_ = round_up(high_ * 2);
@@ -65,17 +65,17 @@ void LogAxis::find_ends(std::span<const double> values) {
 
 void LogAxis::find_ticks(int most_labels) {
   const int first = decade_below(low_), last = decade_below(high_);
-  const int whole = decade_below(high_) - static_cast<int>(std::ceil(std::log10(low_) - kSlack)) + 1;
+  const int whole = decade_below(high_) - static_cast<int>(std::ceil(std::log10(low_) - kDecadeRounding)) + 1;
   const int stride = label_stride(whole, most_labels);
   labels_powers_ = whole >= 2;
   const bool subdivided = last - first <= kMostSubdivided;
   for (int exponent = first; exponent <= last; ++exponent)
     for (int step = 1; step <= (subdivided ? 9 : 1); ++step) {
       const double value = step * power_of_ten(exponent);
-      if (value < low_ * (1 - kSlack) || value > high_ * (1 + kSlack)) continue;
+      if (value < low_ * (1 - kDecadeRounding) || value > high_ * (1 + kDecadeRounding)) continue;
       const bool labelled = step == 1 ? exponent % stride == 0 : !labels_powers_ && (step == 2 || step == 5);
       ticks_.push_back({value, labelled});
     }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

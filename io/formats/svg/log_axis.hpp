@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A logarithmic axis that includes all values with a margin, and its ticks.
 ///   place(v) = (lg v − lg low)/(lg high − lg low)                                          (1)
@@ -23,4 +23,4 @@ class LogAxis : public Axis {
   void find_ticks(int most_labels);
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,6 +3,7 @@
 
 #include "io/formats/svg/linear_axis.hpp"
 #include "io/formats/svg/log_axis.hpp"
+#include "io/formats/svg/style.hpp"
 #include "io/formats/svg/svg.hpp"
 
 #include <algorithm>
@@ -10,17 +11,17 @@
 #include <cmath>
 #include <memory>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
 // Lengths are in units of the picture; kWidth units are a column of 8.5 cm, so one unit is 0.71 pt.
-constexpr double kWidth = 340, kInnerHeight = 210;
-constexpr double kLeft = 46, kRight = 10, kTop = 24, kAxisRoom = 38, kLegendLine = 14, kMargin = 6;
+constexpr double kInnerHeight = 210;
+constexpr double kLeft = 46, kRight = 10, kTop = 24, kMargin = 6;
 constexpr double kShade = 0.2;  // opacity of bands
-constexpr double kText = 10, kSmall = 8.5;
+constexpr double kSmall = 8.5;
 constexpr double kLetter = 0.6;  // width of a letter relative to its height, estimated generously
-constexpr const char *kInk = "#222222", *kGrid = "#dddddd", *kMinorGrid = "#f0f0f0", *kMarkInk = "#666666";
+constexpr const char *kMinorGrid = "#f0f0f0", *kMarkInk = "#666666";
 
 /// M. Okabe and K. Ito, Color Universal Design, 2008; yellow is left out because it is too light on white.
 constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -186,4 +187,4 @@ std::string draw_html(const std::string& heading, const std::vector<LinePlot>& p
   return page + "</body>\n</html>\n";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// One line of a plot, with a marker at every point, in the order of the points.
 struct PlotSeries {
@@ -49,4 +49,4 @@ std::string draw_svg(const LinePlot& plot);
 std::string draw_html(const LinePlot& plot);
 std::string draw_html(const std::string& heading, const std::vector<LinePlot>& plots);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -158,4 +158,4 @@ std::string SvgPicture::finish(double width, double height) const {
       coordinate(2 * width), coordinate(2 * height), coordinate(width), coordinate(height), body_);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

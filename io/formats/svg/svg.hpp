@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 struct PicturePoint {
   double x, y;  // from the upper left corner, y downwards
@@ -40,4 +40,4 @@ class SvgPicture {
 /// & < > " as entities; control characters that XML does not allow become spaces.
 std::string escape_markup(const std::string& text);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 constexpr std::size_t kWindow = 100;     // characters shown of a long line
@@ -126,4 +126,4 @@ std::string Diagnostics::render(bool color, std::size_t limit) const {
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// The place of a text in an input. Lines and columns count from 1, columns in characters.
 struct Place {
@@ -68,4 +68,4 @@ class Diagnostics {
   int errors_ = 0;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

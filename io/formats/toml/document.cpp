@@ -14,7 +14,7 @@
 #include "io/formats/toml/override.hpp"
 #include "io/formats/toml/parse.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ std::string fnv1a64(std::string_view text) {
   return buffer.data();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 #include "io/formats/toml/diagnostics.hpp"
 #include "io/formats/toml/value.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A file that was read, for the record of a run.
 struct SourceFile {
@@ -47,4 +47,4 @@ class Document {
 /// draft-eastlake-fnv).
 std::string fnv1a64(std::string_view text);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 std::size_t end_of_line(std::string_view text, std::size_t at) {
@@ -58,4 +58,4 @@ std::optional<DeepKey> find_deep_key(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

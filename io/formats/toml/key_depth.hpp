@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// TOML nests by brackets, which toml++ limits, and by dotted keys, which it does not: 200 000 of them
 /// overflow its stack.
@@ -18,4 +18,4 @@ struct DeepKey {
 /// The first dotted key with more than kMostKeyParts parts.
 std::optional<DeepKey> find_deep_key(std::string_view text);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

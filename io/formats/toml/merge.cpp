@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 bool holds_tables_only(const Array& array) {
@@ -50,4 +50,4 @@ void merge(Value& base, Value over) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Lays `over` upon `base`: tables merge key by key, `[[hold]]` appends to the tables there are, everything
 /// else replaces. Each value keeps the place where it was written.
@@ -18,4 +18,4 @@ inline void put(Table& table, const std::string& key, Value value) {
   table.members.push_back({key, place, std::move(value)});
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -10,7 +10,7 @@
 #include "io/formats/toml/key_depth.hpp"
 #include "io/formats/toml/parse.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 std::string shape(const std::string& option) {
@@ -203,4 +203,4 @@ void apply_override(Value& root, const std::string& text, Diagnostics& diagnosti
   if (walk.end()) *walk.end() = parse_value(rest, value_place);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -5,7 +5,7 @@
 
 #include "io/formats/toml/value.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Applies "parts.net.cells=[64,64]" as from `--set`. The value is TOML; anything else is taken as a text, so
 /// that solver=newton and bar=0.6 m need no quotes. It replaces an existing value, tables too, and creates
@@ -14,4 +14,4 @@ namespace netloft::io {
 void apply_override(Value& root, const std::string& text, Diagnostics& diagnostics,
                     const std::string& option = "--set");
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -8,7 +8,7 @@
 
 #include "io/formats/toml/key_depth.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 class Converter {
@@ -152,4 +152,4 @@ std::optional<Value> parse_toml(const std::string& text, int file, Diagnostics& 
   return std::nullopt;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -10,7 +10,7 @@
 #include "io/formats/units/in_quotes.hpp"
 #include "io/formats/units/units.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 constexpr int kMostErrorsInAnArray = 5;
@@ -407,4 +407,4 @@ std::string TableReader::path(std::string_view key) const { return join_path(sta
 Diagnostics& TableReader::diagnostics() const { return *state_->diagnostics; }
 void TableReader::finish() const { state_->finish(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -13,7 +13,7 @@
 #include "io/formats/toml/diagnostics.hpp"
 #include "io/formats/toml/value.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// The values that a quantity may take; the ends are included unless they are open.
 struct Range {
@@ -162,4 +162,4 @@ class TableReader {
   std::shared_ptr<State> state_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 
 #include "io/formats/toml/diagnostics.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 struct Member;
 struct Value;
@@ -69,4 +69,4 @@ std::string spell_key(std::string_view key);
 /// Joins "parts.net" and "cells" to "parts.net.cells".
 std::string join_path(std::string_view path, std::string_view key);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Words for units that scenes, catalogues and the tables of plugins are full of: they are proposed where a
 /// word is unknown, and known without the database (known_words.hpp).
@@ -14,4 +14,4 @@ inline constexpr const char* kCommonWords[] = {
     "metre", "meter",   "newton", "kilogram", "second", "foot", "inch",   "pound",  "pascal", "minute",
     "knots", "fathoms", "percent"};
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

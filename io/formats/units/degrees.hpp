@@ -2,10 +2,10 @@
 #pragma once
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 inline constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 constexpr double in_radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

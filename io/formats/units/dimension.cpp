@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 const std::vector<DimensionName>& names() {
@@ -60,4 +60,4 @@ DimensionName describe(const Dimension& dimension) {
   return {dimension, spell(dimension), "a quantity"};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

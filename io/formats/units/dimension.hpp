@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// Powers of the base units, "kg" → 1, "m" → -3. The radian counts as a base unit, so that 45 deg is not a
 /// pure number and N.m/deg is never taken for N.m.
@@ -19,4 +19,4 @@ struct DimensionName {
 /// The entry for a dimension; one without a name of its own is called "a quantity".
 DimensionName describe(const Dimension& dimension);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 constexpr int kDeepestParenthesis = 16;
@@ -102,4 +102,4 @@ class Reader {
 
 ParsedUnit parse_unit(const UnitSystem& system, std::string_view text) { return Reader(system, text).read(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -7,7 +7,7 @@
 
 #include "io/formats/units/udunits.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A product of units: "kg/m3", "N.m/rad", "kg m-3", "kN/(m.s)", "mm^2", "1/m", "" for a pure number.
 ///   product = [ "1" ] ["/"] factor { ["." | "*" | "/"] factor }       worked off from the left: kg/m.s =
@@ -21,4 +21,4 @@ struct ParsedUnit {
 
 ParsedUnit parse_unit(const UnitSystem& system, std::string_view text);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// "12.5 m", for a sentence.
 inline std::string in_metres(double length, int digits = 4) {
@@ -12,4 +12,4 @@ inline std::string in_metres(double length, int digits = 4) {
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/units/in_quotes.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 namespace {
 
@@ -18,4 +18,4 @@ std::string in_quotes(std::string_view text) {
   return '"' + std::string(text.substr(0, end)) + "...\"";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

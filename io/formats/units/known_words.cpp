@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/units/known_words.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 const std::map<std::string, Unit>& known_words() {
   static const std::map<std::string, Unit> table = {
@@ -10,4 +10,4 @@ const std::map<std::string, Unit>& known_words() {
   return table;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -8,7 +8,7 @@
 
 #include "io/formats/units/known_words.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 // The parser of UDUNITS keeps its state and its status in globals.
@@ -140,4 +140,4 @@ std::optional<Unit> UnitSystem::parse(const std::string& word) const {
   return unit;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

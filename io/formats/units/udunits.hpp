@@ -8,7 +8,7 @@
 
 struct ut_system;
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// A unit as plain data: SI value = scale (x + offset).
 struct Unit {
@@ -48,4 +48,4 @@ class UnitSystem {
   mutable std::string trouble_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

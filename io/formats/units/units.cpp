@@ -14,12 +14,12 @@
 #include "io/formats/units/in_quotes.hpp"
 #include "io/formats/units/udunits.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 constexpr std::size_t kLongestText = 200;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_space(char c) { return c == ' ' || c == '\t'; }
 
@@ -58,7 +58,7 @@ Quantity split(std::string_view text, const std::string& example, Written& out) 
   if (code != std::errc()) return refuse(in_quotes(text) + " does not begin with a number", example);
   if (!std::isfinite(out.number)) return refuse(in_quotes(text) + " is not a finite number");
   out.unit = trim(rest.substr(static_cast<std::size_t>(end - rest.data())));
-  const bool comma = out.unit.size() > 1 && out.unit[0] == ',' && is_digit(out.unit[1]);
+  const bool comma = out.unit.size() > 1 && out.unit[0] == ',' && is_decimal_digit(out.unit[1]);
   if (comma) return refuse(in_quotes(text) + " has a decimal comma", "write a decimal point");
   return {};
 }
@@ -212,4 +212,4 @@ std::string format(double value, std::string_view unit) {
   return unit.empty() || unit == "1" ? format(value) : format(value) + ' ' + std::string(unit);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::formats {
 
 /// The SI value of a text such as "10 mm", or a sentence that says why it has none.
 struct Quantity {
@@ -37,4 +37,4 @@ std::string format(double value);
 /// The value as text, followed by its unit unless that is "1".
 std::string format(double value, std::string_view unit);
 
-}  // namespace netloft::io
+}  // namespace netloft::formats

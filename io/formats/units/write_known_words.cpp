@@ -5,7 +5,7 @@
 #include "io/formats/units/common_words.hpp"
 #include "io/formats/units/known_words.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 
 const std::map<std::string, Unit>& known_words() {
   static const std::map<std::string, Unit> none;
@@ -30,6 +30,6 @@ int write_known_words() {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats
 
-int main() { return netloft::io::write_known_words(); }
+int main() { return netloft::formats::write_known_words(); }

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -18,16 +18,17 @@ struct FileHead {
   std::string source, uncertainty;
 };
 
-FileHead read_head(TableReader& root) {
+FileHead read_head(formats::TableReader& root) {
   return {root.text("source", {.doc = "where the numbers come from", .fallback = ""}),
           root.text("uncertainty", {.doc = "uncertainty of the numbers", .fallback = ""})};
 }
 
-std::string read_own_or_head(TableReader& table, const char* key, const char* doc, const std::string& head) {
+std::string read_own_or_head(formats::TableReader& table, const char* key, const char* doc,
+                             const std::string& head) {
   return head.empty() ? table.text(key, {.doc = doc}) : table.text(key, {.doc = doc, .fallback = head});
 }
 
-void read_texts(CataloguePart& part, const FileHead& head, TableReader& table) {
+void read_texts(CataloguePart& part, const FileHead& head, formats::TableReader& table) {
   part.texts["source"] = read_own_or_head(table, "source", "where its numbers come from", head.source);
   part.texts["uncertainty"] =
       read_own_or_head(table, "uncertainty", "uncertainty of the numbers", head.uncertainty);
@@ -35,17 +36,17 @@ void read_texts(CataloguePart& part, const FileHead& head, TableReader& table) {
   if (table.has("doc")) part.texts["doc"] = table.text("doc", {});
 }
 
-void read_numbers(CataloguePart& part, TableReader& table) {
+void read_numbers(CataloguePart& part, formats::TableReader& table) {
   for (const auto& key : part.kind->numbers)
     if (key.required || table.has(key.name))
       part.numbers[key.name] =
-          table.real(key.name, {.unit = key.unit, .doc = key.doc, .range = between(key.lo, key.hi)});
+          table.real(key.name, {.unit = key.unit, .doc = key.doc, .range = formats::between(key.lo, key.hi)});
 }
 
-void read_tables(CataloguePart& part, TableReader& table) {
+void read_tables(CataloguePart& part, formats::TableReader& table) {
   for (const auto* keys : {&part.kind->tables, &part.kind->beside})
     for (const char* key : *keys)
-      if (const Value* value = table.raw(key)) part.tables.emplace(key, *value);
+      if (const formats::Value* value = table.raw(key)) part.tables.emplace(key, *value);
 }
 
 bool has_all(const CataloguePart& part, std::initializer_list<const char*> keys) {
@@ -59,7 +60,7 @@ double density_in_water(double m, double material, double d) {
   return kSeaWater + m / area * (1 - kSeaWater / material);  // (1)
 }
 
-void derive_line(CataloguePart& part, TableReader& table) {
+void derive_line(CataloguePart& part, formats::TableReader& table) {
   auto& n = part.numbers;
   if (n.contains("density")) return;
   if (n.contains("weight_in_water") && !n.contains("mass")) {
@@ -76,7 +77,7 @@ void derive_line(CataloguePart& part, TableReader& table) {
     table.error("mass", "does not fit into the diameter: a line of this mass and material would be thicker");
 }
 
-void derive_piece(CataloguePart& part, TableReader& table) {
+void derive_piece(CataloguePart& part, formats::TableReader& table) {
   auto& n = part.numbers;
   if (!n.contains("volume") && has_all(part, {"mass", "material_density"}))
     n["volume"] = n["mass"] / n["material_density"];  // (2)
@@ -84,13 +85,13 @@ void derive_piece(CataloguePart& part, TableReader& table) {
     table.error("buoyancy", "must be given, or mass with volume or material_density, from which it follows");
 }
 
-void derive(CataloguePart& part, TableReader& table) {
+void derive(CataloguePart& part, formats::TableReader& table) {
   if (is_line(part)) derive_line(part, table);
   if (part.kind->key == std::string_view("float")) derive_piece(part, table);
 }
 
 CataloguePart read_part(const std::string& name, const PartKind& kind, const FileHead& head,
-                        TableReader& table) {
+                        formats::TableReader& table) {
   CataloguePart part;
   part.name = name;
   part.kind = &kind;
@@ -114,34 +115,35 @@ std::vector<std::filesystem::path> toml_files(const std::filesystem::path& folde
 
 }  // namespace
 
-Catalogue Catalogue::load(const std::vector<std::filesystem::path>& folders, Diagnostics& diagnostics) {
+Catalogue Catalogue::load(const std::vector<std::filesystem::path>& folders,
+                          formats::Diagnostics& diagnostics) {
   Catalogue catalogue;
   for (const auto& folder : folders) catalogue.read_folder(folder, diagnostics);
   return catalogue;
 }
 
-Catalogue Catalogue::load_file(const std::filesystem::path& file, Diagnostics& diagnostics) {
+Catalogue Catalogue::load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics) {
   Catalogue catalogue;
   catalogue.read_file(file, 0, diagnostics);
   return catalogue;
 }
 
-void Catalogue::read_folder(const std::filesystem::path& folder, Diagnostics& diagnostics) {
+void Catalogue::read_folder(const std::filesystem::path& folder, formats::Diagnostics& diagnostics) {
   folders_.push_back(folder);
   const std::size_t first_of_folder = parts_.size();
   for (const auto& file : toml_files(folder)) read_file(file, first_of_folder, diagnostics);
 }
 
 void Catalogue::read_file(const std::filesystem::path& file, std::size_t first_of_folder,
-                          Diagnostics& diagnostics) {
-  const Document document = Document::load(file, {}, diagnostics);
+                          formats::Diagnostics& diagnostics) {
+  const formats::Document document = formats::Document::load(file, {}, diagnostics);
   files_.insert(files_.end(), document.files().begin(), document.files().end());
-  TableReader root(document.root(), diagnostics);
+  formats::TableReader root(document.root(), diagnostics);
   const FileHead head = read_head(root);
   for (const auto& kind : part_kinds()) {
-    TableReader tables = root.table(kind.name, Presence::optional);
+    formats::TableReader tables = root.table(kind.name, formats::Presence::optional);
     for (const auto& name : tables.keys()) {
-      TableReader table = tables.table(name, Presence::required, "a part of the catalogue");
+      formats::TableReader table = tables.table(name, formats::Presence::required, "a part of the catalogue");
       CataloguePart part = read_part(name, kind, head, table);
       part.file = file.string();
       add(std::move(part), table.place(), first_of_folder, diagnostics);
@@ -150,8 +152,8 @@ void Catalogue::read_file(const std::filesystem::path& file, std::size_t first_o
   root.finish();
 }
 
-void Catalogue::add(CataloguePart part, const Place& place, std::size_t first_of_folder,
-                    Diagnostics& diagnostics) {
+void Catalogue::add(CataloguePart part, const formats::Place& place, std::size_t first_of_folder,
+                    formats::Diagnostics& diagnostics) {
   const auto same = [&](const CataloguePart& other) {
     return other.kind == part.kind && other.name == part.name;
   };
@@ -170,4 +172,4 @@ const CataloguePart* Catalogue::find(const std::string& name, const std::vector<
   return nullptr;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/catalogue/part_kinds.hpp"
 #include "io/formats/toml/diagnostics.hpp"
 #include "io/formats/toml/document.hpp"
+#include "io/gears/catalogue/part_kinds.hpp"
 
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// One part, as a catalogue describes it.
 ///
@@ -22,9 +22,9 @@ namespace netloft::io {
 struct CataloguePart {
   std::string name;
   const PartKind* kind = nullptr;
-  std::map<std::string, double> numbers;     // by key, in the units of its kind
-  std::map<std::string, std::string> texts;  // source, uncertainty, …
-  std::map<std::string, Value> tables;       // as they are written
+  std::map<std::string, double> numbers;         // by key, in the units of its kind
+  std::map<std::string, std::string> texts;      // source, uncertainty, …
+  std::map<std::string, formats::Value> tables;  // as they are written
   std::string file;
 };
 
@@ -36,26 +36,28 @@ struct CataloguePart {
 class Catalogue {
  public:
   /// Folders that do not exist are skipped. Errors are put into the diagnostics with their places.
-  static Catalogue load(const std::vector<std::filesystem::path>& folders, Diagnostics& diagnostics);
+  static Catalogue load(const std::vector<std::filesystem::path>& folders, formats::Diagnostics& diagnostics);
 
   /// The parts of one file.
-  static Catalogue load_file(const std::filesystem::path& file, Diagnostics& diagnostics);
+  static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
   /// Null if no part of these kinds has the name.
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
   /// In the order in which they were read.
   const std::vector<CataloguePart>& parts() const { return parts_; }
-  const std::vector<SourceFile>& files() const { return files_; }
+  const std::vector<formats::SourceFile>& files() const { return files_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
  private:
-  void read_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
-  void read_file(const std::filesystem::path& file, std::size_t first_of_folder, Diagnostics& diagnostics);
-  void add(CataloguePart part, const Place& place, std::size_t first_of_folder, Diagnostics& diagnostics);
+  void read_folder(const std::filesystem::path& folder, formats::Diagnostics& diagnostics);
+  void read_file(const std::filesystem::path& file, std::size_t first_of_folder,
+                 formats::Diagnostics& diagnostics);
+  void add(CataloguePart part, const formats::Place& place, std::size_t first_of_folder,
+           formats::Diagnostics& diagnostics);
 
   std::vector<CataloguePart> parts_;
-  std::vector<SourceFile> files_;
+  std::vector<formats::SourceFile> files_;
   std::vector<std::filesystem::path> folders_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

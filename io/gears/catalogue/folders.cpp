@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -28,7 +28,7 @@ std::string folder_fault(const std::filesystem::path& folder) {
   return fault ? folder.string() + " cannot be read: " + fault.message() : "";
 }
 
-std::vector<std::filesystem::path> catalogue_folders(Diagnostics& diagnostics,
+std::vector<std::filesystem::path> catalogue_folders(formats::Diagnostics& diagnostics,
                                                      std::vector<std::filesystem::path> own) {
   if (const char* listed = std::getenv("NETLOFT_CATALOGUE")) {
     std::istringstream words(listed);
@@ -43,4 +43,4 @@ std::vector<std::filesystem::path> catalogue_folders(Diagnostics& diagnostics,
   return own;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The folders that are searched for catalogues: `own` (those a file names, in order), those in the variable
 /// NETLOFT_CATALOGUE (divided by colons), then the gear library: share/netloft/gear-library/catalogue beside
 /// the program or above it, so that the folder may be moved. One that the variable names and that cannot be
 /// read is an error.
-std::vector<std::filesystem::path> catalogue_folders(Diagnostics& diagnostics,
+std::vector<std::filesystem::path> catalogue_folders(formats::Diagnostics& diagnostics,
                                                      std::vector<std::filesystem::path> own = {});
 
 /// What keeps a folder from being read, as a sentence; empty if nothing does.
 std::string folder_fault(const std::filesystem::path& folder);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

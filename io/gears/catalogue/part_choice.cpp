@@ -6,16 +6,16 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
 constexpr const char* kPart = "part";
 
 /// The value that contains the name; if a table has none, the table itself.
-const Value& naming_value(const Value& said) {
-  const Table* table = said.as<Table>();
-  const Member* part = table ? table->find(kPart) : nullptr;
+const formats::Value& naming_value(const formats::Value& said) {
+  const formats::Table* table = said.as<formats::Table>();
+  const formats::Member* part = table ? table->find(kPart) : nullptr;
   return part ? part->value : said;
 }
 
@@ -49,15 +49,15 @@ std::string cure(const std::string& name, const std::vector<std::string>& kinds,
 
 }  // namespace
 
-bool names_a_part(const Value& said) {
-  const Table* table = said.as<Table>();
-  return said.kind() == Kind::text || (table && table->find(kPart));
+bool names_a_part(const formats::Value& said) {
+  const formats::Table* table = said.as<formats::Table>();
+  return said.kind() == formats::Kind::text || (table && table->find(kPart));
 }
 
-const CataloguePart* choose_part(const Value& said, const std::vector<std::string>& kinds,
+const CataloguePart* choose_part(const formats::Value& said, const std::vector<std::string>& kinds,
                                  const std::string& path, const Catalogue& catalogue,
-                                 Diagnostics& diagnostics) {
-  const Value& naming = naming_value(said);
+                                 formats::Diagnostics& diagnostics) {
+  const formats::Value& naming = naming_value(said);
   const std::string* name = naming.as<std::string>();
   if (!name) {
     diagnostics.error(naming.place, path + ": the name of a part is a text, such as \"pe-braided-4mm\"");
@@ -71,15 +71,15 @@ const CataloguePart* choose_part(const Value& said, const std::vector<std::strin
   return part;
 }
 
-Value spell_out(const Value& said, const CataloguePart& part,
-                const std::function<bool(const std::string&)>& wanted) {
-  Table own;
-  if (const Table* table = said.as<Table>()) own = *table;
-  std::erase_if(own.members, [](const Member& m) { return m.key == kPart; });
-  Table spelled;
+formats::Value spell_out(const formats::Value& said, const CataloguePart& part,
+                         const std::function<bool(const std::string&)>& wanted) {
+  formats::Table own;
+  if (const formats::Table* table = said.as<formats::Table>()) own = *table;
+  std::erase_if(own.members, [](const formats::Member& m) { return m.key == kPart; });
+  formats::Table spelled;
   for (const auto& [key, number] : part.numbers)
     if (wanted(key) && !own.find(key))
-      spelled.members.push_back({key, said.place, Value{said.place, number}});
+      spelled.members.push_back({key, said.place, formats::Value{said.place, number}});
   for (const char* key : part.kind->tables)
     if (const auto table = part.tables.find(key); table != part.tables.end() && wanted(key) && !own.find(key))
       spelled.members.push_back({key, said.place, table->second});
@@ -87,13 +87,13 @@ Value spell_out(const Value& said, const CataloguePart& part,
   return {said.place, std::move(spelled)};
 }
 
-void put_beside(const CataloguePart& part, Table& owner) {
+void put_beside(const CataloguePart& part, formats::Table& owner) {
   for (const char* key : part.kind->beside) {
     const auto given = part.tables.find(key);
     if (given == part.tables.end()) continue;
-    Value whole = given->second;
-    if (Member* own = owner.find(key)) {
-      merge(whole, own->value);
+    formats::Value whole = given->second;
+    if (formats::Member* own = owner.find(key)) {
+      formats::merge(whole, own->value);
       own->value = std::move(whole);
     } else {
       owner.members.push_back({key, whole.place, std::move(whole)});
@@ -101,4 +101,4 @@ void put_beside(const CataloguePart& part, Table& owner) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

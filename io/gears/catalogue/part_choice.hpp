@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/catalogue/catalogue.hpp"
 #include "io/formats/toml/value.hpp"
+#include "io/gears/catalogue/catalogue.hpp"
 
 #include <functional>
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// Whether the value of `twine`, `rope` or `float` names a part of the catalogue: "pe-braided-4mm", or { part
 /// = "pe-braided-4mm", diameter = "4.2 mm" }, where the other keys override those of the part.
-bool names_a_part(const Value& said);
+bool names_a_part(const formats::Value& said);
 
 /// The part of one of `kinds` that `said` names. If there is none, the result is null and an error with near
 /// names is reported. `path` is the key of `said`, for messages.
-const CataloguePart* choose_part(const Value& said, const std::vector<std::string>& kinds,
+const CataloguePart* choose_part(const formats::Value& said, const std::vector<std::string>& kinds,
                                  const std::string& path, const Catalogue& catalogue,
-                                 Diagnostics& diagnostics);
+                                 formats::Diagnostics& diagnostics);
 
 /// A table of the numbers and curves of a part for which `wanted(key)`, with the overrides in `said` on top.
 /// Numbers have the place of `said`, because that is where the user can change them.
-Value spell_out(const Value& said, const CataloguePart& part,
-                const std::function<bool(const std::string&)>& wanted);
+formats::Value spell_out(const formats::Value& said, const CataloguePart& part,
+                         const std::function<bool(const std::string&)>& wanted);
 
 /// Puts what stands beside the name of a part (points of a board) into the table that names it, below what is
 /// said there.
-void put_beside(const CataloguePart& part, Table& owner);
+void put_beside(const CataloguePart& part, formats::Table& owner);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

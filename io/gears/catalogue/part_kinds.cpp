@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::vector<std::string> part_keys() {
   return keys;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A number in the catalogue entry of a part.
 struct PartKey {
@@ -35,4 +35,4 @@ std::vector<std::string> kinds_under(std::string_view key);
 /// Every `key` once: twine, rope, float.
 std::vector<std::string> part_keys();
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/drawing/drawing.hpp"
 
-#include "io/gears/plan/check.hpp"
-#include "io/gears/drawing/layout.hpp"
-#include "io/gears/plan/names.hpp"
 #include "io/formats/svg/svg.hpp"
 #include "io/formats/units/degrees.hpp"
+#include "io/gears/drawing/layout.hpp"
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/names.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr const char *kInk = "#222", *kPale = "#777", *kRope = "#0b5fa5";
 /// Converts metres on the net to positions on the sheet.
 struct Scale {
   double per_metre = 1, left = 0, top = 0;
-  PicturePoint operator()(PanelPoint p) const {
+  formats::PicturePoint operator()(PanelPoint p) const {
     return {kLeftMargin + per_metre * (p.x - left), kMargin + kLineHeight + per_metre * (p.y - top)};
   }
 };
@@ -63,7 +63,7 @@ std::string cutting_of(const Panel& panel, const std::string& edge) {
 std::string netting_of(const Panel& panel) {
   std::string text = fmt::format("{:.4g} mm", 1e3 * panel.mesh);
   if (panel.orientation != "diamond") text += " " + panel.orientation;
-  if (panel.angle != 0) text += fmt::format(" turned {:.4g}°", kDegreesPerRadian * panel.angle);
+  if (panel.angle != 0) text += fmt::format(" turned {:.4g}°", formats::kDegreesPerRadian * panel.angle);
   return text;
 }
 
@@ -78,7 +78,9 @@ std::string depth_of(const Panel& panel) {
   return times + in_meshes(panel.depth / panel.pieces) + (panel.is_round ? " M deep, a tube" : " M deep");
 }
 
-PicturePoint halfway(PicturePoint a, PicturePoint b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
+formats::PicturePoint halfway(formats::PicturePoint a, formats::PicturePoint b) {
+  return {(a.x + b.x) / 2, (a.y + b.y) / 2};
+}
 
 /// Draws a plan; the member functions are steps in the order of execution.
 class Draughtsman {
@@ -88,7 +90,7 @@ class Draughtsman {
 
   std::string draw() {
     picture_.text({kMargin, kMargin / 2}, plan_.title.empty() ? "Net plan" : plan_.title, kTitle, kInk,
-                  Anchor::start);
+                  formats::Anchor::start);
     for (const auto& panel : panels_) draw_border(panel);
     for (const auto& panel : panels_) draw_labels(panel);
     line_ = scale_({box_.left, box_.bottom}).y + 3 * kLineHeight;
@@ -101,7 +103,7 @@ class Draughtsman {
 
   std::string draw(const Gear& gear, const GearMesh& mesh) {
     picture_.text({kMargin, kMargin / 2}, plan_.title.empty() ? "Net plan" : plan_.title, kTitle, kInk,
-                  Anchor::start);
+                  formats::Anchor::start);
     for (std::size_t p = 0; p < gear.panels.size(); ++p) draw_triangles(gear.panels[p], mesh.panels[p]);
     for (const auto& panel : panels_) draw_border(panel);
     line_ = scale_({box_.left, box_.bottom}).y + 3 * kLineHeight;
@@ -127,8 +129,8 @@ class Draughtsman {
 
   void say_quality(const GearMesh& mesh) {
     say(fmt::format("{} nodes, {} triangles, angles {:.0f} to {:.0f}° where meshes are opened by one half",
-                    mesh.nodes, mesh.quality.triangles, kDegreesPerRadian * mesh.quality.least_angle,
-                    kDegreesPerRadian * mesh.quality.greatest_angle),
+                    mesh.nodes, mesh.quality.triangles, formats::kDegreesPerRadian * mesh.quality.least_angle,
+                    formats::kDegreesPerRadian * mesh.quality.greatest_angle),
         kInk);
   }
 
@@ -141,7 +143,7 @@ class Draughtsman {
   }
 
   const Hanging* hanging_of(const PlacedPanel& placed, const OutlineEdge& edge) const {
-    Diagnostics silent;
+    formats::Diagnostics silent;
     for (const auto& h : plan_.hangings) {
       const EdgeSet set = find_edge(plan_, h.edge, {}, "", silent);
       if (set.panel != placed.panel || is_selvedge(h)) continue;
@@ -156,7 +158,9 @@ class Draughtsman {
     return rope && rope->is_selvedge;
   }
 
-  PicturePoint place(const PlacedPanel& placed, PanelPoint p) const { return scale_(placed.on_sheet(p)); }
+  formats::PicturePoint place(const PlacedPanel& placed, PanelPoint p) const {
+    return scale_(placed.on_sheet(p));
+  }
 
   /// Labels of the netting are to port, labels of the cuttings to starboard.
   void draw_labels(const PlacedPanel& placed) {
@@ -171,10 +175,11 @@ class Draughtsman {
   /// line then runs below.
   void draw_edge_label(const PlacedPanel& placed, const OutlineEdge& edge) {
     if (edge.kind != EdgeKind::outer && edge.kind != EdgeKind::inner) return;
-    const PicturePoint from = place(placed, edge.from), to = place(placed, edge.to), at = halfway(from, to);
+    const formats::PicturePoint from = place(placed, edge.from), to = place(placed, edge.to),
+                                at = halfway(from, to);
     const bool is_outer = edge.kind == EdgeKind::outer, falls_right = (to.x - from.x) * (to.y - from.y) > 0;
     const double aside = is_outer ? 7 : -7, y = falls_right == is_outer ? at.y - 12 : at.y;
-    const Anchor anchor = is_outer ? Anchor::start : Anchor::end;
+    const formats::Anchor anchor = is_outer ? formats::Anchor::start : formats::Anchor::end;
     picture_.text({at.x + aside, y}, cutting_of(*placed.panel, edge.name), kSmall, kInk, anchor);
     picture_.text({at.x + aside, y + 11}, in_meshes(edge.meshes) + " M", kSmall, kPale, anchor);
   }
@@ -188,12 +193,12 @@ class Draughtsman {
                       double below) {
     for (const auto& edge : placed.outline.edges) {
       if (edge.kind != kind) continue;
-      PicturePoint at = halfway(place(placed, edge.from), place(placed, edge.to));
+      formats::PicturePoint at = halfway(place(placed, edge.from), place(placed, edge.to));
       const bool in_middle = placed.panel->stands == Standing::middle && edge.name == counts.front().name;
       if (in_middle) at.x = place(placed, {0, 0}).x;
       const bool is_short = std::abs(place(placed, edge.to).x - place(placed, edge.from).x) < 12;
       picture_.text({at.x, at.y + (is_short ? -4 : below)}, in_meshes((in_middle ? 2 : 1) * edge.meshes),
-                    kSmall, kInk, Anchor::middle);
+                    kSmall, kInk, formats::Anchor::middle);
     }
   }
 
@@ -205,13 +210,13 @@ class Draughtsman {
     Box across = across_at(placed, y);
     for (const double end : {y - half_height, y + half_height})
       across.left = std::min(across.left, across_at(placed, end).left);
-    const PicturePoint left = scale_({across.left, y}), right = scale_({across.right, y});
+    const formats::PicturePoint left = scale_({across.left, y}), right = scale_({across.right, y});
     const bool is_wide = right.x - left.x > kWordsWidth;
     const double x = is_wide ? (left.x + right.x) / 2 : left.x - 8;
     double line = left.y - 1.5 * kLineHeight;
     for (const auto& word : words_of(*placed.panel)) {
       picture_.text({x, line}, word, &word == &words_.front() ? kNormal : kSmall, kInk,
-                    is_wide ? Anchor::middle : Anchor::end);
+                    is_wide ? formats::Anchor::middle : formats::Anchor::end);
       line += 0.85 * kLineHeight;
     }
   }
@@ -245,12 +250,12 @@ class Draughtsman {
     for (const double x : {kMargin, end}) picture_.line({x, y - 4}, {x, y + 4}, kInk, 1);
     picture_.text({end + 8, line_ - 2},
                   in_metres(metres) + " m, stretched length and half of the stretched width", kSmall, kInk,
-                  Anchor::start);
+                  formats::Anchor::start);
     line_ += 1.4 * kLineHeight;
   }
 
   void say(const std::string& text, const char* colour) {
-    picture_.text({kMargin, line_}, text, kNormal, colour, Anchor::start);
+    picture_.text({kMargin, line_}, text, kNormal, colour, formats::Anchor::start);
     line_ += kLineHeight;
   }
 
@@ -296,7 +301,7 @@ class Draughtsman {
   std::vector<PlacedPanel> panels_;
   Box box_;
   Scale scale_;
-  SvgPicture picture_;
+  formats::SvgPicture picture_;
   double line_ = 0;
   std::vector<std::string> words_;
 };
@@ -309,4 +314,4 @@ std::string draw_mesh(const NetPlan& plan, const Gear& gear, const GearMesh& mes
   return Draughtsman(plan).draw(gear, mesh);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

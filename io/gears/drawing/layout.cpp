@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -53,7 +53,7 @@ class Sheet {
 
  private:
   void find_seams() {
-    Diagnostics silent;
+    formats::Diagnostics silent;
     for (const auto& join : plan_.joins) {
       const auto& [first, second] = join.edges;
       for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
@@ -123,4 +123,4 @@ PanelPoint PlacedPanel::on_sheet(PanelPoint p) const {
 
 std::vector<PlacedPanel> lay_out(const NetPlan& plan) { return Sheet(plan).lay_out(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The position of a panel's outline on the sheet. A plan is drawn to the scale of the stretched length going
 /// aft, and of half the stretched width across (ISO 3169), as netting of a hanging ratio of 0.5 would lie.
@@ -23,4 +23,4 @@ struct PlacedPanel {
 /// mirrored.
 std::vector<PlacedPanel> lay_out(const NetPlan& plan);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::size_t BorderSides::band(double y) const {
   return static_cast<std::size_t>(k);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

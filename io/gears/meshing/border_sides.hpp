@@ -2,7 +2,7 @@
 #pragma once
 #include "io/gears/meshing/triangulation.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A closed border, with its sides by height, so that few of them are looked at for a point. The border must
 /// live as long as this.
@@ -22,4 +22,4 @@ class BorderSides {
   std::vector<std::vector<std::size_t>> bands_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

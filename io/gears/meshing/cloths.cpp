@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
-constexpr double kHalfAngle = std::numbers::pi / 6;  // of meshes with an opening of one half
+constexpr double kDrawnHalfAngle = std::numbers::pi / 6;  // of meshes with an opening of one half
 
 PanelPoint between(PanelPoint a, PanelPoint b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
@@ -174,9 +174,9 @@ PanelPoint spread(const Panel& panel, PanelPoint point) {
   const double m = panel.mesh;
   if (panel.orientation == "square") return {m / 2 * point.x, m / 2 * point.y};
   if (panel.angle != 0) return {m / std::numbers::sqrt2 * point.x, m / std::numbers::sqrt2 * point.y};
-  return {m * std::sin(kHalfAngle) * point.x, m * std::cos(kHalfAngle) * point.y};
+  return {m * std::sin(kDrawnHalfAngle) * point.x, m * std::cos(kDrawnHalfAngle) * point.y};
 }
 
 Cloths cloths_of(const Gear& gear) { return Cutter(gear).cut(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// One side of a cloth: an edge of an outline, or half of an edge that crosses the middle.
 struct ClothSide {
@@ -44,4 +44,4 @@ struct Cloths {
 
 Cloths cloths_of(const Gear& gear);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

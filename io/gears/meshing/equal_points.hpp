@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// Points that are found to be identical, pair by pair (disjoint sets, Tarjan 1975).
 class EqualPoints {
@@ -24,4 +24,4 @@ class EqualPoints {
   std::vector<std::size_t> parent_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

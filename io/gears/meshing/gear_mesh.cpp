@@ -16,7 +16,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -397,4 +397,4 @@ GearMesh divide(const Gear& gear, const Fineness& fineness) {
   return best;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The fineness of a mesh, by number of nodes, by size, or by the knots of the netting; `nodes` counts the
 /// whole modelled part.
@@ -64,4 +64,4 @@ struct GearMesh {
 /// itself, and for a size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -76,4 +76,4 @@ void check_size(const Gear& gear, const Fineness& fineness) {
         fmt::format("elements of {:g} m would have more than {:g} nodes", fineness.size, kMostNodes));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/gears/meshing/gear_mesh.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The factor by which edges of a panel are shorter than elsewhere.
 double finer(const Fineness& fineness, const GearPanel& panel);
@@ -20,4 +20,4 @@ double shortest_bar(const Gear& gear);
 void check_knots(const Gear& gear);
 void check_size(const Gear& gear, const Fineness& fineness);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

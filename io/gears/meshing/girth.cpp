@@ -7,12 +7,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
-const double kHalfAngle = std::numbers::pi / 8;  // β of (1), (2): an opening of 0.38
-constexpr double kRope = 1e-4;                   // weight of a bar against a side of a triangle
+const double kTowedHalfAngle = std::numbers::pi / 8;  // β of (1), (2): an opening of 0.38
+constexpr double kRope = 1e-4;                        // weight of a bar against a side of a triangle
 
 bool is_lateral(EdgeKind kind) { return kind == EdgeKind::outer || kind == EdgeKind::inner; }
 
@@ -104,7 +104,7 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   for (std::size_t p = 0; p < mesh.panels.size(); ++p) {
     const PanelMesh& panel = mesh.panels[p];
     const double size = gear.panels[p].panel->mesh;
-    const double deep = std::cos(kHalfAngle) * size, wide = std::sin(kHalfAngle) * size;
+    const double deep = std::cos(kTowedHalfAngle) * size, wide = std::sin(kTowedHalfAngle) * size;
     for (std::size_t t = 0; t + 2 < panel.triangles.size(); t += 3)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto i = panel.triangles[t + k], j = panel.triangles[t + (k + 1) % 3];
@@ -139,7 +139,7 @@ void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   own_.assign(mesh.nodes, 0);
   for (std::size_t p = 0; p < mesh.panels.size(); ++p) {
     const PanelMesh& panel = mesh.panels[p];
-    const double wide = std::sin(kHalfAngle) * gear.panels[p].panel->mesh;
+    const double wide = std::sin(kTowedHalfAngle) * gear.panels[p].panel->mesh;
     const bool is_bottom = sense_[p] < 0 && gear.panels[p].panel->stands == Standing::middle;
     for (std::size_t own = 0; own < panel.nodes.size(); ++own) {
       const auto node = panel.nodes[own];
@@ -163,4 +163,4 @@ double Girth::half_girth(std::uint32_t node) const {
   return std::max((1 - t) * before->second + t * next->second, 1e-3);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// Positions of nodes on the bag of a net: distance aft, distance along the girth from the top, and side.
 /// Fields (1) and (2) of start_shape.hpp.
@@ -38,4 +38,4 @@ class Girth {
   std::vector<std::pair<double, double>> bottom_;  // (a, S), increasing in a
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

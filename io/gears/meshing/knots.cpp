@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -66,4 +66,4 @@ double knots_along(const Panel& panel, double sign, const PanelPoint& from, cons
   return std::max(std::abs(b[0] - a[0]), std::abs(b[1] - a[1]));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -3,7 +3,7 @@
 #include "io/gears/meshing/cloths.hpp"
 #include "io/gears/meshing/triangulation.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The knots of a panel that lie within a border, in the spread plane (spread() in cloths.hpp): all points
 /// with whole numbers of both twine coordinates, row by row. Those that are nearer to the border than a third
@@ -15,4 +15,4 @@ std::vector<PlanePoint> knots_within(const Panel& panel, double sign, const std:
 /// crosses, those of the direction of which it crosses most.
 double knots_along(const Panel& panel, double sign, const PanelPoint& from, const PanelPoint& to);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -3,7 +3,7 @@
 
 #include <Eigen/SparseCholesky>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::vector<double> harmonic(std::size_t nodes, const std::vector<MeshSide>& sid
   return by_gains(nodes, gains, fixed);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A side of a triangle or a bar of a rope, between nodes of the gear.
 struct MeshSide {
@@ -34,4 +34,4 @@ std::vector<double> by_gains(std::size_t nodes, const std::vector<Gain>& gains,
 std::vector<double> harmonic(std::size_t nodes, const std::vector<MeshSide>& sides,
                              const std::vector<std::pair<std::uint32_t, double>>& fixed);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

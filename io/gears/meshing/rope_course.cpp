@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -256,4 +256,4 @@ class Rigger {
 
 RopeCourses run_ropes(const Gear& gear, Borders& borders) { return Rigger(gear, borders).run(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

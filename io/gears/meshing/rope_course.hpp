@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A stretch of rope along a side, or free (no side), and the length of rope that it takes [m].
 struct RopeStretch {
@@ -29,4 +29,4 @@ struct RopeCourses {
 /// (check.hpp) is distributed among the edges.
 RopeCourses run_ropes(const Gear& gear, Borders& borders);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

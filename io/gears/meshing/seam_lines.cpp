@@ -9,7 +9,7 @@
 #include <limits>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -244,4 +244,4 @@ SeamLines seam_lines(const Gear& gear, const Cloths& cloths, const Fineness& fin
   return LineMaker(gear, cloths, fineness, size).make();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A line of knots between two points, divided once for all that is sewn to it or hung on it.
 struct Line {
@@ -57,4 +57,4 @@ inline constexpr std::size_t kNoPoint = ~std::size_t{0};
 /// `size` [m] is that in the spread netting; lines are divided, too.
 SeamLines seam_lines(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -249,4 +249,4 @@ Row sides_of(const Cloths& cloths, const EdgeRef& edge) {
   return row;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

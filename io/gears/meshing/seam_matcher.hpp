@@ -3,7 +3,7 @@
 #include "io/gears/meshing/cloths.hpp"
 #include "io/gears/meshing/equal_points.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A point on a side, at a fraction of its length.
 struct Break {
@@ -38,4 +38,4 @@ Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 /// The sides of an edge, one or both halves of it, in its direction.
 Row sides_of(const Cloths& cloths, const EdgeRef& edge);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <queue>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -306,4 +306,4 @@ std::vector<double> start_shape(const Gear& gear, const GearMesh& mesh,
   return Shaper(gear, mesh, known).make();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

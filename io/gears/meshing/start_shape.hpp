@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A given coordinate of a node, of a point of the plan or from the scene.
 struct KnownCoordinate {
@@ -33,4 +33,4 @@ struct KnownCoordinate {
 std::vector<double> start_shape(const Gear& gear, const GearMesh& mesh,
                                 const std::vector<KnownCoordinate>& known = {});
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -32,7 +32,7 @@ constexpr double kShape = 0.125;
 constexpr double kLongest = 1.35;  // longest side of a triangle, relative to the wanted mean
 constexpr int kRounds = 5;         // rounds of smoothing
 // corners from this angle on are divided between triangles
-constexpr double kSharp = in_radians(50);
+constexpr double kSharp = formats::in_radians(50);
 
 double twice_area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -239,4 +239,4 @@ std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const 
   return {angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

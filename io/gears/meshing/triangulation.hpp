@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 using PlanePoint = std::array<double, 2>;
 
@@ -34,4 +34,4 @@ PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
 /// The angles of one triangle [rad].
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

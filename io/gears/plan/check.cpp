@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
-void check_plan(NetPlan& plan, Diagnostics& diagnostics, const CheckLimits& limits) {
+void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits) {
   check_panels(plan, limits, diagnostics);
   const int errors_before = diagnostics.errors();
   check_joins(plan, limits, diagnostics);
@@ -31,4 +31,4 @@ std::string in_metres(double metres) { return fmt::format("{:.4g}", metres); }
 
 std::string in_percent(double fraction) { return fmt::format("{:+.1f} %", 100 * fraction); }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/gears/plan/plan.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// Limits from which a difference is reported as a warning, and from which as an error; relative to the value
 /// in the plan where no unit is given.
@@ -24,27 +24,27 @@ struct CheckLimits {
 /// Checks whether the net can be sewn: cuttings close, joins match, ropes are long enough, nothing is
 /// unconnected. Errors go into the diagnostics, each with its place and the likely cure. A cutting that is
 /// not a rate is replaced by the one that the plan probably means, and the remaining checks use that one.
-void check_plan(NetPlan& plan, Diagnostics& diagnostics, const CheckLimits& limits = {});
+void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 
 // The parts of check_plan.
-void check_panels(NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
-void check_joins(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
-void check_hangings(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
-void check_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
-void check_pieces(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
-void check_connections(const NetPlan& plan, Diagnostics& diagnostics);
+void check_panels(NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
+void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
+void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
+void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
+void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
+void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics);
 /// Checks that ropes with hangings are mostly on edges. The plan must be free of errors.
-void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
+void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 /// Checks that every edge is sewn, hung or said to be open. The plan must be free of errors.
-void check_open_edges(const NetPlan& plan, Diagnostics& diagnostics);
+void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics);
 /// Checks points with known positions: they must not be farther apart than the ropes between them allow,
 /// and no rope must lead from a point to itself. The
 /// plan must be free of errors.
-void check_spans(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics);
+void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 
 /// Numbers in the notation of net makers: 43, 25.8, +1.7 %.
 std::string in_meshes(double meshes);
 std::string in_metres(double metres);
 std::string in_percent(double fraction);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -26,7 +26,7 @@ class Deeds {
 
   struct Deed {
     const char* word;
-    Place place;
+    formats::Place place;
   };
   const Deed* find(const std::string& edge) const {
     const auto at = done_.find(edge);
@@ -34,8 +34,8 @@ class Deeds {
   }
 
  private:
-  void enter(const NetPlan& plan, const std::string& name, const char* word, const Place& place) {
-    Diagnostics silent;
+  void enter(const NetPlan& plan, const std::string& name, const char* word, const formats::Place& place) {
+    formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan, name, {}, "", silent);
     for (const auto& edge : set.edges) done_.emplace(name_of(*set.panel, edge), Deed{word, place});
   }
@@ -44,7 +44,7 @@ class Deeds {
 
 /// Names of the edges that a panel says to be open; those that are not are reported.
 std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const Deeds& deeds,
-                                Diagnostics& diagnostics) {
+                                formats::Diagnostics& diagnostics) {
   std::set<std::string> open;
   const std::string path = "panels." + panel.name + ".open";
   for (const auto& said : panel.open) {
@@ -62,7 +62,7 @@ std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const D
 }
 
 /// Where a plan speaks of an edge.
-Place place_of(const Panel& panel, const OutlineEdge& edge) {
+formats::Place place_of(const Panel& panel, const OutlineEdge& edge) {
   for (const auto* counts : {&panel.fore, &panel.aft})
     for (const auto& count : *counts)
       if (count.name == edge.name) return count.place;
@@ -74,7 +74,7 @@ Place place_of(const Panel& panel, const OutlineEdge& edge) {
 
 }  // namespace
 
-void check_open_edges(const NetPlan& plan, Diagnostics& diagnostics) {
+void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   const Deeds deeds(plan);
   for (const auto& panel : plan.panels) {
     const auto open = said_open(plan, panel, deeds, diagnostics);
@@ -88,4 +88,4 @@ void check_open_edges(const NetPlan& plan, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -9,7 +9,7 @@
 #include <limits>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -48,7 +48,7 @@ std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
 }
 
 void say_no_rate(const Panel& panel, const Cut& cut, const std::string& proposed, const Panel& mended,
-                 const Cut& meant, const CheckLimits& limits, Diagnostics& diagnostics) {
+                 const Cut& meant, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const std::string said =
       fmt::format("{}.{}: cutting \"{}\" is not a rate", panel.name, cut.name, cut.written);
   if (proposed.empty()) return diagnostics.error(cut.place, said, kRates);
@@ -59,7 +59,7 @@ void say_no_rate(const Panel& panel, const Cut& cut, const std::string& proposed
                     kRates);
 }
 
-void mend_side(Panel& panel, bool is_outer, const CheckLimits& limits, Diagnostics& diagnostics) {
+void mend_side(Panel& panel, bool is_outer, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const auto side = is_outer ? panel.outer : panel.inner;
   for (std::size_t i = 0; i < side.size(); ++i) {
     if (side[i].is_known) continue;
@@ -89,7 +89,7 @@ std::string closing_cure(const Panel& panel, double difference) {
                             in_meshes(cut.rate.deep(across)), cut.written, cut.name, in_meshes(cut.deep));
 }
 
-void check_closing(const Panel& panel, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_closing(const Panel& panel, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double cut = aft_by_cuttings(panel), planned = panel.count(panel.aft), difference = cut - planned;
   if (cut < -limits.closing_meshes)
     return diagnostics.error(
@@ -109,7 +109,7 @@ void check_closing(const Panel& panel, const CheckLimits& limits, Diagnostics& d
 }
 
 void check_depth(const Panel& panel, const std::vector<Cut>& side, const char* name,
-                 const CheckLimits& limits, Diagnostics& diagnostics) {
+                 const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   double deep = 0;
   for (const auto& cut : side) deep += cut.deep;
   const double difference = deep - panel.depth;
@@ -124,14 +124,14 @@ void check_depth(const Panel& panel, const std::vector<Cut>& side, const char* n
     diagnostics.warning(side.front().place, message, cure);
 }
 
-void check_empty(const Panel& panel, Diagnostics& diagnostics) {
+void check_empty(const Panel& panel, formats::Diagnostics& diagnostics) {
   if (panel.is_empty())
     diagnostics.error(panel.place, panel.name + ": has meshes neither along its fore nor along its aft edge");
 }
 
-void check_edge_names(const Panel& panel, Diagnostics& diagnostics) {
+void check_edge_names(const Panel& panel, formats::Diagnostics& diagnostics) {
   std::set<std::string> seen;
-  const auto check = [&](const std::string& name, const Place& place) {
+  const auto check = [&](const std::string& name, const formats::Place& place) {
     if (!seen.insert(name).second)
       diagnostics.error(place, fmt::format("{}: two of its edges are named \"{}\"", panel.name, name));
   };
@@ -141,7 +141,7 @@ void check_edge_names(const Panel& panel, Diagnostics& diagnostics) {
     for (const auto& cut : *side) check(cut.name, cut.place);
 }
 
-void check_twine(const Panel& panel, Diagnostics& diagnostics) {
+void check_twine(const Panel& panel, formats::Diagnostics& diagnostics) {
   if (panel.twine_diameter * panel.twines * 2 >= panel.mesh && panel.mesh > 0)
     diagnostics.error(panel.place,
                       fmt::format("{}: {} twines of {:.3g} mm leave no opening in meshes of {:.4g} mm",
@@ -151,7 +151,7 @@ void check_twine(const Panel& panel, Diagnostics& diagnostics) {
 
 /// Netting must be left between the selvedges of a panel. If none is left, the remaining checks ignore the
 /// selvedges.
-void check_selvedges(Panel& panel, Diagnostics& diagnostics) {
+void check_selvedges(Panel& panel, formats::Diagnostics& diagnostics) {
   double gathered = 0;
   for (const auto* side : {&panel.outer, &panel.inner}) {
     double most = 0;
@@ -170,7 +170,7 @@ void check_selvedges(Panel& panel, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_panels(NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_panels(NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   for (auto& panel : plan.panels) {
     mend_side(panel, true, limits, diagnostics);
     mend_side(panel, false, limits, diagnostics);
@@ -186,4 +186,4 @@ void check_panels(NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnos
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/toml/table_reader.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/names.hpp"
-#include "io/formats/toml/table_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
 /// A number that a piece is given with; 0 if it is not.
 double number_of(const Pieces& pieces, const char* key, const char* unit) {
-  const Table* table = pieces.piece.as<Table>();
+  const formats::Table* table = pieces.piece.as<formats::Table>();
   if (!table || !table->find(key)) return 0;
-  Diagnostics silent;
-  const double value =
-      TableReader(pieces.piece, silent).real(key, {.unit = unit, .range = between(-1e12, 1e12)});
+  formats::Diagnostics silent;
+  const double value = formats::TableReader(pieces.piece, silent)
+                           .real(key, {.unit = unit, .range = formats::between(-1e12, 1e12)});
   return silent.errors() ? 0 : value;
 }
 
@@ -25,7 +25,7 @@ double number_of(const Pieces& pieces, const char* key, const char* unit) {
 bool is_float(const Pieces& pieces) { return number_of(pieces, "buoyancy", "N") > 0; }
 
 void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_sides,
-                 Diagnostics& diagnostics) {
+                 formats::Diagnostics& diagnostics) {
   if (pieces.number != std::round(pieces.number))
     diagnostics.error(pieces.spread_place,
                       fmt::format("{}: {:g} pieces, which is not a whole number", path, pieces.number),
@@ -39,7 +39,7 @@ void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_
 
 /// Warns of floats that do not fit in a row, and refuses what fits in no bunch.
 void check_room(const Pieces& pieces, const std::string& path, double length, const CheckLimits& limits,
-                Diagnostics& diagnostics) {
+                formats::Diagnostics& diagnostics) {
   const double diameter = number_of(pieces, "diameter", "m"), row = pieces.number * diameter;
   if (!is_float(pieces) || length <= 0 || row <= length) return;
   const std::string said =
@@ -54,7 +54,7 @@ void check_room(const Pieces& pieces, const std::string& path, double length, co
 }
 
 /// How long all is in the whole gear that pieces are spread along [m].
-double length_along(const NetPlan& plan, const Pieces& pieces, Diagnostics& diagnostics,
+double length_along(const NetPlan& plan, const Pieces& pieces, formats::Diagnostics& diagnostics,
                     const std::string& path) {
   if (pieces.is_along_edge()) {
     const EdgeSet edge = find_edge(plan, pieces.along, pieces.spread_place, path, diagnostics);
@@ -67,13 +67,13 @@ double length_along(const NetPlan& plan, const Pieces& pieces, Diagnostics& diag
 bool is_on_both_sides(const NetPlan& plan, const Pieces& pieces) {
   if (pieces.along.empty()) return standing_of_point(plan, pieces.at) == Standing::pair;
   if (!pieces.is_along_edge()) return standing_of(plan, pieces.along) == Standing::pair;
-  Diagnostics silent;
+  formats::Diagnostics silent;
   return find_edge(plan, pieces.along, {}, "", silent).times() == 2;
 }
 
 }  // namespace
 
-void check_pieces(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   for (const auto& pieces : plan.pieces) {
     const std::string path = "floats." + pieces.name + ".spread";
     const int errors_before = diagnostics.errors();
@@ -88,4 +88,4 @@ void check_pieces(const NetPlan& plan, const CheckLimits& limits, Diagnostics& d
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/toml/table_reader.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/names.hpp"
-#include "io/formats/toml/table_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -24,8 +24,8 @@ struct Row {
   bool is_side = false, is_one_mesh_size = true, is_sound = true;
 };
 
-Row read_row(const NetPlan& plan, const std::vector<std::string>& names, const Place& place,
-             const std::string& path, Diagnostics& diagnostics) {
+Row read_row(const NetPlan& plan, const std::vector<std::string>& names, const formats::Place& place,
+             const std::string& path, formats::Diagnostics& diagnostics) {
   Row row;
   for (const auto& name : names) {
     const EdgeSet set = find_edge(plan, name, place, path, diagnostics);
@@ -55,7 +55,7 @@ bool is_counted(const Row& a, const Row& b) {
 }
 
 void say_mismatch(const Join& join, const std::string& path, const Row& a, const Row& b, double ratio,
-                  const CheckLimits& limits, Diagnostics& diagnostics) {
+                  const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const int times = a.times == b.times ? a.times : 1;
   const bool counted = is_counted(a, b);
   const auto measure = [&](const Row& row) {
@@ -75,7 +75,7 @@ void say_mismatch(const Join& join, const std::string& path, const Row& a, const
 }
 
 void check_match(const Join& join, const std::string& path, const Row& a, const Row& b,
-                 const CheckLimits& limits, Diagnostics& diagnostics) {
+                 const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const bool counted = is_counted(a, b);
   const double first = counted ? a.meshes : a.stretched, second = counted ? b.meshes : b.stretched;
   if (first <= 0 || second <= 0) return;
@@ -88,7 +88,7 @@ void check_match(const Join& join, const std::string& path, const Row& a, const 
 
 /// Warns about edges sewn mesh to mesh whose mesh sizes differ so much that the wider meshes can hardly open.
 void check_widths(const Join& join, const std::string& path, const Row& a, const Row& b,
-                  const CheckLimits& limits, Diagnostics& diagnostics) {
+                  const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double narrow = std::min(a.stretched, b.stretched), wide = std::max(a.stretched, b.stretched);
   if (!is_counted(a, b) || narrow <= 0 || narrow >= limits.bunching * wide) return;
   diagnostics.warning(
@@ -104,7 +104,8 @@ void check_widths(const Join& join, const std::string& path, const Row& a, const
 class Ledger {
  public:
   explicit Ledger(const char* deed) : deed_(deed) {}
-  void enter(const EdgeSet& set, const Place& place, const std::string& path, Diagnostics& diagnostics) {
+  void enter(const EdgeSet& set, const formats::Place& place, const std::string& path,
+             formats::Diagnostics& diagnostics) {
     for (const auto& edge : set.edges)
       if (const auto earlier = done_.find(name(set, edge)); earlier != done_.end()) {
         diagnostics.error(place, fmt::format("{}: \"{}\" is {} twice, also at {}", path, earlier->first,
@@ -119,12 +120,12 @@ class Ledger {
     return set.panel->name + "." + edge.name;
   }
   const char* deed_;
-  std::map<std::string, Place> done_;
+  std::map<std::string, formats::Place> done_;
 };
 
 /// An edge that is sewn to itself must exist to port and to starboard.
 void check_sewn_to_itself(const Join& join, const std::string& path, const Row& row,
-                          Diagnostics& diagnostics) {
+                          formats::Diagnostics& diagnostics) {
   if (row.times != 2)
     diagnostics.error(join.places[1],
                       fmt::format("{}: {} exists once and cannot be sewn to itself", path, row.name),
@@ -139,7 +140,7 @@ double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rop
 }
 
 void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::string& path,
-                   const CheckLimits& limits, Diagnostics& diagnostics) {
+                   const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double stretched = edge.stretched();
   const double length = hanging.length > 0 ? hanging.length : hanging.ratio * stretched;
   const double ratio = length / stretched;
@@ -158,7 +159,7 @@ void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::strin
 
 /// An edge that exists twice needs a rope on both sides, and a rope of a pair needs an edge of its own.
 void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const std::string& path,
-                 Diagnostics& diagnostics) {
+                 formats::Diagnostics& diagnostics) {
   const bool is_twice = edge.times() == 2;
   if (rope.stands == Standing::alone && is_twice)
     diagnostics.error(h.rope_place,
@@ -174,7 +175,7 @@ std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]
 
 double hung_on(const NetPlan& plan, const Rope& rope) {
   double sum = 0;
-  Diagnostics silent;
+  formats::Diagnostics silent;
   for (const auto& h : plan.hangings) {
     if (h.rope != rope.name) continue;
     const EdgeSet edge = find_edge(plan, h.edge, {}, "", silent);
@@ -184,7 +185,7 @@ double hung_on(const NetPlan& plan, const Rope& rope) {
 }
 
 /// Most of a rope that edges hang on is given to them.
-void say_loose(const Rope& rope, double hung, Diagnostics& diagnostics) {
+void say_loose(const Rope& rope, double hung, formats::Diagnostics& diagnostics) {
   diagnostics.warning(
       rope.place,
       fmt::format("{}: {} m long, {} m of it are given to edges: {} m hang on no netting", rope.name,
@@ -192,13 +193,13 @@ void say_loose(const Rope& rope, double hung, Diagnostics& diagnostics) {
       "length in metres, of the whole rope; what leads on to other gear is a rope of its own");
 }
 
-void check_thickness(const Rope& rope, Diagnostics& diagnostics) {
-  const Table* numbers = rope.rope.as<Table>();
-  const Member* diameter = numbers ? numbers->find("diameter") : nullptr;
+void check_thickness(const Rope& rope, formats::Diagnostics& diagnostics) {
+  const formats::Table* numbers = rope.rope.as<formats::Table>();
+  const formats::Member* diameter = numbers ? numbers->find("diameter") : nullptr;
   if (!diameter || rope.is_selvedge) return;
-  Diagnostics silent;
-  const double thick =
-      TableReader(rope.rope, silent).real("diameter", {.unit = "m", .range = between(0, 1e6)});
+  formats::Diagnostics silent;
+  const double thick = formats::TableReader(rope.rope, silent)
+                           .real("diameter", {.unit = "m", .range = formats::between(0, 1e6)});
   if (silent.errors() == 0 && thick >= rope.length)
     diagnostics.error(
         rope.place,
@@ -207,7 +208,7 @@ void check_thickness(const Rope& rope, Diagnostics& diagnostics) {
 }
 
 void check_rope_length(const NetPlan& plan, const Rope& rope, const CheckLimits& limits,
-                       Diagnostics& diagnostics) {
+                       formats::Diagnostics& diagnostics) {
   const double hung = hung_on(plan, rope), missing = hung - rope.length;
   check_thickness(rope, diagnostics);
   if (missing <= limits.rounding * rope.length) return;
@@ -222,7 +223,8 @@ void check_rope_length(const NetPlan& plan, const Rope& rope, const CheckLimits&
 }
 
 /// A rope that exists once cannot end at a point that exists twice.
-void check_end(const NetPlan& plan, const Rope& rope, const std::string& end, Diagnostics& diagnostics) {
+void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
+               formats::Diagnostics& diagnostics) {
   const std::string path = "ropes." + rope.name + ".between";
   if (find_point_owner(plan, end, rope.between_place, path, diagnostics).empty()) return;
   const bool is_once =
@@ -238,7 +240,7 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end, Di
 /// Sets of connected panels, ropes and points.
 class Connections {
  public:
-  void add(const std::string& name, const Place& place) {
+  void add(const std::string& name, const formats::Place& place) {
     parent_.push_back(parent_.size());
     index_.emplace(name, parent_.size() - 1);
     names_.push_back(name);
@@ -248,7 +250,7 @@ class Connections {
     const auto i = index_.find(a), j = index_.find(b);
     if (i != index_.end() && j != index_.end()) parent_[root(i->second)] = root(j->second);
   }
-  void report(Diagnostics& diagnostics) {
+  void report(formats::Diagnostics& diagnostics) {
     std::map<std::size_t, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < parent_.size(); ++i) groups[root(i)].push_back(i);
     std::size_t most = 0;
@@ -266,7 +268,7 @@ class Connections {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void say(const std::vector<std::size_t>& group, Diagnostics& diagnostics) const {
+  void say(const std::vector<std::size_t>& group, formats::Diagnostics& diagnostics) const {
     const std::string others =
         group.size() > 1 ? fmt::format(" and {} more are joined to each other only", group.size() - 1)
                          : " is joined to nothing";
@@ -276,7 +278,7 @@ class Connections {
   }
   std::vector<std::size_t> parent_;
   std::vector<std::string> names_;
-  std::vector<Place> places_;
+  std::vector<formats::Place> places_;
   std::map<std::string, std::size_t> index_;
 };
 
@@ -297,9 +299,9 @@ void connect_join(Connections& all, const Join& join) {
 
 }  // namespace
 
-void check_joins(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   Ledger sewn("sewn");
-  Diagnostics silent;
+  formats::Diagnostics silent;
   for (std::size_t i = 0; i < plan.joins.size(); ++i) {
     const Join& join = plan.joins[i];
     const std::string path = indexed("join", i);
@@ -315,7 +317,7 @@ void check_joins(const NetPlan& plan, const CheckLimits& limits, Diagnostics& di
   }
 }
 
-void check_hangings(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   Ledger hung("hung");
   for (std::size_t i = 0; i < plan.hangings.size(); ++i) {
     const Hanging& h = plan.hangings[i];
@@ -329,14 +331,14 @@ void check_hangings(const NetPlan& plan, const CheckLimits& limits, Diagnostics&
   }
 }
 
-void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   for (const auto& rope : plan.ropes)
     if (const double hung = hung_on(plan, rope); hung > 0 && hung < limits.loose_rope * rope.length)
       say_loose(rope, hung, diagnostics);
 }
 
 /// A gear has one headline and one footrope.
-void check_roles(const NetPlan& plan, Diagnostics& diagnostics) {
+void check_roles(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   std::map<std::string, const Rope*> first;
   for (const auto& rope : plan.ropes) {
     if (rope.role != "headline" && rope.role != "footrope") continue;
@@ -349,7 +351,7 @@ void check_roles(const NetPlan& plan, Diagnostics& diagnostics) {
   }
 }
 
-void check_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   check_roles(plan, diagnostics);
   for (const auto& rope : plan.ropes) {
     check_rope_length(plan, rope, limits, diagnostics);
@@ -358,7 +360,7 @@ void check_ropes(const NetPlan& plan, const CheckLimits& limits, Diagnostics& di
   }
 }
 
-void check_connections(const NetPlan& plan, Diagnostics& diagnostics) {
+void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   Connections all;
   for (const auto& panel : plan.panels) all.add(panel.name, panel.place);
   for (const auto& rope : plan.ropes) all.add(rope.name, rope.place);
@@ -373,4 +375,4 @@ void check_connections(const NetPlan& plan, Diagnostics& diagnostics) {
   all.report(diagnostics);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

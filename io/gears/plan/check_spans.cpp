@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -58,7 +58,7 @@ double distance(const GearPoint& a, const GearPoint& b) {
   return std::hypot((*b.at)[0] - (*a.at)[0], (*b.at)[1] - (*a.at)[1], (*b.at)[2] - (*a.at)[2]);
 }
 
-void say_too_short(const GearPoint& a, const GearPoint& b, double length, Diagnostics& diagnostics) {
+void say_too_short(const GearPoint& a, const GearPoint& b, double length, formats::Diagnostics& diagnostics) {
   diagnostics.error(b.point->place,
                     fmt::format("{} and {} are {} m apart, the ropes from one to the other are {} m long",
                                 a.name, b.name, in_metres(distance(a, b)), in_metres(length)),
@@ -70,7 +70,7 @@ void say_too_short(const GearPoint& a, const GearPoint& b, double length, Diagno
 namespace {
 
 /// Ropes whose ends are one point, and which take no edge between them: they hang there as a loop.
-void check_loops(const Gear& gear, const RopeWays& ways, Diagnostics& diagnostics) {
+void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& diagnostics) {
   for (const auto& rope : gear.ropes) {
     const bool is_across = !rope.middle.empty();
     const auto reached = ways.from(rope.name + ".end");
@@ -86,7 +86,7 @@ void check_loops(const Gear& gear, const RopeWays& ways, Diagnostics& diagnostic
 
 }  // namespace
 
-void check_spans(const NetPlan& plan, const CheckLimits& limits, Diagnostics& diagnostics) {
+void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const Gear gear = make_gear(plan, Extent::whole);
   const RopeWays ways(gear);
   check_loops(gear, ways, diagnostics);
@@ -104,4 +104,4 @@ void check_spans(const NetPlan& plan, const CheckLimits& limits, Diagnostics& di
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

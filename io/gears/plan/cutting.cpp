@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<std::string> rates_near(const std::string& text) {
   return near;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A cutting rate: the knots and bars that are cut in turn along a slanting side of netting (ISO 1532; FAO,
 /// Fisherman's Workbook, 1990, "cutting rates"). One cycle of b bars (B), n points (N or P) and t meshes
@@ -33,4 +33,4 @@ std::optional<CuttingRate> parse_rate(std::string_view text);
 /// Rates that differ from `text` in one letter, as candidates for a blurred plan.
 std::vector<std::string> rates_near(const std::string& text);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

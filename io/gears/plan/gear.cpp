@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -90,7 +90,7 @@ class GearMaker {
   /// The edges that a name of the plan denotes on one side of the gear; an edge that exists once is returned
   /// for either side.
   std::vector<EdgeRef> edges_of(const std::string& name, Side side) const {
-    Diagnostics silent;
+    formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan_, name, {}, "", silent);
     std::vector<EdgeRef> refs;
     for (const auto& edge : set.edges)
@@ -114,7 +114,7 @@ class GearMaker {
   }
 
   bool is_there_twice(const std::string& name) const {
-    Diagnostics silent;
+    formats::Diagnostics silent;
     return is_whole() && find_edge(plan_, name, {}, "", silent).times() == 2;
   }
 
@@ -223,7 +223,7 @@ class GearMaker {
   /// Edges take parts of a hanging's length in proportion to the length of their twines.
   void append_hung(std::vector<HungEdge>& hung, const Hanging& hanging,
                    const std::vector<EdgeRef>& edges) const {
-    Diagnostics silent;
+    formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan_, hanging.edge, {}, "", silent);
     const double ratio = hanging.length > 0 ? hanging.length / set.stretched() : hanging.ratio;
     for (const auto& ref : edges) hung.push_back({ref, ratio * edge(ref).stretched * set.panel->mesh});
@@ -265,7 +265,7 @@ class GearMaker {
   }
 
   Standing standing_of_edge(const std::string& name) const {
-    Diagnostics silent;
+    formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan_, name, {}, "", silent);
     return set.times() == 2 ? Standing::pair : set.panel->stands;
   }
@@ -291,7 +291,7 @@ class GearMaker {
     return name;
   }
 
-  Standing standing_of(const std::string& owner) const { return netloft::io::standing_of(plan_, owner); }
+  Standing standing_of(const std::string& owner) const { return netloft::gears::standing_of(plan_, owner); }
 
   const NetPlan& plan_;
   Gear gear_;
@@ -315,4 +315,4 @@ std::string Gear::name_of(const EdgeRef& ref) const {
   return panels[ref.panel].name + "." + panels[ref.panel].outline.edges[ref.edge].name;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

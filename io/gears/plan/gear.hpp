@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The part of a gear that is modelled.
 enum class Extent {
@@ -111,4 +111,4 @@ struct Gear {
 /// Makes the gear of a plan without errors (check.hpp).
 Gear make_gear(const NetPlan& plan, Extent extent);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

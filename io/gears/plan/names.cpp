@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -46,8 +46,8 @@ void append_names(std::vector<std::string>& names, const std::vector<T>& all) {
   for (const auto& one : all) names.push_back(one.name);
 }
 
-const Panel* find_panel_or_say(const NetPlan& plan, const std::string& name, const Place& place,
-                               const std::string& path, Diagnostics& diagnostics) {
+const Panel* find_panel_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
+                               const std::string& path, formats::Diagnostics& diagnostics) {
   const Panel* panel = plan.find_panel(name);
   std::vector<std::string> names;
   append_names(names, plan.panels);
@@ -92,8 +92,8 @@ bool EdgeSet::is_across_middle() const {
          std::any_of(edges.begin(), edges.end(), [](const auto& e) { return e.from.x == 0 || e.to.x == 0; });
 }
 
-EdgeSet find_edge(const NetPlan& plan, const std::string& name, const Place& place, const std::string& path,
-                  Diagnostics& diagnostics) {
+EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::Place& place,
+                  const std::string& path, formats::Diagnostics& diagnostics) {
   const DottedName dotted = split(name);
   const Panel* panel = find_panel_or_say(plan, dotted.owner, place, path, diagnostics);
   if (!panel) return {};
@@ -133,8 +133,8 @@ Standing standing_of_point(const NetPlan& plan, const std::string& name) {
   return stands == Standing::middle && is_aside ? Standing::pair : stands;
 }
 
-std::string find_point_owner(const NetPlan& plan, const std::string& name, const Place& place,
-                             const std::string& path, Diagnostics& diagnostics) {
+std::string find_point_owner(const NetPlan& plan, const std::string& name, const formats::Place& place,
+                             const std::string& path, formats::Diagnostics& diagnostics) {
   const DottedName dotted = split(name);
   const auto is_one_of = [&](const std::vector<std::string>& words) {
     return std::find(words.begin(), words.end(), dotted.rest) != words.end();
@@ -157,8 +157,8 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
   return {};
 }
 
-const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const Place& place,
-                             const std::string& path, Diagnostics& diagnostics) {
+const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
+                             const std::string& path, formats::Diagnostics& diagnostics) {
   const Rope* rope = plan.find_rope(name);
   std::vector<std::string> names;
   for (const auto& r : plan.ropes) names.push_back(r.name);
@@ -168,4 +168,4 @@ const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const
   return rope;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

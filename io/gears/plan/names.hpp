@@ -2,7 +2,7 @@
 #pragma once
 #include "io/gears/plan/outline.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The edges of one panel that a name denotes, in the order outwards or aft.
 struct EdgeSet {
@@ -23,17 +23,17 @@ struct EdgeSet {
 /// "top-wing.inner", "top-wing.breast-cut", "top-body.fore" (all stretches of it). If there is no such edge,
 /// the result is empty and an error at `place` lists near names; `path` is the key that contains the name. A
 /// panel without meshes has none.
-EdgeSet find_edge(const NetPlan& plan, const std::string& name, const Place& place, const std::string& path,
-                  Diagnostics& diagnostics);
+EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::Place& place,
+                  const std::string& path, formats::Diagnostics& diagnostics);
 
 /// The rope of this name. If there is none, the result is null and an error is reported.
-const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const Place& place,
-                             const std::string& path, Diagnostics& diagnostics);
+const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
+                             const std::string& path, formats::Diagnostics& diagnostics);
 
 /// The owner of a point: "headrope.end" belongs to the rope, "top-wing.fore-outer" to the panel,
 /// "towing-point" to itself. If there is no such point, the result is empty and an error is reported.
-std::string find_point_owner(const NetPlan& plan, const std::string& name, const Place& place,
-                             const std::string& path, Diagnostics& diagnostics);
+std::string find_point_owner(const NetPlan& plan, const std::string& name, const formats::Place& place,
+                             const std::string& path, formats::Diagnostics& diagnostics);
 
 /// The symmetry of the panel, rope or point of this name.
 Standing standing_of(const NetPlan& plan, const std::string& name);
@@ -49,4 +49,4 @@ std::vector<std::string> corner_names(const Panel& panel);
 /// The material for hints `did you mean …`: the nearest of `names`, or all of them.
 std::string near_names(const std::string& name, const std::vector<std::string>& names);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

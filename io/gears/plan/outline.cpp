@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -186,4 +186,4 @@ std::array<double, 2> Panel::twines_at(double across, double deep) const {
   return twine_coordinates(orientation, angle, across, deep);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/gears/plan/plan.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A point of a panel in repose: x meshes across, outwards; y meshes aft of the fore edge. A mesh is its full
 /// width across and its stretched length aft, in agreement with mesh counts.
@@ -39,4 +39,4 @@ Outline outline_of(const Panel& panel);
 /// Meshes of the aft edge of the whole panel that follow from its cuttings. Used by outlines and checks.
 double aft_by_cuttings(const Panel& panel);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/scene/winch.hpp"
-#include "io/gears/plan/cutting.hpp"
 #include "io/formats/toml/document.hpp"
 #include "io/formats/toml/value.hpp"
+#include "io/gears/plan/cutting.hpp"
 
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 // A net plan as written by its maker: counts in meshes, lengths in metres, names unchanged. Parts that exist
 // to port and to starboard are written once; nothing is mirrored, cut to size or divided yet.
@@ -28,7 +28,7 @@ enum class Standing {
 struct MeshCount {
   std::string name;
   double meshes = 0;
-  Place place;
+  formats::Place place;
 };
 
 /// A stretch of a side that is cut at one rate, going aft.
@@ -42,7 +42,7 @@ struct Cut {
   std::optional<double> said_across, said_deep;
   double across = 0, deep = 0;  // meshes, as computed
   double selvedge = 0;          // meshes gathered into the seam along it
-  Place place;
+  formats::Place place;
 };
 
 /// Computes the extent of each cut of a side from the given numbers and the depth of the panel.
@@ -51,7 +51,7 @@ void settle(std::vector<Cut>& side, double depth);
 /// An edge that a plan says to be open: "fore", "aft", the name of a stretch.
 struct OpenEdge {
   std::string name;
-  Place place;
+  formats::Place place;
 };
 
 struct Panel {
@@ -61,7 +61,7 @@ struct Panel {
   std::string orientation = "diamond";
   double angle = 0;           // rotation of the netting in the panel, twine_coordinates.hpp (2) [rad]
   std::string twine_name;     // in the catalogue; empty: written in the plan
-  Value twine;                // a table: diameter, EA, density, …
+  formats::Value twine;       // a table: diameter, EA, density, …
   double twine_diameter = 0;  // [m]
   int twines = 1;             // number laid side by side: 2 in double netting
   std::vector<MeshCount> fore, aft;
@@ -75,7 +75,7 @@ struct Panel {
   std::vector<Cut> inner;      // of a middle panel: none
   /// Initial corners: fore-inner, fore-outer, aft-outer, aft-inner, to starboard [m]; may be empty.
   std::vector<std::array<double, 3>> sketch;
-  Place place, aft_place;
+  formats::Place place, aft_place;
 
   /// Whether it has no netting by its counts: a panel by corners may have a corner at either end.
   bool is_empty() const { return !has_corners && count(fore) <= 0 && count(aft) <= 0; }
@@ -94,19 +94,19 @@ struct Rope {
   std::string name;
   Standing stands = Standing::alone;
   std::string part_name;
-  Value rope;                         // a table: diameter, EA, density, …
+  formats::Value rope;                // a table: diameter, EA, density, …
   double length = 0;                  // unstretched [m]
   std::optional<double> length_port;  // of the one to port, if it is another [m]
   // At its start, to starboard and to port, if the length is found that has it [N].
   std::optional<double> tension, tension_port;
   std::string role;  // one of rope_roles(); empty: none
-  Place role_place;
+  formats::Place role_place;
   std::array<std::string, 2> between;  // points at its ends; empty: none
   // How a winch runs in a motion; of one that begins with `tension` the first stage has no rows.
   std::vector<WinchStage> winch;
-  Place winch_place, tension_place;
+  formats::Place winch_place, tension_place;
   bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
-  Place place, between_place;
+  formats::Place place, between_place;
 };
 
 /// Words for what a rope is in a gear. Figures of the mouth are found where a headline and a footrope are
@@ -119,7 +119,7 @@ struct Hanging {
   // length of rope that it takes, over the whole of a middle edge [m]; 0: given by the ratio
   double length = 0;
   double ratio = 0;  // length of rope divided by that of the stretched edge; 0: given by the length
-  Place edge_place, rope_place, place;
+  formats::Place edge_place, rope_place, place;
 };
 
 /// Edges sewn together, each side one edge or several in a row. If both sides are the same edge, port is sewn
@@ -128,8 +128,8 @@ struct Join {
   std::array<std::vector<std::string>, 2> edges;
   double take_up = 0;   // meshes of the second for one of the first; 0: mesh to mesh
   double selvedge = 0;  // meshes of each edge that are gathered into the seam
-  std::array<Place, 2> places;
-  Place place;
+  std::array<formats::Place, 2> places;
+  formats::Place place;
 
   bool is_to_itself() const { return edges[0] == edges[1]; }
 };
@@ -138,10 +138,10 @@ struct Join {
 /// rope or an edge, or hung at a point.
 struct Pieces {
   std::string name, part_name;
-  Value piece;
+  formats::Value piece;
   double number = 0;      // in the whole gear
   std::string along, at;  // one of them is set
-  Place place, spread_place;
+  formats::Place place, spread_place;
 
   bool is_along_edge() const { return along.find('.') != std::string::npos; }
 };
@@ -151,7 +151,7 @@ struct Point {
   std::string name;
   Standing stands = Standing::pair;
   std::optional<std::array<double, 3>> at;  // [m]; for a pair the one to starboard
-  Place place;
+  formats::Place place;
 };
 
 /// A rigid body, such as an otter board. A plan knows where ropes lead to, `door.warp`; what it is, a scene
@@ -160,7 +160,7 @@ struct PlanBody {
   std::string name;
   Standing stands = Standing::pair;
   std::vector<std::string> points;  // by name; each is a point of the plan as well
-  Place place;
+  formats::Place place;
 };
 
 /// How a ship goes at a time: straight between times, and as at the last one beyond.
@@ -177,7 +177,7 @@ struct Ship {
   double efficiency = 0;                   // towing power over the heat of the fuel; 0: not known
   std::vector<ShipMoment> path;            // in a motion; empty: straight on
   std::vector<ShipMoment> path_port;       // of a second ship that tows to port; empty: there is one ship
-  Place place, speed_place, path_place;
+  formats::Place place, speed_place, path_place;
 };
 
 inline constexpr const char *kBlock = "block", *kWarp = "warp";
@@ -192,7 +192,7 @@ struct NetPlan {
   std::vector<Point> points;
   std::vector<PlanBody> bodies;
   std::optional<Ship> ship;
-  std::vector<SourceFile> files;
+  std::vector<formats::SourceFile> files;
 
   const Panel* find_panel(const std::string& name) const;
   const Rope* find_rope(const std::string& name) const;
@@ -200,4 +200,4 @@ struct NetPlan {
   const PlanBody* find_body(const std::string& name) const;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -1,43 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/formats/toml/table_reader.hpp"
 #include "io/gears/catalogue/catalogue.hpp"
 #include "io/gears/plan/plan.hpp"
-#include "io/formats/toml/table_reader.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
+
+inline constexpr double kMostMeshes = 1e5;  // across or along a panel
 
 /// A part that a plan names from a catalogue or writes itself.
 struct ChosenPart {
   std::string name;  // in the catalogue; empty: written in the plan
-  Value table;
+  formats::Value table;
 };
 
 /// Reads the part under `key`: a name of the catalogue's kinds for `kind_key`, or a table.
-ChosenPart read_part_choice(TableReader& table, const char* key, const char* kind_key,
+ChosenPart read_part_choice(formats::TableReader& table, const char* key, const char* kind_key,
                             const Catalogue& catalogue);
 
 /// Reads tables of a plan. The members of a plan are read in a file each.
-Panel read_panel(const std::string& name, TableReader& table, const Catalogue& catalogue);
+Panel read_panel(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
 /// Reads counts and sides of a panel from its corners, `corners = [[0, 0], [20, 0], [15, 10]]`.
-void read_corners(Panel& panel, TableReader& table);
-Rope read_rope(const std::string& name, TableReader& table, const Catalogue& catalogue);
-Hanging read_hanging(TableReader& table);
-Join read_join(TableReader& table);
-Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue& catalogue);
-Point read_point(const std::string& name, TableReader& table);
+void read_corners(Panel& panel, formats::TableReader& table);
+Rope read_rope(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
+Hanging read_hanging(formats::TableReader& table);
+Join read_join(formats::TableReader& table);
+Pieces read_pieces(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
+Point read_point(const std::string& name, formats::TableReader& table);
 
 /// Reads how a body stands and which points it has, its own or those of the board that it names.
-PlanBody read_plan_body(const std::string& name, TableReader& table, const Catalogue& catalogue);
+PlanBody read_plan_body(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
 /// `[ship]`: adds its blocks and warps to the plan, whose bodies are known.
-void add_ship(NetPlan& plan, TableReader& ship, const Catalogue& catalogue);
+void add_ship(NetPlan& plan, formats::TableReader& ship, const Catalogue& catalogue);
 
 /// `winch` of a warp whose lengths and tensions were read: one table, or one after the other.
-void read_winch(TableReader& warp, Rope& rope);
+void read_winch(formats::TableReader& warp, Rope& rope);
 
 /// Adds the selvedges that seams gather: outlines become narrower, and each strip becomes a rope on the edge.
-void add_selvedges(NetPlan& plan, Diagnostics& diagnostics);
+void add_selvedges(NetPlan& plan, formats::Diagnostics& diagnostics);
 
 /// Reads the symmetry of a part, `stands = "pair"`.
-Standing read_standing(TableReader& table, const char* fallback);
+Standing read_standing(formats::TableReader& table, const char* fallback);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
-constexpr double kMostMeshes = 1e5, kSame = 1e-9;  // counts; two that are one [meshes]
+constexpr double kSame = 1e-9;  // two counts that are one [meshes]
 
 struct Corner {
   double across = 0, deep = 0;  // outwards and aft
@@ -23,7 +23,7 @@ struct Corner {
 /// Makes a border into edges; members are steps in the order they happen.
 class CornerReader {
  public:
-  CornerReader(Panel& panel, TableReader& table) : panel_(panel), table_(table) {}
+  CornerReader(Panel& panel, formats::TableReader& table) : panel_(panel), table_(table) {}
 
   void read() {
     refuse_what_corners_say();
@@ -50,12 +50,12 @@ class CornerReader {
   void read_corners() {
     const auto rows = table_.rows("corners", {.unit = "1",
                                               .doc = "meshes across, outwards, and deep, aft, in a row",
-                                              .range = io::between(-kMostMeshes, kMostMeshes),
+                                              .range = formats::between(-kMostMeshes, kMostMeshes),
                                               .rows = {.least = 3},
-                                              .columns = exactly(2)});
+                                              .columns = formats::exactly(2)});
     const auto names = table_.has("edges")
                            ? table_.texts("edges", {.doc = "names, from each corner to the next",
-                                                    .count = exactly(rows.size())})
+                                                    .count = formats::exactly(rows.size())})
                            : std::vector<std::string>();
     for (const auto& row : rows)
       if (row.size() == 2) corners_.push_back({row[0], row[1], {}});
@@ -174,13 +174,13 @@ class CornerReader {
   }
 
   Panel& panel_;
-  TableReader& table_;
+  formats::TableReader& table_;
   std::vector<Corner> corners_;  // from turn_to_fore() on closed, with the first at the end
   bool has_failed_ = false;
 };
 
 }  // namespace
 
-void read_corners(Panel& panel, TableReader& table) { CornerReader(panel, table).read(); }
+void read_corners(Panel& panel, formats::TableReader& table) { CornerReader(panel, table).read(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -6,19 +6,17 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
-constexpr double kMostMeshes = 1e5;
-
-double read_meshes(TableReader& table, const char* key, const char* doc) {
-  return table.real(key, {.unit = "1", .doc = doc, .range = between(0, kMostMeshes)});
+double read_meshes(formats::TableReader& table, const char* key, const char* doc) {
+  return table.real(key, {.unit = "1", .doc = doc, .range = formats::between(0, kMostMeshes)});
 }
 
 /// `fore = 3`, or a list of named counts.
-std::vector<MeshCount> read_counts(TableReader& table, const char* key) {
-  if (table.kind(key) != Kind::array)
+std::vector<MeshCount> read_counts(formats::TableReader& table, const char* key) {
+  if (table.kind(key) != formats::Kind::array)
     return {{key, read_meshes(table, key, "meshes along this edge"), table.place(key)}};
   std::vector<MeshCount> counts;
   for (auto& entry : table.tables(key)) {
@@ -45,7 +43,7 @@ CutText split_cut(const std::string& written) {
   return {written.substr(0, space), word == std::string::npos ? "" : written.substr(word)};
 }
 
-void read_direction(Cut& cut, const std::string& direction, TableReader& table, const char* key) {
+void read_direction(Cut& cut, const std::string& direction, formats::TableReader& table, const char* key) {
   if (direction == "in" || direction == "out")
     cut.goes = direction == "in" ? -1 : 1;
   else if (!direction.empty())
@@ -58,7 +56,7 @@ void read_direction(Cut& cut, const std::string& direction, TableReader& table, 
 }
 
 /// Reads a rate. If the text is not a rate, the probable one is found later, with the whole panel.
-void read_rate(Cut& cut, TableReader& table, const char* key) {
+void read_rate(Cut& cut, formats::TableReader& table, const char* key) {
   const auto words = split_cut(table.text(key, {.doc = "cutting rate and direction, such as \"5B1P in\""}));
   cut.written = words.rate;
   cut.place = table.place(key);
@@ -73,7 +71,7 @@ void read_rate(Cut& cut, TableReader& table, const char* key) {
 
 bool goes_across_only(const Cut& cut) { return cut.is_known && cut.rate.half_meshes_deep() == 0; }
 
-void read_extent(Cut& cut, TableReader& table) {
+void read_extent(Cut& cut, formats::TableReader& table) {
   if (table.has("meshes")) cut.said_across = read_meshes(table, "meshes", "that it goes sideways");
   if (table.has("depth")) cut.said_deep = read_meshes(table, "depth", "meshes that it goes aft");
 }
@@ -84,7 +82,7 @@ bool agrees(const Cut& cut) {
   return std::abs(across - *cut.said_across) <= std::max(1.0, 0.03 * *cut.said_across);
 }
 
-void check_extent(const Cut& cut, TableReader& table) {
+void check_extent(const Cut& cut, formats::TableReader& table) {
   if (!cut.is_known) return;
   if (goes_across_only(cut) && !cut.said_across)
     table.error("meshes", "must be given: " + cut.written + " has no depth");
@@ -97,7 +95,7 @@ void check_extent(const Cut& cut, TableReader& table) {
                 "leave out either of meshes and depth");
 }
 
-Cut read_cut(TableReader& table, const std::string& default_name) {
+Cut read_cut(formats::TableReader& table, const std::string& default_name) {
   Cut cut;
   cut.name = table.text("name", {.doc = "of this stretch of the side", .fallback = default_name});
   read_rate(cut, table, "cut");
@@ -108,7 +106,7 @@ Cut read_cut(TableReader& table, const std::string& default_name) {
 
 bool is_open(const Cut& cut) { return !cut.said_across && !cut.said_deep && !goes_across_only(cut); }
 
-std::vector<Cut> read_whole_side(TableReader& table, const char* key) {
+std::vector<Cut> read_whole_side(formats::TableReader& table, const char* key) {
   Cut cut;
   cut.name = key;
   read_rate(cut, table, key);
@@ -117,7 +115,7 @@ std::vector<Cut> read_whole_side(TableReader& table, const char* key) {
 }
 
 /// The straight side of a tube without cuts.
-Cut straight_cut(const char* key, const Place& place) {
+Cut straight_cut(const char* key, const formats::Place& place) {
   Cut cut;
   cut.name = key;
   cut.written = "AN";
@@ -126,16 +124,18 @@ Cut straight_cut(const char* key, const Place& place) {
   return cut;
 }
 
-std::vector<Cut> read_side(TableReader& table, const char* key, double depth, bool may_be_straight = false) {
+std::vector<Cut> read_side(formats::TableReader& table, const char* key, double depth,
+                           bool may_be_straight = false) {
   std::vector<Cut> side;
   if (may_be_straight && !table.has(key)) {
     side = {straight_cut(key, table.place())};
-  } else if (table.kind(key) == Kind::text) {
+  } else if (table.kind(key) == formats::Kind::text) {
     side = read_whole_side(table, key);
   } else {
-    for (auto& entry : table.tables(key, Presence::required, "cuts going aft, such as \"5B1P in\""))
+    for (auto& entry : table.tables(key, formats::Presence::required, "cuts going aft, such as \"5B1P in\""))
       side.push_back(read_cut(entry, std::string(key) + "-" + std::to_string(side.size() + 1)));
-    if (table.kind(key) == Kind::array && side.empty()) table.error(key, "is empty: give at least one cut");
+    if (table.kind(key) == formats::Kind::array && side.empty())
+      table.error(key, "is empty: give at least one cut");
   }
   if (std::count_if(side.begin(), side.end(), is_open) > 1)
     table.error(key, "more than one of its cuts has neither meshes nor depth");
@@ -143,7 +143,7 @@ std::vector<Cut> read_side(TableReader& table, const char* key, double depth, bo
   return side;
 }
 
-void read_sides(Panel& panel, TableReader& table) {
+void read_sides(Panel& panel, formats::TableReader& table) {
   if (panel.stands == Standing::middle) {
     panel.outer = read_side(table, "sides", panel.depth, panel.is_round);
     return;
@@ -160,29 +160,30 @@ const std::vector<std::string>& orientations() {
 }
 
 /// A catalogue entry, `netting = "83-112-fore"`, provides mesh and twine unless the plan gives them.
-const CataloguePart* read_netting(TableReader& table, const Catalogue& catalogue) {
-  const Value* said = table.raw("netting");
+const CataloguePart* read_netting(formats::TableReader& table, const Catalogue& catalogue) {
+  const formats::Value* said = table.raw("netting");
   return said ? choose_part(*said, {"netting"}, table.path("netting"), catalogue, table.diagnostics())
               : nullptr;
 }
 
-ChosenPart twine_of(const CataloguePart& netting, const Place& place, const Catalogue& catalogue) {
+ChosenPart twine_of(const CataloguePart& netting, const formats::Place& place, const Catalogue& catalogue) {
   const std::string& name = netting.texts.at("twine");
   const CataloguePart* twine = catalogue.find(name, {"twine"});
-  if (!twine) return {name, {place, Table{}}};
+  if (!twine) return {name, {place, formats::Table{}}};
   return {name, spell_out({place, name}, *twine, [](const std::string&) { return true; })};
 }
 
-double diameter_of(const Value& twine, const std::string& path, Diagnostics& diagnostics) {
-  if (!twine.as<Table>()) return 0;
-  TableReader reader(twine, diagnostics, path);
-  return reader.has("diameter") ? reader.real("diameter", {.unit = "m", .range = between(0, 1)}) : 0;
+double diameter_of(const formats::Value& twine, const std::string& path, formats::Diagnostics& diagnostics) {
+  if (!twine.as<formats::Table>()) return 0;
+  formats::TableReader reader(twine, diagnostics, path);
+  return reader.has("diameter") ? reader.real("diameter", {.unit = "m", .range = formats::between(0, 1)}) : 0;
 }
 
-void read_material(Panel& panel, TableReader& table, const Catalogue& catalogue) {
+void read_material(Panel& panel, formats::TableReader& table, const Catalogue& catalogue) {
   const CataloguePart* netting = read_netting(table, catalogue);
   if (table.has("mesh") || !netting)
-    panel.mesh = table.real("mesh", {.unit = "m", .doc = "stretched mesh size", .range = between(1e-4, 100)});
+    panel.mesh =
+        table.real("mesh", {.unit = "m", .doc = "stretched mesh size", .range = formats::between(1e-4, 100)});
   else
     panel.mesh = netting->numbers.at("mesh");
   ChosenPart twine = table.has("twine") || !netting ? read_part_choice(table, "twine", "twine", catalogue)
@@ -197,10 +198,10 @@ void read_material(Panel& panel, TableReader& table, const Catalogue& catalogue)
 }
 
 /// Netting that must be the same to port and to starboard can be turned only by multiples of 45 degrees.
-void read_angle(Panel& panel, TableReader& table) {
+void read_angle(Panel& panel, formats::TableReader& table) {
   panel.angle = table.real("angle", {.unit = "rad",
                                      .doc = "by which the netting is turned, from outwards towards aft",
-                                     .range = between(-std::numbers::pi, std::numbers::pi),
+                                     .range = formats::between(-std::numbers::pi, std::numbers::pi),
                                      .fallback = 0.0});
   const double eighths = panel.angle / (std::numbers::pi / 4);
   if (panel.stands == Standing::middle && std::abs(eighths - std::round(eighths)) > 1e-9)
@@ -211,7 +212,7 @@ void read_angle(Panel& panel, TableReader& table) {
 }
 
 /// Reads `fore`, or `round`, the meshes of a tube.
-void read_fore(Panel& panel, TableReader& table) {
+void read_fore(Panel& panel, formats::TableReader& table) {
   panel.is_round = table.has("round");
   panel.fore = read_counts(table, panel.is_round ? "round" : "fore");
   if (!panel.is_round) return;
@@ -225,7 +226,7 @@ void read_fore(Panel& panel, TableReader& table) {
 }
 
 /// Pieces in a row must have the same width to fit one another.
-void read_depth(Panel& panel, TableReader& table) {
+void read_depth(Panel& panel, formats::TableReader& table) {
   panel.depth = table.real(
       "depth", {.unit = "1", .doc = "meshes from the fore to the aft edge", .range = {0, kMostMeshes, true}});
   panel.pieces = static_cast<int>(
@@ -233,7 +234,7 @@ void read_depth(Panel& panel, TableReader& table) {
   panel.depth *= panel.pieces;
 }
 
-void check_pieces_in_a_row(const Panel& panel, TableReader& table) {
+void check_pieces_in_a_row(const Panel& panel, formats::TableReader& table) {
   for (const auto* side : {&panel.outer, &panel.inner})
     for (const auto& cut : *side)
       if (panel.pieces > 1 && !cut.rate.is_straight())
@@ -243,11 +244,11 @@ void check_pieces_in_a_row(const Panel& panel, TableReader& table) {
 }
 
 /// `open = "aft"`, or an array of edges.
-std::vector<OpenEdge> read_open(TableReader& table) {
-  const Value* said = table.raw("open");
+std::vector<OpenEdge> read_open(formats::TableReader& table) {
+  const formats::Value* said = table.raw("open");
   if (!said) return {};
   if (const auto* name = said->as<std::string>()) return {{*name, said->place}};
-  const Array* array = said->as<Array>();
+  const formats::Array* array = said->as<formats::Array>();
   std::vector<OpenEdge> open;
   if (array)
     for (const auto& item : array->items)
@@ -258,18 +259,18 @@ std::vector<OpenEdge> read_open(TableReader& table) {
   return open;
 }
 
-void read_sketch(Panel& panel, TableReader& table) {
+void read_sketch(Panel& panel, formats::TableReader& table) {
   if (!table.has("sketch")) return;
   for (const auto& row : table.rows("sketch", {.unit = "m",
                                               .doc = "corners: fore inner, fore outer, aft outer, aft inner",
-                                              .range = between(-1e6, 1e6),
-                                              .rows = exactly(4),
-                                              .columns = exactly(3)}))
+                                              .range = formats::between(-1e6, 1e6),
+                                              .rows = formats::exactly(4),
+                                              .columns = formats::exactly(3)}))
     if (row.size() == 3) panel.sketch.push_back({row[0], row[1], row[2]});
   if (panel.sketch.size() != 4) panel.sketch.clear();
 }
 
-void read_counts_and_cuttings(Panel& panel, TableReader& table) {
+void read_counts_and_cuttings(Panel& panel, formats::TableReader& table) {
   read_depth(panel, table);
   read_fore(panel, table);
   read_sides(panel, table);
@@ -281,34 +282,35 @@ void read_counts_and_cuttings(Panel& panel, TableReader& table) {
 
 }  // namespace
 
-ChosenPart read_part_choice(TableReader& table, const char* key, const char* kind_key,
+ChosenPart read_part_choice(formats::TableReader& table, const char* key, const char* kind_key,
                             const Catalogue& catalogue) {
-  const Value* said = table.raw(key);
+  const formats::Value* said = table.raw(key);
   if (!said) {
-    table.table(key, Presence::required, "the name of a part of the catalogue, or a table");
-    return {"", {table.place(), Table{}}};
+    table.table(key, formats::Presence::required, "the name of a part of the catalogue, or a table");
+    return {"", {table.place(), formats::Table{}}};
   }
   if (!names_a_part(*said)) {
-    if (said->kind() != Kind::table) table.error(key, "give the name of a part of the catalogue, or a table");
-    if (const Table* numbers = said->as<Table>(); numbers && numbers->members.empty())
+    if (said->kind() != formats::Kind::table)
+      table.error(key, "give the name of a part of the catalogue, or a table");
+    if (const formats::Table* numbers = said->as<formats::Table>(); numbers && numbers->members.empty())
       table.error(key, "is an empty table, which says nothing of it",
                   "its numbers, or the name of a part of the catalogue");
-    return {"", said->kind() == Kind::table ? *said : Value{said->place, Table{}}};
+    return {"", said->kind() == formats::Kind::table ? *said : formats::Value{said->place, formats::Table{}}};
   }
   const CataloguePart* part =
       choose_part(*said, kinds_under(kind_key), table.path(key), catalogue, table.diagnostics());
-  if (!part) return {"", {said->place, Table{}}};
+  if (!part) return {"", {said->place, formats::Table{}}};
   return {part->name, spell_out(*said, *part, [](const std::string&) { return true; })};
 }
 
-Standing read_standing(TableReader& table, const char* fallback) {
+Standing read_standing(formats::TableReader& table, const char* fallback) {
   const std::string word = table.choice(
       "stands",
       {.allowed = {"alone", "pair", "middle"}, .doc = "to the plane of symmetry", .fallback = fallback});
   return word == "pair" ? Standing::pair : word == "middle" ? Standing::middle : Standing::alone;
 }
 
-Panel read_panel(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+Panel read_panel(const std::string& name, formats::TableReader& table, const Catalogue& catalogue) {
   Panel panel;
   panel.name = name;
   panel.place = table.place();
@@ -321,4 +323,4 @@ Panel read_panel(const std::string& name, TableReader& table, const Catalogue& c
   return panel;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

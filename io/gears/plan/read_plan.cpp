@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr const char* kOfPlans[] = {"gear", "panels", "ropes",
                                     "hang", "floats", "points"};  // a ship and bodies alone make none
 
 /// Whether a [[join]] connects parts of a scene rather than edges.
-bool joins_parts(TableReader& join) {
+bool joins_parts(formats::TableReader& join) {
   const bool joins = join.has("points");
   if (joins) join.has("together");
   return joins && !join.has("edges");
@@ -30,8 +30,8 @@ bool joins_parts(TableReader& join) {
 class PlanReader {
  public:
   /// A null `catalogue` stands for that of the user and the library.
-  PlanReader(const Document& document, std::filesystem::path folder, const Catalogue* catalogue,
-             Diagnostics& diagnostics)
+  PlanReader(const formats::Document& document, std::filesystem::path folder, const Catalogue* catalogue,
+             formats::Diagnostics& diagnostics)
       : root_(document.root(), diagnostics), diagnostics_(diagnostics), folder_(std::move(folder)) {
     plan_.files = document.files();
     read_catalogue(catalogue);
@@ -44,18 +44,18 @@ class PlanReader {
       return std::move(plan_);
     }
     read_head();
-    read_named("panels", "the pieces of netting, a table each", Presence::required,
-               [&](const std::string& name, TableReader& t) {
+    read_named("panels", "the pieces of netting, a table each", formats::Presence::required,
+               [&](const std::string& name, formats::TableReader& t) {
                  plan_.panels.push_back(read_panel(name, t, catalogue_));
                  complete(plan_.panels.back());
                });
-    read_named("ropes", "ropes, wires and chains", Presence::optional,
+    read_named("ropes", "ropes, wires and chains", formats::Presence::optional,
                [&](const auto& name, auto& t) { plan_.ropes.push_back(read_rope(name, t, catalogue_)); });
-    read_named("floats", "floats and weights", Presence::optional,
+    read_named("floats", "floats and weights", formats::Presence::optional,
                [&](const auto& name, auto& t) { plan_.pieces.push_back(read_pieces(name, t, catalogue_)); });
-    read_named("points", "points that ropes lead to", Presence::optional,
+    read_named("points", "points that ropes lead to", formats::Presence::optional,
                [&](const auto& name, auto& t) { plan_.points.push_back(read_point(name, t)); });
-    read_named("bodies", "rigid bodies", Presence::optional,
+    read_named("bodies", "rigid bodies", formats::Presence::optional,
                [&](const auto& name, auto& t) { add_body(read_plan_body(name, t, catalogue_)); });
     if (root_.has("ship")) read_ship();
     for (auto& table : root_.tables("hang")) plan_.hangings.push_back(read_hanging(table));
@@ -75,7 +75,7 @@ class PlanReader {
   }
 
   void read_head() {
-    TableReader gear = root_.table("gear", Presence::optional);
+    formats::TableReader gear = root_.table("gear", formats::Presence::optional);
     plan_.title = gear.text("title", {.doc = "what it is", .fallback = ""});
     plan_.source = gear.text("source", {.doc = "where the plan comes from", .fallback = ""});
     for (const char* key : kOfModels) gear.has(key);
@@ -89,7 +89,7 @@ class PlanReader {
   }
 
   void read_ship() {
-    TableReader ship = root_.table("ship");
+    formats::TableReader ship = root_.table("ship");
     for (const char* name : {kBlock, kWarp})
       if (!names_.insert(name).second)
         ship.error(name, "there is something named \"" + std::string(name) + "\" already",
@@ -109,18 +109,18 @@ class PlanReader {
   }
 
   template <class Read>
-  void read_named(const char* key, const char* doc, Presence presence, const Read& read) {
-    TableReader tables = root_.table(key, presence, doc);
+  void read_named(const char* key, const char* doc, formats::Presence presence, const Read& read) {
+    formats::TableReader tables = root_.table(key, presence, doc);
     for (const auto& name : tables.keys()) {
       check_name(name, tables);
-      TableReader table = tables.table(name);
-      if (table.diagnostics().errors() == 0 || tables.kind(name) == Kind::table) read(name, table);
+      formats::TableReader table = tables.table(name);
+      if (table.diagnostics().errors() == 0 || tables.kind(name) == formats::Kind::table) read(name, table);
     }
   }
 
   /// A dot separates a name from its edges and points, so names must not contain one; and each name is used
   /// once.
-  void check_name(const std::string& name, TableReader& tables) {
+  void check_name(const std::string& name, formats::TableReader& tables) {
     if (name.find('.') != std::string::npos || name.empty())
       diagnostics_.error(
           tables.place(name),
@@ -141,8 +141,8 @@ class PlanReader {
       plan_.joins.push_back({{sides, sides}, 0, 0, {panel.place, panel.place}, panel.place});
   }
 
-  TableReader root_;
-  Diagnostics& diagnostics_;
+  formats::TableReader root_;
+  formats::Diagnostics& diagnostics_;
   std::filesystem::path folder_;
   Catalogue catalogue_;
   NetPlan plan_;
@@ -159,31 +159,32 @@ const T* find_named(const std::vector<T>& all, const std::string& name) {
 }  // namespace
 
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                  Diagnostics& diagnostics) {
-  const Document document = Document::load(file, overrides, diagnostics);
+                  formats::Diagnostics& diagnostics) {
+  const formats::Document document = formats::Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
   return PlanReader(document, file.parent_path(), nullptr, diagnostics).read();
 }
 
-NetPlan read_plan(const Document& document, const std::filesystem::path& folder, Diagnostics& diagnostics) {
+NetPlan read_plan(const formats::Document& document, const std::filesystem::path& folder,
+                  formats::Diagnostics& diagnostics) {
   return PlanReader(document, folder, nullptr, diagnostics).read();
 }
 
-bool holds_plan(const Document& document) {
-  const Table* root = document.root().as<Table>();
+bool holds_plan(const formats::Document& document) {
+  const formats::Table* root = document.root().as<formats::Table>();
   return root && std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
                              [&](const char* key) { return root->find(key); });
 }
 
-NetPlan read_plan_text(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
-  const Document document = Document::parse(text, name, {}, diagnostics);
+NetPlan read_plan_text(const std::string& text, const std::string& name, formats::Diagnostics& diagnostics) {
+  const formats::Document document = formats::Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
   return PlanReader(document, {}, nullptr, diagnostics).read();
 }
 
 NetPlan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
-                       Diagnostics& diagnostics) {
-  const Document document = Document::parse(text, name, {}, diagnostics);
+                       formats::Diagnostics& diagnostics) {
+  const formats::Document document = formats::Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
   return PlanReader(document, {}, &catalogue, diagnostics).read();
 }
@@ -193,4 +194,4 @@ const Rope* NetPlan::find_rope(const std::string& name) const { return find_name
 const Point* NetPlan::find_point(const std::string& name) const { return find_named(points, name); }
 const PlanBody* NetPlan::find_body(const std::string& name) const { return find_named(bodies, name); }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,23 +4,24 @@
 #include <algorithm>
 #include <charconv>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
 constexpr double kLongest = 1e5;  // [m]
 constexpr double kMostPieces = 1e5;
-const Range kPlaces = between(-1e6, 1e6);
+const formats::Range kPlaces = formats::between(-1e6, 1e6);
 
-double read_length(TableReader& table, const char* key, const char* doc) {
+double read_length(formats::TableReader& table, const char* key, const char* doc) {
   return table.real(key, {.unit = "m", .doc = doc, .range = {0, kLongest, true}});
 }
 
 /// Reads one name, or several in a row.
-std::vector<std::string> read_row(const Value& said, const std::string& path, Diagnostics& diagnostics) {
+std::vector<std::string> read_row(const formats::Value& said, const std::string& path,
+                                  formats::Diagnostics& diagnostics) {
   if (const std::string* name = said.as<std::string>()) return {*name};
   std::vector<std::string> names;
-  const Array* array = said.as<Array>();
+  const formats::Array* array = said.as<formats::Array>();
   if (array)
     for (const auto& item : array->items)
       if (const std::string* name = item.as<std::string>()) names.push_back(*name);
@@ -42,7 +43,7 @@ bool split_spread(const std::string& text, Pieces& pieces) {
 }
 
 /// A point of a pair must be to starboard; a point in the middle must lie on the plane of symmetry.
-void check_side(const Point& point, TableReader& table) {
+void check_side(const Point& point, formats::TableReader& table) {
   const double y = (*point.at)[1];
   if (point.stands == Standing::pair && y < 0)
     table.error("at", "lies to port, y < 0",
@@ -53,7 +54,7 @@ void check_side(const Point& point, TableReader& table) {
 }
 
 /// `role = "headline"`; a rope whose name is such a word has that role without the key, if it can have it.
-void read_role(Rope& rope, TableReader& table) {
+void read_role(Rope& rope, formats::TableReader& table) {
   const auto& words = rope_roles();
   const bool says = table.has("role");
   if (says) rope.role = table.choice("role", {.allowed = words, .doc = "of the rope in the gear"});
@@ -76,7 +77,7 @@ const std::vector<std::string>& rope_roles() {
   return words;
 }
 
-Rope read_rope(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+Rope read_rope(const std::string& name, formats::TableReader& table, const Catalogue& catalogue) {
   Rope rope;
   rope.name = name;
   rope.place = table.place();
@@ -88,14 +89,14 @@ Rope read_rope(const std::string& name, TableReader& table, const Catalogue& cat
   read_role(rope, table);
   if (table.has("between")) {
     const auto ends =
-        table.texts("between", {.doc = "two points, such as ends of ropes", .count = exactly(2)});
+        table.texts("between", {.doc = "two points, such as ends of ropes", .count = formats::exactly(2)});
     rope.between_place = table.place("between");
     if (ends.size() == 2) rope.between = {ends[0], ends[1]};
   }
   return rope;
 }
 
-Hanging read_hanging(TableReader& table) {
+Hanging read_hanging(formats::TableReader& table) {
   Hanging hanging;
   hanging.edge = table.text("edge", {.doc = "of a panel, such as \"top-wing.inner\""});
   hanging.rope = table.text("on", {.doc = "a rope"});
@@ -105,19 +106,19 @@ Hanging read_hanging(TableReader& table) {
   if (table.has("length") && table.has("ratio"))
     table.error("ratio", "cannot be combined with length, which has the same meaning", "leave out either");
   if (table.has("ratio"))
-    hanging.ratio = table.real(
-        "ratio",
-        {.unit = "1", .doc = "length of rope over that of the stretched edge", .range = between(0.01, 2)});
+    hanging.ratio = table.real("ratio", {.unit = "1",
+                                         .doc = "length of rope over that of the stretched edge",
+                                         .range = formats::between(0.01, 2)});
   else
     hanging.length = read_length(table, "length", "of rope that the edge takes");
   return hanging;
 }
 
-Join read_join(TableReader& table) {
+Join read_join(formats::TableReader& table) {
   Join join;
   join.place = table.place();
-  const Value* edges = table.raw("edges");
-  const Array* array = edges ? edges->as<Array>() : nullptr;
+  const formats::Value* edges = table.raw("edges");
+  const formats::Array* array = edges ? edges->as<formats::Array>() : nullptr;
   if (!array || array->items.size() != 2) {
     table.error("edges", "give two edges that are sewn together, such as [\"wing.aft\", \"body.fore\"]");
     return join;
@@ -127,17 +128,17 @@ Join read_join(TableReader& table) {
     join.edges[i] = read_row(array->items[i], table.path("edges"), table.diagnostics());
   }
   if (table.has("take_up"))
-    join.take_up = table.real(
-        "take_up",
-        {.unit = "1", .doc = "meshes of the second edge for one of the first", .range = between(0.05, 20)});
+    join.take_up = table.real("take_up", {.unit = "1",
+                                          .doc = "meshes of the second edge for one of the first",
+                                          .range = formats::between(0.05, 20)});
   join.selvedge = table.real("selvedge", {.unit = "1",
                                           .doc = "meshes of either edge that are gathered into the seam",
-                                          .range = between(0, 50),
+                                          .range = formats::between(0, 50),
                                           .fallback = 0.0});
   return join;
 }
 
-Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+Pieces read_pieces(const std::string& name, formats::TableReader& table, const Catalogue& catalogue) {
   Pieces pieces;
   pieces.name = name;
   pieces.place = table.place();
@@ -146,24 +147,25 @@ Pieces read_pieces(const std::string& name, TableReader& table, const Catalogue&
   pieces.piece = std::move(part.table);
   const std::string spread = table.text("spread", {.doc = "how many along which rope, or at which point"});
   pieces.spread_place = table.place("spread");
-  if (table.has("spread") && table.kind("spread") == Kind::text && !split_spread(spread, pieces))
+  if (table.has("spread") && table.kind("spread") == formats::Kind::text && !split_spread(spread, pieces))
     table.error("spread", "\"" + spread + "\" is not understood",
                 "give a number of pieces and a rope, an edge or a point, such as \"47 along headrope\" "
                 "or \"2 at footrope.end\"");
   return pieces;
 }
 
-Point read_point(const std::string& name, TableReader& table) {
+Point read_point(const std::string& name, formats::TableReader& table) {
   Point point;
   point.name = name;
   point.place = table.place();
   point.stands = read_standing(table, "pair");
   if (table.has("at")) {
-    const auto at = table.reals("at", {.unit = "m", .doc = "x, y, z", .range = kPlaces, .count = exactly(3)});
+    const auto at =
+        table.reals("at", {.unit = "m", .doc = "x, y, z", .range = kPlaces, .count = formats::exactly(3)});
     if (at.size() == 3) point.at = {at[0], at[1], at[2]};
     if (point.at) check_side(point, table);
   }
   return point;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -8,34 +8,35 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
 constexpr const char* kPoints = "points";
 
 /// Names in the table `points` of a body, or of the part of a catalogue that it names under `key`.
-std::vector<std::string> names_in(const Table* points) {
+std::vector<std::string> names_in(const formats::Table* points) {
   std::vector<std::string> names;
   if (points)
     for (const auto& member : points->members) names.push_back(member.key);
   return names;
 }
 
-const Table* points_of_catalogue(TableReader& table, const Catalogue& catalogue) {
-  Diagnostics silent;  // the scene that reads the body says what is wrong with it
+const formats::Table* points_of_catalogue(formats::TableReader& table, const Catalogue& catalogue) {
+  formats::Diagnostics silent;  // the scene that reads the body says what is wrong with it
   for (const auto& key : part_keys()) {
-    const Value* said = table.has(key) ? table.raw(key) : nullptr;
+    const formats::Value* said = table.has(key) ? table.raw(key) : nullptr;
     if (!said || !names_a_part(*said)) continue;
     const CataloguePart* part = choose_part(*said, kinds_under(key), key, catalogue, silent);
-    const auto points = part ? part->tables.find(kPoints) : std::map<std::string, Value>::const_iterator{};
-    if (part && points != part->tables.end()) return points->second.as<Table>();
+    const auto points =
+        part ? part->tables.find(kPoints) : std::map<std::string, formats::Value>::const_iterator{};
+    if (part && points != part->tables.end()) return points->second.as<formats::Table>();
   }
   return nullptr;
 }
 
 /// The point that warps lead to: the one point `warp` of the bodies, if nothing is said.
-std::string end_of_warp(const NetPlan& plan, TableReader& warp) {
+std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
   if (warp.has("to")) return warp.text("to", {.doc = "the point that it leads to, such as \"door.warp\""});
   std::vector<std::string> ends;
   for (const auto& body : plan.bodies)
@@ -49,24 +50,29 @@ std::string end_of_warp(const NetPlan& plan, TableReader& warp) {
   return {};
 }
 
-std::vector<ShipMoment> read_path(TableReader& path, double speed) {
+std::vector<ShipMoment> read_path(formats::TableReader& path, double speed) {
   const auto t = read_times(path);
-  const auto speeds = read_column(
-      path, "speed",
-      {.unit = "m/s", .doc = "over the ground", .range = between(0, 50), .count = exactly(t.size())}, speed,
-      "ship.speed, with which the gear is towed until then");
-  const auto headings = read_column(
-      path, "heading",
-      {.unit = "rad", .doc = "turned to starboard", .range = between(-100, 100), .count = exactly(t.size())},
-      0, "0, the heading of the tow");
+  const auto speeds = read_column(path, "speed",
+                                  {.unit = "m/s",
+                                   .doc = "over the ground",
+                                   .range = formats::between(0, 50),
+                                   .count = formats::exactly(t.size())},
+                                  speed, "ship.speed, with which the gear is towed until then");
+  const auto headings = read_column(path, "heading",
+                                    {.unit = "rad",
+                                     .doc = "turned to starboard",
+                                     .range = formats::between(-100, 100),
+                                     .count = formats::exactly(t.size())},
+                                    0, "0, the heading of the tow");
   std::vector<ShipMoment> moments;
   for (std::size_t i = 0; i < t.size(); ++i) moments.push_back({t[i], speeds[i], headings[i]});
   return moments;
 }
 
-const RealSpec kTension{.unit = "N", .doc = "at the block, held by the winch", .range = {0, 1e9, true}};
+const formats::RealSpec kTension{
+    .unit = "N", .doc = "at the block, held by the winch", .range = {0, 1e9, true}};
 
-Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogue) {
+Rope read_warp(const NetPlan& plan, formats::TableReader& warp, const Catalogue& catalogue) {
   Rope rope;
   rope.name = rope.role = kWarp;
   rope.place = rope.role_place = warp.place();
@@ -74,7 +80,7 @@ Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogu
   ChosenPart part = read_part_choice(warp, "rope", "rope", catalogue);
   rope.part_name = std::move(part.name);
   rope.rope = std::move(part.table);
-  const RealSpec length{.unit = "m", .doc = "from the block", .range = {0, 1e5, true}};
+  const formats::RealSpec length{.unit = "m", .doc = "from the block", .range = {0, 1e5, true}};
   rope.length = warp.real("length", length);
   if (warp.has("length_port")) rope.length_port = warp.real("length_port", length);
   rope.tension_place = warp.place("tension");
@@ -93,53 +99,55 @@ Rope read_warp(const NetPlan& plan, TableReader& warp, const Catalogue& catalogu
 
 }  // namespace
 
-PlanBody read_plan_body(const std::string& name, TableReader& table, const Catalogue& catalogue) {
+PlanBody read_plan_body(const std::string& name, formats::TableReader& table, const Catalogue& catalogue) {
   PlanBody body;
   body.name = name;
   body.place = table.place();
   body.stands = read_standing(table, "pair");
-  const Value* own = table.has(kPoints) ? table.raw(kPoints) : nullptr;
-  body.points = names_in(own ? own->as<Table>() : points_of_catalogue(table, catalogue));
+  const formats::Value* own = table.has(kPoints) ? table.raw(kPoints) : nullptr;
+  body.points = names_in(own ? own->as<formats::Table>() : points_of_catalogue(table, catalogue));
   for (const auto& key : table.keys()) table.raw(key);  // the scene reads them
   return body;
 }
 
-void add_ship(NetPlan& plan, TableReader& table, const Catalogue& catalogue) {
+void add_ship(NetPlan& plan, formats::TableReader& table, const Catalogue& catalogue) {
   Ship ship;
   ship.place = table.place();
   ship.speed_place = table.place("speed");
-  ship.speed = table.real("speed", {.unit = "m/s", .doc = "over the ground", .range = between(0, 50)});
+  ship.speed =
+      table.real("speed", {.unit = "m/s", .doc = "over the ground", .range = formats::between(0, 50)});
   if (table.has("efficiency"))
     ship.efficiency = table.real(
         "efficiency", {.unit = "1", .doc = "towing power over the heat of the fuel", .range = {0, 1, true}});
   if (table.has("path")) {
-    TableReader path = table.table("path");
+    formats::TableReader path = table.table("path");
     ship.path = read_path(path, ship.speed);
     ship.path_place = path.place();
   }
   if (table.has("path_port")) {
-    TableReader path = table.table("path_port");
+    formats::TableReader path = table.table("path_port");
     ship.path_port = read_path(path, ship.speed);
     if (ship.path.empty())
       table.error("path_port", "stands alone; of the ship to starboard nothing is said",
                   "path beside it, of the ship to starboard");
   }
-  TableReader block = table.table(kBlock, Presence::optional), warp = table.table(kWarp);
-  ship.block_height = block.real(
-      "height",
-      {.unit = "m", .doc = "of the blocks above the water", .range = between(-100, 100), .fallback = 4.0});
+  formats::TableReader block = table.table(kBlock, formats::Presence::optional), warp = table.table(kWarp);
+  ship.block_height = block.real("height", {.unit = "m",
+                                            .doc = "of the blocks above the water",
+                                            .range = formats::between(-100, 100),
+                                            .fallback = 4.0});
   ship.block_gap = block.real("gap", {.unit = "m",
                                       .doc = "between the blocks to port and to starboard",
-                                      .range = between(0, 2000),
+                                      .range = formats::between(0, 2000),
                                       .fallback = 6.0});
   if (!ship.path_port.empty() && ship.block_gap == 0)
     table.error("path_port", "has no block to port: both blocks stand in the middle",
                 "block = { gap = \"6 m\" }, the distance between both");
   plan.points.push_back(
       {kBlock, Standing::pair, {{0, ship.block_gap / 2, ship.block_height}}, block.place()});
-  if (table.diagnostics().errors() == 0 || table.kind(kWarp) == Kind::table)
+  if (table.diagnostics().errors() == 0 || table.kind(kWarp) == formats::Kind::table)
     plan.ropes.push_back(read_warp(plan, warp, catalogue));
   plan.ship = ship;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

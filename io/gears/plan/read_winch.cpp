@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -13,13 +13,13 @@ using Follows = WinchStage::Follows;
 
 constexpr const char* kKeys[] = {"length", "speed", "tension"};
 constexpr const char* kOfTension[] = {"max_speed", "band", "dead_band"};
-const Range kTensions{0, 1e9, true};
+const formats::Range kTensions{0, 1e9, true};
 constexpr const char* kOfBlock = "at the block, held by the winch";
 
 /// One table of `winch`, and what stands before it.
 class StageReader {
  public:
-  StageReader(TableReader table, const Rope& warp)
+  StageReader(formats::TableReader table, const Rope& warp)
       : table_(std::move(table)), warp_(warp), before_(warp.winch.empty() ? nullptr : &warp.winch.back()) {}
 
   /// Without rows if it was refused, or if warp.tension says all.
@@ -61,10 +61,11 @@ class StageReader {
 
   std::vector<double> read_stage_times() { return before_ ? read_later_times(table_) : read_times(table_); }
 
-  void read_column_of(const char* key, const char* unit, const char* doc, Range range, double less = 0) {
+  void read_column_of(const char* key, const char* unit, const char* doc, formats::Range range,
+                      double less = 0) {
     const auto t = read_stage_times();
     const auto values =
-        table_.reals(key, {.unit = unit, .doc = doc, .range = range, .count = exactly(t.size())});
+        table_.reals(key, {.unit = unit, .doc = doc, .range = range, .count = formats::exactly(t.size())});
     for (std::size_t i = 0; i < std::min(t.size(), values.size()); ++i)
       stage_.rows.push_back({t[i], values[i] - less});
   }
@@ -99,7 +100,7 @@ class StageReader {
   }
 
   void read_speeds() {
-    read_column_of("speed", "m/s", "paying out; negative: hauling", between(-50, 50));
+    read_column_of("speed", "m/s", "paying out; negative: hauling", formats::between(-50, 50));
     double out = 0;
     for (std::size_t i = 1; i < stage_.rows.size(); ++i) {
       const auto &before = stage_.rows[i - 1], &here = stage_.rows[i];
@@ -142,7 +143,7 @@ class StageReader {
 
   static constexpr const char* kTooShort = "hauls more warp than there is";
 
-  TableReader table_;
+  formats::TableReader table_;
   const Rope& warp_;
   const WinchStage* before_;  // the table before, or null
   WinchStage stage_;
@@ -150,20 +151,20 @@ class StageReader {
 
 }  // namespace
 
-void read_winch(TableReader& warp, Rope& rope) {
+void read_winch(formats::TableReader& warp, Rope& rope) {
   rope.winch_place = warp.place("winch");
-  std::vector<TableReader> tables;
-  const Value* value = warp.raw("winch");
-  const Array* list = value ? value->as<Array>() : nullptr;
+  std::vector<formats::TableReader> tables;
+  const formats::Value* value = warp.raw("winch");
+  const formats::Array* list = value ? value->as<formats::Array>() : nullptr;
   if (list && list->items.empty()) warp.error("winch", "has no table that says how it runs", "leave it out");
   if (list)
     tables = warp.tables("winch");
   else
     tables.push_back(warp.table("winch"));
-  for (const TableReader& table : tables) {
+  for (const formats::TableReader& table : tables) {
     WinchStage stage = StageReader(table, rope).read();
     rope.winch.push_back(std::move(stage));
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -23,11 +23,11 @@ Bundle bundle_of(const Panel& panel, double meshes) {
 }
 
 /// The properties of a strip's rope, from those of the twine.
-Value strip_of(const Panel& panel, const Bundle& bundle, Diagnostics& diagnostics) {
-  Value strip = panel.twine;
-  TableReader twine(panel.twine, diagnostics, "panels." + panel.name + ".twine");
+formats::Value strip_of(const Panel& panel, const Bundle& bundle, formats::Diagnostics& diagnostics) {
+  formats::Value strip = panel.twine;
+  formats::TableReader twine(panel.twine, diagnostics, "panels." + panel.name + ".twine");
   const auto scale = [&](const char* key, const char* unit, double factor) {
-    if (Member* member = twine.has(key) ? strip.as<Table>()->find(key) : nullptr)
+    if (formats::Member* member = twine.has(key) ? strip.as<formats::Table>()->find(key) : nullptr)
       member->value.data = factor * twine.real(key, {.unit = unit});  // (2)
   };
   scale("diameter", "m", std::sqrt(bundle.twines));
@@ -37,7 +37,8 @@ Value strip_of(const Panel& panel, const Bundle& bundle, Diagnostics& diagnostic
 }
 
 /// Whether an edge already has a strip; that it is sewn twice is reported by the check.
-bool is_taken(const NetPlan& plan, const std::string& name, const Join& join, Diagnostics& diagnostics) {
+bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
+              formats::Diagnostics& diagnostics) {
   const Rope* rope = plan.find_rope(name);
   const bool is_written = (rope && !rope->is_selvedge) || plan.find_panel(name) || plan.find_point(name);
   if (is_written)
@@ -48,7 +49,7 @@ bool is_taken(const NetPlan& plan, const std::string& name, const Join& join, Di
 
 /// Adds a rope on the edge, as long as its twines, so that it is slack until they are straight.
 void add_strip(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
-               Diagnostics& diagnostics) {
+               formats::Diagnostics& diagnostics) {
   const Panel& panel = *set.panel;
   Rope rope;
   rope.name = panel.name + "-" + edge.name + "-selvedge";
@@ -74,15 +75,15 @@ void gather(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, double m
         if (cut.name == edge.name) cut.selvedge = meshes;
 }
 
-void say_not_a_side(const Join& join, const std::string& edge, Diagnostics& diagnostics) {
+void say_not_a_side(const Join& join, const std::string& edge, formats::Diagnostics& diagnostics) {
   diagnostics.error(join.place, "join.selvedge: " + edge + " is not a side",
                     "selvedges are gathered along sides; fore and aft edges are sewn mesh to mesh");
 }
 
 }  // namespace
 
-void add_selvedges(NetPlan& plan, Diagnostics& diagnostics) {
-  Diagnostics silent;  // unknown names are reported by the check
+void add_selvedges(NetPlan& plan, formats::Diagnostics& diagnostics) {
+  formats::Diagnostics silent;  // unknown names are reported by the check
   for (const auto& join : plan.joins)
     for (std::size_t k = 0; join.selvedge > 0 && k < (join.is_to_itself() ? 1u : 2u); ++k)
       for (const auto& name : join.edges[k]) {
@@ -96,4 +97,4 @@ void add_selvedges(NetPlan& plan, Diagnostics& diagnostics) {
       }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::array<double, 3> GearPanel::sketched(PanelPoint point) const {
   return at;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 namespace {
 
-const Range kTimes{0, 1e9};
+const formats::Range kTimes{0, 1e9};
 
-std::vector<double> read_ascending(TableReader& table, std::size_t least) {
+std::vector<double> read_ascending(formats::TableReader& table, std::size_t least) {
   const auto t = table.reals("t", {.unit = "s", .doc = "times", .range = kTimes, .count = {.least = least}});
   for (std::size_t i = 1; i < t.size(); ++i)
     if (!(t[i] > t[i - 1])) {
@@ -21,16 +21,16 @@ std::vector<double> read_ascending(TableReader& table, std::size_t least) {
 
 }  // namespace
 
-std::vector<double> read_times(TableReader& table) {
+std::vector<double> read_times(formats::TableReader& table) {
   auto t = read_ascending(table, 2);
   if (!t.empty() && t[0] != 0) table.error("t", "does not begin at 0, where the gear is towed steadily");
   return t;
 }
 
-std::vector<double> read_later_times(TableReader& table) { return read_ascending(table, 1); }
+std::vector<double> read_later_times(formats::TableReader& table) { return read_ascending(table, 1); }
 
-std::vector<double> read_column(TableReader& table, const std::string& key, const RealsSpec& spec,
-                                double start, const std::string& why) {
+std::vector<double> read_column(formats::TableReader& table, const std::string& key,
+                                const formats::RealsSpec& spec, double start, const std::string& why) {
   if (!table.has(key)) return std::vector<double>(spec.count.least, start);
   auto column = table.reals(key, spec);
   if (!column.empty() && std::abs(column[0] - start) > 1e-9 * (1 + std::abs(start)))
@@ -39,4 +39,4 @@ std::vector<double> read_column(TableReader& table, const std::string& key, cons
   return column;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

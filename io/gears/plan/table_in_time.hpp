@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The column `t` of a table in time [s]: from zero on, each later than the one before.
-std::vector<double> read_times(TableReader& table);
+std::vector<double> read_times(formats::TableReader& table);
 /// The same of a table that goes on at t[0] from what was there until then; one time may do.
-std::vector<double> read_later_times(TableReader& table);
+std::vector<double> read_later_times(formats::TableReader& table);
 
 /// A column beside the times; `start` where it is left out, and what it has to begin with.
-std::vector<double> read_column(TableReader& table, const std::string& key, const RealsSpec& spec,
-                                double start, const std::string& why);
+std::vector<double> read_column(formats::TableReader& table, const std::string& key,
+                                const formats::RealsSpec& spec, double start, const std::string& why);
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

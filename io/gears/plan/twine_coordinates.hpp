@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// Coordinates of a point of a panel in repose along its twines, in bars (Priour 2013: u and v are the two
 /// twine directions, and knots have whole numbers of both). U meshes across, outwards; V meshes deep, aft:
@@ -30,4 +30,4 @@ inline double stretched_meshes(const std::array<double, 2>& from_to) {
   return (std::abs(from_to[0]) + std::abs(from_to[1])) / 2;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

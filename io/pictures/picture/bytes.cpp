@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -39,4 +39,4 @@ std::string deflated(Bytes bytes) {
   return small;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

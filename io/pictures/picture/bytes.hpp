@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 using Bytes = std::span<const unsigned char>;
 
@@ -18,4 +18,4 @@ std::string base64(Bytes bytes);
 /// zlib's format at a level that is quick to write. Throws std::runtime_error if there is no memory.
 std::string deflated(Bytes bytes);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 constexpr float kFar = -std::numeric_limits<float>::infinity();
@@ -62,4 +62,4 @@ Colour Canvas::resolve(std::size_t x, std::size_t y, const Colour& ground) const
   return colour;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

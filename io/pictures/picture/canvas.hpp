@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// Red, green and blue bytes, row by row from the upper left corner.
 struct Image {
@@ -45,4 +45,4 @@ class Canvas {
   std::vector<Fragment> fragments_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::string hex(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", byte(colour[0]), byte(colour[1]), byte(colour[2]));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// Red, green and blue from 0 to 1.
 using Colour = std::array<float, 3>;
@@ -28,4 +28,4 @@ inline constexpr Colour kNoValue = {0.55f, 0.55f, 0.55f}, kFloatColour = {0.93f,
 /// "#21908d"
 std::string hex(const Colour& colour);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

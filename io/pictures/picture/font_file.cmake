@@ -8,7 +8,7 @@ string(REGEX REPLACE "(.........................................................
 file(CONFIGURE OUTPUT font_file.cpp CONTENT "// SPDX-License-Identifier: BSD-3-Clause
 #include \"io/pictures/picture/font_file.hpp\"
 
-namespace netloft::io {
+namespace netloft::pictures {
 const unsigned char kFontFile[] = {
 @bytes@};
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -56,7 +56,7 @@ struct Side {
 };
 
 /// The outlines of the panels. They are seen even where netting is gathered to nothing.
-std::vector<Side> outline_of(const StoredMesh& mesh) {
+std::vector<Side> outline_of(const results::StoredMesh& mesh) {
   std::map<std::array<std::uint32_t, 3>, std::pair<Side, int>> sides;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -91,7 +91,7 @@ class GearPainter {
       for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) paint_triangle(t);
       for (std::size_t b = 0; b < mesh_.bars.size(); ++b) paint_bar(b);
       for (const auto& side : outline_)
-        paint_line(side.nodes[0], side.nodes[1], colour(CellKind::netting, side.cell), kLeastTwine);
+        paint_line(side.nodes[0], side.nodes[1], colour(results::CellKind::netting, side.cell), kLeastTwine);
       for (std::size_t d = 0; d < mesh_.dots.size(); ++d)
         if (part(mesh_.dot_cells[d]).is_contact == shows_contacts_ && !has_plate(d)) paint_dot(d);
     }
@@ -114,8 +114,12 @@ class GearPainter {
         visit(static_cast<std::size_t>(column), static_cast<std::size_t>(row), column + dx_, row + dy_);
   }
 
-  Colour colour(CellKind kind, std::uint32_t cell) const { return shape_.colour_of_cell(kind, cell); }
-  const StoredPart& part(std::uint32_t cell) const { return shape_.result->parts[mesh_.cell_part[cell]]; }
+  Colour colour(results::CellKind kind, std::uint32_t cell) const {
+    return shape_.colour_of_cell(kind, cell);
+  }
+  const results::StoredPart& part(std::uint32_t cell) const {
+    return shape_.result->parts[mesh_.cell_part[cell]];
+  }
   double half_pixels(std::uint32_t cell, double least) const {
     const double diameter = part(cell).diameter;
     return std::max(least, std::isfinite(diameter) ? diameter / 2 * projection_.pixels_per_metre : 0);
@@ -150,8 +154,8 @@ class GearPainter {
     for_inside(p, [&](std::size_t column, std::size_t row, double b, double c, double rx, double ry) {
       double cover = 0;
       for (const auto& u : twines) cover = std::max(cover, twine_cover(u(rx, ry), u.slope(), half_width));
-      const Colour seen =
-          shape_.colour(CellKind::netting, cell, (1 - b - c) * values[0] + b * values[1] + c * values[2]);
+      const Colour seen = shape_.colour(results::CellKind::netting, cell,
+                                        (1 - b - c) * values[0] + b * values[1] + c * values[2]);
       canvas_.add(column, row, depth(rx, ry), scaled(seen, light), kFill);
       canvas_.add(column, row, depth(rx, ry) + 1e-4, seen, cover);
     });
@@ -220,7 +224,7 @@ class GearPainter {
 
   bool has_plate(std::size_t dot) const {
     return std::any_of(shape_.plates.begin(), shape_.plates.end(),
-                       [&](const BodyPlate& plate) { return plate.dot == dot; });
+                       [&](const results::BodyPlate& plate) { return plate.dot == dot; });
   }
 
   struct Solid {
@@ -253,7 +257,7 @@ class GearPainter {
 
   void paint_bar(std::size_t i) {
     const auto cell = mesh_.bar_cells[i];
-    paint_line(mesh_.bars[i][0], mesh_.bars[i][1], colour(CellKind::rope, cell),
+    paint_line(mesh_.bars[i][0], mesh_.bars[i][1], colour(results::CellKind::rope, cell),
                half_pixels(cell, kLeastRope));
   }
 
@@ -277,7 +281,7 @@ class GearPainter {
     const Point3& at = at_[mesh_.dots[i]];
     const auto cell = mesh_.dot_cells[i];
     const double r = half_pixels(cell, kLeastBall);
-    const Colour own = colour(CellKind::point, cell);
+    const Colour own = colour(results::CellKind::point, cell);
     for_samples(at[0] - r, at[0] + r, at[1] - r, at[1] + r,
                 [&](std::size_t column, std::size_t row, double x, double y) {
                   const double off = std::hypot(x - at[0], y - at[1]) / r;
@@ -288,7 +292,7 @@ class GearPainter {
   }
 
   const GearShape& shape_;
-  const StoredMesh& mesh_;
+  const results::StoredMesh& mesh_;
   std::vector<Side> outline_;
   bool shows_contacts_;
   const Projection& projection_;
@@ -333,4 +337,4 @@ Image paint(const GearShape& shape, const Projection& projection, std::size_t wi
   return image;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,11 +5,11 @@
 
 #include <cstddef>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// Paints netting in twines as far apart as the picture can show, ropes, floats; hidden surfaces are right in
 /// every pixel.
 Image paint(const GearShape& shape, const Projection& projection, std::size_t width, std::size_t height,
             const Colour& ground);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

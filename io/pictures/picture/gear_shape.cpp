@@ -8,17 +8,18 @@
 #include <limits>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
-std::string names_of(const std::vector<StoredField>& fields) {
+std::string names_of(const std::vector<results::StoredField>& fields) {
   std::string names;
   for (const auto& field : fields) names += field.name + ", ";
   return names + "part";
 }
 
-std::optional<StoredField> find_field(const StoredResult& result, const std::string& wanted) {
+std::optional<results::StoredField> find_field(const results::StoredResult& result,
+                                               const std::string& wanted) {
   if (wanted == "part") return {};
   for (const auto& field : result.fields)
     if (wanted.empty() ? !field.is_total : field.name == wanted) return field;
@@ -28,7 +29,7 @@ std::optional<StoredField> find_field(const StoredResult& result, const std::str
   return {};
 }
 
-std::vector<std::array<double, 3>> same_at_corners(const StoredMesh& mesh,
+std::vector<std::array<double, 3>> same_at_corners(const results::StoredMesh& mesh,
                                                    const std::vector<double>& values) {
   std::vector<std::array<double, 3>> corners;
   for (const auto cell : mesh.triangle_cells) corners.push_back({values[cell], values[cell], values[cell]});
@@ -41,43 +42,43 @@ double GearShape::value_of(std::uint32_t cell) const {
   return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[cell];
 }
 
-Colour GearShape::colour(CellKind kind, std::uint32_t cell, double value) const {
+Colour GearShape::colour(results::CellKind kind, std::uint32_t cell, double value) const {
   if (!field) return colour_of_part(result->mesh.cell_part[cell]);
   const auto& scale = scales[static_cast<std::size_t>(kind)];
-  if (!scale || !std::isfinite(value)) return kind == CellKind::point ? kFloatColour : kNoValue;
+  if (!scale || !std::isfinite(value)) return kind == results::CellKind::point ? kFloatColour : kNoValue;
   return colour_at(scale->place(value));
 }
 
-Colour GearShape::colour_of_plate(const BodyPlate& plate) const {
+Colour GearShape::colour_of_plate(const results::BodyPlate& plate) const {
   const auto cell = result->mesh.dot_cells[plate.dot];
   const bool is_known =
-      !field || (scales[static_cast<std::size_t>(CellKind::point)] && std::isfinite(value_of(cell)));
-  return is_known ? colour_of_cell(CellKind::point, cell) : kBodyColour;
+      !field || (scales[static_cast<std::size_t>(results::CellKind::point)] && std::isfinite(value_of(cell)));
+  return is_known ? colour_of_cell(results::CellKind::point, cell) : kBodyColour;
 }
 
 bool GearShape::shows_contacts() const {
-  return field && !scales[static_cast<std::size_t>(CellKind::netting)] &&
-         !scales[static_cast<std::size_t>(CellKind::rope)];
+  return field && !scales[static_cast<std::size_t>(results::CellKind::netting)] &&
+         !scales[static_cast<std::size_t>(results::CellKind::rope)];
 }
 
-GearShape shape_of(const StoredResult& result, std::size_t state, const Colouring& colouring) {
+GearShape shape_of(const results::StoredResult& result, std::size_t state, const Colouring& colouring) {
   GearShape shape;
   shape.result = &result;
   const auto points = result.points(state);
   for (std::size_t n = 0; n < result.mesh.n_points; ++n)
     shape.nodes.push_back({points[3 * n], points[3 * n + 1], points[3 * n + 2]});
-  shape.fish = catch_body_of(result, state);
-  shape.plates = plates_of(result, state);
-  for (const auto& ship : ships_of(result, state)) {
-    const auto triangles = triangles_of(ship);
+  shape.fish = results::catch_body_of(result, state);
+  shape.plates = results::plates_of(result, state);
+  for (const auto& ship : results::ships_of(result, state)) {
+    const auto triangles = results::triangles_of(ship);
     shape.hulls.insert(shape.hulls.end(), triangles.begin(), triangles.end());
   }
   shape.field = find_field(result, colouring.field);
   if (!shape.field) return shape;
   shape.values = result.field(shape.field->name, state);
-  shape.scales = scales_of(spreads_of(result, shape.field->name), colouring.is_logarithmic);
+  shape.scales = results::scales_of(results::spreads_of(result, shape.field->name), colouring.is_logarithmic);
   shape.at_corners = colouring.by_element ? same_at_corners(result.mesh, shape.values)
-                                          : values_at_corners(result.mesh, shape.values);
+                                          : results::values_at_corners(result.mesh, shape.values);
   return shape;
 }
 
@@ -89,7 +90,7 @@ std::optional<Framing> framing_called(const std::string& name) {
 }
 
 std::vector<Point3> extent_of(const GearShape& shape, Framing framing) {
-  const StoredMesh& mesh = shape.result->mesh;
+  const results::StoredMesh& mesh = shape.result->mesh;
   std::vector<Point3> points;
   const auto take = [&](const Point3& place) {
     points.push_back(place);
@@ -108,4 +109,4 @@ std::vector<Point3> extent_of(const GearShape& shape, Framing framing) {
   return points;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

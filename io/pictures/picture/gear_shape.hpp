@@ -11,27 +11,27 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// A state of a result, ready to be painted.
 struct GearShape {
-  const StoredResult* result = nullptr;
+  const results::StoredResult* result = nullptr;
   std::vector<Point3> nodes;
-  std::optional<StoredField> field;  // what is coloured; nothing: the part
-  FieldScales scales;
+  std::optional<results::StoredField> field;  // what is coloured; nothing: the part
+  results::FieldScales scales;
   std::vector<double> values;                     // by cell
   std::vector<std::array<double, 3>> at_corners;  // by triangle; of netting these are shown
-  CatchBody fish;
-  std::vector<BodyPlate> plates;
+  results::CatchBody fish;
+  std::vector<results::BodyPlate> plates;
   std::vector<Point3> hulls;  // of ships: corners of triangles
 
   /// The colour of a value on some kind of cell; that of a part where no field is shown.
-  Colour colour(CellKind kind, std::uint32_t cell, double value) const;
-  Colour colour_of_cell(CellKind kind, std::uint32_t cell) const {
+  Colour colour(results::CellKind kind, std::uint32_t cell, double value) const;
+  Colour colour_of_cell(results::CellKind kind, std::uint32_t cell) const {
     return colour(kind, cell, value_of(cell));
   }
   /// The colour of a rigid body.
-  Colour colour_of_plate(const BodyPlate& plate) const;
+  Colour colour_of_plate(const results::BodyPlate& plate) const;
   /// Whether single nodes that only touch the bed are shown: where nothing else has the field.
   bool shows_contacts() const;
 
@@ -47,7 +47,7 @@ struct Colouring {
 };
 
 /// Throws std::invalid_argument with a sentence for a field that the result has not.
-GearShape shape_of(const StoredResult& result, std::size_t state, const Colouring& colouring);
+GearShape shape_of(const results::StoredResult& result, std::size_t state, const Colouring& colouring);
 
 /// What there is room for in a picture: the netting; boards and other bodies, too; bridles, warps and ship,
 /// too.
@@ -59,4 +59,4 @@ std::optional<Framing> framing_called(const std::string& name);
 /// Points that a picture has to hold, of a half model mirrored, too; everything if there is no netting.
 std::vector<Point3> extent_of(const GearShape& shape, Framing framing);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

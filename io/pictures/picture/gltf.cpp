@@ -11,7 +11,7 @@
 #include <cstring>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 // Numbers of glTF 2.0 (and of OpenGL).
 enum Mode { kPoints = 0, kLines = 1, kTriangles = 4 };
-constexpr double kLeastTwine = 0.03;  // half width in a texture, in meshes: thinner ones are not seen
+constexpr double kLeastTextureTwine = 0.03;  // half width in a texture, in meshes: thinner ones are not seen
 constexpr int kFloat = 5126, kArrayBuffer = 34962, kLinear = 9729, kLinearMipmapLinear = 9987;
 
 /// Colours of vertices are linear in glTF, ours are those of screens (IEC 61966-2-1).
@@ -50,7 +50,7 @@ std::uint32_t ship_of(const GearShape& shape) {
 }
 
 Primitives gather(const GearShape& shape) {
-  const StoredMesh& mesh = shape.result->mesh;
+  const results::StoredMesh& mesh = shape.result->mesh;
   Primitives all;
   const auto add = [&](Mode mode, std::uint32_t cell, std::uint32_t node, const Colour& colour) {
     all[{mesh.cell_part[cell], mode}].add(shape.nodes[node], colour);
@@ -59,14 +59,15 @@ Primitives gather(const GearShape& shape) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const auto cell = mesh.triangle_cells[t];
       const double value = shape.field ? shape.at_corners[t][corner] : 0;
-      add(kTriangles, cell, mesh.triangles[t][corner], shape.colour(CellKind::netting, cell, value));
+      add(kTriangles, cell, mesh.triangles[t][corner], shape.colour(results::CellKind::netting, cell, value));
       all.at({mesh.cell_part[cell], kTriangles}).add_meshes(&mesh.corners[t][2 * corner]);
     }
   for (std::size_t b = 0; b < mesh.bars.size(); ++b)
     for (const auto node : mesh.bars[b])
-      add(kLines, mesh.bar_cells[b], node, shape.colour_of_cell(CellKind::rope, mesh.bar_cells[b]));
+      add(kLines, mesh.bar_cells[b], node, shape.colour_of_cell(results::CellKind::rope, mesh.bar_cells[b]));
   for (std::size_t d = 0; d < mesh.dots.size(); ++d)
-    add(kPoints, mesh.dot_cells[d], mesh.dots[d], shape.colour_of_cell(CellKind::point, mesh.dot_cells[d]));
+    add(kPoints, mesh.dot_cells[d], mesh.dots[d],
+        shape.colour_of_cell(results::CellKind::point, mesh.dot_cells[d]));
   for (const auto& plate : shape.plates)
     for (const auto& corner : plate.triangles)
       all[{mesh.cell_part[mesh.dot_cells[plate.dot]], kTriangles}].add(corner, shape.colour_of_plate(plate));
@@ -135,9 +136,9 @@ class GltfWriter {
   /// The material with the twines of a part's netting; the plain one where it is not known how they lie.
   /// Parts of the same netting share one.
   std::size_t material_of_netting(std::uint32_t part) {
-    const StoredPart& p = shape_.result->parts[part];
+    const results::StoredPart& p = shape_.result->parts[part];
     const double half_width = std::isfinite(p.diameter / p.bar) ? p.diameter / p.bar / 2 : 0;
-    const auto texture = netting_texture(p.twine_axes, std::max(half_width, kLeastTwine));
+    const auto texture = netting_texture(p.twine_axes, std::max(half_width, kLeastTextureTwine));
     if (!texture) return 0;
     const std::string bytes = png(*texture);
     const auto [at, is_new] = material_of_texture_.try_emplace(bytes, materials_.size());
@@ -216,4 +217,4 @@ class GltfWriter {
 
 std::string glb(const GearShape& shape) { return GltfWriter(shape).write(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// The bytes of a binary glTF 2.0 file (.glb): a node for every part with its name, triangles, lines and
 /// points in the colours of the shape, in metres, y up. A half is there twice, the second time mirrored.
 std::string glb(const GearShape& shape);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::vector<Frame> place_labels(const std::vector<LabelledLine>& lines, double s
   return places;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

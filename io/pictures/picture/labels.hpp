@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// A line on the sheet, and how long the words are that belong beside it [pixels].
 struct LabelledLine {
@@ -17,4 +17,4 @@ struct LabelledLine {
 /// place is taken that is free of all words before it, else the one that shares least with them.
 std::vector<Frame> place_labels(const std::vector<LabelledLine>& lines, double size, const Frame& picture);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

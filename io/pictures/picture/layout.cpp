@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -25,11 +25,13 @@ std::string number(double value) {
 }
 
 /// "tension of twines [N]"
-std::string legend_title(const GearShape& shape, CellKind kind, std::size_t rows) {
+std::string legend_title(const GearShape& shape, results::CellKind kind, std::size_t rows) {
   std::string name = shape.field->name;
   std::replace(name.begin(), name.end(), '_', ' ');
   if (rows > 1)
-    name += kind == CellKind::netting ? ", netting" : kind == CellKind::rope ? ", ropes" : ", single nodes";
+    name += kind == results::CellKind::netting ? ", netting"
+            : kind == results::CellKind::rope  ? ", ropes"
+                                               : ", single nodes";
   const std::string& unit = shape.field->unit(kind);
   return unit == "1" ? name : name + " [" + (unit == "N/m2" ? "N/m²" : unit == "m2" ? "m²" : unit) + "]";
 }
@@ -41,7 +43,7 @@ std::size_t rows_of(const GearShape& shape) {
              : 0;
 }
 
-void add_ticks(const Scale& scale, double left, double top, SheetLayout& layout) {
+void add_ticks(const results::Scale& scale, double left, double top, SheetLayout& layout) {
   const auto ticks = scale.ticks();
   for (const double tick : ticks) {
     const double x = left + kBarWidth * scale.place(tick);
@@ -54,8 +56,9 @@ void add_ticks(const Scale& scale, double left, double top, SheetLayout& layout)
   if (scale.is_cut_above) layout.words.push_back({left + kBarWidth + 4, top + kBarHeight, ">", 12});
 }
 
-void add_legend(const GearShape& shape, CellKind kind, double right, double top, SheetLayout& layout) {
-  const Scale& scale = *shape.scales[static_cast<std::size_t>(kind)];
+void add_legend(const GearShape& shape, results::CellKind kind, double right, double top,
+                SheetLayout& layout) {
+  const results::Scale& scale = *shape.scales[static_cast<std::size_t>(kind)];
   const double left = right - kBarWidth - 12;
   constexpr int kSteps = 65;
   for (int i = 0; i < kSteps; ++i)
@@ -71,7 +74,7 @@ void add_legend(const GearShape& shape, CellKind kind, double right, double top,
 double legend_height(const GearShape& shape) { return kRow * static_cast<double>(rows_of(shape)); }
 
 void add_legends(const GearShape& shape, double right, double top, SheetLayout& layout) {
-  for (const auto kind : {CellKind::netting, CellKind::rope, CellKind::point}) {
+  for (const auto kind : {results::CellKind::netting, results::CellKind::rope, results::CellKind::point}) {
     if (!shape.field || !shape.scales[static_cast<std::size_t>(kind)]) continue;
     add_legend(shape, kind, right, top, layout);
     top += kRow;
@@ -117,9 +120,9 @@ void add_dimensions(const GearShape& shape, const Projection& projection, const 
   for (const auto& node : shape.nodes) points.insert(points.end(), node.begin(), node.end());
   std::vector<LabelledLine> lines;
   std::vector<std::string> words;
-  for (const auto& dimension : dimensions_of(*shape.result)) {
-    const Point3 from = place_of(dimension.from, *shape.result, points, {});
-    const Point3 to = place_of(dimension.to, *shape.result, points, from);
+  for (const auto& dimension : results::dimensions_of(*shape.result)) {
+    const Point3 from = results::place_of(dimension.from, *shape.result, points, {});
+    const Point3 to = results::place_of(dimension.to, *shape.result, points, from);
     Point3 a = projection(from), b = projection(to);
     a[1] += picture.top;
     b[1] += picture.top;
@@ -136,4 +139,4 @@ void add_dimensions(const GearShape& shape, const Projection& projection, const 
         {places[i].left, places[i].top + places[i].height, words[i], kWords, SheetLayout::Align::left, true});
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// What stands around and over the picture of a gear, in pixels from the upper left corner of the sheet; not
 /// yet as SVG or PNG.
@@ -47,4 +47,4 @@ void add_scale_bar(double pixels_per_metre, double x, double y, double longest, 
 void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
                     SheetLayout& layout);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::optional<Image> netting_texture(const std::array<double, 4>& axes, double h
   return image;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

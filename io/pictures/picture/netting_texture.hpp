@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// One mesh of netting as a texture that repeats with U and V, whose rows go with V: twines dark, between
 /// them white, so that it darkens what is coloured under it. `axes`: twines lie where u = a U + b V or v = c
@@ -13,4 +13,4 @@ namespace netloft::io {
 /// and V.
 std::optional<Image> netting_texture(const std::array<double, 4>& axes, double half_width);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -107,4 +107,4 @@ Palette palette_of(const Image& image) {
   return palette;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

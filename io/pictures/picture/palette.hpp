@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// A picture in 256 colours at most.
 struct Palette {
@@ -19,4 +19,4 @@ struct Palette {
 /// side (P. Heckbert, Color image quantization for frame buffer display, SIGGRAPH 1982).
 Palette palette_of(const Image& image);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -9,36 +9,36 @@
 #include <cmath>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
-constexpr double kTall = 420, kMargin = 20, kNames = 150;  // pixels; room for names to the right
+constexpr double kTall = 420, kSketchMargin = 20, kNames = 150;  // pixels; room for names to the right
 constexpr const char *kInk = "#222", *kPale = "#555";
 
 using Grid = std::array<long, 2>;  // a place in tenths of millimetres, so that equal corners compare equal
-using Side = std::array<Grid, 2>;
+using GridSide = std::array<Grid, 2>;
 
 /// The sides of a panel's triangles, with the number of triangles that have them.
-using Sides = std::map<Side, int>;
+using GridSides = std::map<GridSide, int>;
 
-Grid grid_of(const SheetPlace& s, double U, double V) {
+Grid grid_of(const scenes::SheetPlace& s, double U, double V) {
   return {std::lround(1e4 * (s.x + U * s.x_across + V * s.x_deep)),
           std::lround(1e4 * (s.y + U * s.y_across + V * s.y_deep))};
 }
 
-std::map<std::uint32_t, Sides> sides_of(const StoredResult& result) {
-  std::map<std::uint32_t, Sides> all;
-  const StoredMesh& mesh = result.mesh;
+std::map<std::uint32_t, GridSides> sides_of(const results::StoredResult& result) {
+  std::map<std::uint32_t, GridSides> all;
+  const results::StoredMesh& mesh = result.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto part = mesh.cell_part[mesh.triangle_cells[t]];
-    const SheetPlace& sheet = result.parts[part].sheet;
+    const scenes::SheetPlace& sheet = result.parts[part].sheet;
     const auto& uv = mesh.corners[t];
     if (!std::isfinite(sheet.x + uv[0] + uv[2] + uv[4])) continue;
     std::array<Grid, 3> corner;
     for (std::size_t k = 0; k < 3; ++k) corner[k] = grid_of(sheet, uv[2 * k], uv[2 * k + 1]);
     for (std::size_t k = 0; k < 3; ++k) {
-      Side side = {corner[k], corner[(k + 1) % 3]};
+      GridSide side = {corner[k], corner[(k + 1) % 3]};
       std::sort(side.begin(), side.end());
       ++all[part][side];
     }
@@ -47,7 +47,7 @@ std::map<std::uint32_t, Sides> sides_of(const StoredResult& result) {
 }
 
 /// The box around everything on the sheet.
-struct Box {
+struct SketchBox {
   long left = 1L << 60, right = -(1L << 60), top = 1L << 60, bottom = -(1L << 60);
   void take(const Grid& p) {
     left = std::min(left, p[0]);
@@ -59,9 +59,9 @@ struct Box {
 
 }  // namespace
 
-std::string plan_sketch(const StoredResult& result) {
+std::string plan_sketch(const results::StoredResult& result) {
   const auto sides = sides_of(result);
-  Box whole;
+  SketchBox whole;
   for (const auto& [part, all] : sides)
     for (const auto& [side, times] : all) {
       whole.take(side[0]);
@@ -70,22 +70,22 @@ std::string plan_sketch(const StoredResult& result) {
   if (sides.empty() || whole.bottom <= whole.top) return "";
   const double scale = kTall / static_cast<double>(whole.bottom - whole.top);
   const auto place = [&](const Grid& p) {
-    return PicturePoint{kMargin + scale * static_cast<double>(p[0] - whole.left),
-                        kMargin + scale * static_cast<double>(p[1] - whole.top)};
+    return formats::PicturePoint{kSketchMargin + scale * static_cast<double>(p[0] - whole.left),
+                                 kSketchMargin + scale * static_cast<double>(p[1] - whole.top)};
   };
-  SvgPicture picture;
+  formats::SvgPicture picture;
   for (const auto& [part, all] : sides) {
-    Box box;
+    SketchBox box;
     for (const auto& [side, times] : all) {
       box.take(side[0]);
       box.take(side[1]);
       if (times == 1) picture.line(place(side[0]), place(side[1]), kInk, 1.2);
     }
-    const PicturePoint right = place({box.right, (box.top + box.bottom) / 2});
-    picture.text({right.x + 6, right.y + 4}, result.parts[part].name, 11, kPale, Anchor::start);
+    const formats::PicturePoint right = place({box.right, (box.top + box.bottom) / 2});
+    picture.text({right.x + 6, right.y + 4}, result.parts[part].name, 11, kPale, formats::Anchor::start);
   }
   const double width = place({whole.right, 0}).x + kNames;
-  return picture.finish(width, kTall + 2 * kMargin);
+  return picture.finish(width, kTall + 2 * kSketchMargin);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

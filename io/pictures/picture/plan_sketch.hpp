@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// The outlines and names of the panels as they lie on the plan, as SVG; of a half model that half. Empty if
 /// the result does not say where panels lie.
-std::string plan_sketch(const StoredResult& result);
+std::string plan_sketch(const results::StoredResult& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -6,7 +6,7 @@
 
 #include <zlib.h>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string small_png(const Image& image) {
   return file_of(image, Depth::palette, colours, rows);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

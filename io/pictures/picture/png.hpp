@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// The bytes of a PNG file (ISO/IEC 15948), eight bits a colour.
 std::string png(const Image& image);
@@ -13,4 +13,4 @@ std::string png(const Image& image);
 /// from the next.
 std::string small_png(const Image& image);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

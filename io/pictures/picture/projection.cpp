@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
 Projection axes_of(const ViewAngles& angles) {
-  const double a = in_radians(angles.azimuth), e = in_radians(angles.elevation);
+  const double a = formats::in_radians(angles.azimuth), e = formats::in_radians(angles.elevation);
   const double ca = std::cos(a), sa = std::sin(a), ce = std::cos(e), se = std::sin(e);
   return {{-sa, ca, 0}, {-se * ca, -se * sa, ce}, {ce * ca, ce * sa, se}};
 }
@@ -65,4 +65,4 @@ Projection fit(View view, const std::vector<Point3>& points, const Frame& frame)
   return projection;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// Where a gear is looked at from: from port, from above, from ahead, from above and ahead on the port side.
 enum class View { side, top, front, oblique };
@@ -38,4 +38,4 @@ struct Frame {
 /// The projection that puts the points into the frame, as large as it may be.
 Projection fit(View view, const std::vector<Point3>& points, const Frame& frame);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pictures/picture/sheet.hpp"
 
+#include "io/formats/svg/svg.hpp"
 #include "io/pictures/picture/bytes.hpp"
 #include "io/pictures/picture/gear_painter.hpp"
 #include "io/pictures/picture/layout.hpp"
 #include "io/pictures/picture/png.hpp"
 #include "io/pictures/picture/text.hpp"
-#include "io/formats/svg/svg.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -46,7 +46,7 @@ Point3 middle_of(const std::vector<Point3>& points) {
   return middle;
 }
 
-void add_title(const StoredResult& result, std::size_t state, SheetLayout& layout) {
+void add_title(const results::StoredResult& result, std::size_t state, SheetLayout& layout) {
   std::string title = result.title();
   if (!result.stages.empty()) title += ", " + result.stages[state];
   if (result.is_motion) title += fmt::format(", {:.4g} s", result.times[state]);
@@ -98,7 +98,7 @@ double picture_height(View view, const std::vector<Point3>& points, double width
   return std::round(std::clamp(tall + 2 * kMargin, kLeastHeight * width, kGreatestHeight * width));
 }
 
-Sheet compose(const StoredResult& result, const SheetOptions& options) {
+Sheet compose(const results::StoredResult& result, const SheetOptions& options) {
   const std::size_t state = std::min(options.state, result.times.size() - 1);
   const GearShape shape = shape_of(result, state, options.colouring);
   Sheet sheet;
@@ -133,7 +133,7 @@ std::string svg_of(const SheetLayout::Words& words, const SheetLayout& layout) {
                      : "";
   return fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:g}\" fill=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
-      words.x, words.y, words.size, hex(layout.ink), anchor, halo, escape_markup(words.text));
+      words.x, words.y, words.size, hex(layout.ink), anchor, halo, formats::escape_markup(words.text));
 }
 
 /// A line with soft edges: every pixel by its distance from it.
@@ -176,7 +176,7 @@ void draw_words(const SheetLayout::Words& words, const SheetLayout& layout, Imag
 
 }  // namespace
 
-std::string svg_sheet(const StoredResult& result, const SheetOptions& options) {
+std::string svg_sheet(const results::StoredResult& result, const SheetOptions& options) {
   const Sheet sheet = compose(result, options);
   const SheetLayout& layout = sheet.layout;
   const std::string picture = options.is_small ? small_png(sheet.picture) : png(sheet.picture);
@@ -186,7 +186,7 @@ std::string svg_sheet(const StoredResult& result, const SheetOptions& options) {
       "Sans,Helvetica,Arial,sans-serif\">\n<rect "
       "width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"{3}\"/>\n<image y=\"{4:g}\" width=\"{5}\" height=\"{6}\" "
       "href=\"data:image/png;base64,{7}\"/>\n",
-      sheet.width, sheet.height, escape_markup("the shape of " + result.title()), hex(layout.ground),
+      sheet.width, sheet.height, formats::escape_markup("the shape of " + result.title()), hex(layout.ground),
       sheet.picture_top, sheet.picture.width, sheet.picture.height, base64(bytes_of(picture)));
   for (const auto& box : layout.boxes)
     svg += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
@@ -200,7 +200,7 @@ std::string svg_sheet(const StoredResult& result, const SheetOptions& options) {
   return svg + "</svg>\n";
 }
 
-std::string png_sheet(const StoredResult& result, const SheetOptions& options) {
+std::string png_sheet(const results::StoredResult& result, const SheetOptions& options) {
   const Sheet sheet = compose(result, options);
   Image image(static_cast<std::size_t>(sheet.width), static_cast<std::size_t>(sheet.height),
               sheet.layout.ground);
@@ -213,4 +213,4 @@ std::string png_sheet(const StoredResult& result, const SheetOptions& options) {
   return png(image);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// How a result is drawn on a sheet.
 struct SheetOptions {
@@ -22,9 +22,9 @@ struct SheetOptions {
 /// Title, picture, legends and scale bar as SVG: letters and lines are vectors, the gear is a picture in
 /// pixels, in which hidden surfaces are right. Throws std::invalid_argument for a field that the result has
 /// not.
-std::string svg_sheet(const StoredResult& result, const SheetOptions& options);
+std::string svg_sheet(const results::StoredResult& result, const SheetOptions& options);
 
 /// The same as the bytes of a PNG file.
-std::string png_sheet(const StoredResult& result, const SheetOptions& options);
+std::string png_sheet(const results::StoredResult& result, const SheetOptions& options);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

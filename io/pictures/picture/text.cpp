@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -94,4 +94,4 @@ void write_text(Image& image, double x, double y, const std::string& text, doubl
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

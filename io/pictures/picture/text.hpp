@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// Width of a text that write_text() writes [pixels]; `size` is that of the letters, as in CSS.
 double text_width(const std::string& text, double size);
@@ -13,4 +13,4 @@ double text_width(const std::string& text, double size);
 /// have no fonts. Characters that it has not become the sign of a missing one.
 void write_text(Image& image, double x, double y, const std::string& text, double size, const Colour& colour);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

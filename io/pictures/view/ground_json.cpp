@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -22,7 +22,7 @@ struct Stretch {
 };
 
 /// Around all nodes of the last state: as large again on every side.
-std::array<Stretch, 2> region_of(const StoredResult& result) {
+std::array<Stretch, 2> region_of(const results::StoredResult& result) {
   std::array<Stretch, 2> region;
   const auto points = result.points(result.times.size() - 1);
   for (std::size_t n = 0; n + 2 < points.size(); n += 3) {
@@ -41,7 +41,7 @@ std::array<Stretch, 2> region_of(const StoredResult& result) {
 
 }  // namespace
 
-nlohmann::ordered_json ground_json(const StoredResult& result) {
+nlohmann::ordered_json ground_json(const results::StoredResult& result) {
   const auto [x, y] = region_of(result);
   const int places = result.bed && !result.bed->is_plane() ? 65 : 2;
   const auto at = [&](const Stretch& range, int k) {
@@ -54,4 +54,4 @@ nlohmann::ordered_json ground_json(const StoredResult& result) {
   return {{"x", {x.first, x.last}}, {"y", {y.first, y.last}}, {"places", places}, {"heights", heights}};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

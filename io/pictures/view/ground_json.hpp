@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// The region around a gear in which bed and surface are drawn, and heights of the bed on an even grid over
 /// it: {x: [first, last], y: [first, last], places, heights [x][y]}; `heights` is null without a bed [m].
-nlohmann::ordered_json ground_json(const StoredResult& result);
+nlohmann::ordered_json ground_json(const results::StoredResult& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pictures/view/key_figures.hpp"
 
-#include "io/results/text/gear_text.hpp"
 #include "io/pictures/view/report_html.hpp"
+#include "io/results/text/gear_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -18,16 +18,11 @@ constexpr std::size_t kMost = 9;
 /// A figure and what people call it.
 struct KeyFigure {
   std::string words;
-  const NamedScalar* figure;
+  const results::NamedScalar* figure;
 };
 
-std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
 /// The X of all figures `group`/X/`what`, said by `words`, in which {} is X.
-void add_group(const StoredResult& result, const std::string& group, const std::string& what,
+void add_group(const results::StoredResult& result, const std::string& group, const std::string& what,
                const std::string& words, std::vector<KeyFigure>& keys) {
   for (const auto& figure : result.figures) {
     const std::size_t begin = group.size() + 1, end = figure.name.rfind('/');
@@ -39,15 +34,16 @@ void add_group(const StoredResult& result, const std::string& group, const std::
 
 /// Of a gear height, spreads, area and drag, what the ship pulls, and the pulls of its rigging; of other
 /// scenes what they ask for.
-std::vector<KeyFigure> key_figures_of(const StoredResult& result) {
+std::vector<KeyFigure> key_figures_of(const results::StoredResult& result) {
   std::vector<KeyFigure> keys;
   for (const auto* name : {"mouth/headline_height", "mouth/upper_wing_spread", "mouth/lower_wing_spread",
                            "mouth/door_spread", "mouth/area"})
-    if (const NamedScalar* figure = find_scalar(result.figures, name))
+    if (const results::NamedScalar* figure = results::find_scalar(result.figures, name))
       keys.push_back({figure->name == "mouth/area" ? "mouth area" : spoken(figure->name.substr(6)), figure});
   add_group(result, "pairs", "spread", "spread of {}", keys);
   for (const auto& [name, words] : {std::pair{"drag/all/x", "drag"}, {"towing/pull", "towing pull"}})
-    if (const NamedScalar* figure = find_scalar(result.figures, name)) keys.push_back({words, figure});
+    if (const results::NamedScalar* figure = results::find_scalar(result.figures, name))
+      keys.push_back({words, figure});
   add_group(result, "rigging", "tension_start", "{} pull", keys);
   for (const auto& scalar : result.scalars) keys.push_back({spoken(scalar.name), &scalar});
   if (keys.size() > kMost) keys.resize(kMost);
@@ -64,18 +60,23 @@ std::string value_text(double value, const std::string& unit) {
                                                         : " " + unit);
 }
 
-std::string box_html(const KeyFigure& key, const NamedScalar* after) {
-  const NamedScalar& figure = *key.figure;
+std::string box_html(const KeyFigure& key, const results::NamedScalar* after) {
+  const results::NamedScalar& figure = *key.figure;
   std::string text = value_text(figure.value, figure.unit);
   if (after) text += " → " + value_text(after->value, after->unit);
   return "<div><dt>" + in_html(key.words) + "</dt><dd title=\"" + in_html(figure.doc) +
          "\"><span data-figure=\"" + in_html(figure.name) + "\">" + in_html(text) + "</span> <small>" +
-         in_html(error_text(after ? *after : figure)) + "</small></dd></div>\n";
+         in_html(results::error_text(after ? *after : figure)) + "</small></dd></div>\n";
 }
 
 }  // namespace
 
-std::string badge_html(const StoredResult& result) {
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string badge_html(const results::StoredResult& result) {
   std::string words = result.outcome.empty() ? "the run has not ended" : result.outcome;
   if (!result.stability.empty() && result.stability != "unknown")
     words += ", " + result.stability + " equilibrium";
@@ -83,15 +84,16 @@ std::string badge_html(const StoredResult& result) {
          "</span>\n";
 }
 
-std::string key_figures_html(const std::vector<const StoredResult*>& results) {
+std::string key_figures_html(const std::vector<const results::StoredResult*>& results) {
   std::string html;
   for (const auto& key : key_figures_of(*results.front())) {
     const auto* after = results.size() == 2 ? results[1] : nullptr;
-    const NamedScalar* same = after ? find_scalar(after->figures, key.figure->name) : nullptr;
-    if (after && !same) same = find_scalar(after->scalars, key.figure->name);
+    const results::NamedScalar* same =
+        after ? results::find_scalar(after->figures, key.figure->name) : nullptr;
+    if (after && !same) same = results::find_scalar(after->scalars, key.figure->name);
     html += box_html(key, same);
   }
   return html.empty() ? "" : "<dl id=\"keys\">\n" + html + "</dl>\n";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,13 +5,16 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// How a run ended, in a word with a coloured dot.
-std::string badge_html(const StoredResult& result);
+std::string badge_html(const results::StoredResult& result);
 
 /// The figures that are asked for first, each with its error, as boxes on top of a page; of two results
 /// before and after. Empty if there are none.
-std::string key_figures_html(const std::vector<const StoredResult*>& results);
+std::string key_figures_html(const std::vector<const results::StoredResult*>& results);
 
-}  // namespace netloft::io
+/// A name of the report as words: "headline_height" is "headline height".
+std::string spoken(std::string name);
+
+}  // namespace netloft::pictures

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -52,4 +52,4 @@ nlohmann::ordered_json packed_as_shown(std::span<const double> values) {
   return pack<float>(floats, "f32");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

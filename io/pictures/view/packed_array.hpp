@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// Arrays as the page reads them: bytes sorted by their place in a number, deflated, in base64. Reals become
 /// floats.
@@ -18,4 +18,4 @@ inline constexpr int kShownBits = 15;
 float rounded_to_shown(double value);
 nlohmann::ordered_json packed_as_shown(std::span<const double> values);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

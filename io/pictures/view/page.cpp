@@ -8,7 +8,7 @@
 #include "io/pictures/view/report_html.hpp"
 #include "io/pictures/view/result_json.hpp"
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -20,7 +20,7 @@ std::string head(const std::string& title, const std::string& badge, const std::
          in_html(title) + "</h1>\n" + badge + "<p id=\"status\" role=\"status\" hidden></p></header>\n";
 }
 
-std::string title_of(const std::vector<const StoredResult*>& results) {
+std::string title_of(const std::vector<const results::StoredResult*>& results) {
   std::string title;
   for (const auto* result : results) title += (title.empty() ? "" : ", ") + result->title();
   return title;
@@ -29,14 +29,14 @@ std::string title_of(const std::vector<const StoredResult*>& results) {
 constexpr std::size_t kPictureWidth = 800;  // pixels: pages of any gear stay below 2 MB
 
 /// Says above everything else that a shape is no answer.
-std::string unfinished_html(const StoredResult& result) {
+std::string unfinished_html(const results::StoredResult& result) {
   return "<p><strong>" +
          in_html(result.path.filename().string() + ": " +
                  (result.outcome.empty() ? "the run has not ended" : result.outcome)) +
          "</strong>, so that this is not the shape in equilibrium. " + in_html(result.sentence) + "</p>\n";
 }
 
-std::string picture_html(const StoredResult& result, View view, const std::string& words) {
+std::string picture_html(const results::StoredResult& result, View view, const std::string& words) {
   SheetOptions options;
   options.view = view;
   options.width = kPictureWidth;
@@ -45,7 +45,7 @@ std::string picture_html(const StoredResult& result, View view, const std::strin
 }
 
 /// Views from the side, the top and the front, and the plan, for readers without scripts and for paper.
-std::string pictures_html(const StoredResult& result) {
+std::string pictures_html(const results::StoredResult& result) {
   std::string html = "<section id=\"pictures\" aria-label=\"Pictures\">\n";
   for (const auto& [view, words] :
        {std::pair{View::side, "From the side"}, {View::top, "From above"}, {View::front, "From the front"}})
@@ -58,7 +58,7 @@ std::string pictures_html(const StoredResult& result) {
 
 }  // namespace
 
-std::string view_page(const std::vector<const StoredResult*>& results, std::size_t most_states) {
+std::string view_page(const std::vector<const results::StoredResult*>& results, std::size_t most_states) {
   std::string page =
       head(title_of(results), results.size() == 1 ? badge_html(*results.front()) : "", kPagePolicy);
   page += "<main>\n" + key_figures_html(results);
@@ -67,7 +67,8 @@ std::string view_page(const std::vector<const StoredResult*>& results, std::size
   page += kPageBody;
   page += pictures_html(*results.front());
   if (results.size() == 2)
-    page += diff_html(compare_results(read_summary(results[0]->path), read_summary(results[1]->path)));
+    page += diff_html(results::compare_results(results::read_summary(results[0]->path),
+                                               results::read_summary(results[1]->path)));
   for (const auto* result : results)
     page += "<section aria-label=\"Report\">\n<h2>Report: " + in_html(result->path.filename().string()) +
             "</h2>\n" + badge_html(*result) + summary_html(*result) + materials_table(*result) +
@@ -78,7 +79,7 @@ std::string view_page(const std::vector<const StoredResult*>& results, std::size
   return page;
 }
 
-std::string report_page(const StoredResult& result) {
+std::string report_page(const results::StoredResult& result) {
   return head(result.title(), badge_html(result), kPageQuietPolicy) + "<main>\n<div class=\"sheet\">\n" +
          summary_html(result) + key_figures_html({&result}) +
          picture_html(result, View::oblique, "Obliquely from ahead") + materials_table(result) +
@@ -87,4 +88,4 @@ std::string report_page(const StoredResult& result) {
          "</div>\n</main>\n</body>\n</html>\n";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

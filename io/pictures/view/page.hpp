@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// A page with the viewer, in one file without a network: report and pictures stand in it as they are, and
 /// scripts put the viewer above them. Two results are laid over one another; three and more are a sweep.
-std::string view_page(const std::vector<const StoredResult*>& results, std::size_t most_states);
+std::string view_page(const std::vector<const results::StoredResult*>& results, std::size_t most_states);
 
 /// A page with the report alone: no scripts.
-std::string report_page(const StoredResult& result);
+std::string report_page(const results::StoredResult& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

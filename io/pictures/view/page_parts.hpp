@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 // The parts of a page that are the same for all results, made from page/ and libraries/ by CMakeLists.txt.
 extern const char* const kPageLibraries;  // three.js and uPlot
@@ -12,4 +12,4 @@ extern const char* const
     kPagePolicy;  // the Content-Security-Policy: these two scripts and this style, no network
 extern const char* const kPageQuietPolicy;  // that of a page without scripts
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

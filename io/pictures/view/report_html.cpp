@@ -2,8 +2,8 @@
 #include "io/pictures/view/report_html.hpp"
 
 #include "io/formats/svg/svg.hpp"
-#include "io/results/text/gear_text.hpp"
 #include "io/results/file/materials.hpp"
+#include "io/results/text/gear_text.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -28,11 +28,6 @@ std::string number(double value, const char* format) {
 
 std::string unit_of(const std::string& unit) {
   return unit == "1" ? "" : unit == "m2" ? "m²" : unit == "m3" ? "m³" : unit;
-}
-
-std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
 }
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -85,7 +80,7 @@ std::string folded(const std::string& title, const std::string& text) {
          "</pre></details>\n";
 }
 
-std::string head_html(const StoredResult& result) {
+std::string head_html(const results::StoredResult& result) {
   std::string html = paragraph(result.sentence);
   for (const auto& note : result.notes) html += paragraph("Note: " + note + ".");
   if (result.is_half)
@@ -111,12 +106,12 @@ std::string figure_words(const std::string& name) {
   return spoken(words);
 }
 
-void figure_row(const std::string& words, const NamedScalar& figure, HtmlTable& table) {
+void figure_row(const std::string& words, const results::NamedScalar& figure, HtmlTable& table) {
   table.row().text(words).value(number(figure.value)).text(unit_of(figure.unit));
-  table.value(error_text(figure)).text(figure.doc).end();
+  table.value(results::error_text(figure)).text(figure.doc).end();
 }
 
-std::string figures_html(const StoredResult& result) {
+std::string figures_html(const results::StoredResult& result) {
   HtmlTable table({"quantity", "value", "", "error", "what it is"});
   for (const auto& scalar : result.scalars) figure_row(spoken(scalar.name), scalar, table);
   for (const auto& figure : result.figures)
@@ -136,7 +131,8 @@ struct Column {
 };
 
 /// A row for every member of a group of figures: `before` + member + `after`.
-std::string group_html(const StoredResult& result, const char* title, const std::vector<Column>& columns) {
+std::string group_html(const results::StoredResult& result, const char* title,
+                       const std::vector<Column>& columns) {
   std::vector<std::string> members, titles = {""};
   for (const auto& column : columns) titles.push_back(column.title);
   for (const auto& column : columns)
@@ -155,7 +151,8 @@ std::string group_html(const StoredResult& result, const char* title, const std:
   for (const auto& member : members) {
     table.row().text(member);
     for (const auto& column : columns) {
-      const NamedScalar* figure = find_scalar(result.figures, column.before + member + column.after);
+      const results::NamedScalar* figure =
+          results::find_scalar(result.figures, column.before + member + column.after);
       table.value(figure ? number(figure->value) : "–");
     }
     table.end();
@@ -164,7 +161,7 @@ std::string group_html(const StoredResult& result, const char* title, const std:
   return rows.empty() ? "" : heading(title) + rows;
 }
 
-std::string groups_html(const StoredResult& result) {
+std::string groups_html(const results::StoredResult& result) {
   std::string html = group_html(result, "Ropes",
                                 {{"start [N]", "ropes/", "/tension_start"},
                                  {"end [N]", "ropes/", "/tension_end"},
@@ -188,7 +185,7 @@ std::string groups_html(const StoredResult& result) {
                             {"weight [N]", "weight_in_water_by_part/", ""}});
 }
 
-std::string held_html(const StoredResult& result) {
+std::string held_html(const results::StoredResult& result) {
   HtmlTable table({"held", "x [N]", "y [N]", "z [N]"});
   for (const auto& hold : result.hold_forces) {
     table.row().text(hold.name);
@@ -199,10 +196,10 @@ std::string held_html(const StoredResult& result) {
   return rows.empty() ? "" : heading("Forces of the holds on the gear, as modelled") + rows;
 }
 
-std::string materials_rows(const StoredResult& result) {
+std::string materials_rows(const results::StoredResult& result) {
   HtmlTable table({"", "part", "number", "diameter [mm]", "length [m]", "area [m²]", "mass [kg]",
                    "largest load [N]", "breaking load [N]", "used"});
-  const auto materials = materials_of(result);
+  const auto materials = results::materials_of(result);
   for (const auto& m : materials) {
     table.row().text(m.item.name).text(m.item.part_name).value(number(m.item.number, "{:g}"));
     for (const double value : {1e3 * m.item.diameter, m.length, m.area, m.mass, m.load, m.item.breaking_load})
@@ -214,9 +211,9 @@ std::string materials_rows(const StoredResult& result) {
   return heading("Materials, and loads against breaking loads") + rows;
 }
 
-std::string convergence_html(const StoredResult& result) {
+std::string convergence_html(const results::StoredResult& result) {
   HtmlTable table({"step", "residual [N]", "largest load [N]", "factorisations", "note"});
-  const StoredConvergence& c = result.convergence;
+  const results::StoredConvergence& c = result.convergence;
   for (std::size_t i = 0; i < c.residual.size() && i < c.load.size() && i < c.factorisations.size(); ++i)
     table.row()
         .text(std::to_string(i))
@@ -229,8 +226,8 @@ std::string convergence_html(const StoredResult& result) {
   return rows.empty() ? "" : "<details><summary>Convergence of the solve</summary>\n" + rows + "</details>\n";
 }
 
-std::string origins_html(const StoredResult& result) {
-  const StoredOrigins& o = result.origins;
+std::string origins_html(const results::StoredResult& result) {
+  const results::StoredOrigins& o = result.origins;
   std::string command;
   for (const auto& word : o.command) command += (command.empty() ? "" : " ") + word;
   HtmlTable table({"", ""});
@@ -250,23 +247,23 @@ std::string origins_html(const StoredResult& result) {
 
 }  // namespace
 
-std::string in_html(const std::string& text) { return escape_markup(text); }
+std::string in_html(const std::string& text) { return formats::escape_markup(text); }
 
-std::string summary_html(const StoredResult& result) {
+std::string summary_html(const results::StoredResult& result) {
   std::string html = head_html(result);
-  for (const auto& warning : load_warnings(materials_of(result)))
+  for (const auto& warning : results::load_warnings(results::materials_of(result)))
     html += "<p class=\"warning\">Warning: " + in_html(warning) + ".</p>\n";
   return html;
 }
 
-std::string materials_table(const StoredResult& result) { return materials_rows(result); }
+std::string materials_table(const results::StoredResult& result) { return materials_rows(result); }
 
-std::string details_html(const StoredResult& result) {
+std::string details_html(const results::StoredResult& result) {
   return figures_html(result) + groups_html(result) + held_html(result) + convergence_html(result) +
          origins_html(result);
 }
 
-std::string diff_html(const ResultDiff& diff) {
+std::string diff_html(const results::ResultDiff& diff) {
   HtmlTable table({"quantity", "before", "after", "difference", "", "error", ""});
   std::size_t changed = 0;
   for (const auto& d : diff.numbers) {
@@ -288,4 +285,4 @@ std::string diff_html(const ResultDiff& diff) {
          table.finish();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

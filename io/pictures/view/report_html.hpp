@@ -5,21 +5,21 @@
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 // The report of a result as elements of a page. All texts of the result are escaped.
 
 /// How it ended, notes and warnings.
-std::string summary_html(const StoredResult& result);
+std::string summary_html(const results::StoredResult& result);
 /// The bill of materials, with loads against breaking loads; empty if there is none.
-std::string materials_table(const StoredResult& result);
+std::string materials_table(const results::StoredResult& result);
 /// All figures with their errors, tables by part, convergence, where it comes from.
-std::string details_html(const StoredResult& result);
+std::string details_html(const results::StoredResult& result);
 
 /// What changed between two results, as a table.
-std::string diff_html(const ResultDiff& diff);
+std::string diff_html(const results::ResultDiff& diff);
 
 /// Text as it has to stand in a page.
 std::string in_html(const std::string& text);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -3,33 +3,33 @@
 
 #include "io/pictures/picture/colour_map.hpp"
 #include "io/pictures/picture/projection.hpp"
-#include "io/results/text/gear_text.hpp"
+#include "io/pictures/view/ground_json.hpp"
+#include "io/pictures/view/packed_array.hpp"
+#include "io/pictures/view/sweep.hpp"
 #include "io/results/file/body_plates.hpp"
 #include "io/results/file/catch_body.hpp"
 #include "io/results/file/dimensions.hpp"
 #include "io/results/file/field_scale.hpp"
 #include "io/results/file/ship.hpp"
-#include "io/pictures/view/ground_json.hpp"
-#include "io/pictures/view/packed_array.hpp"
-#include "io/pictures/view/sweep.hpp"
+#include "io/results/text/gear_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// JSON has no infinities and no NaN: null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 template <class Numbers>
 Json numbers(const Numbers& values) {
   Json all = Json::array();
-  for (const auto value : values) all.push_back(number(static_cast<double>(value)));
+  for (const auto value : values) all.push_back(json_number(static_cast<double>(value)));
   return all;
 }
 
@@ -40,15 +40,15 @@ Json known_numbers(const Numbers& values) {
   return known ? numbers(values) : Json(nullptr);
 }
 
-Json parts_json(const StoredResult& result) {
+Json parts_json(const results::StoredResult& result) {
   Json parts = Json::array();
   for (const auto& part : result.parts) {
-    const SheetPlace& s = part.sheet;
+    const scenes::SheetPlace& s = part.sheet;
     const std::array<double, 6> sheet{s.x, s.y, s.x_across, s.y_across, s.x_deep, s.y_deep};
     parts.push_back({{"name", part.name},
                      {"type", part.type},
-                     {"diameter", number(part.diameter)},
-                     {"bar", number(part.bar)},
+                     {"diameter", json_number(part.diameter)},
+                     {"bar", json_number(part.bar)},
                      {"contact", part.is_contact},
                      {"axes", known_numbers(part.twine_axes)},
                      {"sheet", known_numbers(sheet)}});
@@ -64,13 +64,13 @@ std::vector<std::uint32_t> flat(const std::vector<std::array<std::uint32_t, n>>&
 }
 
 /// The part of each of some cells.
-Json parts_of(const StoredMesh& mesh, const std::vector<std::uint32_t>& cells) {
+Json parts_of(const results::StoredMesh& mesh, const std::vector<std::uint32_t>& cells) {
   std::vector<std::uint32_t> parts;
   for (const auto cell : cells) parts.push_back(mesh.cell_part[cell]);
   return packed(parts);
 }
 
-void put_mesh(const StoredMesh& mesh, Json& json) {
+void put_mesh(const results::StoredMesh& mesh, Json& json) {
   std::vector<double> corners;
   for (const auto& six : mesh.corners) corners.insert(corners.end(), six.begin(), six.end());
   json["nPoints"] = mesh.n_points;
@@ -105,7 +105,7 @@ std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
 }
 
 /// The middle of the box around the last state's nodes; of a half on its plane of symmetry.
-Origin origin_of(const StoredResult& result) {
+Origin origin_of(const results::StoredResult& result) {
   const auto points = result.points(result.times.size() - 1);
   Origin origin{};
   for (std::size_t axis = 0; axis < 3 && points.size() >= 3; ++axis) {
@@ -128,12 +128,12 @@ Json packed_corners(const Corners& corners, const Origin& origin) {
 }
 
 /// Boards as they are turned, and the ship.
-void put_solids(const StoredResult& result, std::size_t state, const Origin& origin, Json& json) {
+void put_solids(const results::StoredResult& result, std::size_t state, const Origin& origin, Json& json) {
   Corners plates, hulls;
-  for (const auto& plate : plates_of(result, state))
+  for (const auto& plate : results::plates_of(result, state))
     plates.insert(plates.end(), plate.triangles.begin(), plate.triangles.end());
-  for (const auto& ship : ships_of(result, state)) {
-    const auto triangles = triangles_of(ship);
+  for (const auto& ship : results::ships_of(result, state)) {
+    const auto triangles = results::triangles_of(ship);
     hulls.insert(hulls.end(), triangles.begin(), triangles.end());
   }
   json["plates"] = packed_corners(plates, origin);
@@ -141,14 +141,14 @@ void put_solids(const StoredResult& result, std::size_t state, const Origin& ori
 }
 
 /// Which single node each triangle of the plates belongs to.
-Json plate_dots(const StoredResult& result) {
+Json plate_dots(const results::StoredResult& result) {
   std::vector<std::uint32_t> dots;
-  for (const auto& plate : plates_of(result, result.times.size() - 1))
+  for (const auto& plate : results::plates_of(result, result.times.size() - 1))
     dots.insert(dots.end(), plate.triangles.size() / 3, plate.dot);
   return packed(dots);
 }
 
-void put_states(const StoredResult& result, const std::vector<std::size_t>& kept, Json& json) {
+void put_states(const results::StoredResult& result, const std::vector<std::size_t>& kept, Json& json) {
   const Origin origin = origin_of(result);
   Json states = Json::array(), times = Json::array();
   for (const std::size_t state : kept) {
@@ -162,54 +162,54 @@ void put_states(const StoredResult& result, const std::vector<std::size_t>& kept
       one["fields"].push_back(packed_as_shown(result.field(result.fields[f].name, state)));
     }
     states.push_back(one);
-    times.push_back(number(result.times[state]));
+    times.push_back(json_number(result.times[state]));
   }
   json["origin"] = origin;
   json["times"] = times;
   json["states"] = states;
 }
 
-Json scale_json(const std::optional<Scale>& scale) {
+Json scale_json(const std::optional<results::Scale>& scale) {
   if (!scale) return nullptr;
   return {
       {"lo", scale->lo}, {"hi", scale->hi}, {"below", scale->is_cut_below}, {"above", scale->is_cut_above}};
 }
 
-Json scales_json(const FieldScales& scales) {
+Json scales_json(const results::FieldScales& scales) {
   Json all = Json::array();
   for (const auto& scale : scales) all.push_back(scale_json(scale));
   return all;
 }
 
-Json fields_json(const StoredResult& result) {
+Json fields_json(const results::StoredResult& result) {
   Json all = Json::array();
   for (const auto& field : result.fields) {
-    const auto spreads = spreads_of(result, field.name);
+    const auto spreads = results::spreads_of(result, field.name);
     all.push_back({{"name", field.name},
                    {"units", field.units},
                    {"doc", field.doc},
                    {"total", field.is_total},
-                   {"linear", scales_json(scales_of(spreads, false))},
-                   {"log", scales_json(scales_of(spreads, true))}});
+                   {"linear", scales_json(results::scales_of(spreads, false))},
+                   {"log", scales_json(results::scales_of(spreads, true))}});
   }
   return all;
 }
 
-Json catch_json(const StoredResult& result) {
-  const CatchBody body = catch_body_of(result, result.times.size() - 1);
+Json catch_json(const results::StoredResult& result) {
+  const results::CatchBody body = results::catch_body_of(result, result.times.size() - 1);
   if (body.triangles.empty()) return nullptr;
   return {{"triangles", packed(body.triangles)}, {"rim", packed(flat(body.rim))}};
 }
 
 /// An end is a node, and whether it is the mirrored one; null: the bed below the other end.
-Json end_json(const DimensionEnd& end) {
-  if (end.where == DimensionEnd::Where::bed) return nullptr;
-  return {{"node", end.node}, {"mirrored", end.where == DimensionEnd::Where::mirrored}};
+Json end_json(const results::DimensionEnd& end) {
+  if (end.where == results::DimensionEnd::Where::bed) return nullptr;
+  return {{"node", end.node}, {"mirrored", end.where == results::DimensionEnd::Where::mirrored}};
 }
 
-Json dimensions_json(const StoredResult& result) {
+Json dimensions_json(const results::StoredResult& result) {
   Json all = Json::array();
-  for (const auto& one : dimensions_of(result))
+  for (const auto& one : results::dimensions_of(result))
     all.push_back({{"name", one.name}, {"from", end_json(one.from)}, {"to", end_json(one.to)}});
   return all;
 }
@@ -227,27 +227,29 @@ Json style_json() {
           {"ship", kShipColour},     {"views", views}};
 }
 
-Json figures_json(const StoredResult& result) {
+Json figures_json(const results::StoredResult& result) {
   Json all = Json::array();
   for (const auto* group : {&result.scalars, &result.figures})
     for (const auto& f : *group)
-      all.push_back(
-          {{"name", f.name}, {"unit", f.unit}, {"value", number(f.value)}, {"error", error_text(f)}});
+      all.push_back({{"name", f.name},
+                     {"unit", f.unit},
+                     {"value", json_number(f.value)},
+                     {"error", results::error_text(f)}});
   return all;
 }
 
-Json series_json(const StoredResult& result, const std::vector<std::size_t>& kept) {
+Json series_json(const results::StoredResult& result, const std::vector<std::size_t>& kept) {
   Json all = Json::array();
   for (const auto& series : result.series) {
     Json values = Json::array();
     for (const std::size_t state : kept)
-      values.push_back(state < series.values.size() ? number(series.values[state]) : Json(nullptr));
+      values.push_back(state < series.values.size() ? json_number(series.values[state]) : Json(nullptr));
     all.push_back({{"name", series.name}, {"unit", series.unit}, {"values", values}});
   }
   return all;
 }
 
-Json result_json(const StoredResult& result, std::size_t most_states) {
+Json result_json(const results::StoredResult& result, std::size_t most_states) {
   const auto kept = kept_states(result.times.size(), most_states);
   Json json = {{"file", result.path.filename().string()},
                {"title", result.title()},
@@ -258,7 +260,7 @@ Json result_json(const StoredResult& result, std::size_t most_states) {
                {"fields", fields_json(result)},
                {"catch", catch_json(result)},
                {"plateDot", plate_dots(result)},
-               {"nodeError", number(result.node_error)},
+               {"nodeError", json_number(result.node_error)},
                {"parts", parts_json(result)},
                {"ground", ground_json(result)}};
   if (!result.stages.empty()) {
@@ -275,7 +277,7 @@ Json result_json(const StoredResult& result, std::size_t most_states) {
 }
 
 /// The setting of a sweep; two results are no sweep.
-Varied varied_among(const std::vector<const StoredResult*>& results) {
+Varied varied_among(const std::vector<const results::StoredResult*>& results) {
   std::vector<SweepInput> inputs;
   for (const auto* result : results) {
     const auto& [command, files] = std::tie(result->origins.command, result->origins.files);
@@ -293,7 +295,7 @@ std::vector<std::size_t> kept_states(std::size_t states, std::size_t most) {
   return kept;
 }
 
-std::string results_json(const std::vector<const StoredResult*>& results, std::size_t most_states) {
+std::string results_json(const std::vector<const results::StoredResult*>& results, std::size_t most_states) {
   Json all = Json::array();
   const Varied varied = varied_among(results);
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -315,4 +317,4 @@ std::string results_json(const std::vector<const StoredResult*>& results, std::s
   return safe;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

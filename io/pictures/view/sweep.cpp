@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 namespace {
 
@@ -98,4 +98,4 @@ Varied varied_setting(const std::vector<SweepInput>& results) {
   return {};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

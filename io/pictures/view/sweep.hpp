@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::pictures {
 
 /// The setting in which the results of a sweep differ.
 struct Varied {
@@ -23,4 +23,4 @@ struct SweepInput {
 /// settings the first is taken whose values are numbers, and all different.
 Varied varied_setting(const std::vector<SweepInput>& results);
 
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -4,7 +4,7 @@
 #include "framework/parameters/nearest.hpp"
 #include "io/program/command_line/groups.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 void add_commands(CLI::App& app, Options& o) {
   add_run_command(app, o);
@@ -83,4 +83,4 @@ std::vector<std::string> given_options(const CLI::App& app) {
   return names;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// All commands with their options, which are read into `o`.
 void add_commands(CLI::App& app, Options& o);
@@ -25,4 +25,4 @@ std::string unknown_option(const CLI::App& app);
 /// Long names of the options that were given to the command, and to one below it.
 std::vector<std::string> given_options(const CLI::App& app);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

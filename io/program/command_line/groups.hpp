@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace netloft::io {
+namespace netloft::program {
 
 // solving.cpp
 void add_run_command(CLI::App& app, Options& o);
@@ -32,4 +32,4 @@ void add_diff_command(CLI::App& app, Options& o);
 void add_study_command(CLI::App& app, Options& o);
 void add_calibrate_command(CLI::App& app, Options& o);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

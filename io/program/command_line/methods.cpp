@@ -4,7 +4,7 @@
 #include "io/program/command_line/groups.hpp"
 #include "io/program/command_line/shared.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -46,4 +46,4 @@ void add_compare_command(CLI::App& app, Options& o) {
   command->add_option("--plot", c.plot, "draw work over precision")->type_name("FILE.svg|FILE.html");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

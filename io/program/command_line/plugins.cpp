@@ -5,7 +5,7 @@
 #include "io/program/command_line/shared.hpp"
 #include "io/program/session/prefix.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 void add_component_commands(CLI::App& app, Options& o) {
   add_plugin_options(*app.add_subcommand("list", "list all elements and solvers"), o);
@@ -41,4 +41,4 @@ void add_author_commands(CLI::App& app, Options& o) {
       "flags that compile a plugin: c++ $(netloft --cflags) otter.cpp -o otter.so");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

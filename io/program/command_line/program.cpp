@@ -19,7 +19,7 @@
 #include <iostream>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -98,4 +98,4 @@ int fail(const Options& o, const std::string& message, int code) {
   return code;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// All of main() but what a program is for: reads the command line with `app` into `o` and its like, calls
 /// `work`, and says what it throws, or what is wrong with the command line, on standard error, with --json
@@ -24,4 +24,4 @@ void guard_streams();
 /// Says it as run_program() does, and returns the code.
 int fail(const Options& o, const std::string& message, int code);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -4,7 +4,7 @@
 #include "io/program/command_line/groups.hpp"
 #include "io/program/command_line/shared.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -67,4 +67,4 @@ void add_diff_command(CLI::App& app, Options& o) {
   add_json_option(*command, o);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

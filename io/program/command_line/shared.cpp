@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -81,4 +81,4 @@ void add_state_option(CLI::App& command, Options& o) {
       ->check(CLI::Range(0, 100000000));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

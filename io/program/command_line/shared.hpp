@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// A solver or strategy with parameters.
 inline constexpr const char* kMethod = "NAME[:key=value,…]";
@@ -31,4 +31,4 @@ void add_scene_options(CLI::App& command, Options& o);
 /// Number of an output of a motion.
 void add_state_option(CLI::App& command, Options& o);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

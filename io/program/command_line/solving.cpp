@@ -4,7 +4,7 @@
 #include "io/program/command_line/groups.hpp"
 #include "io/program/command_line/shared.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 void add_run_command(CLI::App& app, Options& o) {
   auto* run = app.add_subcommand("run", "find the equilibrium of a scene and write it to a file");
@@ -56,4 +56,4 @@ void add_scope_command(CLI::App& app, Options& o) {
   range("-o,--output", o.output, "draw the lengths over the depth", "FILE.svg|FILE.html");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

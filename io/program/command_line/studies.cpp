@@ -4,7 +4,7 @@
 #include "io/program/command_line/groups.hpp"
 #include "io/program/command_line/shared.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -122,4 +122,4 @@ void add_calibrate_command(CLI::App& app, Options& o) {
   add_plugin_options(*command, o);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -1,36 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/studies/calibration/calibration.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
+#include "io/studies/calibration/calibration.hpp"
 
 #include <cstdio>
 
-namespace netloft::io {
+namespace netloft::program {
 
 int calibrate_command(const Options& options) {
   catch_interrupts();
   Terminal terminal(options.color, options.json);
-  Diagnostics diagnostics;
-  CalibrationFile file = read_calibration_file(options.target, diagnostics);
+  formats::Diagnostics diagnostics;
+  studies::CalibrationFile file = studies::read_calibration_file(options.target, diagnostics);
   Registry registry;
   find_plugins(options, registry);
   Watchdog watchdog(ending_with_a_sentence(terminal, "the calibration ends here without an answer"));
   const std::filesystem::path folder = std::filesystem::path(options.target).parent_path();
-  const Watch watch{.interrupt = &interrupt_flag(),
-                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
-  CheckedCalibration checked;
+  const runs::Watch watch{.interrupt = &interrupt_flag(),
+                          .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  studies::CheckedCalibration checked;
   if (!diagnostics.errors())
-    checked = check_calibration(file, folder, registry, diagnostics, watch.on_budget);
+    checked = studies::check_calibration(file, folder, registry, diagnostics, watch.on_budget);
   if (diagnostics.errors())
-    return tell_why_not(diagnostics, checked.refused ? Case::State::refused : Case::State::wrong_input,
+    return tell_why_not(diagnostics,
+                        checked.refused ? runs::Case::State::refused : runs::Case::State::wrong_input,
                         options, terminal);
   if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
   const auto on_solve = [&](std::size_t solves, const std::string& scene) {
     terminal.progress_in_steps("solves", solves, 0, scene);
   };
-  const Calibration done = calibrate(std::move(file), checked, folder, registry, watch, on_solve);
+  const studies::Calibration done =
+      studies::calibrate(std::move(file), checked, folder, registry, watch, on_solve);
   terminal.clear();
-  std::puts(options.json ? calibration_json(done).c_str() : calibration_text(done).c_str());
+  std::puts(options.json ? studies::calibration_json(done).c_str() : studies::calibration_text(done).c_str());
   if (done.is_interrupted)
     return end_interrupted(terminal, done.fit.parameters.empty()
                                          ? "no step of the search was finished"
@@ -38,4 +40,4 @@ int calibrate_command(const Options& options) {
   return done.fit.converged ? kDone : kNotConverged;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

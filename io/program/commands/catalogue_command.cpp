@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/parameters/nearest.hpp"
+#include "io/formats/units/units.hpp"
 #include "io/gears/catalogue/catalogue.hpp"
 #include "io/gears/catalogue/folders.hpp"
 #include "io/program/session/commands.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/terminal.hpp"
-#include "io/formats/units/units.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -24,7 +24,7 @@ std::string rounded(double value, const char* unit) {
                      unit == std::string_view("1") ? "" : unit);
 }
 
-std::string line_of(const CataloguePart& part) {
+std::string line_of(const gears::CataloguePart& part) {
   std::string text = fmt::format("{:<8} {:<26}", part.kind->name, part.name);
   int shown = 0;
   for (const auto& key : part.kind->numbers)
@@ -35,7 +35,7 @@ std::string line_of(const CataloguePart& part) {
   return text;
 }
 
-std::string page_of(const CataloguePart& part) {
+std::string page_of(const gears::CataloguePart& part) {
   std::string text = fmt::format("{} {}\n", part.kind->name, part.name);
   for (const auto& key : part.kind->numbers)
     if (part.numbers.contains(key.name))
@@ -45,7 +45,7 @@ std::string page_of(const CataloguePart& part) {
   return text + fmt::format("  {:<18} {}", "file", part.file);
 }
 
-Json json_of(const CataloguePart& part) {
+Json json_of(const gears::CataloguePart& part) {
   Json json = {{"kind", part.kind->name}, {"name", part.name}};
   for (const auto& key : part.kind->numbers)
     if (part.numbers.contains(key.name))
@@ -56,16 +56,17 @@ Json json_of(const CataloguePart& part) {
 }
 
 /// Parts of that name or of that kind; all of them if none is named.
-std::vector<const CataloguePart*> asked_for(const Catalogue& catalogue, const std::string& word) {
-  std::vector<const CataloguePart*> parts;
+std::vector<const gears::CataloguePart*> asked_for(const gears::Catalogue& catalogue,
+                                                   const std::string& word) {
+  std::vector<const gears::CataloguePart*> parts;
   for (const auto& part : catalogue.parts())
     if (word.empty() || word == part.name || word == part.kind->name) parts.push_back(&part);
   return parts;
 }
 
-[[noreturn]] void refuse(const Catalogue& catalogue, const std::string& word) {
+[[noreturn]] void refuse(const gears::Catalogue& catalogue, const std::string& word) {
   std::vector<std::string> names;
-  for (const auto& kind : part_kinds()) names.emplace_back(kind.name);
+  for (const auto& kind : gears::part_kinds()) names.emplace_back(kind.name);
   for (const auto& part : catalogue.parts()) names.push_back(part.name);
   const auto near = nearest(word, names);
   throw UsageError{"there is no part and no kind of parts \"" + word + "\" in the catalogue" +
@@ -75,8 +76,9 @@ std::vector<const CataloguePart*> asked_for(const Catalogue& catalogue, const st
 }  // namespace
 
 int catalogue_command(const Options& options) {
-  Diagnostics diagnostics;
-  const Catalogue catalogue = Catalogue::load(catalogue_folders(diagnostics), diagnostics);
+  formats::Diagnostics diagnostics;
+  const gears::Catalogue catalogue =
+      gears::Catalogue::load(gears::catalogue_folders(diagnostics), diagnostics);
   if (diagnostics.errors()) {
     Terminal terminal(options.color);
     terminal.say(diagnostics.render(terminal.color()));
@@ -95,4 +97,4 @@ int catalogue_command(const Options& options) {
   return kDone;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

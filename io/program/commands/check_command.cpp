@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/program/session/commands.hpp"
-#include "io/program/session/terminal.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/outline.hpp"
 #include "io/gears/plan/read_plan.hpp"
+#include "io/program/session/commands.hpp"
+#include "io/program/session/terminal.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,27 +11,27 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json finding_json(const Diagnostic& finding, const Diagnostics& diagnostics) {
-  Json json = {{"severity", finding.severity == Severity::error ? "error" : "warning"},
+Json finding_json(const formats::Diagnostic& finding, const formats::Diagnostics& diagnostics) {
+  Json json = {{"severity", finding.severity == formats::Severity::error ? "error" : "warning"},
                {"at", diagnostics.where(finding.place)},
                {"message", finding.message}};
   if (!finding.hint.empty()) json["hint"] = finding.hint;
   return json;
 }
 
-Json panel_json(const Panel& panel) {
+Json panel_json(const gears::Panel& panel) {
   Json json = {{"name", panel.name},
                {"mesh", panel.mesh},
                {"fore", panel.count(panel.fore)},
                {"aft", panel.count(panel.aft)},
                {"depth", panel.depth}};
-  for (const auto& edge : outline_of(panel).edges)
+  for (const auto& edge : gears::outline_of(panel).edges)
     json["edges"].push_back({{"name", edge.name},
                              {"meshes", edge.meshes},
                              {"from", {edge.from.x, edge.from.y}},
@@ -39,7 +39,7 @@ Json panel_json(const Panel& panel) {
   return json;
 }
 
-void print_json(const NetPlan& plan, const Diagnostics& diagnostics, int code) {
+void print_json(const gears::NetPlan& plan, const formats::Diagnostics& diagnostics, int code) {
   Json json = {{"status", code == kDone ? "can be sewn" : "wrong input"}, {"findings", Json::array()}};
   for (const auto& finding : diagnostics.sorted())
     json["findings"].push_back(finding_json(finding, diagnostics));
@@ -49,14 +49,14 @@ void print_json(const NetPlan& plan, const Diagnostics& diagnostics, int code) {
   std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-void print_panels(const NetPlan& plan) {
+void print_panels(const gears::NetPlan& plan) {
   std::puts(
       fmt::format("{:<24} {:>9} {:>8} {:>8} {:>8}  {}", "panel", "mesh [mm]", "fore", "aft", "depth", "twine")
           .c_str());
   for (const auto& p : plan.panels)
     std::puts(fmt::format("{:<24} {:>9.1f} {:>8} {:>8} {:>8}  {}", p.name, 1e3 * p.mesh,
-                          in_meshes(p.count(p.fore)), in_meshes(p.count(p.aft)), in_meshes(p.depth),
-                          p.twine_name)
+                          gears::in_meshes(p.count(p.fore)), gears::in_meshes(p.count(p.aft)),
+                          gears::in_meshes(p.depth), p.twine_name)
                   .c_str());
 }
 
@@ -65,12 +65,12 @@ std::string counted(std::size_t number, const char* one, const char* more) {
 }
 
 /// Ropes that the plan writes; selvedges are netting.
-std::size_t ropes_of(const NetPlan& plan) {
-  return static_cast<std::size_t>(
-      std::count_if(plan.ropes.begin(), plan.ropes.end(), [](const Rope& r) { return !r.is_selvedge; }));
+std::size_t ropes_of(const gears::NetPlan& plan) {
+  return static_cast<std::size_t>(std::count_if(plan.ropes.begin(), plan.ropes.end(),
+                                                [](const gears::Rope& r) { return !r.is_selvedge; }));
 }
 
-void print_summary(const NetPlan& plan, const Diagnostics& diagnostics) {
+void print_summary(const gears::NetPlan& plan, const formats::Diagnostics& diagnostics) {
   print_panels(plan);
   std::puts(fmt::format("{}, {}, {}: {}, {}", counted(plan.panels.size(), "panel", "panels"),
                         counted(plan.joins.size(), "seam", "seams"), counted(ropes_of(plan), "rope", "ropes"),
@@ -83,9 +83,9 @@ void print_summary(const NetPlan& plan, const Diagnostics& diagnostics) {
 
 int check_command(const Options& options) {
   Terminal terminal(options.color);
-  Diagnostics diagnostics;
-  NetPlan plan = read_plan(options.target, options.set, diagnostics);
-  if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
+  formats::Diagnostics diagnostics;
+  gears::NetPlan plan = gears::read_plan(options.target, options.set, diagnostics);
+  if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   const int code = diagnostics.errors() ? kWrongInput : kDone;
   if (options.json)
@@ -95,4 +95,4 @@ int check_command(const Options& options) {
   return code;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

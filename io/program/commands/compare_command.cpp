@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/parameters/nearest.hpp"
+#include "io/formats/files/whole_file.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/studies/compare/report.hpp"
-#include "io/formats/files/whole_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -46,9 +46,9 @@ std::vector<double> read_decades(const std::string& range, const Decades& d) {
   return tolerances;
 }
 
-std::vector<Method> read_methods(const std::vector<std::string>& words) {
+std::vector<studies::Method> read_methods(const std::vector<std::string>& words) {
   if (words.empty()) throw UsageError{"--solver, --strategy or --integrator: name at least one to compare"};
-  std::vector<Method> methods;
+  std::vector<studies::Method> methods;
   for (const auto& word : words) {
     if (std::count(words.begin(), words.end(), word) > 1)
       throw UsageError{word + " is given twice; a method is compared once"};
@@ -58,16 +58,16 @@ std::vector<Method> read_methods(const std::vector<std::string>& words) {
 }
 
 /// Motions have nothing in common with equilibria that could stand in one table.
-bool compares_motions(const std::vector<Method>& methods) {
-  const auto integrators =
-      std::count_if(methods.begin(), methods.end(), [](const Method& m) { return m.kind() == "integrator"; });
+bool compares_motions(const std::vector<studies::Method>& methods) {
+  const auto integrators = std::count_if(methods.begin(), methods.end(),
+                                         [](const studies::Method& m) { return m.kind() == "integrator"; });
   if (integrators != 0 && integrators != static_cast<std::ptrdiff_t>(methods.size()))
     throw UsageError{"--integrator compares motions, --solver and --strategy equilibria: one or the other"};
   return integrators > 0;
 }
 
-ComparisonTask read_task(const CompareOptions& o) {
-  ComparisonTask task;
+studies::ComparisonTask read_task(const CompareOptions& o) {
+  studies::ComparisonTask task;
   task.methods = read_methods(o.methods);
   task.is_of_motions = compares_motions(task.methods);
   task.tolerances = task.is_of_motions
@@ -79,11 +79,11 @@ ComparisonTask read_task(const CompareOptions& o) {
     throw UsageError{"--cells gives the meshes of equilibria; motions are compared on one mesh"};
   if (!task.is_of_motions && !o.accuracy.empty())
     throw UsageError{"--accuracy is that of motions; solvers and strategies take --tolerance"};
-  if (!o.cells.empty()) task.cells = read_cell_list(o.cells);
+  if (!o.cells.empty()) task.cells = studies::read_cell_list(o.cells);
   return task;
 }
 
-void check_kind(const LoadedScene& loaded, bool is_of_motions) {
+void check_kind(const scenes::LoadedScene& loaded, bool is_of_motions) {
   const bool moves = loaded.analysis.kind == AnalysisKind::dynamics;
   if (moves && !is_of_motions)
     throw UsageError{
@@ -103,15 +103,15 @@ class Inspection {
   Inspection(const Options& options, Registry& registry, Terminal& terminal)
       : options_(options), registry_(registry), terminal_(terminal) {}
 
-  int check(const CaseSource& source, ComparisonTask& task) {
+  int check(const runs::CaseSource& source, studies::ComparisonTask& task) {
     is_of_motions_ = task.is_of_motions;
     if (is_of_motions_) set_absent(task);
-    std::vector<Method> words;
-    for (const Method& method : task.methods)
+    std::vector<studies::Method> words;
+    for (const studies::Method& method : task.methods)
       if (!task.absent.contains(method.specification)) words.push_back(method);
     if (!task.reference.empty()) words.push_back({(is_of_motions_ ? "integrator " : "") + task.reference});
     for (const auto& method : words)
-      if (const int code = open(source_for(source, method, task.tolerances.front())); code != kDone)
+      if (const int code = open(studies::source_for(source, method, task.tolerances.front())); code != kDone)
         return code;
     return task.cells ? check_meshes(source, task) : kDone;
   }
@@ -119,31 +119,31 @@ class Inspection {
  private:
   /// An integrator whose plugin is not installed gets a row that says so, if another one has a result to
   /// compare, and if its name is not that of another one but for a letter.
-  void set_absent(ComparisonTask& task) {
+  void set_absent(studies::ComparisonTask& task) {
     const std::vector<std::string> there = registry_.available();
-    for (const Method& method : task.methods) {
-      const std::string plugin = plugin_of(method);
+    for (const studies::Method& method : task.methods) {
+      const std::string plugin = studies::plugin_of(method);
       if (std::ranges::find(there, plugin) == there.end() && !nearest(plugin, there))
         task.absent[method.specification] = "there is no plugin \"" + plugin + "\" here";
     }
     if (task.absent.size() == task.methods.size()) task.absent.clear();
   }
 
-  int check_meshes(const CaseSource& source, const ComparisonTask& task) {
-    Case own(source, registry_);
+  int check_meshes(const runs::CaseSource& source, const studies::ComparisonTask& task) {
+    runs::Case own(source, registry_);
     own.open();
-    for (const auto& level : mesh_levels(own.loaded(), *task.cells)) {
-      CaseSource mesh = source_for(source, task.methods.front(), task.tolerances.front());
+    for (const auto& level : studies::mesh_levels(own.loaded(), *task.cells)) {
+      runs::CaseSource mesh = studies::source_for(source, task.methods.front(), task.tolerances.front());
       mesh.overrides.insert(mesh.overrides.end(), level.overrides.begin(), level.overrides.end());
       if (const int code = open(mesh); code != kDone) return code;
     }
     return kDone;
   }
 
-  int open(const CaseSource& source) {
-    Case one(source, registry_);
-    const Case::State state = one.open();
-    if (state == Case::State::ready) {
+  int open(const runs::CaseSource& source) {
+    runs::Case one(source, registry_);
+    const runs::Case::State state = one.open();
+    if (state == runs::Case::State::ready) {
       check_kind(one.loaded(), is_of_motions_);
       if (!one.loaded().scene.settings.empty())
         throw UsageError{
@@ -162,11 +162,12 @@ class Inspection {
   bool is_of_motions_ = false;
 };
 
-void write_files(const Comparison& result, const CompareOptions& o) {
-  if (!o.csv.empty()) write_whole(o.csv, comparison_csv(result));
+void write_files(const studies::Comparison& result, const CompareOptions& o) {
+  if (!o.csv.empty()) formats::write_whole(o.csv, studies::comparison_csv(result));
   if (o.plot.empty()) return;
-  const LinePlot plot = comparison_plot(result);
-  write_whole(o.plot, o.plot.ends_with(".html") ? draw_html(plot) : draw_svg(plot));
+  const formats::LinePlot plot = studies::comparison_plot(result);
+  formats::write_whole(o.plot,
+                       o.plot.ends_with(".html") ? formats::draw_html(plot) : formats::draw_svg(plot));
 }
 
 /// Files that were asked for are made of a whole comparison alone.
@@ -177,8 +178,8 @@ std::string unwritten(const CompareOptions& o) {
   return text;
 }
 
-int run(const Options& options) {
-  ComparisonTask task = read_task(options.compare);
+int run_comparison(const Options& options) {
+  studies::ComparisonTask task = read_task(options.compare);
   require_ending("--csv", options.compare.csv, {".csv"});
   require_ending("--plot", options.compare.plot, {".svg", ".html"});
   catch_interrupts();
@@ -186,21 +187,22 @@ int run(const Options& options) {
   Registry registry;
   find_plugins(options, registry);
   Watchdog watchdog(ending_with_a_sentence(terminal, "the comparison ends here without a table"));
-  CaseSource source = source_of(options);
+  runs::CaseSource source = source_of(options);
   if (options.threads == 0) source.threads = 1;  // so that CPU seconds are seconds
   if (const int code = Inspection(options, registry, terminal).check(source, task); code != kDone)
     return code;
   const double tightest = task.tolerances.back();
-  const Watch watch{.interrupt = &interrupt_flag(),
-                    .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tightest); },
-                    .on_step =
-                        [&](const StepRecord& step, const std::string& run) {
-                          terminal.progress_in_time(step.t, step.end, step.seconds, run);
-                        },
-                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
-  const Comparison result = compare(source, registry, task, watch);
+  const runs::Watch watch{.interrupt = &interrupt_flag(),
+                          .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tightest); },
+                          .on_step =
+                              [&](const StepRecord& step, const std::string& run) {
+                                terminal.progress_in_time(step.t, step.end, step.seconds, run);
+                              },
+                          .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const studies::Comparison result = studies::compare(source, registry, task, watch);
   terminal.clear();
-  std::puts(options.json ? comparison_json(result).c_str() : comparison_text(result).c_str());
+  std::puts(options.json ? studies::comparison_json(result).c_str()
+                         : studies::comparison_text(result).c_str());
   if (result.is_interrupted)
     return end_interrupted(terminal, "the table is of what was done before" + unwritten(options.compare));
   const bool is_well = result.any_converged() && !result.any_failed();
@@ -211,10 +213,10 @@ int run(const Options& options) {
 
 int compare_command(const Options& options) {
   try {
-    return run(options);
+    return run_comparison(options);
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

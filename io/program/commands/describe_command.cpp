@@ -8,7 +8,7 @@
 
 #include <cstdio>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -26,8 +26,8 @@ int describe_keys(const std::string& name, std::span<const netloft_parameter> ta
 
 /// Those of time included.
 std::vector<netloft_parameter> all_analysis_keys() {
-  std::vector<netloft_parameter> all(analysis_keys().begin(), analysis_keys().end());
-  all.insert(all.end(), dynamics_keys().begin(), dynamics_keys().end());
+  std::vector<netloft_parameter> all(scenes::analysis_keys().begin(), scenes::analysis_keys().end());
+  all.insert(all.end(), scenes::dynamics_keys().begin(), scenes::dynamics_keys().end());
   return all;
 }
 
@@ -52,12 +52,12 @@ int list_command(const Options& options) {
 }
 
 int describe_command(const Options& options) {
-  if (options.target == "water") return describe_keys("water", water_keys(), options.json);
-  if (options.target == "waves") return describe_keys("waves", wave_keys(), options.json);
-  if (options.target == "tow") return describe_keys("tow", tow_keys(), options.json);
-  if (options.target == "bed") return describe_keys("bed", bed_keys(), options.json);
+  if (options.target == "water") return describe_keys("water", scenes::water_keys(), options.json);
+  if (options.target == "waves") return describe_keys("waves", scenes::wave_keys(), options.json);
+  if (options.target == "tow") return describe_keys("tow", scenes::tow_keys(), options.json);
+  if (options.target == "bed") return describe_keys("bed", scenes::bed_keys(), options.json);
   if (options.target == "analysis") return describe_keys("analysis", all_analysis_keys(), options.json);
-  if (options.target == "gear") return describe_keys("gear", gear_keys(), options.json);
+  if (options.target == "gear") return describe_keys("gear", scenes::gear_keys(), options.json);
   Registry registry;
   find_plugins(options, registry);
   const bool whole = options.target.find('/') == std::string::npos;
@@ -72,4 +72,4 @@ int describe_command(const Options& options) {
   return kDone;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

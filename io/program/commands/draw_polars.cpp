@@ -5,11 +5,11 @@
 #include <netloft/parameters.hpp>
 
 #include "framework/parameters/parameters.hpp"
-#include "io/gears/catalogue/catalogue.hpp"
 #include "io/formats/svg/plot.hpp"
-#include "io/scenes/reading/parameter_reader.hpp"
 #include "io/formats/toml/document.hpp"
 #include "io/formats/units/degrees.hpp"
+#include "io/gears/catalogue/catalogue.hpp"
+#include "io/scenes/reading/parameter_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include <functional>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -44,9 +44,9 @@ const std::vector<netloft_parameter>& columns() {
 }
 
 /// The columns of a part that a table has, under the name of that table.
-void put(const CataloguePart& part, const netloft_parameter& table, Table& all) {
-  Table own;
-  Place place;
+void add_polar(const gears::CataloguePart& part, const netloft_parameter& table, formats::Table& all) {
+  formats::Table own;
+  formats::Place place;
   for (std::size_t k = 0; table.columns[k]; ++k)
     if (const auto column = part.tables.find(table.columns[k]); column != part.tables.end()) {
       own.members.push_back({table.columns[k], column->second.place, column->second});
@@ -55,30 +55,32 @@ void put(const CataloguePart& part, const netloft_parameter& table, Table& all) 
   if (own.members.size() > 1) all.members.push_back({table.name, place, {place, std::move(own)}});
 }
 
-Values read_polar(const CataloguePart& part, Diagnostics& diagnostics) {
-  Value all{{}, Table{}};
+Values read_polar(const gears::CataloguePart& part, formats::Diagnostics& diagnostics) {
+  formats::Value all{{}, formats::Table{}};
   const bool has_slip = part.tables.contains(kSlip);
   for (const auto& table : columns())
-    if (std::string_view(table.name) != (has_slip ? "attack" : "slip")) put(part, table, *all.as<Table>());
-  TableReader reader(all, diagnostics, join_path(kPolar, part.name));
-  return read_parameters(columns(), reader);
+    if (std::string_view(table.name) != (has_slip ? "attack" : "slip"))
+      add_polar(part, table, *all.as<formats::Table>());
+  formats::TableReader reader(all, diagnostics, formats::join_path(kPolar, part.name));
+  return scenes::read_parameters(columns(), reader);
 }
 
 /// The rows of a table and the curve through them, over its first column in degrees.
-PlotSeries series_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
-                     const std::function<double(double)>& curve) {
+formats::PlotSeries series_of(const std::string& name, const std::vector<double>& x,
+                              const std::vector<double>& y, const std::function<double(double)>& curve) {
   constexpr int kPieces = 120;  // of a curve, each a tenth of a millimetre in print
-  PlotSeries series{name, {}};
-  for (std::size_t i = 0; i < x.size(); ++i) series.points.push_back({kDegreesPerRadian * x[i], y[i]});
+  formats::PlotSeries series{name, {}};
+  for (std::size_t i = 0; i < x.size(); ++i)
+    series.points.push_back({formats::kDegreesPerRadian * x[i], y[i]});
   for (int i = 0; i <= kPieces && !x.empty(); ++i) {
     const double at = std::lerp(x.front(), x.back(), static_cast<double>(i) / kPieces);
-    series.curve.push_back({kDegreesPerRadian * at, curve(at)});
+    series.curve.push_back({formats::kDegreesPerRadian * at, curve(at)});
   }
   return series;
 }
 
 void add_curves(const std::string& prefix, const netloft_table& table, const std::vector<std::string>& names,
-                LinePlot& plot) {
+                formats::LinePlot& plot) {
   for (std::uint32_t k = 0; k < names.size() && table.rows > 0; ++k) {
     const Curve curve(table, k + 1);
     plot.series.push_back(series_of(prefix + names[k], Curve::read(table, 0), Curve::read(table, k + 1),
@@ -87,7 +89,7 @@ void add_curves(const std::string& prefix, const netloft_table& table, const std
 }
 
 /// A line for each angle of sideslip.
-void add_sections(const std::string& prefix, const netloft_table& table, LinePlot& plot) {
+void add_sections(const std::string& prefix, const netloft_table& table, formats::LinePlot& plot) {
   static constexpr const char* names[] = {"lift", "drag", "side"};
   const auto attack = Curve::read(table, 0), slip = Curve::read(table, 1);
   const std::set<double> slips(slip.begin(), slip.end());
@@ -102,13 +104,13 @@ void add_sections(const std::string& prefix, const netloft_table& table, LinePlo
           y.push_back(values[i]);
         }
       plot.series.push_back(
-          series_of(fmt::format("{}{}, sideslip {:.3g}°", prefix, names[k], kDegreesPerRadian * s), x, y,
-                    [&](double at) { return surface.at(at, s); }));
+          series_of(fmt::format("{}{}, sideslip {:.3g}°", prefix, names[k], formats::kDegreesPerRadian * s),
+                    x, y, [&](double at) { return surface.at(at, s); }));
     }
 }
 
-void add_polar(const CataloguePart& part, const std::string& prefix, LinePlot& plot,
-               Diagnostics& diagnostics) {
+void add_polar(const gears::CataloguePart& part, const std::string& prefix, formats::LinePlot& plot,
+               formats::Diagnostics& diagnostics) {
   const int errors_before = diagnostics.errors();
   const Values values = read_polar(part, diagnostics);
   std::vector<std::string> faults;
@@ -122,8 +124,9 @@ void add_polar(const CataloguePart& part, const std::string& prefix, LinePlot& p
              plot);
 }
 
-LinePlot empty_plot(const std::string& title) {
-  return {title, "angle of attack [°]", "coefficient [1]", {}, {}, AxisScale::linear, AxisScale::linear};
+formats::LinePlot empty_plot(const std::string& title) {
+  return {title, "angle of attack [°]",      "coefficient [1]",         {},
+          {},    formats::AxisScale::linear, formats::AxisScale::linear};
 }
 
 }  // namespace
@@ -131,25 +134,25 @@ LinePlot empty_plot(const std::string& title) {
 bool holds_polars(const std::filesystem::path& file) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(file, none)) return false;
-  Diagnostics silent;
-  const Document document = Document::load(file, {}, silent);
-  const Table* root = document.root().as<Table>();
+  formats::Diagnostics silent;
+  const formats::Document document = formats::Document::load(file, {}, silent);
+  const formats::Table* root = document.root().as<formats::Table>();
   return root && root->find(kPolar);
 }
 
-std::string draw_polars(const std::filesystem::path& file, bool is_page, Diagnostics& diagnostics) {
-  const Catalogue catalogue = Catalogue::load_file(file, diagnostics);
-  std::vector<const CataloguePart*> polars;
+std::string draw_polars(const std::filesystem::path& file, bool is_page, formats::Diagnostics& diagnostics) {
+  const gears::Catalogue catalogue = gears::Catalogue::load_file(file, diagnostics);
+  std::vector<const gears::CataloguePart*> polars;
   for (const auto& part : catalogue.parts())
     if (std::string_view(part.kind->name) == kPolar) polars.push_back(&part);
   const std::string heading = polars.size() == 1 ? polars[0]->name : file.stem().string();
-  std::vector<LinePlot> plots;
+  std::vector<formats::LinePlot> plots;
   if (!is_page) plots.push_back(empty_plot(heading));
-  for (const CataloguePart* polar : polars) {
+  for (const gears::CataloguePart* polar : polars) {
     if (is_page) plots.push_back(empty_plot(polar->name));
     add_polar(*polar, is_page || polars.size() == 1 ? "" : polar->name + ": ", plots.back(), diagnostics);
   }
-  return is_page ? draw_html(heading, plots) : draw_svg(plots.front());
+  return is_page ? formats::draw_html(heading, plots) : formats::draw_svg(plots.front());
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

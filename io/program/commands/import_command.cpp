@@ -11,30 +11,32 @@
 
 #include <cstdio>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-void print(const Json& json) { std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str()); }
+void print_import(const Json& json) {
+  std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
 
-Json findings_json(const Diagnostics& diagnostics) {
+Json findings_json(const formats::Diagnostics& diagnostics) {
   Json all = Json::array();
   for (const auto& d : diagnostics.sorted())
-    all.push_back({{"severity", d.severity == Severity::error ? "error" : "warning"},
+    all.push_back({{"severity", d.severity == formats::Severity::error ? "error" : "warning"},
                    {"at", diagnostics.where(d.place)},
                    {"message", d.message}});
   return all;
 }
 
-std::string verdict_of(const FolderCheck::Gear& gear) {
+std::string verdict_of(const scenes::FolderCheck::Gear& gear) {
   if (!gear.is_read) return "not read";
   return gear.lines.empty() ? "converts" : "converts, but leaves out";
 }
 
-void print_check(const FolderCheck& check) {
+void print_check(const scenes::FolderCheck& check) {
   for (const auto& gear : check.gears) {
     std::puts(fmt::format("{:<50} {}", gear.name, verdict_of(gear)).c_str());
     for (const auto& line : gear.lines) std::puts(("    " + line).c_str());
@@ -47,7 +49,7 @@ void print_check(const FolderCheck& check) {
 }
 
 int check_gears(const Options& options) {
-  const FolderCheck check = check_folder(options.folder, options.moves);
+  const scenes::FolderCheck check = scenes::check_folder(options.folder, options.moves);
   if (check.gears.empty()) throw UsageError{"--check " + options.folder + ": there is no GEAR.don in it"};
   if (!options.json) {
     print_check(check);
@@ -63,7 +65,7 @@ int check_gears(const Options& options) {
                              {"verdict", verdict_of(gear)},
                              {"lines", gear.lines},
                              {"features", gear.features}});
-  print(json);
+  print_import(json);
   return kDone;
 }
 
@@ -78,14 +80,16 @@ struct Outputs {
 };
 
 auto import_of(const std::string& format) {
-  return format == "table" ? import_table : format == "moordyn" ? import_moordyn : import_femnet;
+  return format == "table"     ? scenes::import_table
+         : format == "moordyn" ? scenes::import_moordyn
+                               : scenes::import_femnet;
 }
 
 int import_gear(const Options& options) {
   const Outputs to(options);
   Terminal terminal(options.color);
-  Diagnostics diagnostics;
-  const ImportedGear gear = import_of(options.kind)(
+  formats::Diagnostics diagnostics;
+  const scenes::ImportedGear gear = import_of(options.kind)(
       {options.target, options.mesh_file, to.mesh.filename().string(), options.divides, options.moves},
       diagnostics);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
@@ -96,10 +100,10 @@ int import_gear(const Options& options) {
     replace_file(to.scene.string(), gear.scene, sources, {".toml"});
   }
   if (options.json)
-    print({{"status", code == kDone ? "done" : "wrong input"},
-           {"output", to.scene.string()},
-           {"left_out", gear.left_out},
-           {"findings", findings_json(diagnostics)}});
+    print_import({{"status", code == kDone ? "done" : "wrong input"},
+                  {"output", to.scene.string()},
+                  {"left_out", gear.left_out},
+                  {"findings", findings_json(diagnostics)}});
   else if (code == kDone)
     terminal.say(fmt::format("written to {} and {}: {} nodes, {} elements, {} left out", to.scene.string(),
                              to.mesh.string(), gear.nodes, gear.elements, gear.left_out.size()));
@@ -121,4 +125,4 @@ int import_command(const Options& options) {
   return import_gear(options);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

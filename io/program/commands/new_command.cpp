@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/program/session/commands.hpp"
 #include "io/formats/files/whole_file.hpp"
+#include "io/program/session/commands.hpp"
 #include "netloft_templates.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -96,13 +96,13 @@ int new_command(const Options& options) {
   std::error_code error;
   if (fs::exists(folder, error)) throw UsageError{folder.string() + ": there is something of that name"};
   if (!fs::create_directory(folder, error))
-    throw WriteError(folder.string() + " cannot be made: " + error.message());
+    throw formats::WriteError(folder.string() + " cannot be made: " + error.message());
   try {
     for (const auto& t : kTemplates)
       if (t.kind == options.kind)
-        write_whole(folder / renamed(t.file, options.kind, options.target),
-                    renamed(without_licence(t.text), options.kind, options.target));
-  } catch (const WriteError&) {  // half a component would be in the way of a whole one
+        formats::write_whole(folder / renamed(t.file, options.kind, options.target),
+                             renamed(without_licence(t.text), options.kind, options.target));
+  } catch (const formats::WriteError&) {  // half a component would be in the way of a whole one
     std::error_code none;
     fs::remove_all(folder, none);
     throw;
@@ -111,4 +111,4 @@ int new_command(const Options& options) {
   return kDone;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -92,4 +92,4 @@ std::string html(const Page& page) {
   return text + "</body></html>\n";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// A reference page: a sentence, and tables under headings. Cells are plain text; the first of a row is a
 /// name.
@@ -25,4 +25,4 @@ struct Page {
 std::string markdown(const Page& page);
 std::string html(const Page& page);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

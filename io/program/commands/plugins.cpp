@@ -9,7 +9,7 @@
 #include "netloft_static_plugins.hpp"
 #endif
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -38,4 +38,4 @@ void find_plugins(const Options& options, Registry& registry) {
   registry.add_folder(installed_prefix() / "lib" / "netloft");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/files/whole_file.hpp"
+#include "io/program/commands/page.hpp"
 #include "io/program/session/commands.hpp"
 #include "io/program/session/components.hpp"
-#include "io/program/commands/page.hpp"
-#include "io/formats/files/whole_file.hpp"
 #include "io/scenes/reading/keys.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -83,9 +83,10 @@ Page page_of_table(const std::string& name, std::span<const netloft_parameter> k
 }
 
 std::vector<Page> all_pages(Registry& registry) {
-  std::vector<Page> pages = {page_of_table("water", water_keys()),       page_of_table("waves", wave_keys()),
-                             page_of_table("tow", tow_keys()),           page_of_table("bed", bed_keys()),
-                             page_of_table("analysis", analysis_keys()), page_of_table("gear", gear_keys())};
+  std::vector<Page> pages = {
+      page_of_table("water", scenes::water_keys()),       page_of_table("waves", scenes::wave_keys()),
+      page_of_table("tow", scenes::tow_keys()),           page_of_table("bed", scenes::bed_keys()),
+      page_of_table("analysis", scenes::analysis_keys()), page_of_table("gear", scenes::gear_keys())};
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& c : components_of(plugin)) pages.push_back(page_of(c, plugin.origin));
@@ -117,15 +118,15 @@ int reference_command(const Options& options) {
   pages.push_back(index_of(pages));
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw WriteError(folder.string() + " cannot be made: " + error.message());
+  if (error) throw formats::WriteError(folder.string() + " cannot be made: " + error.message());
   for (const auto& page : pages) {
-    write_whole(folder / (page.file + ".md"), markdown(page));
-    write_whole(folder / (page.file + ".html"), html(page));
+    formats::write_whole(folder / (page.file + ".md"), markdown(page));
+    formats::write_whole(folder / (page.file + ".html"), html(page));
   }
-  write_whole(folder / "scene.schema.json",
-              scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  formats::write_whole(folder / "scene.schema.json",
+                       scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   fmt::print("{} pages and scene.schema.json in {}\n", pages.size(), folder.string());
   return kDone;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

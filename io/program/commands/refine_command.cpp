@@ -8,50 +8,53 @@
 #include <cstdio>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
 /// A quarter to twice the cells of the leading part where that is possible, else once to four times.
-CellList cells_around(const LoadedScene& loaded) {
-  const std::int64_t own = leading_part(loaded).cells[0];
+studies::CellList cells_around(const scenes::LoadedScene& loaded) {
+  const std::int64_t own = studies::leading_part(loaded).cells[0];
   if (own % 4 == 0) return {"", {own / 4, own / 2, own, 2 * own}};
   return {"", {own, 2 * own, 4 * own}};
 }
 
-std::vector<MeshLevel> levels_of_gear(const Options& options, const LoadedScene& loaded) {
+std::vector<studies::MeshLevel> levels_of_gear(const Options& options, const scenes::LoadedScene& loaded) {
   if (!options.compare.cells.empty())
     throw UsageError{"--cells: a gear is divided as a whole; write --nodes 500,2000,8000"};
-  if (options.nodes.empty()) return gear_levels(loaded, {500, 2000, 8000, 30000});
+  if (options.nodes.empty()) return studies::gear_levels(loaded, {500, 2000, 8000, 30000});
   if (options.nodes.size() < 2)
     throw UsageError{"--nodes: two or more numbers are wanted, better four, such as 500,2000,8000,30000"};
-  return gear_levels(loaded, options.nodes);
+  return studies::gear_levels(loaded, options.nodes);
 }
 
-std::vector<MeshLevel> wanted_levels(const Options& options, const LoadedScene& loaded) {
+std::vector<studies::MeshLevel> wanted_levels(const Options& options, const scenes::LoadedScene& loaded) {
   if (loaded.analysis.kind == AnalysisKind::dynamics)
     throw UsageError{"refine finds equilibria on several meshes, and this scene goes through time"};
   if (loaded.gear) return levels_of_gear(options, loaded);
-  if (!options.nodes.empty()) return gear_levels(loaded, options.nodes);  // says that there is no gear
-  return mesh_levels(
-      loaded, options.compare.cells.empty() ? cells_around(loaded) : read_cell_list(options.compare.cells));
+  if (!options.nodes.empty())
+    return studies::gear_levels(loaded, options.nodes);  // says that there is no gear
+  return studies::mesh_levels(loaded, options.compare.cells.empty()
+                                          ? cells_around(loaded)
+                                          : studies::read_cell_list(options.compare.cells));
 }
 
-int run(const Options& options) {
+int run_refinement(const Options& options) {
   catch_interrupts();
   Session session(options);
   Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the refinement ends here without a table"));
   if (const int code = session.open(); code != kDone) return code;
   const auto levels = wanted_levels(options, session.loaded());
   const double tolerance = session.loaded().analysis.limits.tolerance;
-  const Watch watch{
+  const runs::Watch watch{
       .interrupt = &interrupt_flag(),
       .on_iteration = [&](const IterationRecord& r) { session.terminal().progress(r, tolerance); },
       .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
-  Refinement refinement = refine(source_of(options), session.registry(), levels, watch);
+  studies::Refinement refinement = studies::refine(source_of(options), session.registry(), levels, watch);
   session.terminal().clear();
   refinement.scene = session.loaded().scene.name;
-  std::puts(options.json ? refinement_json(refinement).c_str() : refinement_text(refinement).c_str());
+  std::puts(options.json ? studies::refinement_json(refinement).c_str()
+                         : studies::refinement_text(refinement).c_str());
   if (refinement.is_interrupted)
     return end_interrupted(session.terminal(), fmt::format("the table has {} of {} meshes",
                                                            refinement.meshes.size(), levels.size()));
@@ -62,10 +65,10 @@ int run(const Options& options) {
 
 int refine_command(const Options& options) {
   try {
-    return run(options);
+    return run_refinement(options);
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

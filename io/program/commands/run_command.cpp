@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/hdf5/read.hpp"
 #include "io/program/session/memory_room.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
-#include "io/studies/compare/mesh_error.hpp"
-#include "io/results/motion/motion_report.hpp"
-#include "io/formats/hdf5/read.hpp"
 #include "io/results/file/provenance.hpp"
-#include "io/results/file/write_result.hpp"
 #include "io/results/file/start_from.hpp"
+#include "io/results/file/write_result.hpp"
+#include "io/results/motion/motion_report.hpp"
+#include "io/studies/compare/mesh_error.hpp"
 
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -29,7 +29,7 @@ int exit_code(SolveStatus status) {
 }
 
 /// The result file of a run; never one of the files that the scene was read from.
-std::string output_file(const Options& options, const LoadedScene& loaded) {
+std::string output_file(const Options& options, const scenes::LoadedScene& loaded) {
   const std::string name = options.output.empty() ? loaded.scene.name + ".hdf" : options.output;
   std::error_code missing;
   for (const auto& file : loaded.files)
@@ -42,11 +42,11 @@ std::string output_file(const Options& options, const LoadedScene& loaded) {
 /// HDF5 files of that name are of equilibria, which are written once they are found; but earlier versions
 /// wrote motions so, too.
 bool is_worthless_hdf5(const std::string& part) {
-  silence_hdf5();
+  formats::silence_hdf5();
   if (H5Fis_hdf5(part.c_str()) <= 0) return false;
   try {
-    return !Reader(part).has("/netloft/checkpoint");
-  } catch (const FileError&) {
+    return !formats::Reader(part).has("/netloft/checkpoint");
+  } catch (const formats::FileError&) {
     return true;
   }
 }
@@ -57,22 +57,22 @@ void spare_outputs(const Options& options, const std::string& part) {
   if (options.resume || options.overwrite || !std::filesystem::is_regular_file(part, none) ||
       std::filesystem::file_size(part, none) == 0)
     return;
-  require_no_writer(part);
+  formats::require_no_writer(part);
   const std::string cure = "; --overwrite replaces it, -o writes elsewhere";
   try {
     if (is_worthless_hdf5(part)) return;
-    if (const auto left = SeriesJournal::read(part); left.size() > 0)
+    if (const auto left = formats::SeriesJournal::read(part); left.size() > 0)
       throw UsageError{part + " holds " + std::to_string(left.size()) +
                        " outputs of a run that did not end; --resume goes on from them" + cure};
-  } catch (const FileError& e) {
+  } catch (const formats::FileError& e) {
     throw UsageError{std::string(e.what()) + ". A run that did not end left it" + cure};
   }
 }
 
 /// The result is named by its outcome, and who reads the terminal learns of it.
-std::string named_by_outcome(const ResultFile& file, const Solution& solution, Terminal& terminal) {
+std::string named_by_outcome(const formats::ResultFile& file, const Solution& solution, Terminal& terminal) {
   const auto wanted = file.final_path();
-  const auto name = name_beside_better(wanted, name_of(solution.status));
+  const auto name = results::name_beside_better(wanted, name_of(solution.status));
   if (name != wanted)
     terminal.say("netloft: " + wanted.string() + " holds a better result and stays; this one is " +
                  name_of(solution.status) + " and goes to " + name.string());
@@ -86,17 +86,17 @@ class FileOfRun {
   FileOfRun(const FileOfRun&) = delete;
   FileOfRun& operator=(const FileOfRun&) = delete;
   ~FileOfRun() { file_.discard(); }
-  ResultFile& operator*() { return file_; }
+  formats::ResultFile& operator*() { return file_; }
 
  private:
-  ResultFile file_;
+  formats::ResultFile file_;
 };
 
 /// Meshes that the errors of results are found from; none if they are not asked for.
-std::vector<MeshLevel> levels_for_errors(const Options& options, const LoadedScene& loaded) {
+std::vector<studies::MeshLevel> levels_for_errors(const Options& options, const scenes::LoadedScene& loaded) {
   if (!options.error) return {};
   try {
-    return levels_around(loaded);
+    return studies::levels_around(loaded);
   } catch (const std::invalid_argument& e) {
     throw UsageError{std::string("--error: ") + e.what()};
   }
@@ -107,7 +107,7 @@ std::vector<MeshLevel> levels_for_errors(const Options& options, const LoadedSce
 namespace {
 
 /// The scene as it was read and changed: a motion goes on only as the same.
-std::string identity_of(const Options& options, const LoadedScene& loaded) {
+std::string identity_of(const Options& options, const scenes::LoadedScene& loaded) {
   std::string identity = options.solver;
   for (const auto& file : loaded.files) identity += "\n" + file.hash;
   for (const auto& word : options.set) identity += "\n" + word;
@@ -123,9 +123,9 @@ int exit_code(const MarchResult& march) {
 /// Displacements that bring the gear to where the result in `file` has it, of which `key` speaks.
 std::vector<double> read_start(const std::string& file, const char* key, Session& session) {
   try {
-    const StoredResult result(file);
-    return session.assembler().displacements(positions_from(result, session.loaded()));
-  } catch (const FileError& e) {
+    const results::StoredResult result(file);
+    return session.assembler().displacements(results::positions_from(result, session.loaded()));
+  } catch (const formats::FileError& e) {
     throw UsageError{std::string(key) + ": " + e.what()};
   }
 }
@@ -137,12 +137,12 @@ std::optional<std::vector<double>> start_of_motion(const Options& options, Sessi
   return read_start(file.string(), "analysis.start", session);
 }
 
-int run_in_time(const Options& options, Session& session, const RunContext& context) {
+int run_in_time(const Options& options, Session& session, const results::RunContext& context) {
   const std::string part = output_file(options, session.loaded()) + ".part";
   if (options.resume && !std::filesystem::exists(part))
     throw UsageError{"--resume: there is no " + part + " to go on from"};
   spare_outputs(options, part);
-  const MotionOptions how{
+  const results::MotionOptions how{
       output_file(options, session.loaded()),
       options.resume,
       start_of_motion(options, session),
@@ -153,10 +153,10 @@ int run_in_time(const Options& options, Session& session, const RunContext& cont
       [&](const IterationRecord& r) {
         session.terminal().progress(r, session.loaded().analysis.limits.tolerance);
       }};
-  const MotionResult result = run_motion(session.the_case(), context, how);
+  const results::MotionResult result = results::run_motion(session.the_case(), context, how);
   session.terminal().clear();
-  std::puts(options.json ? motion_json(session.loaded(), session.plan(), result).c_str()
-                         : motion_text(session.loaded(), session.plan(), result).c_str());
+  std::puts(options.json ? results::motion_json(session.loaded(), session.plan(), result).c_str()
+                         : results::motion_text(session.loaded(), session.plan(), result).c_str());
   return exit_code(result.march);
 }
 
@@ -167,19 +167,19 @@ namespace {
 /// What a run has to show so far, for an end that is not its own.
 struct RunSoFar {
   const Options& options;
-  RunContext& context;
+  results::RunContext& context;
   Session& session;
-  RunResult& result;
+  results::RunResult& result;
   KeptPoint kept;
   FileOfRun* file = nullptr;                      // once there is one
   std::optional<std::vector<double>> start = {};  // displacements where the search begins
   std::string part;                               // of a motion
 };
 
-void print_result(const Options& options, Session& session, const RunResult& result) {
+void print_result(const Options& options, Session& session, const results::RunResult& result) {
   session.terminal().clear();
-  std::puts(options.json ? run_json(session.loaded(), session.plan(), result).c_str()
-                         : run_text(session.loaded(), session.plan(), result).c_str());
+  std::puts(options.json ? results::run_json(session.loaded(), session.plan(), result).c_str()
+                         : results::run_text(session.loaded(), session.plan(), result).c_str());
 }
 
 /// Where there is no point that could be written.
@@ -200,9 +200,9 @@ int keep_what_was_found(RunSoFar& run, const Overdue& overdue) {
   Solution& s = run.result.solution = run.session.the_case().judge(run.kept.u, *assembler);
   s.status = overdue.interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
   s.reason = overdue.sentence + "; this is the last that was found before";
-  collect(run.session.loaded(), *assembler, run.result);
+  results::collect(run.session.loaded(), *assembler, run.result);
   run.result.output_file = named_by_outcome(**run.file, s, run.session.terminal());
-  write_result(**run.file, run.session.loaded(), *assembler, run.result, run.context);
+  results::write_result(**run.file, run.session.loaded(), *assembler, run.result, run.context);
   print_result(run.options, run.session, run.result);
   return code;
 }
@@ -211,7 +211,7 @@ constexpr std::size_t kMostStages = 60;  // a page with as many states of 2 000 
 
 /// Keeps the start, and the shape in which each stage ended; stages beyond the first kMostStages are left
 /// out.
-void keep_stages(Session& session, std::vector<StageShape>& stages, Watch& watch) {
+void keep_stages(Session& session, std::vector<results::StageShape>& stages, runs::Watch& watch) {
   const auto& assembler = session.assembler();
   const auto start = assembler.start();
   stages.push_back({"start", {start.begin(), start.end()}});
@@ -228,10 +228,11 @@ void solve(Session& session, Watchdog& watchdog, RunSoFar& run) {
   const double tolerance = session.loaded().analysis.limits.tolerance;
   run.result.reading_seconds = session.the_case().reading_seconds();
   run.result.setup_seconds = session.the_case().setup_seconds();
-  Watch watch{.interrupt = &interrupt_flag(),
-              .on_iteration = [&](const IterationRecord& r) { session.terminal().progress(r, tolerance); },
-              .kept = &run.kept,
-              .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  runs::Watch watch{
+      .interrupt = &interrupt_flag(),
+      .on_iteration = [&](const IterationRecord& r) { session.terminal().progress(r, tolerance); },
+      .kept = &run.kept,
+      .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   if (run.options.stages) keep_stages(session, run.result.stages, watch);
   run.result.solution =
       run.start ? session.the_case().solve_from(*run.start, watch) : session.the_case().solve(watch);
@@ -259,22 +260,23 @@ constexpr std::int32_t kFewUnknowns = 20000;
 /// Where a run takes much of the memory there is; one that takes more is refused.
 void say_memory(Session& session) {
   if (session.assembler().pattern().size < kFewUnknowns) return;
-  const std::string note = note_of_memory(foresee_memory(session.the_case()), memory_within_reach());
+  const std::string note =
+      note_of_memory(runs::foresee_memory(session.the_case()), runs::memory_within_reach());
   if (!note.empty()) session.terminal().say("netloft: " + note);
 }
 
 }  // namespace
 
 int run_command(const Options& options) {
-  RunContext context{options.words, utc_now(), {}, ""};
+  results::RunContext context{options.words, results::utc_now(), {}, ""};
   catch_interrupts();
   Session session(options);
-  RunResult result;
+  results::RunResult result;
   RunSoFar so_far{options, context, session, result, {}, nullptr, {}, ""};
   Watchdog watchdog([&](const Overdue& overdue) { return keep_what_was_found(so_far, overdue); });
   if (const int code = session.open(); code != kDone) return code;
   context.plugins = session.registry().opened();
-  context.plan_text = plan_text(session.plan(), session.plan_extras());
+  context.plan_text = results::plan_text(session.plan(), session.plan_extras());
   say_memory(session);
   if (session.loaded().analysis.kind == AnalysisKind::dynamics) {
     refuse_for_motions(options);
@@ -292,15 +294,15 @@ int run_command(const Options& options) {
   FileOfRun file(output_file(options, session.loaded()));
   so_far.file = &file;
   solve(session, watchdog, so_far);
-  collect(session.loaded(), session.assembler(), result);
+  results::collect(session.loaded(), session.assembler(), result);
   if (options.error)
-    find_mesh_errors(
+    studies::find_mesh_errors(
         source_of(options), session.registry(), session.the_case(), levels,
         {.interrupt = &interrupt_flag(), .on_budget = [&](double seconds) { watchdog.allow(seconds); }},
         result);
   context.plugins = session.registry().opened();
   result.output_file = named_by_outcome(*file, result.solution, session.terminal());
-  write_result(*file, session.loaded(), session.assembler(), result, context);
+  results::write_result(*file, session.loaded(), session.assembler(), result, context);
   print_result(options, session, result);
   return options.error && interrupt_flag() ? kInterrupted : exit_code(result.solution.status);
 }
@@ -308,15 +310,16 @@ int run_command(const Options& options) {
 int plan_command(const Options& options) {
   Session session(options);
   if (const int code = session.open(); code != kDone) return code;
-  PlanExtras extras = session.plan_extras();
-  const MemoryForecast memory = foresee_memory(session.the_case());
+  results::PlanExtras extras = session.plan_extras();
+  const runs::MemoryForecast memory = runs::foresee_memory(session.the_case());
   extras.memory = memory.total();
   extras.factor_memory = memory.factor;
   extras.stability_memory = memory.stability;
-  std::puts(options.json
-                ? plan_json(session.loaded().scene, session.plan(), extras).c_str()
-                : (plan_text(session.plan(), extras) + memory_text(memory, memory_within_reach())).c_str());
+  std::puts(options.json ? results::plan_json(session.loaded().scene, session.plan(), extras).c_str()
+                         : (results::plan_text(session.plan(), extras) +
+                            memory_text(memory, runs::memory_within_reach()))
+                               .c_str());
   return kDone;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/program/session/commands.hpp"
-#include "io/program/session/components.hpp"
 #include "io/program/schema/part_schema.hpp"
 #include "io/program/schema/schema_words.hpp"
+#include "io/program/session/commands.hpp"
+#include "io/program/session/components.hpp"
 #include "io/scenes/reading/analysis.hpp"
 #include "io/scenes/reading/dynamics.hpp"
 #include "io/scenes/reading/keys.hpp"
@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::program {
 
 using namespace schema;
 
@@ -101,7 +101,7 @@ Json results_schema() {
 /// The table that a solver, an integrator or a strategy has in `analysis`.
 void put_component(Json& analysis, const std::string& type, const char* doc,
                    std::span<const netloft_parameter> parameters) {
-  const ComponentTable at = table_of_component(type);
+  const scenes::ComponentTable at = scenes::table_of_component(type);
   Json& plugin = analysis["properties"][at.plugin];
   if (plugin.is_null()) plugin = object();
   if (at.component.empty()) {
@@ -123,13 +123,14 @@ Json plan_schema(const char* doc, bool is_list) {
 /// How a gear is modelled, and what the parts of its plan are made of.
 void put_gear(Json& scene) {
   Json gear = object(), elements = object();
-  put_table(gear, gear_keys());
+  put_table(gear, scenes::gear_keys());
   Json& nodes = gear["properties"]["nodes"];
-  nodes = {{"anyOf", Json::array({nodes, {{"const", kKnots}}})}, {"description", nodes["description"]}};
+  nodes = {{"anyOf", Json::array({nodes, {{"const", scenes::kKnots}}})},
+           {"description", nodes["description"]}};
   Json finer = {{"type", "object"}, {"additionalProperties", {{"type", "number"}, {"exclusiveMinimum", 0}}}};
   finer["description"] = "by panel or rope: sides of triangles, or bars, that many times shorter";
   put(gear, "finer", finer, false);
-  for (const auto& of : gear_elements())
+  for (const auto& of : scenes::gear_elements())
     put(elements, of.kind,
         {{"type", "object"},
          {"properties", {{"type", text(std::string("element type, such as ") + of.type)}}},
@@ -188,14 +189,14 @@ void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) 
 Json scene_schema(Registry& registry) {
   PartSchema parts, bodies;
   Json analysis = object(), water = object(), waves = object(), tow = object(), bed = object();
-  put_table(water, water_keys());
-  put_table(tow, tow_keys());
-  put_table(bed, bed_keys());
+  put_table(water, scenes::water_keys());
+  put_table(tow, scenes::tow_keys());
+  put_table(bed, scenes::bed_keys());
   put(water, "current", current_schema(), false);
-  put_table(waves, wave_keys());
+  put_table(waves, scenes::wave_keys());
   put(water, "waves", waves, false);
-  put_table(analysis, analysis_keys());
-  put_table(analysis, dynamics_keys());
+  put_table(analysis, scenes::analysis_keys());
+  put_table(analysis, scenes::dynamics_keys());
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements) {
@@ -229,4 +230,4 @@ int schema_command(const Options& options) {
   return kDone;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/files/whole_file.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
-#include "io/formats/files/whole_file.hpp"
 #include "io/studies/sweep/scope.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -48,7 +48,7 @@ std::vector<double> read_numbers(const char* flag, const std::string& text, bool
   return numbers;
 }
 
-Interval read_interval(const char* flag, const std::string& text) {
+studies::Interval read_interval(const char* flag, const std::string& text) {
   const auto numbers = read_numbers(flag, text, false);
   return {numbers[0], numbers[1]};
 }
@@ -65,8 +65,8 @@ std::vector<double> read_range(const char* flag, const std::string& text, double
   return range;
 }
 
-ScopeRequest request_of(const Options& o) {
-  ScopeRequest request;
+studies::ScopeRequest request_of(const Options& o) {
+  studies::ScopeRequest request;
   request.depths = read_range("--depth", o.scope.depth, 7);
   request.scopes = read_range("--warp", o.scope.warp, 13);
   request.heel = read_interval("--heel", o.scope.heel);
@@ -80,8 +80,8 @@ std::string number(double value, int digits) {
 }
 
 /// How many lengths have no numbers, and why the first has none; empty if all have.
-std::string missing_text(const ScopeRow& row) {
-  const auto lacks = [](const ScopePoint& p) { return !p.why_not.empty(); };
+std::string missing_text(const studies::ScopeRow& row) {
+  const auto lacks = [](const studies::ScopePoint& p) { return !p.why_not.empty(); };
   const auto first = std::ranges::find_if(row.points, lacks);
   if (first == row.points.end()) return "";
   return fmt::format("  depth {} m: {} of {} lengths without a stable equilibrium; {} m: {}\n",
@@ -89,15 +89,15 @@ std::string missing_text(const ScopeRow& row) {
                      number(first->warp, 1), first->why_not);
 }
 
-bool is_whole(const ScopeRow& row, const ScopeRequest& request) {
+bool is_whole(const studies::ScopeRow& row, const studies::ScopeRequest& request) {
   return row.points.size() == request.scopes.size();
 }
 
-std::string text_of(const std::vector<ScopeRow>& rows, const ScopeRequest& request) {
+std::string text_of(const std::vector<studies::ScopeRow>& rows, const studies::ScopeRequest& request) {
   std::string text =
       fmt::format("{:>10}{:>11}{:>9}{:>11}{:>9}{:>13}{:>10}{:>13}{:>11}\n", "depth [m]", "from [m]", "to [m]",
                   "warp [m]", "heel [°]", "boards [m]", "wing [m]", "headline [m]", "pull [kN]");
-  for (const ScopeRow& row : rows) {
+  for (const studies::ScopeRow& row : rows) {
     text += fmt::format("{:>9}", number(row.depth, 1));
     if (!row.chosen) {
       text += is_whole(row, request) ? std::string("  no length of these\n")
@@ -105,19 +105,19 @@ std::string text_of(const std::vector<ScopeRow>& rows, const ScopeRequest& reque
                                                    row.points.size(), request.scopes.size());
       continue;
     }
-    const ScopePoint& p = row.points[*row.chosen];
+    const studies::ScopePoint& p = row.points[*row.chosen];
     text += fmt::format("{:>10}{:>10}{:>10}{:>9}{:>12}{:>10}{:>12}{:>11}\n", number(row.warp->low, 1),
                         number(row.warp->high, 1), number(p.warp, 1), number(p.heel, 2), number(p.spread, 2),
                         number(p.wing, 2), number(p.headline, 2), number(1e-3 * p.pull, 2));
   }
-  for (const ScopeRow& row : rows) {
+  for (const studies::ScopeRow& row : rows) {
     text += missing_text(row);
     for (const auto& event : row.events) text += "  " + event + "\n";
   }
   return text;
 }
 
-Json json_of(const ScopePoint& p) {
+Json json_of(const studies::ScopePoint& p) {
   return {{"warp", p.warp},
           {"heel", p.heel},
           {"spread", p.spread},
@@ -127,11 +127,11 @@ Json json_of(const ScopePoint& p) {
           {"why_not", p.why_not.empty() ? Json() : Json(p.why_not)}};
 }
 
-std::string json_of(const std::vector<ScopeRow>& rows, const char* status) {
+std::string json_of(const std::vector<studies::ScopeRow>& rows, const char* status) {
   Json all = Json::array();
-  for (const ScopeRow& row : rows) {
+  for (const studies::ScopeRow& row : rows) {
     Json points = Json::array();
-    for (const ScopePoint& p : row.points) points.push_back(json_of(p));
+    for (const studies::ScopePoint& p : row.points) points.push_back(json_of(p));
     all.push_back({{"depth", row.depth},
                    {"warp", row.warp ? Json{row.warp->low, row.warp->high} : Json()},
                    {"chosen", row.chosen ? json_of(row.points[*row.chosen]) : Json()},
@@ -144,13 +144,14 @@ std::string json_of(const std::vector<ScopeRow>& rows, const char* status) {
 
 bool is_page(const std::string& file) { return file.ends_with(".html"); }
 
-bool has_found_all(const std::vector<ScopeRow>& rows) {
-  return std::ranges::all_of(rows, [](const ScopeRow& row) {
-    return std::ranges::any_of(row.points, [](const ScopePoint& p) { return std::isfinite(p.heel); });
+bool has_found_all(const std::vector<studies::ScopeRow>& rows) {
+  return std::ranges::all_of(rows, [](const studies::ScopeRow& row) {
+    return std::ranges::any_of(row.points,
+                               [](const studies::ScopePoint& p) { return std::isfinite(p.heel); });
   });
 }
 
-void require_lengths_given(const LoadedScene& loaded) {
+void require_lengths_given(const scenes::LoadedScene& loaded) {
   if (loaded.analysis.kind == AnalysisKind::dynamics)
     throw UsageError{
         "scope follows equilibria, and this scene goes through time: --set analysis.kind=static"};
@@ -159,22 +160,23 @@ void require_lengths_given(const LoadedScene& loaded) {
         "scope goes through lengths of warp, and this scene looks for one; leave out ship.warp.tension"};
 }
 
-void print(const Options& o, const std::vector<ScopeRow>& rows, const char* status,
-           const ScopeRequest& request) {
+void print(const Options& o, const std::vector<studies::ScopeRow>& rows, const char* status,
+           const studies::ScopeRequest& request) {
   std::fputs((o.json ? json_of(rows, status) + "\n" : text_of(rows, request)).c_str(), stdout);
 }
 
-int end_early(const Options& o, Session& session, const std::vector<ScopeRow>& rows,
-              const ScopeRequest& request) {
-  const auto whole = std::ranges::count_if(rows, [&](const ScopeRow& row) { return is_whole(row, request); });
+int end_early(const Options& o, Session& session, const std::vector<studies::ScopeRow>& rows,
+              const studies::ScopeRequest& request) {
+  const auto whole =
+      std::ranges::count_if(rows, [&](const studies::ScopeRow& row) { return is_whole(row, request); });
   print(o, rows, "interrupted", request);
   return end_interrupted(session.terminal(),
                          fmt::format("the table has {} of {} depths{}", whole, request.depths.size(),
                                      o.output.empty() ? "" : ", and " + o.output + " is not written"));
 }
 
-int run(const Options& o) {
-  const ScopeRequest request = request_of(o);
+int run_scope(const Options& o) {
+  const studies::ScopeRequest request = request_of(o);
   if (!o.output.empty() && !is_page(o.output) && !o.output.ends_with(".svg"))
     throw UsageError{"-o " + o.output + ": a file .svg or .html is expected"};
   catch_interrupts();
@@ -183,20 +185,21 @@ int run(const Options& o) {
   if (const int code = session.open(); code != kDone) return code;
   require_lengths_given(session.loaded());
   require_place(o.output, paths_of(session.loaded()));
-  const Watch watch{.interrupt = &interrupt_flag(),
-                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
-  const auto on_point = [&](std::size_t solved, const ScopeRow& row, const ScopePoint& p) {
+  const runs::Watch watch{.interrupt = &interrupt_flag(),
+                          .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const auto on_point = [&](std::size_t solved, const studies::ScopeRow& row, const studies::ScopePoint& p) {
     session.terminal().progress_in_steps("lengths", solved, request.depths.size() * request.scopes.size(),
                                          fmt::format("{:.4g} m at {:.4g} m", p.warp, row.depth));
   };
-  const auto rows = find_scope(source_of(o), session.registry(), request, watch, on_point);
+  const auto rows = studies::find_scope(source_of(o), session.registry(), request, watch, on_point);
   session.terminal().clear();
   if (interrupt_flag()) return end_early(o, session, rows, request);
   const bool is_done = has_found_all(rows);
   print(o, rows, is_done ? "done" : "not converged", request);
   return write_last(session.terminal(), is_done ? kDone : kNotConverged, [&] {
     if (!o.output.empty())
-      write_whole(o.output, draw_scope(session.loaded().scene.name, rows, is_page(o.output)));
+      formats::write_whole(o.output,
+                           studies::draw_scope(session.loaded().scene.name, rows, is_page(o.output)));
   });
 }
 
@@ -204,10 +207,10 @@ int run(const Options& o) {
 
 int scope_command(const Options& options) {
   try {
-    return run(options);
+    return run_scope(options);
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/commands/study_run.hpp"
 
-#include "io/program/session/session.hpp"
+#include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/study_text.hpp"
+#include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/program/session/worker_pool.hpp"
-#include "io/formats/files/whole_file.hpp"
 #include "io/studies/sweep/path_run.hpp"
 #include "io/studies/sweep/study_table.hpp"
 
 #include <algorithm>
 #include <charconv>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -51,45 +51,46 @@ std::vector<std::size_t> read_items(const std::string& text, std::size_t count) 
   return places;
 }
 
-void note_failure(const fs::path& folder, const StudyItem& item, const std::string& reason) {
+void note_failure(const fs::path& folder, const studies::StudyItem& item, const std::string& reason) {
   try {
-    write_whole(failure_path(folder, item), reason + "\n");
-  } catch (const WriteError&) {  // the item stays missing without a reason, such as where the disk is full
+    formats::write_whole(studies::failure_path(folder, item), reason + "\n");
+  } catch (const formats::WriteError&) {  // the item stays missing without a reason, such as where the disk
+                                          // is full
   }
 }
 
 /// What is left where a plugin does not come back.
-int end_item(const fs::path& folder, const StudyItem& item, const Overdue& overdue) {
+int end_item(const fs::path& folder, const studies::StudyItem& item, const Overdue& overdue) {
   if (!overdue.interrupted) note_failure(folder, item, overdue.sentence);
   std::fprintf(stderr, "netloft: %s; item %zu has no record\n", overdue.sentence.c_str(), item.id);
   return overdue.interrupted ? kInterrupted : kNotConverged;
 }
 
 /// Solves one item in this process.
-int compute(const Options& o, const Study& study, const StudyItem& item) {
+int compute(const Options& o, const studies::Study& study, const studies::StudyItem& item) {
   Registry registry;
   find_plugins(o, registry);
   const fs::path folder = o.target;
   Watchdog watchdog([&](const Overdue& overdue) { return end_item(folder, item, overdue); });
-  const Watch watch{.interrupt = &interrupt_flag(),
-                    .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
-  const PathContext context{folder, &registry, watch, std::max(o.threads, 1)};
-  const auto record = run_path(study, item, context);
+  const runs::Watch watch{.interrupt = &interrupt_flag(),
+                          .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  const studies::PathContext context{folder, &registry, watch, std::max(o.threads, 1)};
+  const auto record = studies::run_path(study, item, context);
   if (!record) return kInterrupted;
-  write_whole(record_path(folder, item), record_text(*record));
+  formats::write_whole(studies::record_path(folder, item), studies::record_text(*record));
   std::error_code none;
-  fs::remove(failure_path(folder, item), none);
+  fs::remove(studies::failure_path(folder, item), none);
   return kDone;
 }
 
 /// Items that are to be computed, and how that went.
 class Campaign {
  public:
-  Campaign(const Options& o, const Study& study, std::vector<std::size_t> places)
+  Campaign(const Options& o, const studies::Study& study, std::vector<std::size_t> places)
       : o_(o), study_(study), asked_(places.size()), terminal_(o.color, o.json) {
     std::string fault;
     for (const std::size_t place : places)
-      if (!find_record(o.target, study.items[place], fault)) left_.push_back(place);
+      if (!studies::find_record(o.target, study.items[place], fault)) left_.push_back(place);
   }
 
   int run() {
@@ -106,12 +107,12 @@ class Campaign {
  private:
   /// Where somebody else starts one program for every item.
   int alone() {
-    const StudyItem& item = study_.items[left_.front()];
+    const studies::StudyItem& item = study_.items[left_.front()];
     try {
       const int code = compute(o_, study_, item);
       done_ = code == kDone;
       return code == kNotConverged ? code : finish();
-    } catch (const StudyError& e) {
+    } catch (const studies::StudyError& e) {
       note_failure(o_.target, item, e.what());
       throw;
     }
@@ -154,7 +155,7 @@ class Campaign {
   }
 
   const Options& o_;
-  const Study& study_;
+  const studies::Study& study_;
   std::size_t asked_, done_ = 0, failed_ = 0;
   Terminal terminal_;
   std::vector<std::size_t> left_;  // places of items without a record
@@ -162,8 +163,8 @@ class Campaign {
 
 }  // namespace
 
-int run_study(const Options& o, const Study& study) {
+int run_study(const Options& o, const studies::Study& study) {
   return Campaign(o, study, read_items(o.study.items, study.items.size())).run();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

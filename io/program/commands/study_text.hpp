@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// What a command on studies answers, for people or for programs.
 inline void print_answer(const Options& o, const nlohmann::ordered_json& json, const std::string& text) {
@@ -21,4 +21,4 @@ inline std::string count_of(std::size_t n, const char* what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

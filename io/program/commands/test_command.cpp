@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -112,4 +112,4 @@ int test_command(const Options& options) {
   return passed ? kDone : kOther;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -9,17 +9,17 @@
 #include <algorithm>
 #include <limits>
 
-namespace netloft::io::schema {
+namespace netloft::program::schema {
 
 namespace {
 
-Json count_limits(Json array, const Count& count) {
+Json count_limits(Json array, const formats::Count& count) {
   if (count.least > 0) array["minItems"] = count.least;
   if (count.most < 1000000) array["maxItems"] = count.most;
   return array;
 }
 
-Json geometry_schema(const GeometryKey& key) {
+Json geometry_schema(const scenes::GeometryKey& key) {
   const Json number = quantity(key.unit, key.range.lo, key.range.hi, key.doc);
   const Json integer = {
       {"type", "integer"}, {"minimum", key.range.lo}, {"maximum", key.range.hi}, {"description", key.doc}};
@@ -29,16 +29,16 @@ Json geometry_schema(const GeometryKey& key) {
                       {"minItems", 3},
                       {"maxItems", 3}};
   switch (key.shape) {
-    case GeometryKey::Shape::integer:
+    case scenes::GeometryKey::Shape::integer:
       return integer;
-    case GeometryKey::Shape::integers:
+    case scenes::GeometryKey::Shape::integers:
       return count_limits({{"type", "array"}, {"items", integer}, {"description", key.doc}}, key.count);
-    case GeometryKey::Shape::named_points:
+    case scenes::GeometryKey::Shape::named_points:
       return {{"type", "object"}, {"additionalProperties", point}, {"description", key.doc}};
-    case GeometryKey::Shape::word:
+    case scenes::GeometryKey::Shape::word:
       if (key.words.empty()) return text(key.doc);
       return {{"enum", key.words}, {"default", key.words[0]}, {"description", key.doc}};
-    case GeometryKey::Shape::points:
+    case scenes::GeometryKey::Shape::points:
       if (key.count.most == 1) return point;
       return count_limits({{"type", "array"}, {"items", point}, {"description", key.doc}}, key.count);
     default:
@@ -56,7 +56,7 @@ void put_data(Json& part, const ElementType& e, bool required) {
           count_limits({{"type", "array"},
                         {"items", quantity(datum.unit, -inf, inf, datum.doc)},
                         {"description", datum.doc}},
-                       exactly(datum.width)),
+                       formats::exactly(datum.width)),
           required);
 }
 
@@ -86,7 +86,7 @@ Json begin_part(const ElementType& e) {
 
 /// `twine = "pe-braided-4mm"`, or a table that overrides values of the part it names, or all values.
 void let_name_catalogue_parts(Json& part) {
-  for (const auto& key : part_keys()) {
+  for (const auto& key : gears::part_keys()) {
     if (!part["properties"].contains(key)) continue;
     Json whole = part["properties"][key], overriding = whole;
     overriding.erase("required");
@@ -111,7 +111,8 @@ Json end_part(Json part, const ElementType& e, const PluginContent& plugin) {
 /// A part with a geometry of its own.
 Json part_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
-  for (const auto& key : geometry_keys(layout_of(e))) put(part, key.name, geometry_schema(key), key.required);
+  for (const auto& key : scenes::geometry_keys(scenes::layout_of(e)))
+    put(part, key.name, geometry_schema(key), key.required);
   put_data(part, e, true);
   return end_part(std::move(part), e, plugin);
 }
@@ -120,7 +121,8 @@ Json part_schema(const ElementType& e, const PluginContent& plugin) {
 Json mesh_part_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
   part["title"] = e.type + " on a mesh";
-  for (const auto& key : mesh_keys(layout_of(e))) put(part, key.name, geometry_schema(key), key.required);
+  for (const auto& key : scenes::mesh_keys(scenes::layout_of(e)))
+    put(part, key.name, geometry_schema(key), key.required);
   put_data(part, e, true);
   return end_part(std::move(part), e, plugin);
 }
@@ -187,4 +189,4 @@ void PartSchema::check(const ElementType& e, const Json& then) {
       {{"if", {{"properties", {{"type", {{"const", e.type}}}}}, {"required", {"type"}}}}, {"then", then}});
 }
 
-}  // namespace netloft::io::schema
+}  // namespace netloft::program::schema

@@ -3,7 +3,7 @@
 #include "framework/registry/registry.hpp"
 #include "io/program/session/components.hpp"
 
-namespace netloft::io::schema {
+namespace netloft::program::schema {
 
 /// What a part may hold, by its type and by whether it stands on others, for two readers: `allOf` leads a
 /// checker to the one description that holds, so that it can name the wrong key; `anyOf`, which is always
@@ -22,4 +22,4 @@ class PartSchema {
   Json types_ = Json::array(), checks_ = Json::array(), offers_ = {{{"type", "object"}}};
 };
 
-}  // namespace netloft::io::schema
+}  // namespace netloft::program::schema

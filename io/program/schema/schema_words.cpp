@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io::schema {
+namespace netloft::program::schema {
 
 namespace {
 
@@ -117,4 +117,4 @@ void put_table(Json& owner, std::span<const netloft_parameter> table) {
 
 Json text(const std::string& doc) { return {{"type", "string"}, {"description", doc}}; }
 
-}  // namespace netloft::io::schema
+}  // namespace netloft::program::schema

@@ -8,7 +8,7 @@
 #include <utility>
 
 /// What all JSON schemas of files of a user are put together from.
-namespace netloft::io::schema {
+namespace netloft::program::schema {
 
 /// A table that has no keys yet, and none but those that are put in.
 Json object();
@@ -25,4 +25,4 @@ void put_table(Json& owner, std::span<const netloft_parameter> table);
 /// Of keys that are required, each is left once.
 void drop_repeats(Json& schema);
 
-}  // namespace netloft::io::schema
+}  // namespace netloft::program::schema

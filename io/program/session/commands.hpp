@@ -3,7 +3,7 @@
 #include "framework/registry/registry.hpp"
 #include "io/program/session/options.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// Folders in the order of search: --plugins, the scene's if asked for, NETLOFT_PLUGINS, the installed one.
 void find_plugins(const Options& options, Registry& registry);
@@ -31,4 +31,4 @@ int export_command(const Options& options);  // a result for other programs
 int import_command(const Options& options);  // a gear of another program as a scene
 int view_command(const Options& options);    // results as a page
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// What `netloft compare` is asked for beyond what other commands know.
 struct CompareOptions {
@@ -16,4 +16,4 @@ struct CompareOptions {
   std::string csv, plot;                 // --csv FILE, --plot FILE.svg|.html
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::program

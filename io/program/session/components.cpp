@@ -12,7 +12,7 @@
 
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -70,7 +70,8 @@ std::string element_text(const ElementType& e) {
   fmt::format_to(out, "{}: {}\nan element on {}; plugin {} {} ({})\n\ngeometry\n", e.type, e.element.doc,
                  stencil_name(e.element.stencil), e.origin->name, e.origin->version,
                  e.origin->file.empty() ? "compiled in" : e.origin->file);
-  for (const auto& key : geometry_keys(layout_of(e))) fmt::format_to(out, "  {:<24} {}\n", key.name, key.doc);
+  for (const auto& key : scenes::geometry_keys(scenes::layout_of(e)))
+    fmt::format_to(out, "  {:<24} {}\n", key.name, key.doc);
   fmt::format_to(out, "\nparameters\n");
   append_parameters(e.parameters, out);
   fmt::format_to(out, "\nterms\n");
@@ -88,34 +89,34 @@ std::string element_text(const ElementType& e) {
 }
 
 /// "[1, 100000]", "(0, 10]".
-std::string interval(const Range& range) {
+std::string interval(const formats::Range& range) {
   return fmt::format("{}{:g}, {:g}{}", range.lo_open ? "(" : "[", range.lo, range.hi,
                      range.hi_open ? ")" : "]");
 }
 
 /// "4 ", "2 or more ".
-std::string count_text(const Count& count) {
+std::string count_text(const formats::Count& count) {
   return count.least == count.most ? fmt::format("{} ", count.least)
                                    : fmt::format("{} or more ", count.least);
 }
 
-std::string allowed_geometry(const GeometryKey& key) {
+std::string allowed_geometry(const scenes::GeometryKey& key) {
   const std::string unit = key.unit == "1" ? "" : " " + key.unit;
   switch (key.shape) {
-    case GeometryKey::Shape::word:
+    case scenes::GeometryKey::Shape::word:
       return fmt::format("one of {}", fmt::join(key.words, ", "));
-    case GeometryKey::Shape::named_points:
+    case scenes::GeometryKey::Shape::named_points:
       return "name = [x, y, z]" + unit;
-    case GeometryKey::Shape::points:
+    case scenes::GeometryKey::Shape::points:
       return (key.count.most == 1 ? "" : count_text(key.count) + "times ") + "[x, y, z]" + unit;
-    case GeometryKey::Shape::integers:
+    case scenes::GeometryKey::Shape::integers:
       return count_text(key.count) + "in " + interval(key.range) + unit;
     default:
       return interval(key.range) + unit;
   }
 }
 
-Json geometry_row(const GeometryKey& key) {
+Json geometry_row(const scenes::GeometryKey& key) {
   return {{"name", key.name},
           {"unit", key.unit},
           {"allowed", allowed_geometry(key)},
@@ -128,7 +129,7 @@ Json geometry_row(const GeometryKey& key) {
 Json element_json(const ElementType& e) {
   Json terms = Json::array(), outputs = Json::array(), data = Json::array(), geometry = Json::array(),
        laws = Json::array(), globals = Json::array();
-  for (const auto& key : geometry_keys(layout_of(e))) geometry.push_back(geometry_row(key));
+  for (const auto& key : scenes::geometry_keys(scenes::layout_of(e))) geometry.push_back(geometry_row(key));
   for (const auto& t : e.terms)
     terms.push_back({{"name", t.name}, {"traits", describe_traits(t.traits)}, {"doc", t.doc}});
   for (const auto& o : e.outputs) outputs.push_back({{"name", o.name}, {"unit", o.unit}, {"doc", o.doc}});
@@ -163,7 +164,7 @@ std::string analysis_text(const std::string& type, const char* doc, const char* 
                           const PluginOrigin& origin, std::span<const netloft_parameter> parameters) {
   std::string text;
   const Out out = std::back_inserter(text);
-  const ComponentTable at = table_of_component(type);
+  const scenes::ComponentTable at = scenes::table_of_component(type);
   fmt::format_to(out, "{}: {}\n{}; plugin {} {} ({})\n\nparameters (in the table analysis.{}{}{})\n", type,
                  doc, kind, origin.name, origin.version, file_of(origin), at.plugin,
                  at.component.empty() ? "" : ".", at.component);
@@ -209,7 +210,7 @@ std::string law_text(const LawType& l) {
   append_parameters(l.parameters, out);
   if (!l.validity.empty())
     fmt::format_to(out, "\nmeasured for (reports say for how much of a gear it is asked outside)\n");
-  for (const auto& range : l.validity) fmt::format_to(out, "  {}\n", validity_text(range));
+  for (const auto& range : l.validity) fmt::format_to(out, "  {}\n", results::validity_text(range));
   return text;
 }
 
@@ -220,7 +221,7 @@ Json validity_json(const LawType& l) {
                     {"lo", range.lo},
                     {"hi", range.hi},
                     {"source", range.source},
-                    {"text", validity_text(range)}});
+                    {"text", results::validity_text(range)}});
   return rows;
 }
 
@@ -256,4 +257,4 @@ std::vector<Component> components_of(const PluginContent& plugin) {
   return all;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

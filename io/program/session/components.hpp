@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 using Json = nlohmann::ordered_json;
 
@@ -29,4 +29,4 @@ std::string parameter_text(std::span<const netloft_parameter> table);
 /// JSON schema of scene files, from the tables of all plugins that can be found.
 Json scene_schema(Registry& registry);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

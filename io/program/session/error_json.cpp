@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -32,10 +32,10 @@ std::string dump(const Json& json, int indent = 2) {
 
 }  // namespace
 
-std::string errors_json(const Diagnostics& diagnostics, int exit_code) {
+std::string errors_json(const formats::Diagnostics& diagnostics, int exit_code) {
   Json errors = Json::array();
   for (const auto& d : diagnostics.sorted())
-    errors.push_back({{"severity", d.severity == Severity::error ? "error" : "warning"},
+    errors.push_back({{"severity", d.severity == formats::Severity::error ? "error" : "warning"},
                       {"where", diagnostics.where(d.place)},
                       {"line", d.place.line},
                       {"column", d.place.column},
@@ -55,4 +55,4 @@ std::string done_json(const std::string& output) {
   return "{\"status\": \"done\", \"output\": " + dump(output, -1) + "}";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -19,7 +19,7 @@
 #include <ucontext.h>
 #endif
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -215,4 +215,4 @@ DamagedFileWatch::DamagedFileWatch(const std::string& path, bool json) {
 
 DamagedFileWatch::~DamagedFileWatch() { damaged.set(""); }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/program/session/options.hpp"
 #include "io/formats/hdf5/handle.hpp"
+#include "io/program/session/options.hpp"
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// From now on a crash of the program, and an end that is none of its own (a plugin calls exit), are told on
 /// standard error, with the plugin that was at work, what it was called for, and whether its stack was used
@@ -32,11 +32,11 @@ auto on_file(const std::string& path, bool json, Action&& action) {
   const DamagedFileWatch watch(path, json);
   try {
     return action();
-  } catch (const FileError& e) {
+  } catch (const formats::FileError& e) {
     const std::string reason = e.what();
     const bool names_it = reason.find("cannot read ") == 0 || reason.find(path) != std::string::npos;
     throw UsageError{names_it ? reason : "cannot read " + path + ": " + reason};
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

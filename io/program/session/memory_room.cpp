@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -45,7 +45,7 @@ std::string lack_of_memory() {
   return {};
 }
 
-std::string memory_text(const MemoryForecast& f, double within_reach) {
+std::string memory_text(const runs::MemoryForecast& f, double within_reach) {
   return fmt::format(
       "memory: about {}, {} of it for the factor of the matrix{}; {}", gibibytes(f.total()),
       gibibytes(f.factor), f.stability > 0 ? ", " + gibibytes(f.stability) + " to judge stability" : "",
@@ -53,7 +53,7 @@ std::string memory_text(const MemoryForecast& f, double within_reach) {
                                                              : "what is within reach is not known");
 }
 
-std::string note_of_memory(const MemoryForecast& f, double within_reach) {
+std::string note_of_memory(const runs::MemoryForecast& f, double within_reach) {
   if (f.total() <= kLittle * within_reach) return {};
   if (kSurely * f.total() > within_reach)
     throw std::runtime_error("not enough " + memory_text(f, within_reach) +
@@ -61,4 +61,4 @@ std::string note_of_memory(const MemoryForecast& f, double within_reach) {
   return memory_text(f, within_reach);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

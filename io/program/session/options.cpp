@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::program {
 
 void refuse_idle(const Options& options, const std::vector<std::string>& idle, const std::string& why) {
   for (const std::string& name : idle)
@@ -11,4 +11,4 @@ void refuse_idle(const Options& options, const std::vector<std::string>& idle, c
       throw UsageError{name + " has no effect here: " + why};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// Options of the commands that show a result.
 struct PictureOptions {
@@ -73,4 +73,4 @@ void refuse_idle(const Options& options, const std::vector<std::string>& idle, c
 /// Exit codes: the promise of the README.
 enum Exit { kDone = 0, kOther = 1, kWrongInput = 2, kNotConverged = 3, kRefused = 4, kInterrupted = 130 };
 
-}  // namespace netloft::io
+}  // namespace netloft::program

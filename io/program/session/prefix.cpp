@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/session/prefix.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 std::filesystem::path installed_prefix() {
   std::error_code none;
@@ -16,4 +16,4 @@ std::string compiler_flags() {
          prefix + "/lib/cmake/netloft/plugin.map -I" + prefix + "/include";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

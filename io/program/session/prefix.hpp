@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// The folder that holds bin/netloft, lib/netloft and include/netloft, wherever it was moved. The build
 /// folder is laid out in the same way.
@@ -13,4 +13,4 @@ std::filesystem::path installed_prefix();
 /// otter.so`.
 std::string compiler_flags();
 
-}  // namespace netloft::io
+}  // namespace netloft::program

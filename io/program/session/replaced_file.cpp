@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/session/replaced_file.hpp"
 
+#include "io/formats/files/whole_file.hpp"
 #include "io/program/session/options.hpp"
 #include "io/program/session/terminal.hpp"
-#include "io/formats/files/whole_file.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace fs = std::filesystem;
 
@@ -44,7 +44,7 @@ void replace_file(const std::string& output, const std::string& content,
     if (fs::equivalent(output, source, none))
       throw UsageError{output + " is what it would be made from; name another file with -o"};
   if (!has_one_of(output, endings)) throw UsageError{output + ": this is written as " + list_of(endings)};
-  write_whole(output, content);
+  formats::write_whole(output, content);
 }
 
 void require_place(const std::string& file, const std::vector<std::string>& sources) {
@@ -63,10 +63,10 @@ int write_last(Terminal& terminal, int code, const std::function<void()>& write)
   try {
     write();
     return code;
-  } catch (const WriteError& e) {
+  } catch (const formats::WriteError& e) {
     terminal.say(std::string("netloft: ") + e.what());
     return kOther;
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 class Terminal;
 
 /// Puts `content` in the place of the file `output`, whole or not at all: it is written beside it and
-/// renamed (io/formats/files). A folder, a device or one of `sources` is never replaced, and the name has to end in
-/// one of `endings`, such as ".svg"; none: in any. Throws UsageError, or WriteError where the system refuses,
-/// with a sentence.
+/// renamed (io/formats/files). A folder, a device or one of `sources` is never replaced, and the name has to
+/// end in one of `endings`, such as ".svg"; none: in any. Throws UsageError, or WriteError where the system
+/// refuses, with a sentence.
 void replace_file(const std::string& output, const std::string& content,
                   const std::vector<std::string>& sources, const std::vector<std::string>& endings = {});
 
@@ -27,4 +27,4 @@ void require_place(const std::string& file, const std::vector<std::string>& sour
 /// cannot be written; returns `code`, or kOther after such a failure.
 int write_last(Terminal& terminal, int code, const std::function<void()>& write);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// Options of the command `scope` alone.
 struct ScopeOptions {
@@ -12,4 +12,4 @@ struct ScopeOptions {
   std::string spread;           // --spread LO:HI; empty: any
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::program

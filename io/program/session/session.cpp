@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <thread>
 
-namespace netloft::io {
+namespace netloft::program {
 
-std::vector<std::string> paths_of(const LoadedScene& loaded) {
+std::vector<std::string> paths_of(const scenes::LoadedScene& loaded) {
   std::vector<std::string> paths;
   for (const auto& file : loaded.files) paths.push_back(file.path);
   return paths;
@@ -21,11 +21,11 @@ int threads_for(const Options& options) {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
 }
 
-CaseSource source_of(const Options& options) {
-  CaseSource source{options.target, options.set, threads_for(options)};
+runs::CaseSource source_of(const Options& options) {
+  runs::CaseSource source{options.target, options.set, threads_for(options)};
   const auto add = [&](const char* key, const std::string& specification) {
     if (specification.empty()) return;
-    for (auto& word : overrides_of(key, specification)) source.overrides.push_back(std::move(word));
+    for (auto& word : runs::overrides_of(key, specification)) source.overrides.push_back(std::move(word));
   };
   try {
     add("strategy", options.strategy);
@@ -42,22 +42,22 @@ Session::Session(const Options& options)
 }
 
 int Session::open() {
-  const Case::State state = case_.open();
-  const Diagnostics& diagnostics = case_.diagnostics();
-  if (state != Case::State::ready) return tell_why_not(diagnostics, state, options_, terminal_);
+  const runs::Case::State state = case_.open();
+  const formats::Diagnostics& diagnostics = case_.diagnostics();
+  if (state != runs::Case::State::ready) return tell_why_not(diagnostics, state, options_, terminal_);
   if (diagnostics.warnings()) terminal_.say(diagnostics.render(terminal_.color()));
   return kDone;
 }
 
-int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Options& options,
+int tell_why_not(const formats::Diagnostics& diagnostics, runs::Case::State state, const Options& options,
                  Terminal& terminal) {
   terminal.say(diagnostics.render(terminal.color()));
-  const int code = state == Case::State::refused ? kRefused : kWrongInput;
+  const int code = state == runs::Case::State::refused ? kRefused : kWrongInput;
   if (options.json) std::puts(errors_json(diagnostics, code).c_str());
   return code;
 }
 
-PlanExtras Session::plan_extras() {
+results::PlanExtras Session::plan_extras() {
   const auto factorisation =
       case_.factorisations()(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   return {loaded().analysis.solver,
@@ -73,4 +73,4 @@ PlanExtras Session::plan_extras() {
           0};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

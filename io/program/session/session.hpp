@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/runs/case.hpp"
 #include "io/program/session/commands.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/results/text/text.hpp"
+#include "io/runs/case.hpp"
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// The case that a command line speaks of, with the terminal that tells what is wrong with it: what `run` and
 /// `plan` share.
@@ -16,30 +16,30 @@ class Session {
   /// Reads, checks and assembles the scene. Anything but kDone: it was said why, stop with that code.
   int open();
 
-  Case& the_case() { return case_; }
-  LoadedScene& loaded() { return case_.loaded(); }
+  runs::Case& the_case() { return case_; }
+  scenes::LoadedScene& loaded() { return case_.loaded(); }
   const Plan& plan() const { return case_.plan(); }
   Assembler& assembler() { return case_.assembler(); }
   Registry& registry() { return registry_; }
   Terminal& terminal() { return terminal_; }
-  PlanExtras plan_extras();
+  results::PlanExtras plan_extras();
 
  private:
   const Options& options_;
   Terminal terminal_;
   Registry registry_;
-  Case case_;
+  runs::Case case_;
 };
 
 /// The case of a command line: its scene, --set and --solver.
-CaseSource source_of(const Options& options);
+runs::CaseSource source_of(const Options& options);
 int threads_for(const Options& options);
 
 /// The files that a scene was read from.
-std::vector<std::string> paths_of(const LoadedScene& loaded);
+std::vector<std::string> paths_of(const scenes::LoadedScene& loaded);
 
 /// Says on the terminal, or as JSON, what is wrong with a scene that is not ready. Returns the exit code.
-int tell_why_not(const Diagnostics& diagnostics, Case::State state, const Options& options,
+int tell_why_not(const formats::Diagnostics& diagnostics, runs::Case::State state, const Options& options,
                  Terminal& terminal);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

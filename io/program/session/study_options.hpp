@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// Options of the command `study` alone.
 struct StudyCommandOptions {
@@ -16,4 +16,4 @@ struct StudyCommandOptions {
   int chunk = 0;                         // --chunk; 0: as many items as take a minute
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -161,4 +161,4 @@ int end_interrupted(Terminal& terminal, const std::string& what_is_left) {
   return kInterrupted;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

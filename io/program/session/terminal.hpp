@@ -5,7 +5,7 @@
 #include <atomic>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// Standard error as a place for people: whether it takes colour, and a line of progress.
 class Terminal {
@@ -54,4 +54,4 @@ void catch_interrupts();
 /// Says that the user interrupted, and what is left: "the table has 3 of 7 depths". Returns the exit code.
 int end_interrupted(Terminal& terminal, const std::string& what_is_left);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -15,7 +15,7 @@
 #include <cstdio>
 #include <exception>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -146,4 +146,4 @@ std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, st
   };
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

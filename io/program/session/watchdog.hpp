@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 class Terminal;
 
@@ -63,4 +63,4 @@ class Watchdog {
 /// program that reads JSON gets it as one object.
 std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

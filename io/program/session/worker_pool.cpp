@@ -18,7 +18,7 @@
 #include <system_error>
 #include <thread>
 
-namespace netloft::io {
+namespace netloft::program {
 
 namespace {
 
@@ -142,4 +142,4 @@ std::size_t run_workers(std::size_t count, int jobs,
   return started;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::program

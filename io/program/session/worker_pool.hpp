@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::program {
 
 /// How a program ended that was started for a job.
 struct WorkerEnd {
@@ -24,4 +24,4 @@ std::size_t run_workers(std::size_t count, int jobs,
                         const std::function<void(std::size_t, const WorkerEnd&)>& on_end,
                         const std::atomic<bool>& interrupt);
 
-}  // namespace netloft::io
+}  // namespace netloft::program

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <sstream>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::vector<LineChange> find_line_changes(const std::string& before, const std::
   return changes.found;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

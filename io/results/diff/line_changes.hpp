@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// A line that only one of two texts has.
 struct LineChange {
@@ -17,4 +17,4 @@ struct LineChange {
 /// all lines from the first difference to the last count as changed.
 std::vector<LineChange> find_line_changes(const std::string& before, const std::string& after);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -164,4 +164,4 @@ std::optional<NodeMove> find_largest_move(const StoredResult& before, const Stor
   return MoveFinder(before, after).find();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// The node that lies farthest from where it was.
 struct NodeMove {
@@ -23,4 +23,4 @@ struct NodeMove {
 /// no node can be compared.
 std::optional<NodeMove> find_largest_move(const StoredResult& before, const StoredResult& after);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -268,4 +268,4 @@ std::string diff_json(const ResultDiff& diff) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

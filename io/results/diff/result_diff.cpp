@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -142,4 +142,4 @@ ResultDiff compare_results(ResultSummary before, ResultSummary after) {
   return {std::move(before), std::move(after), std::move(numbers), std::move(inputs), {}};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// One number in two results. If only one of them has it, the other value is unknown.
 struct NumberDifference {
@@ -55,4 +55,4 @@ struct ResultDiff {
 /// Forces by part are compared only if neither result has gear figures, which contain the same forces.
 ResultDiff compare_results(ResultSummary before, ResultSummary after);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

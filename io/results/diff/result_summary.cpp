@@ -3,7 +3,7 @@
 
 #include "io/formats/hdf5/read.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -17,7 +17,7 @@ class SummaryReader {
     summary_.path = path.string();
     if (reader_.has("/netloft")) reader_.require_known_format();
     if (!reader_.has("/netloft/provenance") && !reader_.has("/netloft/checkpoint"))
-      throw FileError(summary_.path + " is not a result of netloft: it has no /netloft/provenance");
+      throw formats::FileError(summary_.path + " is not a result of netloft: it has no /netloft/provenance");
   }
 
   ResultSummary read() {
@@ -94,7 +94,7 @@ class SummaryReader {
       summary_.plugins[names[i]] = hashes[i];
   }
 
-  Reader reader_;
+  formats::Reader reader_;
   ResultSummary summary_;
 };
 
@@ -102,4 +102,4 @@ class SummaryReader {
 
 ResultSummary read_summary(const std::filesystem::path& path) { return SummaryReader(path).read(); }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// A number of a result, with the errors that the file states for it.
 struct ResultNumber {
@@ -38,4 +38,4 @@ struct ResultSummary {
 /// Throws FileError with a sentence if the file cannot be read or is no result.
 ResultSummary read_summary(const std::filesystem::path& path);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

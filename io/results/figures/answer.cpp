@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -85,4 +85,4 @@ Answer ask_elements(const Scene& scene, Assembler& assembler, std::span<const do
   return answer;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

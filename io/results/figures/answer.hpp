@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Outputs of all families: [family][output][element].
 using FamilyOutputs = std::vector<std::vector<std::vector<double>>>;
@@ -43,4 +43,4 @@ struct Answer {
 Answer ask_elements(const Scene& scene, Assembler& assembler, std::span<const double> x,
                     const Kinematics& motion = {}, bool with_forces = true);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -25,16 +25,16 @@ class Values {
   const std::vector<NamedScalar>& figures_;
 };
 
-double side_of(const LoadedScene& loaded, std::uint32_t part) {
-  for (const BodyInScene& body : loaded.bodies)
+double side_of(const scenes::LoadedScene& loaded, std::uint32_t part) {
+  for (const scenes::BodyInScene& body : loaded.bodies)
     if (body.part == part) return body.side;
   return 1;
 }
 
 /// Force of water and ground on a board along the level line to it from the other one of its pair, or from
 /// its mirror image if there is a half alone [N].
-double outward_force(const LoadedScene& loaded, const std::vector<std::uint32_t>& pair, std::size_t which,
-                     const Values& value) {
+double outward_force(const scenes::LoadedScene& loaded, const std::vector<std::uint32_t>& pair,
+                     std::size_t which, const Values& value) {
   const auto name = [&](std::size_t k) { return loaded.scene.parts[pair[k]].name; };
   const std::string here = "bodies/" + name(which) + "/";
   double x = 0, y = 2 * value(here + "y");
@@ -56,7 +56,7 @@ double outward_force(const LoadedScene& loaded, const std::vector<std::uint32_t>
 std::string trouble_of(const std::string& board, double heel, double outward) {
   if (std::abs(heel) > std::numbers::pi / 2)
     return fmt::format("{} lies over, its top turned {} by {:.0f}°", board, heel > 0 ? "outward" : "inward",
-                       kDegreesPerRadian * std::abs(heel));
+                       formats::kDegreesPerRadian * std::abs(heel));
   if (outward >= 0) return "";
   return fmt::format("{} does not spread the gear: water and ground push it inward with {:.4g} N", board,
                      -outward);
@@ -64,7 +64,7 @@ std::string trouble_of(const std::string& board, double heel, double outward) {
 
 }  // namespace
 
-std::vector<FallenBoard> find_fallen_boards(const LoadedScene& loaded,
+std::vector<FallenBoard> find_fallen_boards(const scenes::LoadedScene& loaded,
                                             const std::vector<NamedScalar>& figures) {
   std::vector<FallenBoard> fallen;
   if (!loaded.gear) return fallen;
@@ -80,4 +80,4 @@ std::vector<FallenBoard> find_fallen_boards(const LoadedScene& loaded,
   return fallen;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

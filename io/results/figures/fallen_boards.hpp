@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// A board of a pair that does not do what it is there for.
 struct FallenBoard {
@@ -16,7 +16,7 @@ struct FallenBoard {
 /// push inward. Both are equilibria like others, found at low speeds above all; a gear in one is not the gear
 /// that somebody meant. Inward is towards the other board of the pair, whichever way the ship goes. `figures`
 /// are those of the gear (gear_figures.hpp).
-std::vector<FallenBoard> find_fallen_boards(const LoadedScene& loaded,
+std::vector<FallenBoard> find_fallen_boards(const scenes::LoadedScene& loaded,
                                             const std::vector<NamedScalar>& figures);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -7,12 +7,12 @@
 
 #include "io/results/figures/gear_view.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
-void add_place(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
-               const std::string& own, std::vector<Figure>& figures) {
+void add_place(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+               std::size_t b, const std::string& own, std::vector<Figure>& figures) {
   const RigidBody& body = loaded.scene.bodies[b];
   const auto psi = assembler.rotation(b, answer.x);
   const Attitude turned = attitude_of(turned_axes(Vector{psi[0], psi[1], psi[2]}), loaded.bodies[b].side);
@@ -29,8 +29,8 @@ void add_place(const LoadedScene& loaded, const Assembler& assembler, const Answ
 }
 
 /// What its own element says of itself: the attack of a board. A doubt is a warning, not a figure.
-void add_outputs(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
-                 const std::string& own, std::vector<Figure>& figures) {
+void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+                 std::size_t b, const std::string& own, std::vector<Figure>& figures) {
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
     const ElementFamily& family = *assembler.families()[f];
     for (std::size_t e = 0; e < family.size(); ++e) {
@@ -67,7 +67,7 @@ bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
 
 /// Under which name a force on a body is summed up: water, weight and ground of what rides on bodies, and
 /// all else by the part that brings it.
-std::string source_of(const LoadedScene& loaded, const Assembler& assembler, const BodyForce& force) {
+std::string source_of(const scenes::LoadedScene& loaded, const Assembler& assembler, const BodyForce& force) {
   const Part& part = loaded.scene.parts[force.part];
   if (!rides_on_bodies(loaded.scene, part)) return part.name;
   if (force.of.is_drag()) return "water";
@@ -76,8 +76,8 @@ std::string source_of(const LoadedScene& loaded, const Assembler& assembler, con
   return reads_ground || rests_on_ground(assembler, force.part) ? "ground" : part.name;
 }
 
-void add_budget(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer, std::size_t b,
-                std::vector<Figure>& figures) {
+void add_budget(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+                std::size_t b, std::vector<Figure>& figures) {
   const RigidBody& body = loaded.scene.bodies[b];
   std::vector<std::pair<std::string, Vector>> sums;
   for (const BodyForce& force : answer.body_forces) {
@@ -97,7 +97,7 @@ void add_budget(const LoadedScene& loaded, const Assembler& assembler, const Ans
 
 }  // namespace
 
-void add_body_figures(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
                       std::vector<Figure>& figures) {
   for (std::size_t b = 0; b < loaded.scene.bodies.size(); ++b) {
     const std::string own = "bodies/" + loaded.scene.bodies[b].name + "/";
@@ -107,4 +107,4 @@ void add_body_figures(const LoadedScene& loaded, const Assembler& assembler, con
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -3,7 +3,7 @@
 #include "io/results/figures/answer.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// A number about a gear. Its name is a path such as "ropes/headrope/tension_end" with the names of the plan;
 /// it is the same on the terminal, in JSON, in result files and in comparisons of results.
@@ -31,7 +31,7 @@ struct Figure {
 ///
 /// Figures of parts that the gear does not have are left out. A scene without a net plan has those of its
 /// rigid bodies alone: where their origins are, and their attitude by netloft/attitude.hpp.
-std::vector<Figure> find_gear_figures(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<Figure> find_gear_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Answer& answer);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

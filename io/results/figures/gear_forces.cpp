@@ -10,7 +10,7 @@
 
 #include "io/results/figures/gear_view.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -21,7 +21,7 @@ struct PartGroup {
 
 /// All parts of the scene, each once: `others` are no part of the plan.
 std::vector<PartGroup> kinds_of(const GearView& gear) {
-  const GearInScene& g = gear.gear();
+  const scenes::GearInScene& g = gear.gear();
   std::vector<PartGroup> kinds = {
       {"all", {}}, {"netting", g.panels}, {"ropes", g.ropes}, {"floats", g.pieces}, {"others", {}}};
   std::set<std::uint32_t> planned(g.panels.begin(), g.panels.end());
@@ -220,4 +220,4 @@ void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
   if (const auto* footrope = gear.find_rope(gear.gear().footrope)) add_footrope(gear, *footrope, figures);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -9,7 +9,7 @@
 #include "io/results/figures/gear_view.hpp"
 #include "io/scenes/reading/beds.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -18,7 +18,7 @@ namespace {
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
-    if (const auto plane = bed_plane_of(part)) return plane->height(place.x, place.y);
+    if (const auto plane = scenes::bed_plane_of(part)) return plane->height(place.x, place.y);
   return {};
 }
 
@@ -131,4 +131,4 @@ void add_rope_figures(const GearView& gear, std::vector<Figure>& figures) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -7,7 +7,7 @@
 
 #include "io/results/figures/gear_view.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -92,4 +92,4 @@ void add_netting_figures(const GearView& gear, std::vector<Figure>& figures) {
   if (!gear.gear().panels.empty()) add_amount(gear, "netting/", all, figures);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,7 +6,7 @@
 
 #include "io/results/figures/gear_view.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -89,4 +89,4 @@ void add_pair_figures(const GearView& gear, std::vector<Figure>& figures) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -9,7 +9,7 @@
 
 #include "io/results/figures/gear_view.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -59,7 +59,7 @@ bool has(const std::vector<std::uint32_t>& parts, std::uint32_t part) {
 
 /// What is towed through water or over the ground, in the words of a table of power.
 std::string group_of(const GearView& gear, std::uint32_t part) {
-  const GearInScene& g = gear.gear();
+  const scenes::GearInScene& g = gear.gear();
   if (has(g.panels, part)) return "netting";
   if (const auto warps = g.roles.find("warp"); warps != g.roles.end() && has(warps->second, part))
     return "warps";
@@ -99,7 +99,7 @@ double value_of(const std::vector<Figure>& figures, std::string_view name) {
 }
 
 void add_cost(const GearView& gear, const Vector& pull, std::vector<Figure>& figures) {
-  const GearInScene& g = gear.gear();
+  const scenes::GearInScene& g = gear.gear();
   const double force = gear.times() * pull.x, power = force * g.ship_speed;
   figures.push_back({"towing/pull", "N", "what the ship pulls with, forwards", force});
   figures.push_back({"towing/power", "W", "that pull times the speed over the ground", power});
@@ -125,4 +125,4 @@ void add_towing_figures(const GearView& gear, std::vector<Figure>& figures) {
   if (gear.gear().ship_speed > 0) add_cost(gear, pull, figures);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

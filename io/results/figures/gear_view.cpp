@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::results {
 
 const std::uint32_t* GearView::find_rope(const std::string& wanted) const {
   const auto& ropes = gear().ropes;
@@ -77,7 +77,7 @@ Vector whole_of(const Vector& modelled, double times) {
   return {times * modelled.x, modelled.y, times * modelled.z};
 }
 
-std::vector<Figure> find_gear_figures(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<Figure> find_gear_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Answer& answer) {
   std::vector<Figure> figures;
   add_body_figures(loaded, assembler, answer, figures);
@@ -93,4 +93,4 @@ std::vector<Figure> find_gear_figures(const LoadedScene& loaded, const Assembler
   return figures;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -7,18 +7,18 @@
 #include "framework/registry/element_outputs.hpp"
 #include "io/results/figures/gear_figures.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 using Vector = Vec3<double>;
 
 /// Access to an answer by the names of the gear: positions along a rope, outputs of a panel.
 class GearView {
  public:
-  GearView(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer)
+  GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer)
       : loaded_(loaded), assembler_(assembler), answer_(answer) {}
 
-  const LoadedScene& loaded() const { return loaded_; }
-  const GearInScene& gear() const { return *loaded_.gear; }
+  const scenes::LoadedScene& loaded() const { return loaded_; }
+  const scenes::GearInScene& gear() const { return *loaded_.gear; }
   const Assembler& assembler() const { return assembler_; }
   const Answer& answer() const { return answer_; }
   double times() const { return gear().times; }
@@ -53,7 +53,7 @@ class GearView {
   template <class IsWanted>
   std::vector<double> first_output(std::uint32_t part, const IsWanted& is_wanted) const;
 
-  const LoadedScene& loaded_;
+  const scenes::LoadedScene& loaded_;
   const Assembler& assembler_;
   const Answer& answer_;
 };
@@ -70,7 +70,7 @@ void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);
 /// Of any scene with rigid bodies, whether or not a net plan is in it.
-void add_body_figures(const LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
                       std::vector<Figure>& figures);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

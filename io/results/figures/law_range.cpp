@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -23,7 +23,7 @@ std::string parts_text(const Scene& scene, const std::vector<std::uint32_t>& par
 /// "0.13 to 0.32", "up to 1e+05", "from 200"; angles in degrees.
 std::string range_text(const netloft_validity& range) {
   const bool is_angle = range.quantity == NETLOFT_ATTACK;
-  const double unit = is_angle ? in_radians(1) : 1;
+  const double unit = is_angle ? formats::in_radians(1) : 1;
   const std::string lo = fmt::format("{:.3g}", range.lo / unit), hi = fmt::format("{:.3g}", range.hi / unit);
   const std::string after = is_angle ? "°" : "";
   if (!(range.lo > 0)) return "up to " + hi + after;
@@ -32,7 +32,7 @@ std::string range_text(const netloft_validity& range) {
 
 std::string seen_text(const RangeUse& use) {
   const bool is_angle = use.range->quantity == NETLOFT_ATTACK;
-  const double unit = is_angle ? in_radians(1) : 1;
+  const double unit = is_angle ? formats::in_radians(1) : 1;
   return fmt::format("{:.3g} to {:.3g}{}", use.least / unit, use.most / unit, is_angle ? "°" : "");
 }
 
@@ -60,4 +60,4 @@ std::vector<std::string> law_range_warnings(const Scene& scene, const std::vecto
   return warnings;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

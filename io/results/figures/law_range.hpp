@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// "Reynolds number 330 to 1e+05, Choo and Casarella 1971", with the parameters it depends on.
 std::string validity_text(const netloft_validity& range);
@@ -14,4 +14,4 @@ std::string validity_text(const netloft_validity& range);
 /// round to 0 %.
 std::vector<std::string> law_range_warnings(const Scene& scene, const std::vector<LawUse>& uses);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

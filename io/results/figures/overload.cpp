@@ -10,12 +10,12 @@
 #include <array>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
 /// The largest tension of each part of a scene [N]; 0 where its elements have none.
-std::vector<double> largest_tensions(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<double> largest_tensions(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                      const Answer& answer) {
   std::vector<double> largest(loaded.scene.parts.size(), 0.0);
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
@@ -30,7 +30,7 @@ std::vector<double> largest_tensions(const LoadedScene& loaded, const Assembler&
 
 }  // namespace
 
-std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                            const Answer& answer) {
   std::vector<std::string> warnings;
   const auto largest = largest_tensions(loaded, assembler, answer);
@@ -44,7 +44,7 @@ std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Asse
   return warnings;
 }
 
-std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                         const Answer& answer) {
   std::vector<std::string> warnings;
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
@@ -64,9 +64,9 @@ std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembl
                           count[1] > 1 ? fmt::format(", at {} of its {} elements", count[0], count[1]) : ""));
     }
   }
-  for (const auto& crossing : find_crossings(loaded, assembler.node_positions(answer.x)))
+  for (const auto& crossing : scenes::find_crossings(loaded, assembler.node_positions(answer.x)))
     warnings.push_back(crossing.sentence);
   return warnings;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

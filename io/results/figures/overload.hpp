@@ -3,15 +3,15 @@
 #include "io/results/figures/answer.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// A sentence for every part whose tension is beyond what its plan or the catalogue says that it bears.
-std::vector<std::string> overload_warnings(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                            const Answer& answer);
 
 /// A sentence for every part with elements that are used beyond what is known of them (NETLOFT_OUTPUT_DOUBT),
 /// and for what has passed through its mirror image (find_crossings).
-std::vector<std::string> doubt_warnings(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                         const Answer& answer);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -3,7 +3,7 @@
 
 #include "io/results/figures/gear_view.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 double RopeTensions::at(double distance) const {
   double before = 0.5 * rest_length.front();  // the middle of bar `bar`
@@ -20,7 +20,7 @@ RopeTensions RopeTensions::turned_round() const {
   return {rope, {tension.rbegin(), tension.rend()}, {rest_length.rbegin(), rest_length.rend()}};
 }
 
-std::vector<RopeTensions> find_rope_tensions(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<RopeTensions> find_rope_tensions(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                              const Answer& answer) {
   std::vector<RopeTensions> all;
   if (!loaded.gear) return all;
@@ -31,4 +31,4 @@ std::vector<RopeTensions> find_rope_tensions(const LoadedScene& loaded, const As
   return all;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -3,7 +3,7 @@
 #include "io/results/figures/answer.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// The tensions of the bars of a gear's rope, from its start to its end.
 struct RopeTensions {
@@ -17,7 +17,7 @@ struct RopeTensions {
 };
 
 /// None if the scene has no gear.
-std::vector<RopeTensions> find_rope_tensions(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<RopeTensions> find_rope_tensions(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                              const Answer& answer);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -14,11 +14,11 @@
 #include <optional>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
-void collect_hold_forces(const LoadedScene& loaded, const Assembler& assembler, RunResult& result) {
+void collect_hold_forces(const scenes::LoadedScene& loaded, const Assembler& assembler, RunResult& result) {
   for (const auto& hold : loaded.holds) {
     HoldForce sum{hold.name, {}};
     for (std::size_t i = 0; i < hold.nodes.size(); ++i) {
@@ -41,12 +41,12 @@ void collect_balance(RunResult& result) {
   for (const auto& h : result.hold_forces) add_to_balance(h.force, result);
 }
 
-std::vector<NamedScalar> collect_scalars(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<NamedScalar> collect_scalars(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                          const Solution& solution, const FamilyOutputs& outputs) {
   std::vector<NamedScalar> scalars;
   for (const auto& request : loaded.results)
     scalars.push_back({request.name, request.unit, request.take + " of " + request.of,
-                       value_of(request, loaded, assembler, solution, outputs)});
+                       scenes::value_of(request, loaded, assembler, solution, outputs)});
   return scalars;
 }
 
@@ -79,7 +79,7 @@ struct Numbers {
 };
 
 /// Empty where there is no place, or no force there.
-std::optional<Numbers> numbers_at(const LoadedScene& loaded, Assembler& assembler, Solution there) {
+std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there) {
   there.residual.assign(there.x.size(), 0.0);
   const Kinematics motion = at_rest(there);
   if (there.x.empty() || !assembler.evaluate(there.x, {.residual = there.residual.data(), .motion = motion}))
@@ -90,7 +90,7 @@ std::optional<Numbers> numbers_at(const LoadedScene& loaded, Assembler& assemble
 }
 
 /// Evaluates all numbers once more, after the next Newton step, to estimate the solver's error.
-void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+void collect_solver_errors(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   Solution after;
   after.x = result.solution.correction.x;
   after.x_low = result.solution.correction.x_low;
@@ -101,7 +101,7 @@ void collect_solver_errors(const LoadedScene& loaded, Assembler& assembler, RunR
 }
 
 /// And at every other equilibrium that was found.
-void collect_spread(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+void collect_spread(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   for (const OtherShape& other : result.solution.shapes.others) {
     Solution there;
     there.x = other.x;
@@ -146,7 +146,7 @@ void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<N
 }
 
 /// How much the numbers of an equilibrium depend on what grows there, by central differences.
-void collect_swing(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+void collect_swing(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   const Solution& s = result.solution;
   const bool grows = s.stability == Stability::swinging || s.stability == Stability::unstable;
   if (!grows || s.growing.mode.size() != s.u.size()) return;
@@ -175,7 +175,7 @@ const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const st
   return at == scalars.end() ? nullptr : &*at;
 }
 
-std::vector<NamedScalar> collect_gear(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<NamedScalar> collect_gear(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Answer& answer) {
   std::vector<NamedScalar> gear;
   for (auto& figure : find_gear_figures(loaded, assembler, answer))
@@ -183,7 +183,7 @@ std::vector<NamedScalar> collect_gear(const LoadedScene& loaded, const Assembler
   return gear;
 }
 
-void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result) {
+void collect(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult& result) {
   Answer answer = ask_elements(loaded.scene, assembler, result.solution.x, at_rest(result.solution));
   result.scalars = collect_scalars(loaded, assembler, result.solution, answer.outputs);
   result.gear = collect_gear(loaded, assembler, answer);
@@ -204,4 +204,4 @@ void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result)
   collect_swing(loaded, assembler, result);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

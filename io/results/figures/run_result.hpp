@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Sum of the forces with which one hold acts on the gear [N].
 struct HoldForce {
@@ -66,10 +66,10 @@ struct RunResult {
 };
 
 /// The figures of a scene's gear at an answer, without errors; none if it has no net plan.
-std::vector<NamedScalar> collect_gear(const LoadedScene& loaded, const Assembler& assembler,
+std::vector<NamedScalar> collect_gear(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Answer& answer);
 
 /// Sums, outputs and named scalars at the solution's last point, with the solver's errors.
-void collect(const LoadedScene& loaded, Assembler& assembler, RunResult& result);
+void collect(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

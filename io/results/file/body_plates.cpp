@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::vector<BodyPlate> plates_of(const StoredResult& result, std::size_t state) 
   return plates;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

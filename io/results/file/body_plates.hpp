@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// The outline of a rigid body, such as an otter board, where it is at a state.
 struct BodyPlate {
@@ -17,4 +17,4 @@ struct BodyPlate {
 /// Of all bodies that have an outline and an element of their own.
 std::vector<BodyPlate> plates_of(const StoredResult& result, std::size_t state);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

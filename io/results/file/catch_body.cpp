@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -46,4 +46,4 @@ CatchBody catch_body_of(const StoredResult& result, std::size_t state) {
   return body;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Where the catch lies: the triangles of netting that it presses on, and the rim of its front.
 struct CatchBody {
@@ -17,4 +17,4 @@ struct CatchBody {
 /// The catch at a state; empty if the result has none.
 CatchBody catch_body_of(const StoredResult& result, std::size_t state);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::array<double, 3> place_of(const DimensionEnd& end, const StoredResult& resu
   return {points[at], (end.where == Where::mirrored ? -1 : 1) * points[at + 1], points[at + 2]};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// An end of a dimension line: a node, its mirror image, or the bed below the line's first end.
 struct DimensionEnd {
@@ -29,4 +29,4 @@ std::vector<Dimension> dimensions_of(const StoredResult& result);
 std::array<double, 3> place_of(const DimensionEnd& end, const StoredResult& result,
                                const std::vector<double>& points, const std::array<double, 3>& other);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

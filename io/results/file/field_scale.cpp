@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::vector<std::array<double, 3>> values_at_corners(const StoredMesh& mesh,
   return corners;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

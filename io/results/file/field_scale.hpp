@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// The values that colours stand for: from `lo` to `hi`, linearly or logarithmically.
 struct Scale {
@@ -60,4 +60,4 @@ FieldScales scales_of(const FieldSpreads& spreads, bool is_logarithmic);
 std::vector<std::array<double, 3>> values_at_corners(const StoredMesh& mesh,
                                                      const std::vector<double>& by_cell);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

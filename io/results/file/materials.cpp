@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/materials.hpp"
+#include "io/results/file/no_number.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +8,10 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHighLoad =
     0.5;  // of the breaking load: knots and splices take about half of a line's strength
 
@@ -98,4 +98,4 @@ std::vector<std::string> load_warnings(const std::vector<Material>& materials) {
   return warnings;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// A row of the bill of materials with what it carries; NaN marks what does not apply or is not known.
 struct Material {
-  BillItem item;
+  scenes::BillItem item;
   double length = 0;  // in the whole gear: of ropes, unstretched; of the twines of netting [m]
   double area = 0;    // length times diameter of the twines; of bodies projected [m2]
   double mass = 0;    // in air [kg]
@@ -25,4 +25,4 @@ std::vector<Material> materials_of(const StoredResult& result);
 /// A sentence for every material that carries more than half of its breaking load.
 std::vector<std::string> load_warnings(const std::vector<Material>& materials);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/picture.hpp"
+#include "io/results/file/no_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,16 +8,14 @@
 #include <map>
 #include <span>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether the elements of a family become cells of the picture: elements between their own nodes, and
 /// elements on single nodes and on the origins of bodies. Elements between other parts' nodes and elements
 /// that ride on drawn elements would hide those.
-bool is_drawn(const LoadedScene& loaded, const ElementFamily& family) {
+bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
   if (family.type().element.stencil == NETLOFT_NODE || family.type().is_on_body()) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
 }
@@ -26,7 +25,7 @@ using PanelPoint = std::array<double, 2>;  // U, V [meshes]
 /// Where a panel has each node of the scene. A node of a seam that closes the panel has two places.
 class PanelPlaces {
  public:
-  explicit PanelPlaces(const PartGeometry& part) {
+  explicit PanelPlaces(const scenes::PartGeometry& part) {
     for (std::size_t own = 0; own < part.panel.size(); ++own)
       places_.emplace(part.nodes[own], part.panel[own]);
   }
@@ -76,7 +75,7 @@ class CellsOfFamilies {
  public:
   static constexpr std::size_t kNoCell = std::numeric_limits<std::size_t>::max();
 
-  CellsOfFamilies(const LoadedScene& loaded, const Assembler& assembler)
+  CellsOfFamilies(const scenes::LoadedScene& loaded, const Assembler& assembler)
       : loaded_(loaded), assembler_(assembler) {
     for (const auto& family : assembler.families()) {
       first_.push_back(count_);
@@ -107,7 +106,7 @@ class CellsOfFamilies {
     return nodes;
   }
 
-  const LoadedScene& loaded_;
+  const scenes::LoadedScene& loaded_;
   const Assembler& assembler_;
   std::vector<std::size_t> first_;
   std::map<Nodes, std::size_t> between_;
@@ -116,13 +115,13 @@ class CellsOfFamilies {
 
 }  // namespace
 
-Mesh make_mesh(const LoadedScene& loaded, const Assembler& assembler) {
-  Mesh mesh;
+formats::Mesh make_mesh(const scenes::LoadedScene& loaded, const Assembler& assembler) {
+  formats::Mesh mesh;
   mesh.n_points = loaded.scene.node_count();
   for (const auto& family : assembler.families()) {
     if (!is_drawn(loaded, *family)) continue;
     const int corners = family->nodes_per_element();
-    const auto cell = corners == 1 ? kVertex : corners == 2 ? kLine : kTriangle;
+    const auto cell = corners == 1 ? formats::kVertex : corners == 2 ? formats::kLine : formats::kTriangle;
     for (std::size_t e = 0; e < family->size(); ++e) {
       for (int c = 0; c < corners; ++c) mesh.connectivity.push_back(family->node(e, c));
       mesh.offsets.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
@@ -132,22 +131,22 @@ Mesh make_mesh(const LoadedScene& loaded, const Assembler& assembler) {
   return mesh;
 }
 
-std::optional<std::pair<FieldSpec, std::vector<double>>> rotation_field(const LoadedScene& loaded,
-                                                                        const Assembler& assembler,
-                                                                        std::span<const double> x) {
+std::optional<std::pair<formats::FieldSpec, std::vector<double>>> rotation_field(
+    const scenes::LoadedScene& loaded, const Assembler& assembler, std::span<const double> x) {
   if (loaded.scene.bodies.empty()) return {};
   std::vector<double> field(3 * loaded.scene.node_count(), kNone);
   for (std::size_t b = 0; b < loaded.scene.bodies.size(); ++b) {
     const auto psi = assembler.rotation(b, x);
     std::copy(psi.begin(), psi.end(), field.begin() + 3 * std::ptrdiff_t{loaded.scene.bodies[b].origin});
   }
-  return std::pair{FieldSpec{"rotation", "rad",
-                             "of the body whose origin this is: rotation vector from its axes to the world's",
-                             Location::kPoint, 3, false},
-                   std::move(field)};
+  return std::pair{
+      formats::FieldSpec{"rotation", "rad",
+                         "of the body whose origin this is: rotation vector from its axes to the world's",
+                         formats::Location::kPoint, 3, false},
+      std::move(field)};
 }
 
-std::vector<StaticField> label_points(const LoadedScene& loaded) {
+std::vector<formats::StaticField> label_points(const scenes::LoadedScene& loaded) {
   const std::size_t n = loaded.scene.node_count();
   std::vector<double> part(n), node(n), panel(2 * n, kNone);
   for (std::size_t i = 0; i < n; ++i) {
@@ -161,22 +160,24 @@ std::vector<StaticField> label_points(const LoadedScene& loaded) {
     }
   }
   return {
-      {{"part", "1", "part the node was made for, index into /netloft/parts/name", Location::kPoint, 1, true},
+      {{"part", "1", "part the node was made for, index into /netloft/parts/name", formats::Location::kPoint,
+        1, true},
        part},
-      {{"node", "1", "number of the node within its part", Location::kPoint, 1, true}, node},
-      {{"panel_uv", "1", "panel coordinates U, V in meshes", Location::kPoint, 2, false}, panel}};
+      {{"node", "1", "number of the node within its part", formats::Location::kPoint, 1, true}, node},
+      {{"panel_uv", "1", "panel coordinates U, V in meshes", formats::Location::kPoint, 2, false}, panel}};
 }
 
-StaticField label_cells(const LoadedScene& loaded, const Assembler& assembler) {
+formats::StaticField label_cells(const scenes::LoadedScene& loaded, const Assembler& assembler) {
   std::vector<double> part;
   for (const auto& family : assembler.families())
     for (std::size_t e = 0; e < family->size() && is_drawn(loaded, *family); ++e)
       part.push_back(family->part(e));
-  return {{"part", "1", "part of the element, index into /netloft/parts/name", Location::kCell, 1, true},
-          part};
+  return {
+      {"part", "1", "part of the element, index into /netloft/parts/name", formats::Location::kCell, 1, true},
+      part};
 }
 
-StaticField label_corners(const LoadedScene& loaded, const Assembler& assembler) {
+formats::StaticField label_corners(const scenes::LoadedScene& loaded, const Assembler& assembler) {
   const std::vector<PanelPlaces> places(loaded.parts.begin(), loaded.parts.end());
   std::vector<double> corners;
   for (const auto& family : assembler.families())
@@ -186,30 +187,32 @@ StaticField label_corners(const LoadedScene& loaded, const Assembler& assembler)
       const auto uv = corners_on_panel(places[family->part(e)], nodes);
       corners.insert(corners.end(), uv.begin(), uv.end());
     }
-  return {{"panel_corners", "1", "U, V of the corners on the cell's own panel, in meshes", Location::kCell, 6,
-           false},
+  return {{"panel_corners", "1", "U, V of the corners on the cell's own panel, in meshes",
+           formats::Location::kCell, 6, false},
           corners};
 }
 
-OutputFields::OutputFields(const LoadedScene& loaded, const Assembler& assembler) {
+OutputFields::OutputFields(const scenes::LoadedScene& loaded, const Assembler& assembler) {
   const CellsOfFamilies cells(loaded, assembler);
   count_ = cells.count();
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
     cells_.push_back(cells.of(f));
     const auto& outputs = assembler.families()[f]->type().outputs;
     for (std::size_t k = 0; k < outputs.size() && !cells_[f].empty(); ++k) {
-      const auto at = std::find_if(specs_.begin(), specs_.end(),
-                                   [&](const FieldSpec& spec) { return spec.name == outputs[k].name; });
+      const auto at = std::find_if(specs_.begin(), specs_.end(), [&](const formats::FieldSpec& spec) {
+        return spec.name == outputs[k].name;
+      });
       sources_.push_back({f, k, static_cast<std::size_t>(at - specs_.begin())});
       if (at == specs_.end())
-        specs_.push_back({outputs[k].name, outputs[k].unit, outputs[k].doc, Location::kCell, 1, false});
+        specs_.push_back(
+            {outputs[k].name, outputs[k].unit, outputs[k].doc, formats::Location::kCell, 1, false});
     }
   }
 }
 
 std::vector<CellField> OutputFields::gather(const FamilyOutputs& outputs) const {
   std::vector<CellField> fields;
-  for (const FieldSpec& spec : specs_) fields.push_back({spec, std::vector<double>(count_, kNone)});
+  for (const formats::FieldSpec& spec : specs_) fields.push_back({spec, std::vector<double>(count_, kNone)});
   for (const auto& [family, output, field] : sources_) {
     const std::vector<std::size_t>& cells = cells_[family];
     const auto& from = outputs[family][output];
@@ -220,4 +223,4 @@ std::vector<CellField> OutputFields::gather(const FamilyOutputs& outputs) const 
   return fields;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

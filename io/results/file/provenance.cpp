@@ -6,7 +6,7 @@
 #include <ctime>
 #include <fstream>
 
-namespace netloft::io {
+namespace netloft::results {
 
 std::string program_version() { return NETLOFT_VERSION; }
 
@@ -34,4 +34,4 @@ std::string utc_now() {
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

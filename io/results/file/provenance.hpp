@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Version of the program and the commit it was built from, if that is known.
 std::string program_version();
@@ -14,4 +14,4 @@ std::string compiler_description();
 /// The current time in UTC, ISO 8601.
 std::string utc_now();
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -30,8 +30,9 @@ class ResultMesh {
     }
     if (mesh_.regions.empty())
       throw std::invalid_argument("there are neither ropes nor panels of triangles, so there is no mesh");
-    if (format == MeshFormat::obj) return obj_text(mesh_, comment_);
-    return format == MeshFormat::vtk ? vtk_text(mesh_, comment_) : mesh_text(mesh_, comment_);
+    if (format == MeshFormat::obj) return formats::obj_text(mesh_, comment_);
+    return format == MeshFormat::vtk ? formats::vtk_text(mesh_, comment_)
+                                     : formats::mesh_text(mesh_, comment_);
   }
 
  private:
@@ -51,7 +52,7 @@ class ResultMesh {
   }
 
   void add_triangles(std::uint32_t part) {
-    MeshRegion region{RegionKind::triangles, name_of_part(part)};
+    formats::MeshRegion region{formats::RegionKind::triangles, name_of_part(part)};
     std::size_t left_out = 0;
     for (std::size_t t = 0; t < result_.mesh.triangles.size(); ++t) {
       if (result_.mesh.cell_part[result_.mesh.triangle_cells[t]] != part) continue;
@@ -75,7 +76,7 @@ class ResultMesh {
 
   /// Bars in the order of their rope, each with its share of the unstretched length.
   void add_bars(std::uint32_t part) {
-    MeshRegion region{RegionKind::bars, name_of_part(part)};
+    formats::MeshRegion region{formats::RegionKind::bars, name_of_part(part)};
     std::vector<double> ends{0};
     for (std::size_t b = 0; b < result_.mesh.bars.size(); ++b) {
       const auto cell = result_.mesh.bar_cells[b];
@@ -104,7 +105,7 @@ class ResultMesh {
 
   const StoredResult& result_;
   std::vector<double> strain_, twine_area_;  // by cell
-  InputMesh mesh_;
+  formats::InputMesh mesh_;
   std::string comment_;
 };
 
@@ -114,4 +115,4 @@ std::string mesh_of(const StoredResult& result, std::size_t state, MeshFormat fo
   return ResultMesh(result, state).text(format);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

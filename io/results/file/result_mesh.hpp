@@ -3,7 +3,7 @@
 #include "io/formats/mesh/mesh.hpp"
 #include "io/results/file/stored_result.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 enum class MeshFormat { own, obj, vtk };
 
@@ -13,4 +13,4 @@ enum class MeshFormat { own, obj, vtk };
 /// std::invalid_argument if it has neither ropes nor panels.
 std::string mesh_of(const StoredResult& result, std::size_t state, MeshFormat format = MeshFormat::own);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/rope_nodes.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 std::vector<std::uint32_t> nodes_of_rope(const StoredResult& result, const std::string& name) {
   std::vector<std::uint32_t> nodes;
@@ -14,4 +14,4 @@ std::vector<std::uint32_t> nodes_of_rope(const StoredResult& result, const std::
   return nodes;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Nodes of a rope from its start to its end; none if there is no such rope.
 std::vector<std::uint32_t> nodes_of_rope(const StoredResult& result, const std::string& name);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::vector<Point> triangles_of(const TowingShip& ship) {
   return triangles;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

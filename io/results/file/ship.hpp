@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Where a gear is towed from.
 struct TowingShip {
@@ -19,4 +19,4 @@ std::vector<TowingShip> ships_of(const StoredResult& result, std::size_t state);
 /// A hull and a house as triangles, three corners each [m]. A sign for a ship: a plan has its blocks alone.
 std::vector<std::array<double, 3>> triangles_of(const TowingShip& ship);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -20,7 +20,7 @@ std::vector<Numbers> numbers_of(const StoredResult& result) {
   return all;
 }
 
-std::vector<Numbers> numbers_of(const LoadedScene& loaded) {
+std::vector<Numbers> numbers_of(const scenes::LoadedScene& loaded) {
   std::vector<Numbers> all(loaded.scene.parts.size());
   for (std::uint32_t n = 0; n < loaded.scene.node_count(); ++n) {
     const NodeLabel label = loaded.scene.labels[n];
@@ -37,7 +37,7 @@ bool are_alike(const Numbers& a, const Numbers& b) {
 /// Carries one part after the other; members are the ways to do so.
 class Carrier {
  public:
-  Carrier(const StoredResult& result, const LoadedScene& loaded)
+  Carrier(const StoredResult& result, const scenes::LoadedScene& loaded)
       : result_(result),
         loaded_(loaded),
         x_(result.points(result.times.empty() ? 0 : result.times.size() - 1)),
@@ -61,7 +61,8 @@ class Carrier {
       else
         carry_division(*from.part, p, x);
     }
-    if (!has_any) throw FileError(result_.path.string() + " has none of the parts of " + loaded_.scene.name);
+    if (!has_any)
+      throw formats::FileError(result_.path.string() + " has none of the parts of " + loaded_.scene.name);
     return std::move(positions_);
   }
 
@@ -98,10 +99,10 @@ class Carrier {
   void carry_division(std::uint32_t there, std::size_t here, const std::vector<double>& x) {
     if (is_rope(here)) {
       if (const Part rope = rope_of(there); !rope.nodes.empty())
-        carry_rope(rope, x, loaded_.scene.parts[here], positions_);
+        runs::carry_rope(rope, x, loaded_.scene.parts[here], positions_);
     } else if (!loaded_.parts[here].panel.empty()) {
       if (const Part panel = panel_of(there); !panel.nodes.empty())
-        carry_panel(panel, x, places_of(loaded_.parts[here]), positions_);
+        runs::carry_panel(panel, x, places_of(loaded_.parts[here]), positions_);
     }
   }
 
@@ -109,9 +110,9 @@ class Carrier {
   void carry_halves(std::uint32_t there, std::size_t here) {
     if (is_rope(here)) {
       if (const Part rope = rope_of(there); !rope.nodes.empty())
-        carry_rope(whole_rope(rope), both_halves(), loaded_.scene.parts[here], positions_);
+        runs::carry_rope(whole_rope(rope), both_halves(), loaded_.scene.parts[here], positions_);
     } else if (const Part panel = panel_of(there); !panel.nodes.empty()) {
-      carry_panel(whole_panel(panel), both_halves(), places_of(loaded_.parts[here]), positions_);
+      runs::carry_panel(whole_panel(panel), both_halves(), places_of(loaded_.parts[here]), positions_);
     }
   }
 
@@ -182,7 +183,7 @@ class Carrier {
   }
 
   /// All nodes of a panel of the scene as corners of triangles, the last ones more than once to fill them up.
-  static Part places_of(const PartGeometry& geometry) {
+  static Part places_of(const scenes::PartGeometry& geometry) {
     Part panel;
     std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];
     for (std::size_t own = 0; own < (geometry.nodes.size() + 2) / 3 * 3; ++own) {
@@ -195,14 +196,14 @@ class Carrier {
   }
 
   const StoredResult& result_;
-  const LoadedScene& loaded_;
+  const scenes::LoadedScene& loaded_;
   std::vector<double> x_, images_, positions_;  // images_: across the plane of symmetry, y = 0
 };
 
 }  // namespace
 
-std::vector<double> positions_from(const StoredResult& result, const LoadedScene& loaded) {
+std::vector<double> positions_from(const StoredResult& result, const scenes::LoadedScene& loaded) {
   return Carrier(result, loaded).carry();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -27,4 +27,4 @@ double StoredBed::height(double x, double y) const {
   return plane + std::lerp(std::lerp(here[0], here[1], t), std::lerp(next[0], next[1], t), s);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/element_outputs.hpp"
+#include "io/results/file/no_number.hpp"
 #include "io/results/file/stored_result.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // Fields that are made of others: the larger tension of the two twine directions, the opening of meshes, and
 // the force of the water by the length of a rope and the area of netting.
 constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
@@ -52,8 +52,8 @@ void StoredResult::read_fields() {
 void StoredResult::find_contacts() {
   for (const auto& field : fields) {
     if (field.name != output::kNormalForce.name) continue;
-    const auto force = whole(reader_.field(Location::kCell, field.name, times.size() - 1), mesh.n_cells,
-                             "field " + field.name);
+    const auto force = whole(reader_.field(formats::Location::kCell, field.name, times.size() - 1),
+                             mesh.n_cells, "field " + field.name);
     for (const auto cell : mesh.dot_cells)
       if (std::isfinite(force[cell])) parts[mesh.cell_part[cell]].is_contact = true;
   }
@@ -67,7 +67,7 @@ std::vector<double> StoredResult::field(const std::string& name, std::size_t sta
   if (name == kOpening) return opening(state);
   if (name == kTension) return tension(state);
   if (name == kWaterForce) return water_force(state);
-  return whole(reader_.field(Location::kCell, name, state), mesh.n_cells, "field " + name);
+  return whole(reader_.field(formats::Location::kCell, name, state), mesh.n_cells, "field " + name);
 }
 
 std::vector<double> StoredResult::opening(std::size_t state) const {
@@ -80,7 +80,7 @@ std::vector<double> StoredResult::tension(std::size_t state) const {
   std::vector<double> values(mesh.n_cells, kNone);
   for (const char* one : kTensions) {
     if (!reader_.has(std::string("/VTKHDF/CellData/") + one)) continue;
-    const auto more = reader_.field(Location::kCell, one, state);
+    const auto more = reader_.field(formats::Location::kCell, one, state);
     for (std::size_t c = 0; c < values.size() && c < more.size(); ++c)
       if (!(values[c] > more[c]) && std::isfinite(more[c])) values[c] = more[c];
   }
@@ -112,7 +112,7 @@ std::vector<double> StoredResult::water_force(std::size_t state) const {
 
 std::vector<double> StoredResult::node_field(const std::string& name, std::size_t state) const {
   if (!reader_.has("/VTKHDF/PointData/" + name)) return {};
-  return whole(reader_.field(Location::kPoint, name, state), 3 * mesh.n_points, "field " + name);
+  return whole(reader_.field(formats::Location::kPoint, name, state), 3 * mesh.n_points, "field " + name);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

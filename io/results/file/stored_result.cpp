@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/stored_result.hpp"
+#include "io/results/file/no_number.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
 const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/",
                   kSwing = "/netloft/swing/";
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::ptrdiff_t kDeepest = 16;  // of groups within groups: one that holds itself has no end
 StoredPart nameless_part() {
   StoredPart part;
@@ -27,7 +27,7 @@ double at_or_none(const std::vector<double>& values, std::size_t i) {
 }
 
 void require(bool holds, const std::filesystem::path& path, const std::string& what) {
-  if (!holds) throw FileError(path.string() + " is damaged: " + what);
+  if (!holds) throw formats::FileError(path.string() + " is damaged: " + what);
 }
 
 }  // namespace
@@ -54,11 +54,11 @@ StoredResult::StoredResult(const std::filesystem::path& file) : path(file), read
 
 void StoredResult::check_format() const {
   if (!reader_.has("/netloft"))
-    throw FileError(path.string() +
-                    " is an HDF5 file, but not a result of netloft: it has no group /netloft");
+    throw formats::FileError(path.string() +
+                             " is an HDF5 file, but not a result of netloft: it has no group /netloft");
   reader_.require_known_format();
   if (!reader_.has("/VTKHDF/Points") || !reader_.has("/VTKHDF/Steps"))
-    throw FileError(path.string() + " holds no shape: the run ended before its first output");
+    throw formats::FileError(path.string() + " holds no shape: the run ended before its first output");
 }
 
 std::string StoredResult::title() const {
@@ -130,11 +130,11 @@ void StoredResult::read_mesh() {
   const auto to_index = [](double value) {
     return value >= 0 && value < kNoIndex ? static_cast<std::uint32_t>(value) : kNoIndex;
   };
-  const auto by_cell = reader_.field(Location::kCell, "part", 0);
+  const auto by_cell = reader_.field(formats::Location::kCell, "part", 0);
   for (const double part : by_cell) mesh.cell_part.push_back(to_index(part));
-  for (const double part : reader_.field(Location::kPoint, "part", 0))
+  for (const double part : reader_.field(formats::Location::kPoint, "part", 0))
     mesh.node_part.push_back(to_index(part));
-  for (const double number : reader_.field(Location::kPoint, "node", 0))
+  for (const double number : reader_.field(formats::Location::kPoint, "node", 0))
     mesh.node_number.push_back(to_index(number));
   for (auto* of : {&mesh.cell_part, &mesh.node_part})
     for (const auto part : *of)
@@ -155,7 +155,7 @@ void StoredResult::read_cells() {
   const bool has_corners = reader_.has("/VTKHDF/CellData/panel_corners");
   if (!has_corners)
     notes.push_back("it was written by an older version, without the places of cells on their panels");
-  const auto corners = has_corners ? whole(reader_.field(Location::kCell, "panel_corners", 0),
+  const auto corners = has_corners ? whole(reader_.field(formats::Location::kCell, "panel_corners", 0),
                                            6 * mesh.n_cells, "places on panels")
                                    : std::vector<double>(6 * mesh.n_cells, kNone);
   const std::size_t count = connectivity.size();
@@ -341,4 +341,4 @@ std::optional<std::uint32_t> find_part(const StoredResult& result, const std::st
   return {};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

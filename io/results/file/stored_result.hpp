@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// A part as the file describes it; NaN marks what it has not, or what the file is too old to say.
 struct StoredPart {
   std::string name, type;
   double diameter = 0, bar = 0;        // of twine, rope or float; of a bar of the meshes [m]
   std::array<double, 4> twine_axes{};  // a, b, c, d: u = a U + b V, v = c U + d V
-  SheetPlace sheet;                    // on the plan
+  scenes::SheetPlace sheet;            // on the plan
   // its single nodes are where it touches something, such as a bed, not things to look at
   bool is_contact = false;
 };
@@ -116,7 +116,7 @@ class StoredResult {
   std::string swings_most;  // of what grows: the node that moves furthest
   double node_error = 0;    // largest nodal move of the next Newton step [m]; NaN: not known
   std::optional<StoredBed> bed;
-  std::vector<BillItem> bill;
+  std::vector<scenes::BillItem> bill;
   std::vector<StoredSeries> series;
   StoredConvergence convergence;
   StoredOrigins origins;
@@ -157,10 +157,10 @@ class StoredResult {
   std::vector<std::string> strings_or_nothing(const std::string& path) const;
   std::vector<double> reals_or_nothing(const std::string& path) const;
 
-  Reader reader_;
+  formats::Reader reader_;
 };
 
 /// The number of the part of this name, if there is one.
 std::optional<std::uint32_t> find_part(const StoredResult& result, const std::string& name);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

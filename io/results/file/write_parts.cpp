@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/write_parts.hpp"
+#include "io/results/file/no_number.hpp"
 
 #include "framework/parameters/find_number.hpp"
 #include "io/scenes/reading/beds.hpp"
@@ -10,14 +11,13 @@
 #include <limits>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 double diameter_of(const Part& part) {
-  for (const auto& known : {parameter::kTwineDiameter, parameter::kRopeDiameter, parameter::kFloatDiameter})
+  for (const auto& known : {scenes::parameter::kTwineDiameter, scenes::parameter::kRopeDiameter,
+                            scenes::parameter::kFloatDiameter})
     if (const double* diameter = find_number(part.parameters, known.name);
         diameter && std::isfinite(*diameter))
       return *diameter;
@@ -35,7 +35,7 @@ using Axes = std::array<double, 4>;
 /// (a, b, c, d) of u = a U + b V, v = c U + d V: twine coordinates over panel coordinates, which are linear
 /// on the whole panel, found from the corners of one triangle. Nodes on seams are left out, because they have
 /// the coordinates of another panel's.
-Axes axes_of(const Part& part, const PartGeometry& geometry) {
+Axes axes_of(const Part& part, const scenes::PartGeometry& geometry) {
   const auto *u = find_data(part.data, datum::kU), *v = find_data(part.data, datum::kV);
   Axes axes{kNone, kNone, kNone, kNone};
   if (!u || !v || geometry.panel.empty()) return axes;
@@ -64,20 +64,21 @@ struct PartRows {
   std::vector<std::string> names, types;
   std::vector<double> diameters, bars, axes, sheet;
 
-  void add(const Part& part, const PartGeometry* geometry, const SheetPlace* place) {
+  void add(const Part& part, const scenes::PartGeometry* geometry, const scenes::SheetPlace* place) {
     names.push_back(part.name);
     types.push_back(part.type);
     diameters.push_back(diameter_of(part));
     bars.push_back(first_of(part, datum::kBarLength));
     const Axes of_twines = geometry ? axes_of(part, *geometry) : Axes{kNone, kNone, kNone, kNone};
     axes.insert(axes.end(), of_twines.begin(), of_twines.end());
-    const SheetPlace at = place ? *place : SheetPlace{kNone, kNone, kNone, kNone, kNone, kNone};
+    const scenes::SheetPlace at =
+        place ? *place : scenes::SheetPlace{kNone, kNone, kNone, kNone, kNone, kNone};
     sheet.insert(sheet.end(), {at.x, at.y, at.x_across, at.y_across, at.x_deep, at.y_deep});
   }
 };
 
 /// A relief on an even grid, for pictures: between its own places it is smooth.
-void write_relief(Tree& tree, const Surface& relief) {
+void write_relief(formats::Tree& tree, const Surface& relief) {
   constexpr std::size_t kPlaces = 65;
   if (relief.empty()) return;
   std::vector<double> x, y, height;
@@ -94,14 +95,14 @@ void write_relief(Tree& tree, const Surface& relief) {
   tree.write_matrix(at + "height", height, kPlaces, "m", "above the plane, [x, y]");
 }
 
-void write_plane(Tree& tree, const BedPlane& plane, const char* doc) {
+void write_plane(formats::Tree& tree, const scenes::BedPlane& plane, const char* doc) {
   tree.write_real("/netloft/seabed/depth", plane.depth, "m", doc);
   tree.write_real("/netloft/seabed/slope_x", plane.slope_x, "1", doc);
   tree.write_real("/netloft/seabed/slope_y", plane.slope_y, "1", doc);
 }
 
 /// The bed of the scene, or that of the first part that has one.
-void write_seabed(Tree& tree, const Scene& scene) {
+void write_seabed(formats::Tree& tree, const Scene& scene) {
   if (scene.bed.is_there) {
     const char* doc = "seabed: z = -depth + slope_x x + slope_y y, and a relief where there is one";
     write_plane(tree, {scene.bed.depth, scene.bed.slope_x, scene.bed.slope_y}, doc);
@@ -109,21 +110,21 @@ void write_seabed(Tree& tree, const Scene& scene) {
     return;
   }
   for (const auto& part : scene.parts) {
-    const auto plane = bed_plane_of(part);
+    const auto plane = scenes::bed_plane_of(part);
     if (!plane) continue;
     return write_plane(tree, *plane, "seabed: z = -depth + slope_x x + slope_y y");
   }
 }
 
 /// Rigid bodies: names, origins, points and outlines. How they are turned is the point field `rotation`.
-void write_bodies(Tree& tree, const LoadedScene& loaded) {
+void write_bodies(formats::Tree& tree, const scenes::LoadedScene& loaded) {
   if (loaded.bodies.empty()) return;
   std::vector<std::string> names, points;
   std::vector<std::int64_t> origins, nodes, of_points, of_corners;
   std::vector<double> sides, places, corners;
   for (std::size_t b = 0; b < loaded.bodies.size(); ++b) {
     const RigidBody& body = loaded.scene.bodies[b];
-    const BodyInScene& look = loaded.bodies[b];
+    const scenes::BodyInScene& look = loaded.bodies[b];
     names.push_back(body.name);
     origins.push_back(body.origin);
     sides.push_back(look.side);
@@ -155,12 +156,12 @@ void write_bodies(Tree& tree, const LoadedScene& loaded) {
 
 }  // namespace
 
-void write_parts(Tree& tree, const LoadedScene& loaded) {
+void write_parts(formats::Tree& tree, const scenes::LoadedScene& loaded) {
   PartRows rows;
   for (std::size_t p = 0; p < loaded.scene.parts.size(); ++p) {
     const Part& part = loaded.scene.parts[p];
     if (part.companion) continue;
-    const SheetPlace* place = nullptr;
+    const scenes::SheetPlace* place = nullptr;
     if (loaded.gear)
       if (const auto at = loaded.gear->sheet.find(part.name); at != loaded.gear->sheet.end())
         place = &at->second;
@@ -188,7 +189,8 @@ double number_called(const Part& part, const std::string& name) {
   return kNone;
 }
 
-BillItem item_of(const LoadedScene& loaded, const std::string& name, std::uint32_t part, double number) {
+scenes::BillItem item_of(const scenes::LoadedScene& loaded, const std::string& name, std::uint32_t part,
+                         double number) {
   const Part& body = loaded.scene.parts[part];
   const auto known = loaded.strengths.find(name);
   return {"body",
@@ -203,8 +205,8 @@ BillItem item_of(const LoadedScene& loaded, const std::string& name, std::uint32
 }
 
 /// Bodies to port and to starboard are a row, whether one half was modelled or both.
-std::vector<BillItem> items_of_bodies(const LoadedScene& loaded) {
-  std::vector<BillItem> items;
+std::vector<scenes::BillItem> items_of_bodies(const scenes::LoadedScene& loaded) {
+  std::vector<scenes::BillItem> items;
   std::set<std::uint32_t> paired;
   for (const auto& [name, parts] : loaded.gear->pairs) {
     if (parts.empty()) continue;
@@ -219,7 +221,7 @@ std::vector<BillItem> items_of_bodies(const LoadedScene& loaded) {
 
 }  // namespace
 
-void write_bill(Tree& tree, const LoadedScene& loaded) {
+void write_bill(formats::Tree& tree, const scenes::LoadedScene& loaded) {
   auto bill = loaded.gear->bill;
   const auto bodies = items_of_bodies(loaded);
   bill.insert(bill.end(), bodies.begin(), bodies.end());
@@ -249,4 +251,4 @@ void write_bill(Tree& tree, const LoadedScene& loaded) {
   tree.write_reals(at + "area", areas, "m2", "of one body, projected");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

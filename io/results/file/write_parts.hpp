@@ -3,13 +3,13 @@
 #include "io/formats/hdf5/tree.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Writes what the parts are, beside their names what a picture needs of them: diameters, directions of
 /// twines, places on the plan, the seabed.
-void write_parts(Tree& tree, const LoadedScene& loaded);
+void write_parts(formats::Tree& tree, const scenes::LoadedScene& loaded);
 
 /// Writes the bill of materials of a scene with a net plan below /netloft/bill, rigid bodies last.
-void write_bill(Tree& tree, const LoadedScene& loaded);
+void write_bill(formats::Tree& tree, const scenes::LoadedScene& loaded);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/write_result.hpp"
+#include "io/results/file/no_number.hpp"
 
 #include "io/formats/hdf5/read.hpp"
 #include "io/results/file/picture.hpp"
@@ -11,25 +12,24 @@
 #include <limits>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 /// What changes from state to state, in one order of fields.
 struct StateFields {
-  std::vector<FieldSpec> specs = {
-      {"displacement", "m", "movement from the start", Location::kPoint, 3, false},
-      {"residual", "N", "force out of balance that the solver left", Location::kPoint, 3, false},
-      {"reaction", "N", "force of the hold on the node", Location::kPoint, 3, false}};
+  std::vector<formats::FieldSpec> specs = {
+      {"displacement", "m", "movement from the start", formats::Location::kPoint, 3, false},
+      {"residual", "N", "force out of balance that the solver left", formats::Location::kPoint, 3, false},
+      {"reaction", "N", "force of the hold on the node", formats::Location::kPoint, 3, false}};
   std::vector<std::vector<double>> values;
   std::vector<double> points;
 };
 
 /// `residual` is empty where it is not known.
-StateFields fields_at(const LoadedScene& loaded, const Assembler& assembler, std::span<const double> x,
-                      std::span<const double> residual, const FamilyOutputs& outputs) {
+StateFields fields_at(const scenes::LoadedScene& loaded, const Assembler& assembler,
+                      std::span<const double> x, std::span<const double> residual,
+                      const FamilyOutputs& outputs) {
   StateFields state;
   state.points = assembler.node_positions(x);
   std::vector<double> displacement(state.points.size()), left(state.points.size(), kNone), held = left;
@@ -53,13 +53,13 @@ StateFields fields_at(const LoadedScene& loaded, const Assembler& assembler, std
   return state;
 }
 
-void write_state(ResultFile& file, double number, const StateFields& state) {
+void write_state(formats::ResultFile& file, double number, const StateFields& state) {
   const std::vector<std::span<const double>> values(state.values.begin(), state.values.end());
   file.write_state(number, state.points, values);
 }
 
 /// The stages of the solve, if they were kept, and where it ended.
-void write_picture(ResultFile& file, const LoadedScene& loaded, Assembler& assembler,
+void write_picture(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                    const RunResult& result) {
   const StateFields end =
       fields_at(loaded, assembler, result.solution.x, result.solution.residual, result.outputs);
@@ -75,7 +75,7 @@ void write_picture(ResultFile& file, const LoadedScene& loaded, Assembler& assem
   write_state(file, static_cast<double>(result.stages.size()), end);
 }
 
-void write_stages(Tree& tree, const RunResult& result) {
+void write_stages(formats::Tree& tree, const RunResult& result) {
   if (result.stages.empty()) return;
   std::vector<std::string> names;
   for (const auto& stage : result.stages) names.push_back(stage.name);
@@ -84,7 +84,7 @@ void write_stages(Tree& tree, const RunResult& result) {
                      "what each state is: the start, stages of the solve, and its end");
 }
 
-void write_provenance(Tree& tree, const LoadedScene& loaded, const RunContext& context) {
+void write_provenance(formats::Tree& tree, const scenes::LoadedScene& loaded, const RunContext& context) {
   const std::string at = "/netloft/provenance/";
   tree.write_text(at + "version", program_version());
   tree.write_strings(at + "command", context.command);
@@ -115,7 +115,7 @@ void write_provenance(Tree& tree, const LoadedScene& loaded, const RunContext& c
   tree.write_strings(at + "plugins/hash", fingerprint);
 }
 
-void write_status(Tree& tree, const Solution& s) {
+void write_status(formats::Tree& tree, const Solution& s) {
   tree.set_attribute("/netloft/status", "outcome", std::string_view(name_of(s.status)));
   tree.set_attribute("/netloft/status", "sentence", std::string_view(s.reason));
   tree.set_attribute("/netloft/status", "stability", std::string_view(name_of(s.stability)));
@@ -123,7 +123,7 @@ void write_status(Tree& tree, const Solution& s) {
                      std::string_view(s.status == SolveStatus::converged ? "" : s.at_fault));
 }
 
-void write_convergence(Tree& tree, const Solution& s) {
+void write_convergence(formats::Tree& tree, const Solution& s) {
   std::vector<std::int64_t> iteration, factorisations;
   std::vector<double> residual, scale, energy, seconds;
   std::vector<std::string> note;
@@ -146,7 +146,7 @@ void write_convergence(Tree& tree, const Solution& s) {
   tree.write_strings(at + "note", note, "the solver's remark on the step to this point");
 }
 
-void write_books(Tree& tree, const Statistics& b) {
+void write_books(formats::Tree& tree, const Statistics& b) {
   const std::string at = "/netloft/cost/";
   tree.write_int(at + "iterations", b.iterations, "1", "accepted steps");
   tree.write_int(at + "factorisations", b.factorisations, "1", "factorisations, refused ones included");
@@ -162,11 +162,12 @@ void write_books(Tree& tree, const Statistics& b) {
 }
 
 /// Writes a value unless it is unknown.
-void write_known(Tree& tree, const std::string& at, double error, const std::string& unit, const char* doc) {
+void write_known(formats::Tree& tree, const std::string& at, double error, const std::string& unit,
+                 const char* doc) {
   if (std::isfinite(error)) tree.write_real(at, error, unit, doc);
 }
 
-void write_errors_of(Tree& tree, const std::string& at, const std::vector<NamedScalar>& scalars) {
+void write_errors_of(formats::Tree& tree, const std::string& at, const std::vector<NamedScalar>& scalars) {
   for (const auto& s : scalars) {
     write_known(tree, at + "solver/" + s.name, s.solver_error, s.unit, "its change by the next Newton step");
     write_known(tree, at + "mesh/" + s.name, s.mesh_error, s.unit,
@@ -175,7 +176,7 @@ void write_errors_of(Tree& tree, const std::string& at, const std::vector<NamedS
   }
 }
 
-void write_errors(Tree& tree, const RunResult& result) {
+void write_errors(formats::Tree& tree, const RunResult& result) {
   const std::string at = "/netloft/errors/";
   write_known(tree, at + "nodes", result.solution.correction.length, "m",
               "estimated error: largest nodal move of the next Newton step");
@@ -185,7 +186,7 @@ void write_errors(Tree& tree, const RunResult& result) {
     tree.write_text(at + "mesh_note", result.mesh_note, "the meshes that mesh errors were estimated from");
 }
 
-void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result) {
+void write_forces(formats::Tree& tree, const scenes::LoadedScene& loaded, const RunResult& result) {
   std::size_t parts = 0;  // companions come last and count with the part that they ride on
   while (parts < loaded.scene.parts.size() && !loaded.scene.parts[parts].companion) ++parts;
   std::map<std::string, std::vector<double>> terms;
@@ -210,14 +211,14 @@ void write_forces(Tree& tree, const LoadedScene& loaded, const RunResult& result
                    "sum of all forces on the gear, those of the holds included");
 }
 
-void write_spread_of(Tree& tree, const std::string& at, const std::vector<NamedScalar>& scalars) {
+void write_spread_of(formats::Tree& tree, const std::string& at, const std::vector<NamedScalar>& scalars) {
   for (const auto& s : scalars) {
     write_known(tree, at + "least/" + s.name, s.least, s.unit, "over all equilibria that were found");
     write_known(tree, at + "largest/" + s.name, s.largest, s.unit, "over all equilibria that were found");
   }
 }
 
-void write_swing(Tree& tree, const RunResult& result) {
+void write_swing(formats::Tree& tree, const RunResult& result) {
   if (result.swings_most.empty()) return;
   const char* doc = "its change for each metre that the furthest node of what grows moves";
   tree.write_text("/netloft/swing/furthest", result.swings_most, "the node that moves furthest");
@@ -235,8 +236,8 @@ int rank_of(const std::string& outcome) {
 
 std::string outcome_in(const std::filesystem::path& result) {
   try {
-    return Reader(result).text_attribute("/netloft/status", "outcome");
-  } catch (const FileError&) {
+    return formats::Reader(result).text_attribute("/netloft/status", "outcome");
+  } catch (const formats::FileError&) {
     return {};  // no result of ours, which is kept as NAME.hdf~ like any
   }
 }
@@ -251,21 +252,22 @@ std::filesystem::path name_beside_better(const std::filesystem::path& wanted, co
   return own.replace_filename(wanted.stem().string() + "." + suffix + wanted.extension().string());
 }
 
-void write_inputs(Tree& tree, const LoadedScene& loaded, const RunContext& context) {
+void write_inputs(formats::Tree& tree, const scenes::LoadedScene& loaded, const RunContext& context) {
   write_provenance(tree, loaded, context);
   write_parts(tree, loaded);
   tree.write_text("/netloft/plan", context.plan_text,
                   "forces that are evaluated, and why the others are off");
 }
 
-void write_origins(Tree& tree, const LoadedScene& loaded, const RunContext& context,
+void write_origins(formats::Tree& tree, const scenes::LoadedScene& loaded, const RunContext& context,
                    const Statistics& statistics) {
   write_inputs(tree, loaded, context);
   tree.write_text("/netloft/provenance/finished", utc_now());
   write_books(tree, statistics);
 }
 
-void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
+void write_gear(formats::Tree& tree, const scenes::LoadedScene& loaded,
+                const std::vector<NamedScalar>& figures) {
   for (const auto& figure : figures)
     tree.write_real("/netloft/gear/" + figure.name, figure.value, figure.unit, figure.doc);
   if (!loaded.gear) return;
@@ -275,10 +277,10 @@ void write_gear(Tree& tree, const LoadedScene& loaded, const std::vector<NamedSc
   write_bill(tree, loaded);
 }
 
-void write_result(ResultFile& file, const LoadedScene& loaded, Assembler& assembler, const RunResult& result,
-                  const RunContext& context) {
+void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
+                  const RunResult& result, const RunContext& context) {
   write_picture(file, loaded, assembler, result);
-  Tree& tree = file.tree();
+  formats::Tree& tree = file.tree();
   write_stages(tree, result);
   write_status(tree, result.solution);
   write_origins(tree, loaded, context, result.solution.cost.statistics);
@@ -297,4 +299,4 @@ void write_result(ResultFile& file, const LoadedScene& loaded, Assembler& assemb
   file.finish_as(result.output_file);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

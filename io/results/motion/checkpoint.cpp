@@ -4,10 +4,10 @@
 #include "io/formats/hdf5/bytes.hpp"
 #include "io/formats/hdf5/handle.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 std::string pack_checkpoint(const MarchState& s) {
-  ByteWriter to;
+  formats::ByteWriter to;
   to.put(s.t);
   to.put(s.h);
   for (const auto* values : {&s.u, &s.v, &s.a, &s.memory, &s.budget, &s.judged, &s.winches})
@@ -33,7 +33,7 @@ std::string pack_checkpoint(const MarchState& s) {
 }
 
 MarchState unpack_checkpoint(const std::string& bytes) {
-  ByteReader from(bytes);
+  formats::ByteReader from(bytes);
   MarchState s;
   s.t = from.real();
   s.h = from.real();
@@ -55,8 +55,8 @@ MarchState unpack_checkpoint(const std::string& bytes) {
   s.path_of = from.integer();
   for (std::uint64_t k = from.integer(); k > 0; --k)
     s.other.push_back(unpack_checkpoint(std::string(from.text())));
-  if (!from.is_at_end()) throw FileError("it is damaged: there is more than a checkpoint");
+  if (!from.is_at_end()) throw formats::FileError("it is damaged: there is more than a checkpoint");
   return s;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// The state from which a march continues, as bytes that stand in a journal beside the output.
 std::string pack_checkpoint(const MarchState& state);
@@ -12,4 +12,4 @@ std::string pack_checkpoint(const MarchState& state);
 /// The same state, to the bit. Throws FileError if the bytes are none.
 MarchState unpack_checkpoint(const std::string& bytes);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

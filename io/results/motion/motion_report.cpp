@@ -10,7 +10,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::results {
 
 double real_time_factor(const MotionResult& result) {
   const double wall = result.march.statistics.total_seconds;
@@ -20,9 +20,9 @@ double real_time_factor(const MotionResult& result) {
 namespace {
 
 /// How far from rest it began; empty for a run that went on.
-std::string start_text(const LoadedScene& loaded, const StartBalance& s) {
+std::string start_text(const scenes::LoadedScene& loaded, const StartBalance& s) {
   if (s.node.empty()) return "";
-  const Dynamics& d = loaded.analysis.dynamics;
+  const scenes::Dynamics& d = loaded.analysis.dynamics;
   const std::string from = d.from_equilibrium     ? "the equilibrium"
                            : d.start_file.empty() ? "the sketch"
                                                   : d.start_file.filename().string();
@@ -103,7 +103,7 @@ nlohmann::ordered_json start_json(const StartBalance& s) {
 
 }  // namespace
 
-std::string motion_text(const LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
+std::string motion_text(const scenes::LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
   std::string text;
   const auto out = std::back_inserter(text);
   const Statistics& b = r.march.statistics;
@@ -128,7 +128,7 @@ std::string motion_text(const LoadedScene& loaded, const Plan& plan, const Motio
   return text;
 }
 
-std::string motion_json(const LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
+std::string motion_json(const scenes::LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
   using Json = nlohmann::ordered_json;
   const Statistics& b = r.march.statistics;
   Json results = Json::object(), units = Json::object(), energies = Json::object();
@@ -169,4 +169,4 @@ std::string motion_json(const LoadedScene& loaded, const Plan& plan, const Motio
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -2,13 +2,13 @@
 #pragma once
 #include "io/results/motion/motion_run.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// The result of a motion, for people and for programs (one JSON object).
-std::string motion_text(const LoadedScene& loaded, const Plan& plan, const MotionResult& result);
-std::string motion_json(const LoadedScene& loaded, const Plan& plan, const MotionResult& result);
+std::string motion_text(const scenes::LoadedScene& loaded, const Plan& plan, const MotionResult& result);
+std::string motion_json(const scenes::LoadedScene& loaded, const Plan& plan, const MotionResult& result);
 
 /// Simulated time divided by wall time: above 1 the simulation is faster than real time.
 double real_time_factor(const MotionResult& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -2,12 +2,12 @@
 #include "io/results/motion/motion_run.hpp"
 
 #include "framework/motion/energy_judge.hpp"
-#include "io/results/motion/checkpoint.hpp"
-#include "io/results/motion/warp_figures.hpp"
-#include "io/results/motion/xdmf.hpp"
 #include "io/formats/hdf5/image.hpp"
 #include "io/results/figures/fallen_boards.hpp"
 #include "io/results/file/picture.hpp"
+#include "io/results/motion/checkpoint.hpp"
+#include "io/results/motion/warp_figures.hpp"
+#include "io/results/motion/xdmf.hpp"
 #include "io/scenes/reading/result_request.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 #include <optional>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -98,7 +98,7 @@ class BoardWatch {
 /// One run; the journal is made at the first output, because the content of an output is known only then.
 class MotionRun {
  public:
-  MotionRun(Case& the_case, const RunContext& context, const MotionOptions& options)
+  MotionRun(runs::Case& the_case, const RunContext& context, const MotionOptions& options)
       : case_(the_case),
         loaded_(the_case.loaded()),
         context_(context),
@@ -132,10 +132,11 @@ class MotionRun {
   }
   MarchState read_killed() {
     const std::filesystem::path part = part_path();
-    if (!std::filesystem::exists(part)) throw FileError("there is no " + part.string() + " to go on from");
-    journal_.emplace(SeriesJournal::go_on(part, options_.identity));
+    if (!std::filesystem::exists(part))
+      throw formats::FileError("there is no " + part.string() + " to go on from");
+    journal_.emplace(formats::SeriesJournal::go_on(part, options_.identity));
     const MarchState state =
-        with_context(part.string(), [&] { return unpack_checkpoint(journal_->checkpoint()); });
+        formats::with_context(part.string(), [&] { return unpack_checkpoint(journal_->checkpoint()); });
     result_.resumed_from = state.t;
     result_.outputs = outputs_before_ = journal_->size();
     if (!journal_->damage().empty()) warn_of_damage();
@@ -150,7 +151,7 @@ class MotionRun {
   std::string part_path() const { return options_.output.string() + ".part"; }
 
   void write(const Snapshot& at) {
-    const SeriesState state = describe(at);
+    const formats::SeriesState state = describe(at);
     losses_.note(at);
     boards_.note(at.t, find_fallen_boards(loaded_, result_.gear));
     if (!journal_) begin_journal();
@@ -159,11 +160,11 @@ class MotionRun {
     ++result_.outputs;
   }
   void begin_journal() {
-    const auto origins = hdf5_image([&](Tree& tree) {
+    const auto origins = formats::hdf5_image([&](formats::Tree& tree) {
       write_inputs(tree, loaded_, context_);
       write_gear(tree, loaded_, {});
     });
-    journal_.emplace(SeriesJournal::create(part_path(), options_.identity, origins, layout_));
+    journal_.emplace(formats::SeriesJournal::create(part_path(), options_.identity, origins, layout_));
   }
 
   /// The run was killed after its last output: only the result has to be made.
@@ -203,13 +204,13 @@ class MotionRun {
               winches});
   }
 
-  SeriesState describe(const Snapshot& at) {
+  formats::SeriesState describe(const Snapshot& at) {
     Assembler& assembler = case_.assembler();
     Solution solution;
     solution.x.assign(at.x.begin(), at.x.end());
     solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
     const Answer& answer = answer_at(at.forces, solution.x);
-    SeriesState state;
+    formats::SeriesState state;
     layout_.changing.clear();
     layout_.columns.clear();
     state.time = at.t;
@@ -246,7 +247,7 @@ class MotionRun {
   /// Sums of forces have a use in figures of gears and bodies alone.
   bool has_figures() const { return loaded_.gear || !loaded_.scene.bodies.empty(); }
 
-  void add_point_fields(const Snapshot& at, const Solution& solution, SeriesState& state) {
+  void add_point_fields(const Snapshot& at, const Solution& solution, formats::SeriesState& state) {
     const Assembler& assembler = case_.assembler();
     std::vector<double> displacement = state.points, reaction;
     for (std::size_t d = 0; d < displacement.size(); ++d) displacement[d] -= loaded_.scene.positions[d];
@@ -254,9 +255,10 @@ class MotionRun {
       const auto held = assembler.reaction(node, solution.residual);
       reaction.insert(reaction.end(), held.begin(), held.end());
     }
-    layout_.changing = {{"displacement", "m", "movement from the sketch", Location::kPoint, 3, false},
-                        {"velocity", "m/s", "velocity", Location::kPoint, 3, false},
-                        {"reaction", "N", "force of the hold on the node", Location::kPoint, 3, false}};
+    layout_.changing = {
+        {"displacement", "m", "movement from the sketch", formats::Location::kPoint, 3, false},
+        {"velocity", "m/s", "velocity", formats::Location::kPoint, 3, false},
+        {"reaction", "N", "force of the hold on the node", formats::Location::kPoint, 3, false}};
     state.fields = {displacement, assembler.node_positions(at.v), reaction};
     if (auto rotations = rotation_field(loaded_, assembler, solution.x)) {
       layout_.changing.push_back(rotations->first);
@@ -265,7 +267,7 @@ class MotionRun {
   }
 
   void add_row(const Snapshot& at, const Solution& solution, const FamilyOutputs& outputs,
-               SeriesState& state) {
+               formats::SeriesState& state) {
     result_.scalars.clear();
     result_.energies.clear();
     for (const auto& request : loaded_.results) {
@@ -273,7 +275,7 @@ class MotionRun {
       scalar.name = request.name;
       scalar.unit = request.unit;
       scalar.doc = request.take + " of " + request.of;
-      scalar.value = value_of(request, loaded_, case_.assembler(), solution, outputs);
+      scalar.value = scenes::value_of(request, loaded_, case_.assembler(), solution, outputs);
       layout_.columns.push_back({scalar.name, scalar.unit, scalar.doc});
       state.row.push_back(scalar.value);
       result_.scalars.push_back(scalar);
@@ -289,30 +291,31 @@ class MotionRun {
   }
 
   /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
-  void add_gear(const Snapshot& at, const Answer& answer, SeriesState& state) {
+  void add_gear(const Snapshot& at, const Answer& answer, formats::SeriesState& state) {
     result_.gear = collect_gear(loaded_, case_.assembler(), answer);
     add_warp_figures(loaded_, case_.assembler(), at, result_.gear);
     if (!gear_columns_)
       gear_columns_ = journal_ ? gear_columns_of(journal_->layout()) : columns_of(result_.gear);
-    for (const SeriesColumn& column : *gear_columns_) {
+    for (const formats::SeriesColumn& column : *gear_columns_) {
       const NamedScalar* figure = find_scalar(result_.gear, column.name.substr(kGear.size()));
       layout_.columns.push_back(column);
       state.row.push_back(figure ? figure->value : std::numeric_limits<double>::quiet_NaN());
     }
   }
-  static std::vector<SeriesColumn> columns_of(const std::vector<NamedScalar>& figures) {
-    std::vector<SeriesColumn> columns;
+  static std::vector<formats::SeriesColumn> columns_of(const std::vector<NamedScalar>& figures) {
+    std::vector<formats::SeriesColumn> columns;
     for (const auto& figure : figures) columns.push_back({kGear + figure.name, figure.unit, figure.doc});
     return columns;
   }
-  static std::vector<SeriesColumn> gear_columns_of(const SeriesLayout& layout) {
-    std::vector<SeriesColumn> columns = layout.columns;
-    std::erase_if(columns, [](const SeriesColumn& column) { return !column.name.starts_with(kGear); });
+  static std::vector<formats::SeriesColumn> gear_columns_of(const formats::SeriesLayout& layout) {
+    std::vector<formats::SeriesColumn> columns = layout.columns;
+    std::erase_if(columns,
+                  [](const formats::SeriesColumn& column) { return !column.name.starts_with(kGear); });
     return columns;
   }
 
   /// If outputs lie between steps, forces are those of the end of a step.
-  void add_moment_of_forces(const Snapshot& at, SeriesState& state) {
+  void add_moment_of_forces(const Snapshot& at, formats::SeriesState& state) {
     if (!loaded_.analysis.dynamics.march.dense) return;
     layout_.columns.push_back({"forces_time", "s", "end of the step to which forces and outputs belong"});
     state.row.push_back(at.forces.t);
@@ -326,13 +329,13 @@ class MotionRun {
     }
     const auto name = name_beside_better(options_.output, name_of(result_.march.status));
     result_.output_file = name.string();
-    make_result(*journal_, name, [&](Tree& tree) { write_rest(tree); });
+    formats::make_result(*journal_, name, [&](formats::Tree& tree) { write_rest(tree); });
     write_xdmf(name);
     journal_->remove();
   }
 
-  void write_rest(Tree& tree) {
-    begin_result(tree, name_of(result_.march.status), result_.march.reason);
+  void write_rest(formats::Tree& tree) {
+    formats::begin_result(tree, name_of(result_.march.status), result_.march.reason);
     write_origins(tree, loaded_, context_, result_.march.statistics);
     tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
     if (const AchievedAccuracy& a = result_.march.accuracy; a.asked > 0) {
@@ -351,27 +354,27 @@ class MotionRun {
       tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
   }
 
-  Case& case_;
-  const LoadedScene& loaded_;
+  runs::Case& case_;
+  const scenes::LoadedScene& loaded_;
   const RunContext& context_;
   const MotionOptions& options_;
   LossWatch losses_;
   BoardWatch boards_;
   std::optional<OutputFields> fields_;
-  SeriesLayout layout_;
-  std::optional<std::vector<SeriesColumn>> gear_columns_;  // known from the first output on
-  Answer answer_;                                          // of answered_at_ [s]
+  formats::SeriesLayout layout_;
+  std::optional<std::vector<formats::SeriesColumn>> gear_columns_;  // known from the first output on
+  Answer answer_;                                                   // of answered_at_ [s]
   std::optional<double> answered_at_;
   std::optional<MarchState> from_;
-  std::optional<SeriesJournal> journal_;
+  std::optional<formats::SeriesJournal> journal_;
   std::size_t outputs_before_ = 0;  // that were in the journal already
   MotionResult result_;
 };
 
 }  // namespace
 
-MotionResult run_motion(Case& the_case, const RunContext& context, const MotionOptions& options) {
+MotionResult run_motion(runs::Case& the_case, const RunContext& context, const MotionOptions& options) {
   return MotionRun(the_case, context, options).run();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

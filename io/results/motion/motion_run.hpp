@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/runs/case.hpp"
 #include "io/formats/hdf5/fold.hpp"
 #include "io/results/file/write_result.hpp"
+#include "io/runs/case.hpp"
 
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// What the scheme took, by energy_judge.hpp, over the outputs of this run: energy that no force has taken
 /// and none has kept.
@@ -47,6 +47,6 @@ struct MotionOptions {
 /// Marches through time as the case's analysis says, and writes every output into the journal NAME.hdf.part:
 /// the picture, named results and the energy budget as series, and the state from which to continue. Makes
 /// the result of it unless the march was interrupted. Throws FileError.
-MotionResult run_motion(Case& the_case, const RunContext& context, const MotionOptions& options);
+MotionResult run_motion(runs::Case& the_case, const RunContext& context, const MotionOptions& options);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

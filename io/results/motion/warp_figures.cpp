@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -25,7 +25,7 @@ void set(std::vector<NamedScalar>& gear, const std::string& name, const char* un
 
 /// Straight between rows of t and a factor, as the last one beyond; 1 without rows.
 double factor_at(const Part& part, double t) {
-  const auto given = part.parameters.find(parameter::kLengthShare.name);
+  const auto given = part.parameters.find(scenes::parameter::kLengthShare.name);
   const auto* rows = given == part.parameters.end() ? nullptr : std::get_if<Samples>(&given->second);
   if (!rows || rows->empty()) return 1;
   const auto next = std::ranges::upper_bound(*rows, t, {}, [](const auto& row) { return row[0]; });
@@ -43,7 +43,7 @@ double length_at(const Part& part, double t) {
 
 }  // namespace
 
-void add_warp_figures(const LoadedScene& loaded, const Assembler& assembler, const Snapshot& at,
+void add_warp_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Snapshot& at,
                       std::vector<NamedScalar>& gear) {
   if (!loaded.gear) return;
   const auto warps = loaded.gear->roles.find("warp");
@@ -62,4 +62,4 @@ void add_warp_figures(const LoadedScene& loaded, const Assembler& assembler, con
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -31,7 +31,7 @@ struct SteppedArray {
 const char* const kItem =
     "<DataItem Format=\"Binary\" NumberType=\"{}\" Precision=\"8\" Endian=\"Little\" Seek=\"";
 
-SteppedArray array_at(const Reader& reader, const std::string& path, const std::string& offsets_path,
+SteppedArray array_at(const formats::Reader& reader, const std::string& path, const std::string& offsets_path,
                       std::size_t rows, const std::string& file) {
   const auto shape = reader.shape(path);
   const std::size_t columns = shape.size() == 1 ? 1 : shape[1];
@@ -42,7 +42,7 @@ SteppedArray array_at(const Reader& reader, const std::string& path, const std::
 }
 
 /// Scalars and vectors; numbers of parts and places on panels are neither.
-std::vector<SteppedArray> fields_of(const Reader& reader, const std::string& file) {
+std::vector<SteppedArray> fields_of(const formats::Reader& reader, const std::string& file) {
   std::vector<SteppedArray> arrays;
   for (const auto& [group, center] : {std::pair{"PointData", "Node"}, {"CellData", "Cell"}}) {
     const auto rows = static_cast<std::size_t>(
@@ -63,7 +63,7 @@ std::vector<SteppedArray> fields_of(const Reader& reader, const std::string& fil
   return arrays;
 }
 
-std::string topology(const Reader& reader, const std::string& file) {
+std::string topology(const formats::Reader& reader, const std::string& file) {
   const std::string path = "/netloft/xdmf/cells";
   return fmt::format("<Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">",
                      reader.shape("/VTKHDF/Types")[0]) +
@@ -75,7 +75,7 @@ std::string topology(const Reader& reader, const std::string& file) {
 }  // namespace
 
 void write_xdmf(const std::filesystem::path& result) {
-  const Reader reader = Reader::of_own(result);
+  const formats::Reader reader = formats::Reader::of_own(result);
   const auto times = reader.times();
   if (times.size() < 2) return;
   const std::string file = result.filename().string();
@@ -97,7 +97,7 @@ void write_xdmf(const std::filesystem::path& result) {
     out += "</Grid>\n";
   }
   out += "</Grid></Domain></Xdmf>\n";
-  write_whole(std::filesystem::path(result).replace_extension(".xdmf"), out);
+  formats::write_whole(std::filesystem::path(result).replace_extension(".xdmf"), out);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

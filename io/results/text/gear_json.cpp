@@ -3,7 +3,7 @@
 
 #include "io/results/text/spread.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 using Json = nlohmann::ordered_json;
 
@@ -26,7 +26,7 @@ Json errors_json(const std::vector<NamedScalar>& scalars) {
   return errors;
 }
 
-Json gear_json(const LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
+Json gear_json(const scenes::LoadedScene& loaded, const std::vector<NamedScalar>& figures) {
   if (figures.empty()) return nullptr;
   const int times = loaded.gear ? loaded.gear->times : 1;
   return {{"modelled", times == 2 ? "half" : "whole"},
@@ -37,4 +37,4 @@ Json gear_json(const LoadedScene& loaded, const std::vector<NamedScalar>& figure
           {"spread", spread_json(figures)}};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

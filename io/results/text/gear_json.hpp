@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// The value and the unit of every number.
 nlohmann::ordered_json values_json(const std::vector<NamedScalar>& scalars);
@@ -14,6 +14,6 @@ nlohmann::ordered_json units_json(const std::vector<NamedScalar>& scalars);
 nlohmann::ordered_json errors_json(const std::vector<NamedScalar>& scalars);
 
 /// The figures of a gear, by name; null if the scene has none.
-nlohmann::ordered_json gear_json(const LoadedScene& loaded, const std::vector<NamedScalar>& figures);
+nlohmann::ordered_json gear_json(const scenes::LoadedScene& loaded, const std::vector<NamedScalar>& figures);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

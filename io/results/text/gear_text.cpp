@@ -9,7 +9,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -137,17 +137,17 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
 void bodies(const std::vector<NamedScalar>& figures, Out out) {
   const std::string body = "bodies/";
   table(figures, "bodies",
-        {{"heading [°]", body, "/heading", "{:.2f}", false, kDegreesPerRadian},
-         {"heel [°]", body, "/heel", "{:.2f}", false, kDegreesPerRadian},
-         {"trim [°]", body, "/trim", "{:.2f}", false, kDegreesPerRadian},
+        {{"heading [°]", body, "/heading", "{:.2f}", false, formats::kDegreesPerRadian},
+         {"heel [°]", body, "/heel", "{:.2f}", false, formats::kDegreesPerRadian},
+         {"trim [°]", body, "/trim", "{:.2f}", false, formats::kDegreesPerRadian},
          {"x [m]", body, "/x"},
          {"y [m]", body, "/y"},
          {"z [m]", body, "/z"},
          {"above bed", body, "/above_bed", "{:.3f}"}},
         out);
   table(figures, "water on bodies",
-        {{"attack [°]", body, "/attack", "{:.2f}", false, kDegreesPerRadian},
-         {"sideslip [°]", body, "/sideslip", "{:.2f}", false, kDegreesPerRadian},
+        {{"attack [°]", body, "/attack", "{:.2f}", false, formats::kDegreesPerRadian},
+         {"sideslip [°]", body, "/sideslip", "{:.2f}", false, formats::kDegreesPerRadian},
          {"lift [N]", body, "/lift"},
          {"drag [N]", body, "/drag"},
          {"outward [N]", body, "/outward"}},
@@ -160,9 +160,9 @@ void bodies(const std::vector<NamedScalar>& figures, Out out) {
 void warps(const std::vector<NamedScalar>& figures, Out out) {
   table(figures, "warps",
         {{"length [m]", "warps/", "/length", "{:.4f}"},
-         {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, kDegreesPerRadian},
-         {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, kDegreesPerRadian},
-         {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, kDegreesPerRadian}},
+         {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
+         {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
+         {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, formats::kDegreesPerRadian}},
         out);
   table(figures, "warps at the block",
         {{"tension [N]", "warps/", "/tension"}, {"out [m/s]", "warps/", "/paying_out", "{:.3f}"}}, out);
@@ -257,4 +257,4 @@ std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/results/figures/run_result.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Whether figures are those of a net plan, beside those of rigid bodies, which come first.
 bool are_of_plan(const std::vector<NamedScalar>& figures);
@@ -29,4 +29,4 @@ std::string error_text(const NamedScalar& scalar);
 /// mesh.
 std::string errors_text(const NamedScalar& scalar);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -4,7 +4,7 @@
 #include "io/results/text/swing.hpp"
 #include "io/results/text/text.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -148,7 +148,7 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
                {"threads", {{"given", extras.threads_given}, {"used", extras.threads_used}}}});
 }
 
-std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResult& r) {
+std::string run_json(const scenes::LoadedScene& loaded, const Plan& plan, const RunResult& r) {
   const Solution& s = r.solution;
   return dump({{"scene", loaded.scene.name},
                {"status", name_of(s.status)},
@@ -188,4 +188,4 @@ std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResul
                {"output", r.output_file.empty() ? Json(nullptr) : Json(r.output_file)}});
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/text/result_report.hpp"
 
+#include "io/results/file/materials.hpp"
 #include "io/results/text/gear_text.hpp"
 #include "io/results/text/spread.hpp"
 #include "io/results/text/swing.hpp"
-#include "io/results/file/materials.hpp"
 #include "io/results/text/tables.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -161,4 +161,4 @@ std::string result_csv(const StoredResult& result) {
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// The report of a result as text for people, from its file.
 std::string result_text(const StoredResult& result);
@@ -13,4 +13,4 @@ std::string result_json(const StoredResult& result);
 /// A line per number: name, value, unit, error of the solver, error of the mesh, what it is.
 std::string result_csv(const StoredResult& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -7,13 +7,13 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
 bool has_spread(const NamedScalar& scalar) { return std::isfinite(scalar.least); }
 
-std::string row(const std::string& name, const NamedScalar& scalar) {
+std::string spread_row(const std::string& name, const NamedScalar& scalar) {
   return fmt::format("    {:<22} {:>14.6g} {:>14.6g} {:>14.6g} {}\n", name, scalar.value, scalar.least,
                      scalar.largest, scalar.unit == "1" ? "" : scalar.unit);
 }
@@ -23,10 +23,10 @@ std::string row(const std::string& name, const NamedScalar& scalar) {
 std::string spread_text(const std::vector<NamedScalar>& scalars, const std::vector<NamedScalar>& gear) {
   std::string rows;
   for (const auto& scalar : scalars)
-    if (has_spread(scalar)) rows += row(scalar.name, scalar);
+    if (has_spread(scalar)) rows += spread_row(scalar.name, scalar);
   for (const auto& figure : gear)
     if (const std::string name = principal_name(figure.name); has_spread(figure) && !name.empty())
-      rows += row(name, figure);
+      rows += spread_row(name, figure);
   if (rows.empty()) return rows;
   return fmt::format("  {:<24} {:>14} {:>14} {:>14}\n", "over all equilibria", "this one", "least",
                      "largest") +
@@ -40,4 +40,4 @@ nlohmann::ordered_json spread_json(const std::vector<NamedScalar>& scalars) {
   return spread;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

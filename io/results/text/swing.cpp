@@ -8,13 +8,13 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
 bool is_known(const NamedScalar& scalar) { return std::isfinite(scalar.per_swing); }
 
-std::string row(const std::string& name, const NamedScalar& scalar) {
+std::string swing_row(const std::string& name, const NamedScalar& scalar) {
   return fmt::format("    {:<22} {:>14.6g} {:>14.2g} {}\n", name, scalar.value, scalar.per_swing,
                      scalar.unit == "1" ? "" : scalar.unit);
 }
@@ -25,10 +25,10 @@ std::string swing_text(const std::string& furthest, const std::vector<NamedScala
                        const std::vector<NamedScalar>& gear) {
   std::string rows;
   for (const auto& scalar : scalars)
-    if (is_known(scalar)) rows += row(scalar.name, scalar);
+    if (is_known(scalar)) rows += swing_row(scalar.name, scalar);
   for (const auto& figure : gear)
     if (const std::string name = principal_name(figure.name); is_known(figure) && !name.empty())
-      rows += row(name, figure);
+      rows += swing_row(name, figure);
   if (rows.empty()) return rows;
   return fmt::format("  {:<24} {:>14} {:>14}   for each metre that {} moves, to first order\n",
                      "what depends on it", "here", "changes by", furthest) +
@@ -51,4 +51,4 @@ nlohmann::ordered_json swing_json(const RunResult& result) {
           {"per_metre", per_metre}};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// How every number changes with the motion that grows about a swinging or unstable equilibrium, for each
 /// metre that its furthest node moves, as a table for people: what the scene asks for, and the principal
@@ -17,4 +17,4 @@ std::string swing_text(const std::string& furthest, const std::vector<NamedScala
 /// names.
 nlohmann::ordered_json swing_json(const RunResult& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

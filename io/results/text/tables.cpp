@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::string elements_csv(const StoredResult& result, std::size_t state) {
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// A line per node of a state: part, number in the part, position, forces of the holds on it.
 std::string nodes_csv(const StoredResult& result, std::size_t state);
@@ -18,4 +18,4 @@ std::string csv_field(const std::string& text);
 /// A number of a CSV line; empty if it is not known.
 std::string csv_number(double value);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::results {
 
 namespace {
 
@@ -123,7 +123,7 @@ std::string plan_text(const Plan& plan, const PlanExtras& extras) {
   return text;
 }
 
-std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResult& result) {
+std::string run_text(const scenes::LoadedScene& loaded, const Plan& plan, const RunResult& result) {
   const Solution& s = result.solution;
   std::string text;
   const Out out = std::back_inserter(text);
@@ -156,4 +156,4 @@ std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResul
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

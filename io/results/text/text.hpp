@@ -2,7 +2,7 @@
 #pragma once
 #include "io/results/figures/run_result.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// Facts about the solve that the plan does not decide but that a reader of the plan needs.
 struct PlanExtras {
@@ -20,8 +20,8 @@ std::string plan_text(const Plan& plan, const PlanExtras& extras);
 std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& extras);
 
 /// The result of a run as text for people.
-std::string run_text(const LoadedScene& loaded, const Plan& plan, const RunResult& result);
+std::string run_text(const scenes::LoadedScene& loaded, const Plan& plan, const RunResult& result);
 /// The result of a run as one JSON object.
-std::string run_json(const LoadedScene& loaded, const Plan& plan, const RunResult& result);
+std::string run_json(const scenes::LoadedScene& loaded, const Plan& plan, const RunResult& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// A node of a table.
 struct TableNode {
   std::string name;
-  Place place;
+  formats::Place place;
   std::array<double, 3> at{}, force{};  // [m], [N]
   std::string hold;                     // axes along which it is held: "", "z", "xyz"
   double mass = 0, buoyancy = 0;        // [kg]; net upward force in water, instead of the mass [N]
@@ -27,7 +27,7 @@ struct TableRope {
     double length = 0;  // unstretched [m]
   };
   std::string name;
-  Place place;
+  formats::Place place;
   double diameter = 0, EA = 0, density = 0, EI = 0;  // [m], [N], [kg/m³], [N m²]
   std::optional<double> EA_compression;              // [N]
   std::optional<double> normal, tangential;          // drag coefficients
@@ -44,14 +44,14 @@ struct BarTable {
 
 /// Reads a table (TABLE.md). Errors are located in source `file`; after an error what could be read is
 /// returned.
-BarTable read_bar_table(const std::string& text, int file, Diagnostics& diagnostics);
+BarTable read_bar_table(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
 /// The same as a scene and the mesh on which its parts stand; `head` is a comment of one or more lines.
 struct BarTableScene {
   std::string scene;
-  InputMesh mesh;
+  formats::InputMesh mesh;
 };
 BarTableScene scene_of(const BarTable& table, const std::vector<std::string>& head,
                        const std::string& mesh_name);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

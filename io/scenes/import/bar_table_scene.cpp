@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -34,7 +34,7 @@ class TableScene {
   void write_rope(const TableRope& rope) {
     double length = 0;
     for (const auto& bar : rope.bars) length += bar.length;
-    MeshRegion region{RegionKind::bars, rope.name};
+    formats::MeshRegion region{formats::RegionKind::bars, rope.name};
     double at = 0;
     for (std::size_t i = 0; i < rope.bars.size(); ++i) {
       const auto& bar = rope.bars[i];
@@ -133,7 +133,7 @@ class TableScene {
 
   const BarTable& table_;
   const std::string& mesh_name_;
-  InputMesh mesh_;
+  formats::InputMesh mesh_;
   SceneText scene_;
 };
 
@@ -144,4 +144,4 @@ BarTableScene scene_of(const BarTable& table, const std::vector<std::string>& he
   return TableScene(table, mesh_name).write(head);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

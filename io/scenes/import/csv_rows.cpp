@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 CsvRows::CsvRows(std::string_view text, int file) : text_(text), file_(file) {
   if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // of UTF-8
@@ -71,4 +71,4 @@ void CsvRows::skip_line_end() {
   column_ = 1;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// A cell of a table of comma-separated values, without quotes and blanks around it.
 struct CsvCell {
   std::string text;
-  Place place;
+  formats::Place place;
 };
 
 /// Cuts a text into rows and cells (RFC 4180): cells that hold a separator, a quote or the end of a line
@@ -23,7 +23,7 @@ class CsvRows {
 
   /// The next row that has anything in it; empty at the end. Lines that begin with # are left out.
   std::vector<CsvCell> next();
-  Place place() const { return {file_, line_, 1, 1}; }
+  formats::Place place() const { return {file_, line_, 1, 1}; }
   /// Whether the text ended within quotes.
   bool ended_in_quotes() const { return ended_in_quotes_; }
 
@@ -43,4 +43,4 @@ class CsvRows {
   bool ended_in_quotes_ = false;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

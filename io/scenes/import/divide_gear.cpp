@@ -8,6 +8,7 @@
 //   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
 // l₀ [m] mesh side; step [m]. Nodes are connected by Delaunay's triangles in the plane x = U l₀,
 // y = √3 V l₀, in which meshes are opened by one half and (3) is a lattice of equilateral triangles.
+#include "io/formats/mesh/mesh.hpp"
 #include "io/gears/meshing/border_sides.hpp"
 #include "io/gears/meshing/triangulation.hpp"
 #include "io/scenes/import/gear_links.hpp"
@@ -21,12 +22,12 @@
 #include <optional>
 #include <stdexcept>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
-constexpr double kMostParts = 1e5;                     // of a panel from one end to the other
-constexpr double kFarthest = 1e6, kLongestSide = 100;  // [m] and meshes; mesh side [m]
+constexpr double kMostParts = 1e5;    // of a panel from one end to the other
+constexpr double kLongestSide = 100;  // mesh side [m]
 // Inner nodes keep this part of a step from the border, so that no triangle is flat; FEMNET has some at 0.24.
 constexpr double kNearest = 0.2;
 constexpr double kFlat = 1e-9;  // twice the area of a triangle without netting [meshes²]
@@ -57,7 +58,7 @@ class PanelPlane {
  public:
   explicit PanelPlane(const Panel& p) : panel_(p), step_(p.step / p.side) {}
 
-  PlanePoint plane(const Meshes& m) const { return {m.U * panel_.side, kOpen * m.V * panel_.side}; }
+  gears::PlanePoint plane(const Meshes& m) const { return {m.U * panel_.side, kOpen * m.V * panel_.side}; }
 
   double sides_between(const Corner& a, const Corner& b) const {
     const double U = b.U - a.U, V = b.V - a.V;
@@ -73,9 +74,9 @@ class PanelPlane {
   }
 
   /// (3): U and V in mesh sides here are u and v.
-  std::vector<Meshes> inside(const std::vector<PlanePoint>& border) const {
+  std::vector<Meshes> inside(const std::vector<gears::PlanePoint>& border) const {
     const auto [low, high] = extent();
-    const BorderSides sides(border, kNearest * panel_.step);
+    const gears::BorderSides sides(border, kNearest * panel_.step);
     std::vector<Meshes> nodes;
     for (double i = std::ceil(low.U / step_); i * step_ <= high.U; ++i)
       for (double k = std::ceil(low.V / step_); k * step_ <= high.V; ++k) {
@@ -111,9 +112,9 @@ class DrawnPanel {
  public:
   /// `corners` counter-clockwise.
   DrawnPanel(std::vector<Corner> corners, const PanelPlane& plane) : corners_(std::move(corners)) {
-    std::vector<PlanePoint> border;
+    std::vector<gears::PlanePoint> border;
     for (const auto& c : corners_) border.push_back(plane.plane({c.U, c.V}));
-    triangles_ = connect_points(border, {}).triangles;
+    triangles_ = gears::connect_points(border, {}).triangles;
   }
 
   /// By the triangle in which the place lies, or which it misses least.
@@ -143,7 +144,7 @@ class DrawnPanel {
 /// Divides one gear; members are steps in the order they happen.
 class Divider {
  public:
-  Divider(const GearFile& gear, Diagnostics& diagnostics, double most_nodes)
+  Divider(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes)
       : gear_(gear),
         most_nodes_(most_nodes),
         diagnostics_(diagnostics),
@@ -159,7 +160,7 @@ class Divider {
 
  private:
   bool is_fine() const { return diagnostics_.errors() == errors_before_; }
-  void error(const Place& place, const std::string& message, const std::string& hint = {}) {
+  void error(const formats::Place& place, const std::string& message, const std::string& hint = {}) {
     diagnostics_.error(place, message, hint);
   }
 
@@ -180,7 +181,7 @@ class Divider {
     return all;
   }
 
-  std::uint32_t add_node(const Triple& at, int type, const Place& place) {
+  std::uint32_t add_node(const Triple& at, int type, const formats::Place& place) {
     const auto types = static_cast<int>(gear_.types.size());
     if (type < 1 || type > types)
       error(place, fmt::format("nodes of type {} are wanted here, which does not exist", type),
@@ -188,14 +189,14 @@ class Divider {
     if (static_cast<double>(mesh_.nodes.size()) >= most_nodes_)
       error(place, fmt::format("the gear would have more than {:g} nodes", most_nodes_),
             "the meshing step is too small");
-    if (std::any_of(at.begin(), at.end(), [](double x) { return !(std::abs(x) < kFarthest); }))
+    if (std::any_of(at.begin(), at.end(), [](double x) { return !(std::abs(x) < formats::kFarthest); }))
       error(place, "its drawing reaches beyond a million metres");
     mesh_.nodes.push_back({at, type - 1});
     return static_cast<std::uint32_t>(mesh_.nodes.size() - 1);
   }
 
   /// The node of a corner or end: that of the object which is divided first.
-  std::uint32_t node_of(const LinkPoint& point, const Triple& at, int type, const Place& place) {
+  std::uint32_t node_of(const LinkPoint& point, const Triple& at, int type, const formats::Place& place) {
     const auto [known, is_new] = node_of_point_.try_emplace(links_.point(point), 0);
     if (is_new) known->second = add_node(at, type, place);
     const int own = mesh_.nodes[known->second].type + 1;
@@ -210,7 +211,7 @@ class Divider {
 
   /// The nodes from one node to another, with both: a line that is there already, or a new one.
   std::vector<std::uint32_t> line(std::uint32_t a, std::uint32_t b, const Triple& from, const Triple& to,
-                                  double parts, int type, const Place& place) {
+                                  double parts, int type, const formats::Place& place) {
     const auto [known, is_new] = lines_.try_emplace(std::minmax({a, b}));
     Line& line = known->second;
     if (is_new) {
@@ -258,13 +259,13 @@ class Divider {
     const PanelPlane plane(p);
     Border border = border_of(number, plane);
     if (!is_fine()) return;
-    std::vector<PlanePoint> points;
+    std::vector<gears::PlanePoint> points;
     for (const auto& m : border.meshes) points.push_back(plane.plane(m));
     const auto inner = plane.inside(points);
-    std::vector<PlanePoint> inner_points;
+    std::vector<gears::PlanePoint> inner_points;
     for (const auto& m : inner) inner_points.push_back(plane.plane(m));
     try {
-      const PlaneMesh filled = connect_points(points, inner_points);
+      const gears::PlaneMesh filled = gears::connect_points(points, inner_points);
       add_inner_nodes(p, plane, inner, border);
       add_triangles(number, filled, border);
     } catch (const std::invalid_argument& e) {
@@ -281,8 +282,9 @@ class Divider {
           p.place,
           fmt::format("the meshing step of the panel is {:g} m: it cannot be divided into elements", p.step),
           "give the mesh with --mesh, or a step above zero");
-    if (std::any_of(p.corners.begin(), p.corners.end(),
-                    [](auto& c) { return !(std::abs(c.U) < kFarthest && std::abs(c.V) < kFarthest); }))
+    if (std::any_of(p.corners.begin(), p.corners.end(), [](auto& c) {
+          return !(std::abs(c.U) < formats::kFarthest && std::abs(c.V) < formats::kFarthest);
+        }))
       error(p.place, "a corner of the panel is beyond a million meshes");
     if (is_fine() && PanelPlane(p).is_too_fine(most_nodes_))
       error(p.place, fmt::format("the panel would have more than {:g} nodes", most_nodes_),
@@ -341,7 +343,7 @@ class Divider {
   }
 
   /// A triangle between two sides that are sewn to one another has two nodes only, and no extent in space.
-  void add_triangles(int number, const PlaneMesh& filled, const Border& all) {
+  void add_triangles(int number, const gears::PlaneMesh& filled, const Border& all) {
     double lost = 0;
     for (const auto& t : filled.triangles) {
       MeshFile::Triangle triangle;
@@ -358,7 +360,7 @@ class Divider {
       else if (d > kFlat)
         mesh_.triangles.push_back(triangle);
     }
-    const Place& place = gear_.panels[static_cast<std::size_t>(number)].place;
+    const formats::Place& place = gear_.panels[static_cast<std::size_t>(number)].place;
     if (lost > 0)
       diagnostics_.warning(place,
                            fmt::format("netting of {:.3g} meshes lies between sides that are sewn to one "
@@ -378,7 +380,7 @@ class Divider {
 
   const GearFile& gear_;
   double most_nodes_;
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   int errors_before_;
   GearLinks links_;
   std::map<std::size_t, std::uint32_t> node_of_point_;
@@ -388,8 +390,8 @@ class Divider {
 
 }  // namespace
 
-MeshFile divide_gear(const GearFile& gear, Diagnostics& diagnostics, double most_nodes) {
+MeshFile divide_gear(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes) {
   return Divider(gear, diagnostics, most_nodes).divide();
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cmath>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -32,12 +32,12 @@ std::string with_plain_ends(const std::string& text) {
 
 }  // namespace
 
-DonScanner::DonScanner(std::string text, int file, Diagnostics& diagnostics)
+DonScanner::DonScanner(std::string text, int file, formats::Diagnostics& diagnostics)
     : text_(with_plain_ends(text)), file_(file), diagnostics_(diagnostics) {}
 
-Place DonScanner::place() const { return {file_, line_, column_, 1}; }
+formats::Place DonScanner::place() const { return {file_, line_, column_, 1}; }
 
-void DonScanner::fail(const Place& place, const std::string& message, const std::string& hint) {
+void DonScanner::fail(const formats::Place& place, const std::string& message, const std::string& hint) {
   if (!has_failed_) diagnostics_.error(place, message, hint);
   has_failed_ = true;
 }
@@ -105,7 +105,7 @@ void DonScanner::warn_of_tail() {
 std::optional<double> DonScanner::try_real(bool whole) {
   if (has_failed_) return {};
   skip_blanks();
-  const Place begun = place();
+  const formats::Place begun = place();
   const auto digits = take_number(whole);
   if (!digits) {
     std::string word;
@@ -116,14 +116,14 @@ std::optional<double> DonScanner::try_real(bool whole) {
     return {};
   }
   warn_of_tail();
-  const auto value = number_in(*digits);
+  const auto value = formats::number_in(*digits);
   if (!value) fail(begun, "the number " + digits->substr(0, 40) + " is too large");
   return value;
 }
 
 double DonScanner::real(const char* what) {
   if (!skip_colon(what)) return 0;
-  const Place begun = place();
+  const formats::Place begun = place();
   const auto value = try_real();
   if (!value && !has_failed_) diagnostics_.warning(begun, std::string(what) + " is blank, and taken as 0");
   return value.value_or(0);
@@ -131,7 +131,7 @@ double DonScanner::real(const char* what) {
 
 int DonScanner::integer(const char* what) {
   if (!skip_colon(what)) return 0;
-  const Place begun = place();
+  const formats::Place begun = place();
   const auto value = try_real(true);
   if (!value && !has_failed_) diagnostics_.warning(begun, std::string(what) + " is blank, and taken as 0");
   return value && std::abs(*value) <= kMostCounted ? static_cast<int>(*value) : 0;
@@ -139,7 +139,7 @@ int DonScanner::integer(const char* what) {
 
 int DonScanner::count(const char* what) {
   if (!skip_colon(what)) return 0;
-  const Place begun = place();
+  const formats::Place begun = place();
   const auto value = try_real(true);
   if (!value)
     fail(begun, std::string(what) + " is blank; a whole number is expected", "write 0 if there are none");
@@ -158,7 +158,7 @@ double DonScanner::next_real(const char* what) {
 int DonScanner::next_integer(const char* what) {
   if (has_failed_) return 0;
   skip_blanks();
-  const Place begun = place();
+  const formats::Place begun = place();
   const auto value = try_real();
   if (!value || std::abs(*value) > kMostCounted)
     fail(begun, std::string("a whole number is expected here: ") + what);
@@ -216,4 +216,4 @@ std::string_view DonScanner::word() {
 
 bool DonScanner::has_one_separator() const { return is_blank(here()) && here(1) && !is_blank(here(1)); }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

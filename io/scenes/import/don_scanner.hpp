@@ -6,14 +6,14 @@
 #include <string>
 #include <string_view>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 /// Goes through the text of a .don as FEMNET does: its first part is values behind colons, whatever the words
 /// before them; its second is words. After the first error of the first part it reads nothing more, because
 /// all that follows would be read at the wrong place.
 class DonScanner {
  public:
-  DonScanner(std::string text, int file, Diagnostics& diagnostics);
+  DonScanner(std::string text, int file, formats::Diagnostics& diagnostics);
 
   bool has_failed() const { return has_failed_; }
   /// Goes behind the next colon. `what` is expected there, for errors.
@@ -54,9 +54,9 @@ class DonScanner {
     column_ = to.column;
   }
 
-  Place place() const;  // here
-  Place place_of_word() const { return word_place_; }
-  void fail(const Place& place, const std::string& message, const std::string& hint = {});
+  formats::Place place() const;  // here
+  formats::Place place_of_word() const { return word_place_; }
+  void fail(const formats::Place& place, const std::string& message, const std::string& hint = {});
 
  private:
   void step();
@@ -70,9 +70,9 @@ class DonScanner {
   std::string text_;
   std::size_t at_ = 0;
   int file_, line_ = 1, column_ = 1;
-  Place word_place_;
-  Diagnostics& diagnostics_;
+  formats::Place word_place_;
+  formats::Diagnostics& diagnostics_;
   bool has_failed_ = false;
 };
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

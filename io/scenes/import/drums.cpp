@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile&
   return out;
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

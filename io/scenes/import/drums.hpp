@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 /// A bar that a drum shortens or lengthens: its unstretched length over that at the start, straight between
 /// the times.
@@ -26,4 +26,4 @@ inline constexpr double kMostHauls = 2e7;  // steps times bars: about a second o
 /// [m] a tenth of what a time step of FEMNET leaves in the length of a rope that is hauled at 0.2 m/s.
 inline constexpr double kHauledWithin = 1e-4;
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::vector<std::string> features_of(const GearFile& gear) {
   return needed;
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 /// Gravity of FEMNET [m/s²]: its answers to the same files are found with it.
 inline constexpr double kGravity = 9.81;
@@ -24,7 +24,7 @@ struct Corner {
 
 /// A piece of diamond netting; numbers in the precision in which FEMNET keeps them.
 struct Panel {
-  Place place;
+  formats::Place place;
   std::vector<Corner> corners;
   double EA = 0, EA_compression = 0, opening = 0, side = 0, density = 0, diameter = 0, knot = 0, cd = 0,
          friction = 0;  // `side` is half a mesh [m]; `friction` is a fraction of cd
@@ -41,7 +41,7 @@ struct Cable {
     Triple at{};
     int type = 0;
   };
-  Place place;
+  formats::Place place;
   std::array<End, 2> ends;
   double EA = 0, EA_compression = 0, length = 0, density = 0, diameter = 0, cd = 0, friction = 0;
   int bars = 0, inner_type = 0;
@@ -52,7 +52,7 @@ struct Cable {
 
 /// What nodes of a type have in common.
 struct NodeType {
-  Place place;
+  formats::Place place;
   Triple mass{}, added_mass{}, box{}, drag{}, force{}, fixed{}, limit{}, sense{}, symmetry{};
 };
 
@@ -60,19 +60,19 @@ struct NodeType {
 struct LinkPoint {
   bool is_panel = false;
   int object = 0, corner = 0;
-  Place place = {};
+  formats::Place place = {};
 };
 
 /// Nodes strictly within a box of the drawing get a type, counted from 0.
 struct TypeBox {
-  Place place;
+  formats::Place place;
   Triple low{}, high{};
   int type = 0;
 };
 
 /// Two cables clamped to one another.
 struct Clamp {
-  Place place;
+  formats::Place place;
   int first = 0, second = 0;  // cables, counted from 0
   double angle = 180;         // [degrees], 180 in line
 };
@@ -80,7 +80,7 @@ struct Clamp {
 /// A drum at one end of a cable: it hauls at a speed that is straight between the times, and pays out below
 /// zero.
 struct Drum {
-  Place place;
+  formats::Place place;
   int cable = 0;                      // counted from 0
   double shortest = 0, longest = 0;   // lengths of bars that it leaves behind [m]
   std::vector<double> times, speeds;  // [s], [m/s]
@@ -89,7 +89,7 @@ struct Drum {
 
 /// Nodes of a type that move at velocities that are straight between the times, and stand still after them.
 struct NodeMotion {
-  Place place;
+  formats::Place place;
   int type = 0;  // counted from 0
   std::vector<double> times;
   std::array<std::vector<double>, 3> velocity;
@@ -112,14 +112,14 @@ struct Environment {
   double water_density = 1025;
   bool bed_moves = false;
   int drag_type = 1;
-  int wave_model = 1;  // 1 of first order, 2 and 3 of higher
-  Place waves;         // where they are described
+  int wave_model = 1;    // 1 of first order, 2 and 3 of higher
+  formats::Place waves;  // where they are described
 };
 
 /// What the import cannot do as the file says it.
 struct Finding {
   enum class Kind { note, left_out };  // left_out: the answer changes
-  Place place;
+  formats::Place place;
   Kind kind = Kind::note;
   std::string what;  // "keyword tarp"
   std::string text;
@@ -172,14 +172,15 @@ std::vector<std::string> features_of(const GearFile& gear);
 
 /// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are located in source `file`; after an
 /// error what could be read is returned.
-GearFile read_gear(const std::string& text, int file, Diagnostics& diagnostics);
+GearFile read_gear(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
 /// Reads the .mdg of a gear, whose numbers of types, cables and panels its rows must keep to.
-MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear, Diagnostics& diagnostics);
+MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear,
+                        formats::Diagnostics& diagnostics);
 
 /// Divides a gear that has no mesh: panels into triangles on a lattice of their meshing step, as FEMNET does,
 /// cables into bars; what is linked is connected. Netting that FEMNET would make bars of is in triangles,
 /// too. Errors have the place of the panel, cable or link; more than `most_nodes` nodes are one.
-MeshFile divide_gear(const GearFile& gear, Diagnostics& diagnostics, double most_nodes = 1e6);
+MeshFile divide_gear(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes = 1e6);
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

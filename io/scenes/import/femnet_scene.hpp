@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/scenes/import/drums.hpp"
 #include "io/formats/mesh/mesh.hpp"
+#include "io/scenes/import/drums.hpp"
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 /// Names of files in the scene that is made.
 struct Names {
@@ -14,7 +14,7 @@ struct Names {
 /// A gear file and its mesh as a scene and a mesh of ours.
 struct Imported {
   std::string scene;
-  InputMesh mesh;
+  formats::InputMesh mesh;
   std::vector<Finding> findings;  // those of the gear, and what could not be carried over
 };
 
@@ -22,13 +22,14 @@ struct Imported {
 enum class Sought { rest, motion };
 
 /// Numbers of which the scene would not be accepted are errors at their place.
-Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names, Diagnostics& diagnostics,
-                     Sought sought = Sought::rest);
+Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names,
+                     formats::Diagnostics& diagnostics, Sought sought = Sought::rest);
 
 /// The mesh of a gear: a region for each panel and cable that has elements, sets of nodes by type, for the
 /// types that hold or carry something. Corners of triangles are turned round, because FEMNET counts them
 /// clockwise as seen from outside. Bars that drums haul have regions of their own.
-InputMesh make_mesh(const GearFile& gear, const MeshFile& file, const std::vector<HauledBar>& hauled = {});
+formats::InputMesh make_mesh(const GearFile& gear, const MeshFile& file,
+                             const std::vector<HauledBar>& hauled = {});
 
 /// "panel-3", "cable-12", "type-4", from numbers that begin with 0.
 std::string panel_name(std::size_t panel);
@@ -56,4 +57,4 @@ struct Loose {
 };
 std::vector<Loose> find_loose(const GearFile& gear, const MeshFile& file);
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

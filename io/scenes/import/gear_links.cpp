@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
-GearLinks::GearLinks(const GearFile& gear, Diagnostics& diagnostics) : gear_(gear) {
+GearLinks::GearLinks(const GearFile& gear, formats::Diagnostics& diagnostics) : gear_(gear) {
   for (const auto& panel : gear.panels) {
     panel_starts_.push_back(drawn_.size());
     for (const auto& corner : panel.corners) drawn_.push_back(corner.at);
@@ -29,7 +29,7 @@ GearLinks::GearLinks(const GearFile& gear, Diagnostics& diagnostics) : gear_(gea
   if (gear.link_distance > 0) connect_near();
 }
 
-bool GearLinks::exists(const LinkPoint& at, Diagnostics& diagnostics) const {
+bool GearLinks::exists(const LinkPoint& at, formats::Diagnostics& diagnostics) const {
   const std::size_t objects = at.is_panel ? gear_.panels.size() : gear_.cables.size();
   const char* what = at.is_panel ? "panel " : "cable ";
   if (at.object < 0 || static_cast<std::size_t>(at.object) >= objects) {
@@ -71,4 +71,4 @@ void GearLinks::connect_near() {
     }
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

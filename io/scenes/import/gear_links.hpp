@@ -2,14 +2,14 @@
 #pragma once
 #include "io/scenes/import/femnet_gear.hpp"
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 /// Corners of panels and ends of cables, and which of them are one point of the gear: those that a link
 /// names, and those that are nearer to one another in the drawing than its link distance.
 class GearLinks {
  public:
   /// Links to what is not there are errors at their place.
-  GearLinks(const GearFile& gear, Diagnostics& diagnostics);
+  GearLinks(const GearFile& gear, formats::Diagnostics& diagnostics);
 
   /// The point of a corner or end: the same number for all that are linked.
   std::size_t point(const LinkPoint& at) { return leader(index(at)); }
@@ -21,7 +21,7 @@ class GearLinks {
   }
   std::size_t leader(std::size_t i);
   void connect(std::size_t a, std::size_t b);
-  bool exists(const LinkPoint& at, Diagnostics& diagnostics) const;
+  bool exists(const LinkPoint& at, formats::Diagnostics& diagnostics) const;
   void connect_near();
 
   const GearFile& gear_;
@@ -29,4 +29,4 @@ class GearLinks {
   std::vector<Triple> drawn_;
 };
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

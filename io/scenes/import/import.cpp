@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kLargestFile = 256u << 20;  // [bytes]
 
 /// The text of a file; nothing, and an error, if it cannot be read.
-std::optional<std::string> read_text(const fs::path& path, Diagnostics& diagnostics) {
+std::optional<std::string> read_text(const fs::path& path, formats::Diagnostics& diagnostics) {
   std::error_code fault;
   if (!fs::is_regular_file(path, fault)) {
     diagnostics.error({}, path.string() + ": there is no such file");
@@ -45,7 +45,8 @@ fs::path mesh_of(const ImportRequest& request) {
   return beside.replace_extension(".mdg");
 }
 
-void report(const std::vector<femnet::Finding>& findings, Diagnostics& diagnostics, ImportedGear& out) {
+void report(const std::vector<femnet::Finding>& findings, formats::Diagnostics& diagnostics,
+            ImportedGear& out) {
   for (const auto& f : findings) {
     const bool is_left_out = f.kind == femnet::Finding::Kind::left_out;
     diagnostics.warning(f.place, (is_left_out ? "left out: " : "") + f.what + ": " + f.text);
@@ -61,7 +62,7 @@ struct FoundMesh {
 
 /// The gear divided into elements here. Node numbers of the file are of another mesh, and go; bars of several
 /// twines are those that FEMNET's mesher lays out.
-FoundMesh divide(femnet::GearFile& gear, const std::string& why, Diagnostics& diagnostics) {
+FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagnostics& diagnostics) {
   using femnet::Finding, femnet::Wanted;
   gear.findings.push_back(
       {{}, Finding::Kind::note, "the mesh", why + ": the gear is divided into elements here"});
@@ -81,14 +82,14 @@ FoundMesh divide(femnet::GearFile& gear, const std::string& why, Diagnostics& di
 }
 
 /// A mesh that lies beside the gear and speaks of what the gear has not is older, and not used.
-FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, Diagnostics& diagnostics) {
+FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, formats::Diagnostics& diagnostics) {
   const fs::path path = mesh_of(request);
   const bool is_named = !request.mesh.empty();
   if (request.divides) return divide(gear, "not used", diagnostics);
   if (!is_named && !fs::exists(path)) return divide(gear, "there is none", diagnostics);
   const auto text = read_text(path, diagnostics);
   if (!text) return {};
-  Diagnostics of_mesh;
+  formats::Diagnostics of_mesh;
   const auto tried =
       femnet::read_mesh_file(*text, of_mesh.add_source(path.filename().string(), *text), gear, of_mesh);
   if (tried.is_of_another_gear && !is_named) {
@@ -102,7 +103,7 @@ FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, Diagno
 }
 
 /// Reads and converts; the findings in full.
-std::vector<femnet::Finding> convert(const ImportRequest& request, Diagnostics& diagnostics,
+std::vector<femnet::Finding> convert(const ImportRequest& request, formats::Diagnostics& diagnostics,
                                      ImportedGear& out) {
   const auto text = read_text(request.gear, diagnostics);
   if (!text) return {};
@@ -117,9 +118,9 @@ std::vector<femnet::Finding> convert(const ImportRequest& request, Diagnostics& 
                                       request.moves ? femnet::Sought::motion : femnet::Sought::rest);
   if (diagnostics.errors()) return imported.findings;
   out.scene = std::move(imported.scene);
-  out.mesh =
-      mesh_text(imported.mesh, "the mesh of " + names.gear +
-                                   (mesh_name.empty() ? ", divided on its import" : ", from " + mesh_name));
+  out.mesh = formats::mesh_text(
+      imported.mesh,
+      "the mesh of " + names.gear + (mesh_name.empty() ? ", divided on its import" : ", from " + mesh_name));
   out.nodes = mesh.nodes.size();
   out.elements = mesh.bars.size() + mesh.triangles.size();
   return imported.findings;
@@ -133,7 +134,7 @@ bool is_gear(const fs::path& path) {
 }
 
 FolderCheck::Gear check_gear(const fs::path& path, const fs::path& folder, bool moves, FolderCheck& out) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   ImportedGear gear;
   FolderCheck::Gear result{fs::relative(path, folder).string(), false, {}};
   std::set<std::string> needs;
@@ -147,7 +148,8 @@ FolderCheck::Gear check_gear(const fs::path& path, const fs::path& folder, bool 
   result.features = gear.features;
   result.is_read = diagnostics.errors() == 0;
   for (const auto& d : diagnostics.sorted())
-    if (d.severity == Severity::error) result.lines.push_back(diagnostics.where(d.place) + ": " + d.message);
+    if (d.severity == formats::Severity::error)
+      result.lines.push_back(diagnostics.where(d.place) + ": " + d.message);
   return result;
 }
 
@@ -155,7 +157,7 @@ ImportedGear of_bars(const BarTable& table, const std::vector<std::string>& head
                      const ImportRequest& request) {
   auto written = scene_of(table, head, request.own_mesh);
   ImportedGear out{std::move(written.scene),
-                   mesh_text(written.mesh, "the bars of " + request.gear.filename().string())};
+                   formats::mesh_text(written.mesh, "the bars of " + request.gear.filename().string())};
   out.nodes = written.mesh.node_count();
   for (const auto& region : written.mesh.regions) out.elements += region.size();
   return out;
@@ -163,14 +165,14 @@ ImportedGear of_bars(const BarTable& table, const std::vector<std::string>& head
 
 }  // namespace
 
-ImportedGear import_femnet(const ImportRequest& request, Diagnostics& diagnostics) {
+ImportedGear import_femnet(const ImportRequest& request, formats::Diagnostics& diagnostics) {
   ImportedGear out;
   const auto findings = convert(request, diagnostics, out);
   report(findings, diagnostics, out);
   return out;
 }
 
-ImportedGear import_table(const ImportRequest& request, Diagnostics& diagnostics) {
+ImportedGear import_table(const ImportRequest& request, formats::Diagnostics& diagnostics) {
   const auto text = read_text(request.gear, diagnostics);
   if (!text) return {};
   const auto table = read_bar_table(*text, diagnostics.add_source(request.gear.string(), *text), diagnostics);
@@ -179,7 +181,7 @@ ImportedGear import_table(const ImportRequest& request, Diagnostics& diagnostics
                               : of_bars(table, {"Imported from " + name + ", nodes and bars."}, request);
 }
 
-ImportedGear import_moordyn(const ImportRequest& request, Diagnostics& diagnostics) {
+ImportedGear import_moordyn(const ImportRequest& request, formats::Diagnostics& diagnostics) {
   const auto text = read_text(request.gear, diagnostics);
   if (!text) return {};
   const auto mooring = read_moordyn(*text, diagnostics.add_source(request.gear.string(), *text), diagnostics);
@@ -212,4 +214,4 @@ FolderCheck check_folder(const fs::path& folder, bool moves) {
   return out;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// A gear of another program as texts of ours.
 struct ImportedGear {
@@ -28,13 +28,13 @@ struct ImportRequest {
 
 /// Reads a gear of FEMNET with its mesh. Errors, warnings and what is left out go to `diagnostics` with their
 /// places; after an error the texts are empty.
-ImportedGear import_femnet(const ImportRequest& request, Diagnostics& diagnostics);
+ImportedGear import_femnet(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
 /// Reads a table of nodes and bars (TABLE.md), in the same manner.
-ImportedGear import_table(const ImportRequest& request, Diagnostics& diagnostics);
+ImportedGear import_table(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
 /// Reads a mooring of MoorDyn, in the same manner.
-ImportedGear import_moordyn(const ImportRequest& request, Diagnostics& diagnostics);
+ImportedGear import_moordyn(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
 /// What the gears of a folder, and of those below, need.
 struct FolderCheck {
@@ -51,4 +51,4 @@ struct FolderCheck {
 };
 FolderCheck check_folder(const std::filesystem::path& folder, bool moves = false);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

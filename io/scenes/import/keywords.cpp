@@ -9,11 +9,11 @@
 #include <functional>
 #include <numbers>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
-constexpr int kMostRows = 10000;  // of a table: more is not meant
+constexpr int kMostTableRows = 10000;  // of a table: more is not meant
 
 /// Keywords that change nothing in the answer sought here; those that end with * are beginnings.
 constexpr const char* kIdle[] = {"Auto_convergence",
@@ -67,7 +67,7 @@ bool is_one_of(std::string_view name, const char* const (&patterns)[N]) {
 /// Reads the tail; one member for each keyword.
 class KeywordReader {
  public:
-  KeywordReader(DonScanner& in, GearFile& gear, Diagnostics& diagnostics)
+  KeywordReader(DonScanner& in, GearFile& gear, formats::Diagnostics& diagnostics)
       : in_(in), gear_(gear), diagnostics_(diagnostics) {}
 
   void read() {
@@ -180,9 +180,9 @@ class KeywordReader {
   }
   std::size_t rows_of_table() {
     const int rows = in_.next_integer(("the number of times of " + name_).c_str());
-    if (!in_.has_failed() && (rows < 1 || rows > kMostRows))
+    if (!in_.has_failed() && (rows < 1 || rows > kMostTableRows))
       in_.fail(name_place_, name_ + ": a table of " + std::to_string(rows) + " times; 1 to " +
-                                std::to_string(kMostRows) + " are expected");
+                                std::to_string(kMostTableRows) + " are expected");
     return in_.has_failed() ? 0 : static_cast<std::size_t>(rows);
   }
   std::vector<double> times(std::size_t rows) {
@@ -311,22 +311,22 @@ class KeywordReader {
     const double S = number(), cd = number(), cl = number(), cz = number();
     if (in_.has_failed() || !type) return;
     const Environment& e = gear_.environment;
-    const double psi = in_radians(e.direction), q = 0.5 * e.water_density * S * e.speed * e.speed;
+    const double psi = formats::in_radians(e.direction), q = 0.5 * e.water_density * S * e.speed * e.speed;
     type->force = {q * (cd * std::cos(psi) - cl * std::sin(psi)),
                    q * (cd * std::sin(psi) + cl * std::cos(psi)), q * cz};
   }
 
   DonScanner& in_;
   GearFile& gear_;
-  Diagnostics& diagnostics_;
-  Place at_, name_place_;
+  formats::Diagnostics& diagnostics_;
+  formats::Place at_, name_place_;
   std::string name_;
 };
 
 }  // namespace
 
-void read_keywords(DonScanner& in, GearFile& gear, Diagnostics& diagnostics) {
+void read_keywords(DonScanner& in, GearFile& gear, formats::Diagnostics& diagnostics) {
   KeywordReader(in, gear, diagnostics).read();
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

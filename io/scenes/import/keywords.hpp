@@ -3,10 +3,10 @@
 #include "io/scenes/import/don_scanner.hpp"
 #include "io/scenes/import/femnet_gear.hpp"
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 /// Reads the tail of a .don: words, of which `input NAME` and its arguments change the gear. What cannot be
 /// carried over goes to the findings of the gear; wrong arguments are errors.
-void read_keywords(DonScanner& in, GearFile& gear, Diagnostics& diagnostics);
+void read_keywords(DonScanner& in, GearFile& gear, formats::Diagnostics& diagnostics);
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <numeric>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
 bool is_zero(const Triple& t) { return t == Triple{}; }
 
 void add_bars_of_cable(std::size_t cable, const MeshFile& file, const std::vector<bool>& is_hauled,
-                       InputMesh& mesh) {
+                       formats::InputMesh& mesh) {
   std::vector<const MeshFile::Bar*> bars;
   for (std::size_t b = 0; b < file.bars.size(); ++b)
     if (file.bars[b].cable == static_cast<int>(cable) + 1 && !is_hauled[b]) bars.push_back(&file.bars[b]);
   if (bars.empty()) return;
   std::stable_sort(bars.begin(), bars.end(), [](auto* a, auto* b) { return a->shares[0] < b->shares[0]; });
-  MeshRegion region{RegionKind::bars, cable_name(cable)};
+  formats::MeshRegion region{formats::RegionKind::bars, cable_name(cable)};
   for (const auto* b : bars) {
     region.nodes.insert(region.nodes.end(), b->nodes.begin(), b->nodes.end());
     region.numbers.insert(region.numbers.end(), b->shares.begin(), b->shares.end());
@@ -25,8 +25,8 @@ void add_bars_of_cable(std::size_t cable, const MeshFile& file, const std::vecto
   mesh.regions.push_back(std::move(region));
 }
 
-void add_triangles(std::size_t panel, const MeshFile& file, InputMesh& mesh) {
-  MeshRegion region{RegionKind::triangles, panel_name(panel)};
+void add_triangles(std::size_t panel, const MeshFile& file, formats::InputMesh& mesh) {
+  formats::MeshRegion region{formats::RegionKind::triangles, panel_name(panel)};
   for (const auto& t : file.triangles) {
     if (t.panel != static_cast<int>(panel)) continue;
     for (const std::size_t k : {0u, 2u, 1u}) {
@@ -38,8 +38,8 @@ void add_triangles(std::size_t panel, const MeshFile& file, InputMesh& mesh) {
   if (region.size() > 0) mesh.regions.push_back(std::move(region));
 }
 
-void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
-  MeshRegion region{RegionKind::twines, panel_name(panel)};
+void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, formats::InputMesh& mesh) {
+  formats::MeshRegion region{formats::RegionKind::twines, panel_name(panel)};
   for (const auto& b : file.bars) {
     if (b.cable != -static_cast<int>(panel) - 1) continue;
     region.nodes.insert(region.nodes.end(), b.nodes.begin(), b.nodes.end());
@@ -52,9 +52,9 @@ void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, I
 }
 
 /// Nodes of cables that bend, by the plane of symmetry that they lie in.
-void add_planes(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
+void add_planes(const GearFile& gear, const MeshFile& file, formats::InputMesh& mesh) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    MeshSet plane{plane_name(axis)};
+    formats::MeshSet plane{plane_name(axis)};
     for (const auto& b : file.bars) {
       if (b.cable <= 0 || !(gear.cables[static_cast<std::size_t>(b.cable) - 1].EI > 0)) continue;
       for (const auto n : b.nodes)
@@ -66,12 +66,12 @@ void add_planes(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
   }
 }
 
-void add_sets(const GearFile& gear, const MeshFile& file, InputMesh& mesh) {
+void add_sets(const GearFile& gear, const MeshFile& file, formats::InputMesh& mesh) {
   for (std::size_t type = 0; type < gear.types.size(); ++type) {
     const bool is_moved = std::any_of(gear.motions.begin(), gear.motions.end(),
                                       [&](const auto& m) { return m.type == static_cast<int>(type); });
     if (!is_special(gear.types[type]) && !is_moved) continue;
-    MeshSet set{type_name(type)};
+    formats::MeshSet set{type_name(type)};
     for (std::uint32_t n = 0; n < file.nodes.size(); ++n)
       if (file.nodes[n].type == static_cast<int>(type)) set.nodes.push_back(n);
     if (!set.nodes.empty()) mesh.sets.push_back(std::move(set));
@@ -152,10 +152,11 @@ std::vector<Loose> find_loose(const GearFile& gear, const MeshFile& file) {
   return loose;
 }
 
-InputMesh make_mesh(const GearFile& gear, const MeshFile& file, const std::vector<HauledBar>& hauled) {
+formats::InputMesh make_mesh(const GearFile& gear, const MeshFile& file,
+                             const std::vector<HauledBar>& hauled) {
   std::vector<bool> is_hauled(file.bars.size());
   for (const auto& h : hauled) is_hauled[h.bar] = true;
-  InputMesh mesh;
+  formats::InputMesh mesh;
   for (const auto& n : file.nodes) mesh.positions.insert(mesh.positions.end(), n.at.begin(), n.at.end());
   for (std::size_t p = 0; p < gear.panels.size(); ++p) {
     add_triangles(p, file, mesh);
@@ -164,7 +165,7 @@ InputMesh make_mesh(const GearFile& gear, const MeshFile& file, const std::vecto
   for (std::size_t c = 0; c < gear.cables.size(); ++c) add_bars_of_cable(c, file, is_hauled, mesh);
   for (const auto& h : hauled) {
     const MeshFile::Bar& b = file.bars[h.bar];
-    mesh.regions.push_back({RegionKind::bars,
+    mesh.regions.push_back({formats::RegionKind::bars,
                             bar_name(static_cast<std::size_t>(b.cable) - 1, h.number),
                             {b.nodes[0], b.nodes[1]},
                             {b.shares[0], b.shares[1]}});
@@ -173,4 +174,4 @@ InputMesh make_mesh(const GearFile& gear, const MeshFile& file, const std::vecto
   return mesh;
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

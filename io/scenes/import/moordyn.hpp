@@ -2,12 +2,12 @@
 #pragma once
 #include "io/scenes/import/bar_table.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// A mooring of MoorDyn as nodes and bars, with what could not be carried over.
 struct MooringFile {
   struct Finding {
-    Place place;
+    formats::Place place;
     bool is_left_out = false;  // the answer changes
     std::string text;
   };
@@ -18,6 +18,6 @@ struct MooringFile {
 /// Reads an input file of MoorDyn, version 1 or 2 (https://moordyn.readthedocs.io, "Input Files";
 /// BSD-3-Clause): points, and lines in as many bars as they have segments there. Errors are located in source
 /// `file`; after an error what could be read is returned.
-MooringFile read_moordyn(const std::string& text, int file, Diagnostics& diagnostics);
+MooringFile read_moordyn(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/import/motion.hpp"
 
-#include "io/scenes/import/scene_text.hpp"
 #include "io/formats/mesh/mesh.hpp"
 #include "io/formats/units/degrees.hpp"
+#include "io/scenes/import/scene_text.hpp"
 #include "io/scenes/water/airy.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -19,7 +19,7 @@ double number_of_waves(const Environment& e) {
 }
 
 /// A direction in degrees, in radians from -π to π.
-double wrapped_radians(double degrees) { return in_radians(std::remainder(degrees, 360)); }
+double wrapped_radians(double degrees) { return formats::in_radians(std::remainder(degrees, 360)); }
 
 }  // namespace
 
@@ -30,7 +30,8 @@ std::string fault_of_waves(const Environment& e) {
   if (!is_within(e.depth, 1e-3, 20000)) return "the depth of the water is not within 0.001 and 20000 m";
   const double k = number_of_waves(e);
   if (e.wave_height >= highest_wave(k, e.depth))
-    return "they would break at " + spell_number(std::round(100 * highest_wave(k, e.depth)) / 100) + " m";
+    return "they would break at " + formats::spell_number(std::round(100 * highest_wave(k, e.depth)) / 100) +
+           " m";
   return is_shallow(k, e.depth) ? "they are longer than 20 depths, and not linear" : "";
 }
 
@@ -56,8 +57,8 @@ std::string motion_text(const Environment& e) {
   const double interval = e.record_step > 0 && e.record_step <= end ? e.record_step : end / 100;
   return "\n[analysis]  # at rest: netloft run … --set analysis.kind=static\nkind = \"dynamic\"\nstart = "
          "\"equilibrium\"\nduration = " +
-         spell_number(end) + (has_end ? "" : "  # none in the file") +
-         "\noutput_interval = " + spell_number(interval) + "\n";
+         formats::spell_number(end) + (has_end ? "" : "  # none in the file") +
+         "\noutput_interval = " + formats::spell_number(interval) + "\n";
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

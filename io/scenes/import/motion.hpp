@@ -4,7 +4,7 @@
 #pragma once
 #include "io/scenes/import/femnet_gear.hpp"
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 /// Why linear waves do not do for those of a file; empty if they do.
 std::string fault_of_waves(const Environment& e);
@@ -19,4 +19,4 @@ double rise_of_second_order(const Environment& e);
 /// [analysis] of a motion that begins at rest and ends where the file says.
 std::string motion_text(const Environment& e);
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

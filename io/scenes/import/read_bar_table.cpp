@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/scenes/import/bar_table.hpp"
-#include "io/scenes/import/csv_rows.hpp"
+#include "io/formats/mesh/mesh.hpp"
 #include "io/formats/mesh/text_rows.hpp"
 #include "io/formats/units/in_quotes.hpp"
+#include "io/scenes/import/bar_table.hpp"
+#include "io/scenes/import/csv_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -11,13 +12,12 @@
 #include <map>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 constexpr std::size_t kMostRows = 4000000;
 constexpr int kMostErrors = 50;
-constexpr double kFarthest = 1e6;  // [m]
 
 /// A column that may stand in a table. Without a unit it holds words.
 struct Column {
@@ -29,9 +29,9 @@ struct Column {
 enum NodeColumn { kNode, kX, kY, kZ, kHold, kMass, kBuoyancy, kForceX, kForceY, kForceZ };
 constexpr Column kNodeColumns[] = {
     {"node", "", "name of the node"},
-    {"x", "m", "where it starts", -kFarthest, kFarthest, true},
-    {"y", "m", "where it starts", -kFarthest, kFarthest, true},
-    {"z", "m", "where it starts, up from the surface", -kFarthest, kFarthest, true},
+    {"x", "m", "where it starts", -formats::kFarthest, formats::kFarthest, true},
+    {"y", "m", "where it starts", -formats::kFarthest, formats::kFarthest, true},
+    {"z", "m", "where it starts, up from the surface", -formats::kFarthest, formats::kFarthest, true},
     {"hold", "", "axes along which it is held"},
     {"mass", "kg", "mass in air, of steel or lead: nothing lifts it", 0, 1e6},
     {"buoyancy", "N", "net upward force in water", -1e7, 1e7},
@@ -71,7 +71,7 @@ bool may_stand_in_a_name(char c) {
 /// Reads one table; members are steps in the order they happen.
 class TableOfBars {
  public:
-  TableOfBars(const std::string& text, int file, Diagnostics& diagnostics)
+  TableOfBars(const std::string& text, int file, formats::Diagnostics& diagnostics)
       : rows_(text, file), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
 
   BarTable read() {
@@ -97,7 +97,7 @@ class TableOfBars {
       "rows of nodes stand below the line node,x,y,z and rows of bars below bar,from,to,diameter,EA,density";
 
   int errors() const { return diagnostics_.errors() - errors_before_; }
-  void error(const Place& place, const std::string& message, const std::string& hint = {}) {
+  void error(const formats::Place& place, const std::string& message, const std::string& hint = {}) {
     diagnostics_.error(place, message, hint);
   }
 
@@ -126,7 +126,7 @@ class TableOfBars {
       while (name.ends_with(' ')) name.pop_back();
       const auto at = std::find_if(columns, columns + N, [&](const Column& c) { return name == c.name; });
       if (at == columns + N) {
-        error(row[i].place, "there is no column " + in_quotes(name), names_of(columns, columns + N));
+        error(row[i].place, "there is no column " + formats::in_quotes(name), names_of(columns, columns + N));
         continue;
       }
       const auto column = static_cast<std::size_t>(at - columns);
@@ -177,12 +177,14 @@ class TableOfBars {
     const Column& spec = head_[column];
     if (!c && spec.is_needed) error(row[0].place, fmt::format("{} is blank ({})", spec.name, spec.doc));
     if (!c) return {};
-    const auto value = number_in(c->text);
+    const auto value = formats::number_in(c->text);
     if (!value)
-      error(c->place, fmt::format("{} = {} is no number ({})", spec.name, in_quotes(c->text), spec.doc));
+      error(c->place,
+            fmt::format("{} = {} is no number ({})", spec.name, formats::in_quotes(c->text), spec.doc));
     else if (!(*value >= spec.lo && *value <= spec.hi))
-      error(c->place, fmt::format("{} = {} {} is outside [{}, {}] ({})", spec.name, spell_number(*value),
-                                  spec.unit, spell_number(spec.lo), spell_number(spec.hi), spec.doc));
+      error(c->place,
+            fmt::format("{} = {} {} is outside [{}, {}] ({})", spec.name, formats::spell_number(*value),
+                        spec.unit, formats::spell_number(spec.lo), formats::spell_number(spec.hi), spec.doc));
     return value;
   }
   double number_or_zero(const Row& row, std::size_t column) { return number(row, column).value_or(0); }
@@ -190,7 +192,8 @@ class TableOfBars {
   std::string name_in(const Row& row) {
     const std::string& name = row[where_[0]].text;
     if (name.empty() || !std::all_of(name.begin(), name.end(), may_stand_in_a_name))
-      error(row[where_[0]].place, in_quotes(name) + " is no name", "names are letters, digits, - and _");
+      error(row[where_[0]].place, formats::in_quotes(name) + " is no name",
+            "names are letters, digits, - and _");
     return name;
   }
 
@@ -207,7 +210,7 @@ class TableOfBars {
             "leave one of them blank");
     if (const CsvCell* hold = cell(row, kHold)) n.hold = axes_in(*hold);
     if (!node_named_.try_emplace(n.name, table_.nodes.size()).second)
-      error(n.place, "there is a node " + in_quotes(n.name) + " already");
+      error(n.place, "there is a node " + formats::in_quotes(n.name) + " already");
     table_.nodes.push_back(std::move(n));
   }
 
@@ -216,7 +219,7 @@ class TableOfBars {
     for (const char axis : {'x', 'y', 'z'})
       if (cell.text.find(axis) != std::string::npos) axes += axis;
     if (axes.size() != cell.text.size())
-      error(cell.place, "hold = " + in_quotes(cell.text) + " is not understood",
+      error(cell.place, "hold = " + formats::in_quotes(cell.text) + " is not understood",
             "the axes along which the node is held, such as xyz or z; blank: none");
     return axes;
   }
@@ -255,7 +258,8 @@ class TableOfBars {
     };
     if (numbers(first) != numbers(rope))
       error(rope.place,
-            fmt::format("the rope {} has other numbers in line {}", in_quotes(rope.name), first.place.line),
+            fmt::format("the rope {} has other numbers in line {}", formats::in_quotes(rope.name),
+                        first.place.line),
             "a rope is of one material; give the other piece another name");
     return first;
   }
@@ -266,7 +270,7 @@ class TableOfBars {
     if (!c) return {};
     const auto known = node_named_.find(c->text);
     if (known != node_named_.end()) return known->second;
-    error(c->place, "there is no node " + in_quotes(c->text) + " above this line",
+    error(c->place, "there is no node " + formats::in_quotes(c->text) + " above this line",
           "nodes stand before the bars that end there");
     return {};
   }
@@ -279,7 +283,8 @@ class TableOfBars {
     for (std::size_t i = 0; i < is_used.size(); ++i) {
       const TableNode& n = table_.nodes[i];
       if (!is_used[i] && errors() < kMostErrors)
-        error(n.place, "no bar ends at the node " + in_quotes(n.name), "leave it out, or connect it");
+        error(n.place, "no bar ends at the node " + formats::in_quotes(n.name),
+              "leave it out, or connect it");
     }
   }
 
@@ -289,7 +294,7 @@ class TableOfBars {
   }
 
   CsvRows rows_;
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   int errors_before_;
   BarTable table_;
   const Column* head_ = nullptr;  // of the rows that are being read
@@ -302,8 +307,8 @@ class TableOfBars {
 
 }  // namespace
 
-BarTable read_bar_table(const std::string& text, int file, Diagnostics& diagnostics) {
+BarTable read_bar_table(const std::string& text, int file, formats::Diagnostics& diagnostics) {
   return TableOfBars(text, file, diagnostics).read();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

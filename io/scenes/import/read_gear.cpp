@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -18,7 +18,7 @@ double in_single(double value) { return static_cast<double>(static_cast<float>(v
 /// Reads one file; members are steps in the order they happen.
 class GearReader {
  public:
-  GearReader(const std::string& text, int file, Diagnostics& diagnostics)
+  GearReader(const std::string& text, int file, formats::Diagnostics& diagnostics)
       : in_(text, file, diagnostics), diagnostics_(diagnostics) {}
 
   GearFile read() {
@@ -242,14 +242,14 @@ class GearReader {
   }
 
   DonScanner in_;
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   GearFile gear_;
 };
 
 }  // namespace
 
-GearFile read_gear(const std::string& text, int file, Diagnostics& diagnostics) {
+GearFile read_gear(const std::string& text, int file, formats::Diagnostics& diagnostics) {
   return GearReader(text, file, diagnostics).read();
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A .mdg: blocks of rows, each behind a title, a number and another title.
-#include "io/scenes/import/femnet_gear.hpp"
+#include "io/formats/mesh/mesh.hpp"
 #include "io/formats/mesh/text_rows.hpp"
+#include "io/scenes/import/femnet_gear.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
-constexpr std::int64_t kMostRows = 4000000;
-constexpr double kFarthest = 1e6, kShareRounding = 1e-6;
+constexpr std::int64_t kMostMeshRows = 4000000;
+constexpr double kShareRounding = 1e-6;
 
 /// Reads one file; members are steps in the order they happen.
 class MeshFileReader {
  public:
-  MeshFileReader(const std::string& text, int file, const GearFile& gear, Diagnostics& diagnostics)
+  MeshFileReader(const std::string& text, int file, const GearFile& gear, formats::Diagnostics& diagnostics)
       : rows_(text, file), gear_(gear), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
 
   MeshFile read() {
@@ -33,25 +34,25 @@ class MeshFileReader {
   }
 
  private:
-  using Row = std::vector<Word>;
+  using Row = std::vector<formats::Word>;
 
   bool is_fine() const { return diagnostics_.errors() == errors_before_; }
-  void error(const Place& place, const std::string& message, const std::string& hint = {}) {
+  void error(const formats::Place& place, const std::string& message, const std::string& hint = {}) {
     diagnostics_.error(place, message, hint);
   }
 
   /// The number of rows of the next block: the first line that is a number and nothing else.
   std::int64_t find_count(const std::string& what, bool may_be_missing) {
     for (Row row = rows_.next_row(); !row.empty(); row = rows_.next_row()) {
-      const auto value = row.size() == 1 ? integer_in(row[0].text) : std::nullopt;
-      if (row.size() > 2 && integer_in(row[0].text) && number_in(row[1].text)) {
+      const auto value = row.size() == 1 ? formats::integer_in(row[0].text) : std::nullopt;
+      if (row.size() > 2 && formats::integer_in(row[0].text) && formats::number_in(row[1].text)) {
         error(row[0].place, "there are more rows than were announced before the " + what);
         return 0;
       }
       if (!value) continue;
-      if (*value >= 0 && *value <= kMostRows) return *value;
+      if (*value >= 0 && *value <= kMostMeshRows) return *value;
       error(row[0].place, "the number of " + what + " is " + std::string(row[0].text.substr(0, 30)) +
-                              "; it must be from 0 to " + std::to_string(kMostRows));
+                              "; it must be from 0 to " + std::to_string(kMostMeshRows));
       return 0;
     }
     if (!may_be_missing) error(rows_.place(), "the file ends where the number of " + what + " is expected");
@@ -63,7 +64,7 @@ class MeshFileReader {
     const std::int64_t count = is_fine() ? find_count(what, false) : 0;
     for (std::int64_t i = 0; i < count && is_fine(); ++i) {
       Row row = rows_.next_row();
-      if (i == 0 && !row.empty() && !number_in(row[0].text)) row = rows_.next_row();  // a title
+      if (i == 0 && !row.empty() && !formats::number_in(row[0].text)) row = rows_.next_row();  // a title
       number_ = i + 1;
       if (row.empty())
         error(rows_.place(),
@@ -83,42 +84,43 @@ class MeshFileReader {
       error(rows_.place(), "meshes with " + what + " cannot be imported");
   }
 
-  void check_number(const Word& word, const std::string& what) {
-    if (integer_in(word.text) != number_)
+  void check_number(const formats::Word& word, const std::string& what) {
+    if (formats::integer_in(word.text) != number_)
       error(word.place, "this row of " + what + " must be number " + std::to_string(number_) + ", and is " +
                             std::string(word.text.substr(0, 30)));
   }
 
-  double real(const Word& word) {
-    const auto value = number_in(word.text);
-    if (value && std::abs(*value) <= kFarthest) return *value;
+  double real(const formats::Word& word) {
+    const auto value = formats::number_in(word.text);
+    if (value && std::abs(*value) <= formats::kFarthest) return *value;
     error(word.place, "\"" + std::string(word.text.substr(0, 30)) +
                           (value ? "\" is beyond a million" : "\" is no number"));
     return 0;
   }
 
   /// What only the mesh of another state of the gear can hold.
-  void error_of_gear(const Place& place, const std::string& message, const std::string& hint) {
+  void error_of_gear(const formats::Place& place, const std::string& message, const std::string& hint) {
     mesh_.is_of_another_gear = true;
     error(place, message, hint);
   }
 
   /// The number of a type, cable or panel of the gear.
-  int index_of_gear(const Word& word, std::int64_t lo, std::size_t hi, const char* what) {
+  int index_of_gear(const formats::Word& word, std::int64_t lo, std::size_t hi, const char* what) {
     const int errors_before = diagnostics_.errors(), value = index(word, lo, hi, what);
-    if (diagnostics_.errors() > errors_before && integer_in(word.text)) mesh_.is_of_another_gear = true;
+    if (diagnostics_.errors() > errors_before && formats::integer_in(word.text))
+      mesh_.is_of_another_gear = true;
     return value;
   }
 
   /// A whole number from `lo` to `hi`.
-  int index(const Word& word, std::int64_t lo, std::size_t hi, const char* what) {
-    const auto value = integer_in(word.text);
+  int index(const formats::Word& word, std::int64_t lo, std::size_t hi, const char* what) {
+    const auto value = formats::integer_in(word.text);
     if (value && *value >= lo && *value <= static_cast<std::int64_t>(hi)) return static_cast<int>(*value);
     error(word.place, std::string(what) + " " + std::string(word.text.substr(0, 30)) + " does not exist",
           hi == 0 ? "there are none" : "they are numbered 1 to " + std::to_string(hi));
     return 1;
   }
-  std::uint32_t node(const Word& word) {
+  std::uint32_t node(const formats::Word& word) {
     return static_cast<std::uint32_t>(index(word, 1, mesh_.nodes.size(), "node")) - 1;
   }
 
@@ -133,7 +135,7 @@ class MeshFileReader {
     MeshFile::Bar b;
     b.nodes = {node(row[1]), node(row[2])};
     b.shares = {real(row[3]), real(row[4])};
-    if (integer_in(row[5].text) == 0)
+    if (formats::integer_in(row[5].text) == 0)
       return error_of_gear(row[5].place, "this bar is of cable 0: the mesh is older than the .don",
                            "mesh the gear anew");
     b.cable =
@@ -177,9 +179,9 @@ class MeshFileReader {
     if (is_fine()) mesh_.triangles.push_back(t);
   }
 
-  TextRows rows_;
+  formats::TextRows rows_;
   const GearFile& gear_;
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   int errors_before_;
   std::int64_t number_ = 0;
   MeshFile mesh_;
@@ -187,8 +189,9 @@ class MeshFileReader {
 
 }  // namespace
 
-MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear, Diagnostics& diagnostics) {
+MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear,
+                        formats::Diagnostics& diagnostics) {
   return MeshFileReader(text, file, gear, diagnostics).read();
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

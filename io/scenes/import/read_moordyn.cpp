@@ -6,9 +6,10 @@
 //   = π C_dAx                   MoorDyn's is on the surface π d, here it is on d     (2) bed under a line k =
 //   k_bot d                     k_bot [Pa/m]; a segment of length s meets k s        (3)
 #include "framework/scene/standard_gravity.hpp"
-#include "io/scenes/import/moordyn.hpp"
+#include "io/formats/mesh/mesh.hpp"
 #include "io/formats/mesh/text_rows.hpp"
 #include "io/formats/units/in_quotes.hpp"
+#include "io/scenes/import/moordyn.hpp"
 
 #include <fmt/format.h>
 
@@ -17,13 +18,13 @@
 #include <map>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
-constexpr int kMostErrors = 50;
-constexpr double kMostSegments = 1e5, kMostNodes = 1e6, kFarthest = 1e6;
-constexpr double kDensity = 1025, kBedStiffness = 3e6;  // MoorDyn's own defaults
+constexpr int kMostMoordynErrors = 50;
+constexpr double kMostSegments = 1e5, kMostNodes = 1e6;
+constexpr double kSeaWater = 1025, kBedStiffness = 3e6;  // MoorDyn's own defaults
 
 std::string in_capitals(std::string_view text) {
   std::string out(text);
@@ -64,15 +65,15 @@ struct LineType {
 /// Reads one file; members are steps in the order they happen.
 class MooringReader {
  public:
-  MooringReader(const std::string& text, int file, Diagnostics& diagnostics)
+  MooringReader(const std::string& text, int file, formats::Diagnostics& diagnostics)
       : rows_(text, file), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {
     out_.table.gravity = kStandardGravity;
-    out_.table.density = kDensity;
+    out_.table.density = kSeaWater;
   }
 
   MooringFile read() {
     bool has_end = false;
-    for (Row row = next_row(); !row.empty() && errors() < kMostErrors; row = next_row()) {
+    for (Row row = next_row(); !row.empty() && errors() < kMostMoordynErrors; row = next_row()) {
       const bool begins = is_title(row);
       has_end = begins || row[0].text == "END";
       begins ? begin(row) : read_row(row);
@@ -86,23 +87,25 @@ class MooringReader {
   }
 
  private:
-  using Row = std::vector<Word>;
+  using Row = std::vector<formats::Word>;
 
   int errors() const { return diagnostics_.errors() - errors_before_; }
-  void error(const Place& place, const std::string& message, const std::string& hint = {}) {
+  void error(const formats::Place& place, const std::string& message, const std::string& hint = {}) {
     diagnostics_.error(place, message, hint);
   }
-  void note(const Place& place, const std::string& text) { out_.findings.push_back({place, false, text}); }
-  void leave_out(const Place& place, const std::string& text) {
+  void note(const formats::Place& place, const std::string& text) {
+    out_.findings.push_back({place, false, text});
+  }
+  void leave_out(const formats::Place& place, const std::string& text) {
     out_.findings.push_back({place, true, text});
   }
 
-  static std::string shown(const Word& word) { return in_quotes(word.text); }
+  static std::string shown(const formats::Word& word) { return formats::in_quotes(word.text); }
 
   /// What stands behind !, # or % is a comment.
   Row next_row() {
     for (Row row = rows_.next_row(); !row.empty(); row = rows_.next_row()) {
-      const auto comment = std::find_if(row.begin(), row.end(), [](const Word& w) {
+      const auto comment = std::find_if(row.begin(), row.end(), [](const formats::Word& w) {
         return w.text[0] == '!' || w.text[0] == '#' || w.text[0] == '%';
       });
       if (comment == row.begin()) continue;
@@ -161,13 +164,13 @@ class MooringReader {
     return false;
   }
 
-  double number(const Word& word, const char* what, double lo, double hi) {
-    const auto value = number_in(word.text);
+  double number(const formats::Word& word, const char* what, double lo, double hi) {
+    const auto value = formats::number_in(word.text);
     if (!value)
       error(word.place, fmt::format("{} = {} is no number", what, shown(word)));
     else if (!(*value >= lo && *value <= hi))
-      error(word.place, fmt::format("{} = {} is outside [{}, {}]", what, spell_number(*value),
-                                    spell_number(lo), spell_number(hi)));
+      error(word.place, fmt::format("{} = {} is outside [{}, {}]", what, formats::spell_number(*value),
+                                    formats::spell_number(lo), formats::spell_number(hi)));
     return value.value_or(0);
   }
 
@@ -177,7 +180,7 @@ class MooringReader {
     LineType type;
     type.diameter = number(row[1], "the diameter of the line", 1e-6, 10);
     type.mass = number(row[2], "the mass of a metre of the line", 0, 1e6);
-    if (!number_in(row[3].text))
+    if (!formats::number_in(row[3].text))
       error(row[3].place, "EA = " + shown(row[3]) + ": stiffness that is no single number cannot be imported",
             "write the stiffness at the working load");
     else
@@ -194,7 +197,8 @@ class MooringReader {
     if (!has_columns(row, 8, "number, attachment, X0 Y0 Z0, r0 p0 y0")) return;
     Body body{{}, in_capitals(row[1].text)};
     for (std::size_t axis = 0; axis < 3; ++axis)
-      body.at[axis] = number(row[2 + axis], "a coordinate of the body", -kFarthest, kFarthest);
+      body.at[axis] =
+          number(row[2 + axis], "a coordinate of the body", -formats::kFarthest, formats::kFarthest);
     for (std::size_t axis = 0; axis < 3; ++axis)
       body.is_turned = body.is_turned || number(row[5 + axis], "an angle of the body", -360, 360) != 0;
     bodies_.try_emplace("BODY" + std::string(row[0].text), body);
@@ -207,7 +211,8 @@ class MooringReader {
     n.name = "point-" + std::string(row[0].text);
     n.place = row[0].place;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      n.at[axis] = number(row[2 + axis], "a coordinate of the point", -kFarthest, kFarthest);
+      n.at[axis] =
+          number(row[2 + axis], "a coordinate of the point", -formats::kFarthest, formats::kFarthest);
     attach(n, row[1]);
     const double mass = number(row[5], "the mass of the point", 0, 1e6),
                  volume = number(row[6], "the volume of the point", 0, 1e3);
@@ -219,13 +224,14 @@ class MooringReader {
     }
     for (std::size_t axis = 0; has_forces && axis < 3; ++axis)
       n.force[axis] = number(row[7 + axis], "a force on the point [N]", -1e9, 1e9);
-    if (!integer_in(row[0].text)) return error(row[0].place, shown(row[0]) + " is no number of a point");
+    if (!formats::integer_in(row[0].text))
+      return error(row[0].place, shown(row[0]) + " is no number of a point");
     if (!point_named_.try_emplace(std::string(row[0].text), out_.table.nodes.size()).second)
       return error(row[0].place, "there is a point " + shown(row[0]) + " already");
     out_.table.nodes.push_back(std::move(n));
   }
 
-  void attach(TableNode& n, const Word& word) {
+  void attach(TableNode& n, const formats::Word& word) {
     const std::string to = in_capitals(word.text);
     if (to == "FREE" || to == "POINT" || to == "CONNECT" || to == "CON") return;
     n.hold = "xyz";
@@ -251,10 +257,10 @@ class MooringReader {
     const bool is_old = length_column_ == 2;
     const auto type = line_types_.find(std::string(row[1].text));
     if (type == line_types_.end()) error(row[1].place, "there is no line type " + shown(row[1]));
-    const double length = number(row[is_old ? 2 : 4], "the length of the line", 1e-6, kFarthest);
+    const double length = number(row[is_old ? 2 : 4], "the length of the line", 1e-6, formats::kFarthest);
     const double segments = number(row[is_old ? 3 : 5], "the number of segments", 1, kMostSegments);
     const auto from = point(row[is_old ? 4 : 2]), to = point(row[is_old ? 5 : 3]);
-    if (!integer_in(row[0].text)) error(row[0].place, shown(row[0]) + " is no number of a line");
+    if (!formats::integer_in(row[0].text)) error(row[0].place, shown(row[0]) + " is no number of a line");
     if (segments != std::floor(segments))
       error(row[is_old ? 3 : 5].place, "the number of segments is not whole");
     if (from && to && *from == *to) error(row[0].place, "the line begins and ends at the same point");
@@ -265,7 +271,7 @@ class MooringReader {
              static_cast<int>(segments), {*from, *to});
   }
 
-  std::optional<std::uint32_t> point(const Word& word) {
+  std::optional<std::uint32_t> point(const formats::Word& word) {
     const auto known = point_named_.find(std::string(word.text));
     if (known != point_named_.end()) return static_cast<std::uint32_t>(known->second);
     const bool is_rod = word.text.starts_with("R") || word.text.starts_with("r");
@@ -274,7 +280,7 @@ class MooringReader {
     return {};
   }
 
-  void add_line(const std::string& name, const Place& place, const LineType& type, double length,
+  void add_line(const std::string& name, const formats::Place& place, const LineType& type, double length,
                 int segments, std::array<std::uint32_t, 2> ends) {
     TableRope rope;
     rope.name = name;
@@ -324,11 +330,11 @@ class MooringReader {
     if (is_one_of({"RHO", "RHOW", "WTRDNSTY"}))
       out_.table.density = number(row[0], "the density of the water", 0, 1e5);
     if (is_one_of({"KBOT", "KB"})) bed_stiffness_ = number(row[0], "the stiffness of the bed", 0, 1e12);
-    if (name == "SEAFLOORFILE" || (name == "WTRDPTH" && !number_in(row[0].text)))
+    if (name == "SEAFLOORFILE" || (name == "WTRDPTH" && !formats::number_in(row[0].text)))
       leave_out(row[0].place, "a bed that is no plane is not read");
     else if (name == "WTRDPTH")
-      depth_ = number(row[0], "the depth of the water", 0, kFarthest);
-    if (is_one_of({"WAVEKIN", "CURRENTS", "WATERKIN"}) && number_in(row[0].text) != 0.0)
+      depth_ = number(row[0], "the depth of the water", 0, formats::kFarthest);
+    if (is_one_of({"WAVEKIN", "CURRENTS", "WATERKIN"}) && formats::number_in(row[0].text) != 0.0)
       leave_out(row[0].place, "waves and currents, which stand in other files, are not read");
   }
 
@@ -345,8 +351,8 @@ class MooringReader {
     bool is_turned = false;
   };
 
-  TextRows rows_;
-  Diagnostics& diagnostics_;
+  formats::TextRows rows_;
+  formats::Diagnostics& diagnostics_;
   int errors_before_;
   MooringFile out_;
   Section section_ = Section::none, section_before_ = Section::none;
@@ -362,8 +368,8 @@ class MooringReader {
 
 }  // namespace
 
-MooringFile read_moordyn(const std::string& text, int file, Diagnostics& diagnostics) {
+MooringFile read_moordyn(const std::string& text, int file, formats::Diagnostics& diagnostics) {
   return MooringReader(text, file, diagnostics).read();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/import/scene_draft.hpp"
 
-#include "io/scenes/import/motion.hpp"
 #include "io/formats/units/degrees.hpp"
+#include "io/scenes/import/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 bool SceneDraft::has_waves() const {
   return moves && environment().wave_height != 0 && fault_of_waves(environment()).empty();
@@ -23,7 +23,7 @@ bool SceneDraft::is_towed() const {
 }
 
 double SceneDraft::flow_angle() const {
-  return in_radians(environment().direction) + (environment().speed < 0 ? std::numbers::pi : 0);
+  return formats::in_radians(environment().direction) + (environment().speed < 0 ? std::numbers::pi : 0);
 }
 
 double SceneDraft::heading() const { return std::remainder(flow_angle(), 2 * std::numbers::pi); }
@@ -33,14 +33,15 @@ bool SceneDraft::has_nodes(std::size_t type) const {
                      [&](const auto& set) { return set.name == type_name(type); });
 }
 
-double SceneDraft::within(double value, double lo, double hi, const Place& place, const std::string& what) {
+double SceneDraft::within(double value, double lo, double hi, const formats::Place& place,
+                          const std::string& what) {
   if (!(value >= lo && value <= hi))
-    diagnostics_.error(place, what + " = " + spell_number(value) + " is outside [" + spell_number(lo) + ", " +
-                                  spell_number(hi) + "]");
+    diagnostics_.error(place, what + " = " + formats::spell_number(value) + " is outside [" +
+                                  formats::spell_number(lo) + ", " + formats::spell_number(hi) + "]");
   return value;
 }
 
-void SceneDraft::write_drag(double cd, double friction, const Place& place) {
+void SceneDraft::write_drag(double cd, double friction, const formats::Place& place) {
   if (!has_flow()) return;
   line("drag", InlineTable()
                    .add("law", quoted("hydro/morison"))
@@ -51,8 +52,9 @@ void SceneDraft::write_drag(double cd, double friction, const Place& place) {
 
 std::string list_of(const std::vector<double>& numbers) {
   std::string list;
-  for (const double x : numbers) list += (list.empty() ? "" : ", ") + spell_number(std::round(x * 1e9) / 1e9);
+  for (const double x : numbers)
+    list += (list.empty() ? "" : ", ") + formats::spell_number(std::round(x * 1e9) / 1e9);
   return "[" + list + "]";
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

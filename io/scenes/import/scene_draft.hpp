@@ -3,7 +3,7 @@
 #include "io/scenes/import/femnet_scene.hpp"
 #include "io/scenes/import/scene_text.hpp"
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 inline constexpr const char* kAxis[] = {"x", "y", "z"};
 inline constexpr double kMostMass = 1e6;  // that a node may have, as scenes accept it [kg]
@@ -12,8 +12,8 @@ inline constexpr double kMostMass = 1e6;  // that a node may have, as scenes acc
 /// could not be carried over.
 class SceneDraft {
  public:
-  SceneDraft(const GearFile& of, const MeshFile& its_mesh, const Names& own_names, Diagnostics& diagnostics,
-             Sought sought)
+  SceneDraft(const GearFile& of, const MeshFile& its_mesh, const Names& own_names,
+             formats::Diagnostics& diagnostics, Sought sought)
       : gear(of),
         file(its_mesh),
         names(own_names),
@@ -45,14 +45,14 @@ class SceneDraft {
   /// Whether the mesh has nodes of a type.
   bool has_nodes(std::size_t type) const;
 
-  void note(const Place& place, const std::string& what, const std::string& text) {
+  void note(const formats::Place& place, const std::string& what, const std::string& text) {
     out.findings.push_back({place, Finding::Kind::note, what, text});
   }
-  void leave_out(const Place& place, const std::string& what, const std::string& text) {
+  void leave_out(const formats::Place& place, const std::string& what, const std::string& text) {
     out.findings.push_back({place, Finding::Kind::left_out, what, text});
   }
   /// A number that the scene will accept; else an error where it stands.
-  double within(double value, double lo, double hi, const Place& place, const std::string& what);
+  double within(double value, double lo, double hi, const formats::Place& place, const std::string& what);
 
   void begin_part(const std::string& name, const std::string& type, const std::string& comment = {}) {
     body.begin_part(name, type, comment);
@@ -62,10 +62,10 @@ class SceneDraft {
     body.line(key, value);
   }
   void stands_on_mesh() { line("mesh", quoted(names.own_mesh)); }
-  void write_drag(double cd, double friction, const Place& place);
+  void write_drag(double cd, double friction, const formats::Place& place);
 
  private:
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
 };
 
 /// "[0, 1.5]", to nine decimals: times are sums of steps.
@@ -87,4 +87,4 @@ void hold_what_is_loose(SceneDraft& to);
 /// What the author wanted to have printed.
 void write_results(SceneDraft& to);
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -3,7 +3,7 @@
 
 #include "io/formats/mesh/mesh.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 std::string in_ascii(const std::string& text) {
   std::string out;
@@ -23,7 +23,9 @@ std::string quoted_list(const std::vector<std::string>& texts) {
   return "[" + list + "]";
 }
 
-InlineTable& InlineTable::add(const char* key, double value) { return add(key, spell_number(value)); }
+InlineTable& InlineTable::add(const char* key, double value) {
+  return add(key, formats::spell_number(value));
+}
 
 InlineTable& InlineTable::add(const char* key, const std::string& value) {
   text_ += (text_.empty() ? " " : ", ") + std::string(key) + " = " + value;
@@ -35,7 +37,7 @@ void SceneText::begin_part(const std::string& name, const std::string& type, con
   line("type", quoted(type));
 }
 
-void SceneText::line(const std::string& key, double value) { line(key, spell_number(value)); }
+void SceneText::line(const std::string& key, double value) { line(key, formats::spell_number(value)); }
 
 void SceneText::hold(const std::string& on, const std::string& name, const std::string& axes) {
   text_ += "\n[[hold]]\n";
@@ -44,4 +46,4 @@ void SceneText::hold(const std::string& on, const std::string& name, const std::
   if (axes != "xyz") line("axes", quoted(axes));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

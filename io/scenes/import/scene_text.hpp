@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Letters that are no ASCII may be of any encoding: each of their bytes becomes a question mark.
 std::string in_ascii(const std::string& text);
@@ -41,4 +41,4 @@ class SceneText {
   std::string text_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

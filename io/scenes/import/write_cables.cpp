@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/scenes/import/scene_draft.hpp"
 #include "io/formats/units/degrees.hpp"
+#include "io/scenes/import/scene_draft.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -56,7 +56,7 @@ double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& ba
 
 /// Bars that end in a plane of symmetry bend against their mirror images.
 void write_mirrors(SceneDraft& to, const Cable& c, std::size_t number) {
-  const MeshRegion* region = to.out.mesh.find(cable_name(number));
+  const formats::MeshRegion* region = to.out.mesh.find(cable_name(number));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto plane = std::find_if(to.out.mesh.sets.begin(), to.out.mesh.sets.end(),
                                     [&](const auto& set) { return set.name == plane_name(axis); });
@@ -91,7 +91,8 @@ void write_cable(SceneDraft& to, std::size_t number) {
 }
 
 bool do_meet(const SceneDraft& from, std::size_t first, std::size_t second) {
-  const MeshRegion *a = from.out.mesh.find(cable_name(first)), *b = from.out.mesh.find(cable_name(second));
+  const formats::MeshRegion *a = from.out.mesh.find(cable_name(first)),
+                            *b = from.out.mesh.find(cable_name(second));
   return a && b && first != second && std::any_of(a->nodes.begin(), a->nodes.end(), [&](auto node) {
            return std::find(b->nodes.begin(), b->nodes.end(), node) != b->nodes.end();
          });
@@ -132,10 +133,10 @@ void write_clamps(SceneDraft& to) {
         to.within(180 - clamp.angle, 0, 180, clamp.place, "180 degrees less the angle of the clamp");
     to.line("clamp", InlineTable()
                          .add("EI", to.within(EI, 0, 1e12, clamp.place, "the stiffness of the clamp"))
-                         .add("angle", in_radians(turn))
+                         .add("angle", formats::in_radians(turn))
                          .add("curvature", quoted("nodes"))
                          .text());
   }
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -37,7 +37,7 @@ InlineTable twine_of(SceneDraft& to, const Panel& p, double EA, double EA_compre
 void write_twines(SceneDraft& to, std::size_t number, const std::string& region) {
   const Panel& p = to.gear.panels[number];
   const TwineBar bar(p);
-  to.begin_part(region, "lumped/net", "one bar for " + spell_number(p.twines) + " twines");
+  to.begin_part(region, "lumped/net", "one bar for " + formats::spell_number(p.twines) + " twines");
   to.stands_on_mesh();
   to.line("panel", InlineTable()
                        .add("bar", to.within(bar.length / bar.sides, 1e-6, 100, p.place, "the mesh side"))
@@ -55,9 +55,9 @@ void write_twines(SceneDraft& to, std::size_t number, const std::string& region)
 void write_panel(SceneDraft& to, std::size_t number) {
   const Panel& p = to.gear.panels[number];
   const std::string name = panel_name(number);
-  const MeshRegion* region = to.out.mesh.find(name);
+  const formats::MeshRegion* region = to.out.mesh.find(name);
   if (!region) return to.note(p.place, "panel " + std::to_string(number + 1), "has no elements in the mesh");
-  if (region->kind == RegionKind::twines) return write_twines(to, number, name);
+  if (region->kind == formats::RegionKind::twines) return write_twines(to, number, name);
   to.begin_part(name, "priour/triangle");
   to.stands_on_mesh();
   to.line("panel", InlineTable().add("bar", to.within(p.side, 1e-6, 100, p.place, "the mesh side")).text());
@@ -91,7 +91,8 @@ void write_catch(SceneDraft& to) {
   const Environment& e = to.environment();
   std::vector<std::string> on;
   for (std::size_t p = 0; p < to.gear.panels.size(); ++p)
-    if (const auto* region = to.out.mesh.find(panel_name(p)); region && region->kind == RegionKind::triangles)
+    if (const auto* region = to.out.mesh.find(panel_name(p));
+        region && region->kind == formats::RegionKind::triangles)
       on.push_back(region->name);
   if (e.catch_volume <= e.catch_accuracy || !to.has_current()) return;
   if (on.empty()) return to.note({}, "the catch", "there is no netting in triangles for it to press on");
@@ -111,4 +112,4 @@ void write_catch(SceneDraft& to) {
       "netting towards x");
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

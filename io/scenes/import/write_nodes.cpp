@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -19,7 +19,7 @@ void begin_load(SceneDraft& to, const std::string& name, const std::string& type
   const double share = share_of(to.gear.types[on]);
   to.begin_part(name + "-" + std::to_string(on + 1), type);
   to.line("on", quoted("*." + type_name(on)));
-  to.body.line("each", spell_number(share) +
+  to.body.line("each", formats::spell_number(share) +
                            (share == 1 ? "" : "  # of each, what is on this side of the plane of symmetry"));
 }
 
@@ -148,4 +148,4 @@ void hold_what_is_loose(SceneDraft& to) {
   }
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

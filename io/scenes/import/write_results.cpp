@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -79,4 +79,4 @@ void write_results(SceneDraft& to) {
   if (!lines.empty()) to.body.add("\n[results]\n" + lines);
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

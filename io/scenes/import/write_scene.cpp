@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/units/degrees.hpp"
 #include "io/scenes/import/motion.hpp"
 #include "io/scenes/import/scene_draft.hpp"
-#include "io/formats/units/degrees.hpp"
 
 #include <cmath>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 namespace {
 
@@ -24,16 +24,17 @@ std::string header(const SceneDraft& from) {
 
 std::string water(const SceneDraft& from) {
   const Environment& e = from.environment();
-  std::string text = "\n[water]\ndensity = " + spell_number(e.water_density) +
-                     "\ngravity = " + spell_number(kGravity) + "\n";
+  std::string text = "\n[water]\ndensity = " + formats::spell_number(e.water_density) +
+                     "\ngravity = " + formats::spell_number(kGravity) + "\n";
   if (from.has_waves()) text += waves_text(e) + "\n";
   if (!from.has_current()) return text;
   if (from.is_towed())
-    return text + "\n[tow]  # the bed passes with the water\nspeed = " + spell_number(std::abs(e.speed)) +
-           "\nleeway = " + spell_number(from.heading()) + "\n";
-  const double psi = in_radians(e.direction);
+    return text +
+           "\n[tow]  # the bed passes with the water\nspeed = " + formats::spell_number(std::abs(e.speed)) +
+           "\nleeway = " + formats::spell_number(from.heading()) + "\n";
+  const double psi = formats::in_radians(e.direction);
   const double x = e.speed * std::cos(psi), y = e.direction == 180 ? 0 : e.speed * std::sin(psi);
-  return text + "current = [" + spell_number(x) + ", " + spell_number(y) + ", 0]\n";
+  return text + "current = [" + formats::spell_number(x) + ", " + formats::spell_number(y) + ", 0]\n";
 }
 
 void note_motion(SceneDraft& to) {
@@ -55,7 +56,7 @@ void note_waves(SceneDraft& to) {
   if (e.wave_model != 1)
     to.note(e.waves, "waves",
             "are linear ones here; of a higher order their crests would rise by " +
-                spell_number(std::round(1e4 * rise_of_second_order(e)) / 1e4) + " m more");
+                formats::spell_number(std::round(1e4 * rise_of_second_order(e)) / 1e4) + " m more");
   if (to.is_towed()) to.note(e.waves, "waves", "are carried by the water that passes, and FEMNET's are not");
 }
 
@@ -87,8 +88,8 @@ std::string scene_text(const SceneDraft& from) { return header(from) + water(fro
 
 }  // namespace
 
-Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names, Diagnostics& diagnostics,
-                     Sought sought) {
+Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names,
+                     formats::Diagnostics& diagnostics, Sought sought) {
   SceneDraft draft(gear, mesh, names, diagnostics, sought);
   if (draft.moves) find_hauled(draft);
   draft.out.mesh = make_mesh(gear, mesh, draft.hauled);
@@ -106,4 +107,4 @@ Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& na
   return std::move(draft.out);
 }
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -11,29 +11,29 @@
 #include <stdexcept>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
-TableReader own_table(TableReader& analysis, const std::string& name) {
+formats::TableReader own_table(formats::TableReader& analysis, const std::string& name) {
   const ComponentTable at = table_of_component(name);
-  TableReader plugin = analysis.table(at.plugin, Presence::optional);
-  return at.component.empty() ? plugin : plugin.table(at.component, Presence::optional);
+  formats::TableReader plugin = analysis.table(at.plugin, formats::Presence::optional);
+  return at.component.empty() ? plugin : plugin.table(at.component, formats::Presence::optional);
 }
 
 /// What the scene says of a solver, an integrator or a strategy; read once.
 template <class Type>
-const Values& parameters_of(const Type& component, TableReader& analysis, Analysis& a) {
+const Values& parameters_of(const Type& component, formats::TableReader& analysis, Analysis& a) {
   const auto [given, is_new] = a.given.try_emplace(component.type);
   if (is_new) {
-    TableReader own = own_table(analysis, component.type);
+    formats::TableReader own = own_table(analysis, component.type);
     given->second = read_parameters(component.parameters, own);
   }
   return given->second;
 }
 
 /// An integrator as a solver: `solver` is its name, and motion has to die.
-void read_settling(TableReader& table, Registry& registry, Analysis& a) {
+void read_settling(formats::TableReader& table, Registry& registry, Analysis& a) {
   a.dynamics.integrator = a.solver;
   const IntegratorType& type = registry.integrator(a.solver);
   a.dynamics.integrator_parameters = parameters_of(type, table, a);
@@ -45,7 +45,7 @@ void read_settling(TableReader& table, Registry& registry, Analysis& a) {
 }
 
 /// Refuses what speaks of time where nobody said that there is none: kind = "dynamic" may be forgotten.
-void pass_over_time(TableReader& table) {
+void pass_over_time(formats::TableReader& table) {
   bool is_refused = table.has("kind");  // it may stay for another day
   for (const auto& key : dynamics_keys())
     if (table.has(key.name) && !std::exchange(is_refused, true))
@@ -54,7 +54,7 @@ void pass_over_time(TableReader& table) {
 }
 
 /// What speaks of time. True: no solver of an equilibrium is wanted.
-bool read_time(TableReader& table, Registry& registry, Analysis& a) {
+bool read_time(formats::TableReader& table, Registry& registry, Analysis& a) {
   const bool moves = a.kind == AnalysisKind::dynamics;
   a.settles = !moves && is_integrator(registry, a.solver);
   if (!moves && !a.settles) {
@@ -71,7 +71,7 @@ bool read_time(TableReader& table, Registry& registry, Analysis& a) {
   return a.settles;
 }
 
-void read_solver(TableReader& table, Registry& registry, Analysis& a) {
+void read_solver(formats::TableReader& table, Registry& registry, Analysis& a) {
   const SolverType& solver = registry.solver(a.solver);
   a.solver_parameters = parameters_of(solver, table, a);
   // A step begins so near its end that Newton's method wants no damping.
@@ -81,7 +81,7 @@ void read_solver(TableReader& table, Registry& registry, Analysis& a) {
 
 /// A solver that is named alone is to show what it is worth by itself. A motion names the solver of its
 /// steps; the equilibrium that it may start from is found by the default strategy.
-void read_strategy(TableReader& table, Registry& registry, const Values& values, Analysis& a) {
+void read_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   const bool only_solver = values.contains("solver") && !values.contains("strategy");
   if (only_solver && a.kind == AnalysisKind::statics) a.strategy = kStrategyOfNamedSolver;
   const StrategyType& strategy = registry.strategy(a.strategy);
@@ -89,7 +89,7 @@ void read_strategy(TableReader& table, Registry& registry, const Values& values,
 }
 
 /// An integrator that stands for a solver goes to the equilibrium in time, and asks no strategy.
-void pass_over_strategy(TableReader& table, Registry& registry, const Values& values, Analysis& a) {
+void pass_over_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   if (values.contains("strategy")) {
     registry.strategy(a.strategy);
     table.diagnostics().warning(table.place("strategy"),
@@ -116,7 +116,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
 
 /// Says of each component that is not there under which key it stands.
 template <class Read>
-void read_component(TableReader& table, const char* key, bool& refused, const Read& read) {
+void read_component(formats::TableReader& table, const char* key, bool& refused, const Read& read) {
   try {
     read();
   } catch (const PluginRefused& e) {
@@ -126,7 +126,7 @@ void read_component(TableReader& table, const char* key, bool& refused, const Re
 }
 
 /// Keys of earlier versions, and what took their place.
-void report_successors(TableReader& table) {
+void report_successors(formats::TableReader& table) {
   constexpr std::array<std::array<const char*, 2>, 2> kSuccessors = {
       {{"continuation", "strategy = \"auto\" solves easier variants first; \"direct\" does not"},
        {"look"
@@ -147,10 +147,10 @@ bool is_strategy(Registry& registry, const std::string& name) {
 }
 
 /// Solvers and strategies that parameters of a strategy name.
-void check_named_by(const StrategyType& strategy, const Values& values, TableReader own, Registry& registry,
-                    bool& refused) {
+void check_named_by(const StrategyType& strategy, const Values& values, formats::TableReader own,
+                    Registry& registry, bool& refused) {
   for (const auto& parameter : strategy.parameters) {
-    if (!names_component(parameter) || own.kind(parameter.name) != Kind::text) continue;
+    if (!names_component(parameter) || own.kind(parameter.name) != formats::Kind::text) continue;
     try {
       check_named(parameter, std::get<std::string>(values.at(parameter.name)), registry);
     } catch (const PluginRefused& e) {
@@ -163,14 +163,14 @@ void check_named_by(const StrategyType& strategy, const Values& values, TableRea
 }
 
 /// Of every strategy that something is said of: which of them another one calls is seen when it is solved.
-void check_names(TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
+void check_names(formats::TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
   for (const auto& [type, values] : a.given)
     for (const auto& strategy : registry.plugin(table_of_component(type).plugin).strategies)
       if (strategy.type == type) check_named_by(strategy, values, own_table(table, type), registry, refused);
 }
 
 /// Tables of components that the scene does not name: a strategy may call them.
-void read_others(TableReader& table, Registry& registry, Analysis& a) {
+void read_others(formats::TableReader& table, Registry& registry, Analysis& a) {
   const auto read = [&](const auto& all) {
     for (const auto& component : all) parameters_of(component, table, a);
   };
@@ -192,7 +192,7 @@ ComponentTable table_of_component(const std::string& name) {
   return {plugin, component == plugin ? "" : component};
 }
 
-Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
+Analysis read_analysis(formats::TableReader table, Registry& registry, bool& refused) {
   const Values values = read_parameters(analysis_keys(), table);
   report_successors(table);
   std::vector<std::string> faults;
@@ -227,4 +227,4 @@ Analysis read_analysis(TableReader table, Registry& registry, bool& refused) {
   return a;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -2,22 +2,22 @@
 #include "io/scenes/reading/beds.hpp"
 
 #include "framework/parameters/find_number.hpp"
-#include "io/scenes/reading/known_parameters.hpp"
 #include "io/formats/units/in_metres.hpp"
+#include "io/scenes/reading/known_parameters.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 /// A plane that is soft to some depth [m].
 struct Bed {
   const Part* part = nullptr;
-  Place place;
+  formats::Place place;
   BedPlane plane;
   double softness = 0;
 
@@ -33,7 +33,7 @@ std::vector<Bed> beds_of(const LoadedScene& loaded) {
   return beds;
 }
 
-void check_height(const Bed& bed, const Scene& scene, Diagnostics& diagnostics) {
+void check_height(const Bed& bed, const Scene& scene, formats::Diagnostics& diagnostics) {
   double highest = -std::numeric_limits<double>::infinity(), held = 0;
   for (std::size_t x = 0; x < scene.positions.size(); x += 3)
     highest = std::max(highest, bed.above(&scene.positions[x]));
@@ -48,16 +48,18 @@ void check_height(const Bed& bed, const Scene& scene, Diagnostics& diagnostics) 
   const double sinking = std::max(bed.softness, 1e-3);
   if (highest < -sinking)
     diagnostics.error(
-        bed.place, bed.part->name + ": all of the gear is below it, by " + in_metres(-highest) + " or more",
+        bed.place,
+        bed.part->name + ": all of the gear is below it, by " + formats::in_metres(-highest) + " or more",
         "depth counts downwards from the surface, z = 0");
   else if (held < -sinking)
-    diagnostics.warning(bed.place,
-                        bed.part->name + ": " + lowest_held + " is held " + in_metres(-held) + " below it",
-                        "the bed pushes at what cannot move");
+    diagnostics.warning(
+        bed.place,
+        bed.part->name + ": " + lowest_held + " is held " + formats::in_metres(-held) + " below it",
+        "the bed pushes at what cannot move");
 }
 
 /// The same node on two beds is pushed by both. `is_first`: heights are above bed `a`.
-void check_pair(const Bed& a, const Bed& b, bool is_first, Diagnostics& diagnostics) {
+void check_pair(const Bed& a, const Bed& b, bool is_first, formats::Diagnostics& diagnostics) {
   const std::set<std::uint32_t> carried(a.part->nodes.begin(), a.part->nodes.end());
   const bool shares = std::any_of(b.part->nodes.begin(), b.part->nodes.end(),
                                   [&](auto node) { return carried.contains(node); });
@@ -79,7 +81,7 @@ std::optional<BedPlane> bed_plane_of(const Part& part) {
                   number_or(0, part.parameters, parameter::kBedSlopeY.name)};
 }
 
-void check_beds(const LoadedScene& loaded, Diagnostics& diagnostics) {
+void check_beds(const LoadedScene& loaded, formats::Diagnostics& diagnostics) {
   const auto beds = beds_of(loaded);
   for (std::size_t i = 0; i < beds.size(); ++i) {
     check_height(beds[i], loaded.scene, diagnostics);
@@ -88,4 +90,4 @@ void check_beds(const LoadedScene& loaded, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/scenes/reading/loaded_scene.hpp"
 #include "io/formats/toml/diagnostics.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// A plane of ground that a part states: z = slope_x x + slope_y y - depth [m].
 struct BedPlane {
@@ -15,6 +15,6 @@ std::optional<BedPlane> bed_plane_of(const Part& part);
 
 /// Refuses a bed that lies above the whole gear, and two beds under one node; warns of what is held below
 /// its bed, and of beds at different depths under one gear.
-void check_beds(const LoadedScene& loaded, Diagnostics& diagnostics);
+void check_beds(const LoadedScene& loaded, formats::Diagnostics& diagnostics);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

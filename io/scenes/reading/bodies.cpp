@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -21,8 +21,8 @@ Point point_of(const Vector& v) { return {v.x, v.y, v.z}; }
 /// The axis a word such as "about y" names; -1: none.
 int axis_in(const std::string& word) { return word.starts_with("about ") ? word.back() - 'x' : -1; }
 
-void read_turning(TableReader& table, BodyGeometry& body) {
-  TableReader turned = table.table("turned", Presence::optional);
+void read_turning(formats::TableReader& table, BodyGeometry& body) {
+  formats::TableReader turned = table.table("turned", formats::Presence::optional);
   const Attitude start{read_real(turned, kHeading, 0.0), read_real(turned, kHeel, 0.0),
                        read_real(turned, kTrim, 0.0)};
   body.rotation = point_of(rotation_vector(axes_of(start, body.side)));
@@ -33,21 +33,23 @@ void read_turning(TableReader& table, BodyGeometry& body) {
   body.held_rotation = static_cast<std::uint8_t>(kAllAxes & ~(1 << only));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (static_cast<int>(axis) != only && std::abs(body.rotation[axis]) > 1e-9) {
-      table.error("turns", "= " + in_quotes(turns) + ", and it is turned about another axis at the start",
+      table.error("turns",
+                  "= " + formats::in_quotes(turns) + ", and it is turned about another axis at the start",
                   "leave out of `turned` what leads away from that axis");
       return;
     }
 }
 
-void read_named_points(TableReader& table, BodyGeometry& body) {
-  TableReader points = table.table("points", Presence::optional, "points of the body by name");
+void read_named_points(formats::TableReader& table, BodyGeometry& body) {
+  formats::TableReader points =
+      table.table("points", formats::Presence::optional, "points of the body by name");
   for (const auto& name : points.keys()) {
-    const auto at =
-        points.reals(name, {.unit = "m", .doc = kPoints.doc, .range = kPoints.range, .count = exactly(3)});
+    const auto at = points.reals(
+        name, {.unit = "m", .doc = kPoints.doc, .range = kPoints.range, .count = formats::exactly(3)});
     std::string fault = name_fault(name);
     if (fault.empty() && name.find('.') != std::string::npos) fault = "must not hold a dot";
     if (fault.empty() && (name == "origin" || name.starts_with("node-"))) fault = "has a meaning already";
-    if (!fault.empty()) points.error(name, "the name of a point, " + in_quotes(name) + ", " + fault);
+    if (!fault.empty()) points.error(name, "the name of a point, " + formats::in_quotes(name) + ", " + fault);
     if (at.size() != 3) continue;
     body.names.push_back(name);
     body.r.push_back(mirrored({at[0], at[1], at[2]}, body.side));
@@ -59,7 +61,7 @@ Point placed(const Point& origin, const Point& rotation, const Point& r) {
 }
 
 /// A body of a plan is on the side where the plan has it.
-double read_side(TableReader& table, const BodyOfPlan* plan) {
+double read_side(formats::TableReader& table, const BodyOfPlan* plan) {
   if (!plan || table.has(kSide.name)) {
     const double said = read_word(table, kSide) == "port" ? -1 : 1;
     if (!plan) return said;
@@ -69,7 +71,7 @@ double read_side(TableReader& table, const BodyOfPlan* plan) {
   return plan->side;
 }
 
-Point read_origin(TableReader& table, const BodyOfPlan* plan, const BodyGeometry& body) {
+Point read_origin(formats::TableReader& table, const BodyOfPlan* plan, const BodyGeometry& body) {
   if (!plan) return read_one_point(table, kOrigin);
   if (table.has(kOrigin.name) || !plan->guess) return mirrored(read_one_point(table, kOrigin), body.side);
   double lowest = 0;
@@ -80,7 +82,7 @@ Point read_origin(TableReader& table, const BodyOfPlan* plan, const BodyGeometry
 
 }  // namespace
 
-Geometry read_body(TableReader& table, const BodyOfPlan* plan) {
+Geometry read_body(formats::TableReader& table, const BodyOfPlan* plan) {
   Geometry out;
   BodyGeometry body;
   body.side = read_side(table, plan);
@@ -106,12 +108,12 @@ Geometry read_body(TableReader& table, const BodyOfPlan* plan) {
 namespace {
 
 std::string shown(const RigidBody& body, std::size_t point, const BodyGeometry& geometry) {
-  return in_quotes(body.name + "." + geometry.names[point]);
+  return formats::in_quotes(body.name + "." + geometry.names[point]);
 }
 
 /// A node that two bodies carry, or that one carries and the other has for its origin, would tie their turns.
-void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& geometry, Place place,
-                 Diagnostics& diagnostics) {
+void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& geometry,
+                 formats::Place place, formats::Diagnostics& diagnostics) {
   const Scene& scene = draft.out.scene;
   for (std::size_t k = 0; k < body.points.size(); ++k) {
     const std::uint32_t node = body.points[k].node;
@@ -124,20 +126,20 @@ void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& 
     if (other || is_own)
       diagnostics.error(place,
                         shown(body, k, geometry) + " is joined to a point of " +
-                            (is_own ? "its own body" : "the body " + in_quotes(other->name)) +
+                            (is_own ? "its own body" : "the body " + formats::in_quotes(other->name)) +
                             "; a point belongs to one body alone",
                         "put a short rope between them");
   }
   if (const RigidBody* other = body_that_carries(scene, body.origin))
     diagnostics.error(place,
-                      in_quotes(body.name + ".origin") + " is joined to a point of the body " +
-                          in_quotes(other->name) + ", which carries it",
+                      formats::in_quotes(body.name + ".origin") + " is joined to a point of the body " +
+                          formats::in_quotes(other->name) + ", which carries it",
                       "put a short rope between them");
 }
 
 }  // namespace
 
-void add_bodies(Draft& draft, Diagnostics& diagnostics) {
+void add_bodies(Draft& draft, formats::Diagnostics& diagnostics) {
   Scene& scene = draft.out.scene;
   for (std::size_t p = 0; p < draft.geometries.size(); ++p) {
     if (!draft.geometries[p].body) continue;
@@ -174,4 +176,4 @@ const RigidBody* body_that_carries(const Scene& scene, std::uint32_t node) {
   return nullptr;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// What a net plan says of a body beside its table.
 struct BodyOfPlan {
@@ -15,10 +15,10 @@ struct BodyOfPlan {
 
 /// A rigid body: its origin `at`, named `points`, how it is `turned` at the start and to which `side` it
 /// spreads. Own nodes are the origin and the points, sets `origin` and their names. Data: side, 1 or -1.
-Geometry read_body(TableReader& table, const BodyOfPlan* plan = nullptr);
+Geometry read_body(formats::TableReader& table, const BodyOfPlan* plan = nullptr);
 
 /// Makes the bodies of a scene whose nodes are numbered. What is wrong with them is said at their places.
-void add_bodies(Draft& draft, Diagnostics& diagnostics);
+void add_bodies(Draft& draft, formats::Diagnostics& diagnostics);
 
 /// Puts carried points where the bodies have them, wherever a sketch or a hold has put their origins.
 void place_points(Scene& scene);
@@ -26,4 +26,4 @@ void place_points(Scene& scene);
 /// The body that carries a node; null: none does.
 const RigidBody* body_that_carries(const Scene& scene, std::uint32_t node);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/bottom.hpp"
 
-#include "io/scenes/reading/keys.hpp"
 #include "io/formats/units/units.hpp"
+#include "io/scenes/reading/keys.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <optional>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -29,15 +29,16 @@ std::optional<std::size_t> column_named(const char* name) {
 }
 
 /// No factor is negative, and what carries nothing is no bed.
-void check_factors(const Samples& rows, TableReader& bottom) {
+void check_factors(const Samples& rows, formats::TableReader& bottom) {
   for (std::size_t k = 2; bottom_key().columns[k]; ++k) {
     const std::string_view name = bottom_key().columns[k];
     const bool may_be_zero = name != "stiffness";
     for (const auto& row : rows)
       if (!(row[k] >= 0 && row[k] <= kMostFactor) || (row[k] == 0 && !may_be_zero)) {
-        bottom.error(name,
-                     "= " + format(row[k], "1") + " is outside " + (may_be_zero ? "[" : "(") + "0, 1e6]",
-                     "factors of what the parts that rest on the bed say of it");
+        bottom.error(
+            name,
+            "= " + formats::format(row[k], "1") + " is outside " + (may_be_zero ? "[" : "(") + "0, 1e6]",
+            "factors of what the parts that rest on the bed say of it");
         break;
       }
   }
@@ -50,11 +51,11 @@ bool is_bottom(const netloft_parameter& p) {
 
 }  // namespace
 
-SeaBottom::SeaBottom(const Values& values, TableReader bed) {
+SeaBottom::SeaBottom(const Values& values, formats::TableReader bed) {
   const auto given = values.find(kBottom);
   if (given == values.end()) return;
   rows_ = std::get<Samples>(given->second);
-  TableReader bottom = bed.table(kBottom);
+  formats::TableReader bottom = bed.table(kBottom);
   if (std::ranges::all_of(rows_, [](const auto& row) { return row.size() == 5; }))
     check_factors(rows_, bottom);
 }
@@ -84,4 +85,4 @@ bool SeaBottom::lay_under(const ElementType& type, Part& part) const {
   return takes;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

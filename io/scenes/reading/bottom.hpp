@@ -4,7 +4,7 @@
 #include "framework/scene/scene.hpp"
 #include "io/formats/toml/table_reader.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// What the bed of a scene is made of, `[bed] bottom`: rows of x, y and factors of what the elements that
 /// rest on it say of it. It is handed to every element type with a grid named `bottom`, which says by its
@@ -13,7 +13,7 @@ class SeaBottom {
  public:
   SeaBottom() = default;
   /// `values` are those of bed_keys(), read from `bed`.
-  SeaBottom(const Values& values, TableReader bed);
+  SeaBottom(const Values& values, formats::TableReader bed);
 
   bool empty() const { return rows_.empty(); }
   /// Whether it is the same at y and -y.
@@ -25,4 +25,4 @@ class SeaBottom {
   Samples rows_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

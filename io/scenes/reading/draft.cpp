@@ -6,20 +6,21 @@
 #include <algorithm>
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 void drop_repeats(std::vector<std::uint32_t>& nodes) {
   std::set<std::uint32_t> seen;
   std::erase_if(nodes, [&](std::uint32_t node) { return !seen.insert(node).second; });
 }
 
-Mention mention(const std::string& name, const TableReader& table, std::string_view key) {
+Mention mention(const std::string& name, const formats::TableReader& table, std::string_view key) {
   return {name, table.place(key), table.path(key)};
 }
 
-Mention mention_of_item(const std::string& name, TableReader& table, std::string_view key, std::size_t i) {
+Mention mention_of_item(const std::string& name, formats::TableReader& table, std::string_view key,
+                        std::size_t i) {
   Mention m = mention(name, table, key);
-  const Array* array = table.raw(key) ? table.raw(key)->as<Array>() : nullptr;
+  const formats::Array* array = table.raw(key) ? table.raw(key)->as<formats::Array>() : nullptr;
   if (!array || i >= array->items.size()) return m;
   m.place = array->items[i].place;
   m.path += "[" + std::to_string(i) + "]";
@@ -34,7 +35,7 @@ void Draft::add_part(Part part, Geometry geometry, const ElementType* type, bool
   geometries.push_back(std::move(geometry));
 }
 
-void Draft::add_rider(Part part, Place place, const ElementType* type, bool sound) {
+void Draft::add_rider(Part part, formats::Place place, const ElementType* type, bool sound) {
   Geometry none;
   none.names.name = part.name;
   none.names.place = place;
@@ -65,8 +66,10 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
   const bool hangs_on_geometry = geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
   if (is_sound[*p] || !hangs_on_geometry)  // else that the geometry is wrong is said already
-    diagnostics_.error(m.place, m.path + ": " + in_quotes(geometry.names.name) + " has no " + in_quotes(name),
-                       set_hint(geometry.names, geometry.node_count(), name));
+    diagnostics_.error(
+        m.place,
+        m.path + ": " + formats::in_quotes(geometry.names.name) + " has no " + formats::in_quotes(name),
+        set_hint(geometry.names, geometry.node_count(), name));
   return {};
 }
 
@@ -90,9 +93,10 @@ std::vector<std::uint32_t> Draft::scene_nodes(const Joiner::Ends& ends) const {
 }
 
 void Draft::refuse_rider(const Mention& m, const std::string& name) {
-  diagnostics_.error(m.place,
-                     m.path + ": " + in_quotes(name) + " stands on other parts and has no nodes of its own",
-                     "name what it stands on");
+  diagnostics_.error(
+      m.place,
+      m.path + ": " + formats::in_quotes(name) + " stands on other parts and has no nodes of its own",
+      "name what it stands on");
 }
 
 std::optional<std::size_t> Draft::part_number(const std::string& name) const {
@@ -112,7 +116,7 @@ std::vector<Mention> Draft::expand(const Mention& m) {
   }
   const bool all_sound = std::find(is_sound.begin(), is_sound.end(), false) == is_sound.end();
   if (all.empty() && all_sound)
-    diagnostics_.error(m.place, m.path + ": no part has " + in_quotes(set), name_hint(set, there));
+    diagnostics_.error(m.place, m.path + ": no part has " + formats::in_quotes(set), name_hint(set, there));
   return all;
 }
 
@@ -139,9 +143,9 @@ std::optional<std::size_t> Draft::find_part(const Mention& m, const std::string&
   else if (m.name.empty())
     diagnostics_.error(m.place, m.path + " is empty; a part, an edge or a point is expected (net.fore)");
   else
-    diagnostics_.error(m.place, m.path + ": there is no part " + in_quotes(name),
+    diagnostics_.error(m.place, m.path + ": there is no part " + formats::in_quotes(name),
                        owners.empty() ? name_hint(name, names) : "did you mean \"" + owners[0] + "\"?");
   return {};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Keeps the first of each.
 void drop_repeats(std::vector<std::uint32_t>& nodes);
@@ -16,26 +16,27 @@ void drop_repeats(std::vector<std::uint32_t>& nodes);
 /// Where a name was written, for errors about it.
 struct Mention {
   std::string name;
-  Place place;
+  formats::Place place;
   std::string path;  // "hold[0].on"
 };
 
 /// A name that stands under `key`.
-Mention mention(const std::string& name, const TableReader& table, std::string_view key);
+Mention mention(const std::string& name, const formats::TableReader& table, std::string_view key);
 /// One of several; of a name that stands there alone, the key itself.
-Mention mention_of_item(const std::string& name, TableReader& table, std::string_view key, std::size_t i);
+Mention mention_of_item(const std::string& name, formats::TableReader& table, std::string_view key,
+                        std::size_t i);
 
 /// A scene while it is read: its parts with what is known of each, and the names of their edges and points.
 class Draft {
  public:
-  explicit Draft(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  explicit Draft(formats::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   /// A part on nodes of its own. `type` is null if nobody knows it; not sound: there is an error in its
   /// table, so that its number of nodes need not be true and nothing that depends on it is judged.
   void add_part(Part part, Geometry geometry, const ElementType* type, bool is_sound);
   /// A part that stands on others, once nodes are numbered; announced before, so that its name is known.
   void announce_rider(const std::string& name) { riders_.insert(name); }
-  void add_rider(Part part, Place place, const ElementType* type, bool is_sound);
+  void add_rider(Part part, formats::Place place, const ElementType* type, bool is_sound);
 
   /// "net", "net.fore", "net.node-17": own nodes of one part. If there are none, it is said where they were
   /// mentioned.
@@ -64,8 +65,8 @@ class Draft {
   bool has(const std::string& name) const;
   PartGeometry& names_of(std::size_t part);
 
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   std::set<std::string> riders_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

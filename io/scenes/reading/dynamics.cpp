@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -54,9 +54,9 @@ ParameterTable<DynamicsKeys> make_table() {
   return t;
 }
 
-constexpr Range kTimes{-1e9, 1e9, false, false};
+constexpr formats::Range kTimes{-1e9, 1e9, false, false};
 
-std::vector<double> read_times(TableReader& table) {
+std::vector<double> read_times(formats::TableReader& table) {
   const auto t = table.reals("t", {.unit = "s", .doc = "times", .range = kTimes, .count = {.least = 1}});
   for (std::size_t i = 1; i < t.size(); ++i)
     if (!(t[i] > t[i - 1])) {
@@ -67,13 +67,14 @@ std::vector<double> read_times(TableReader& table) {
 }
 
 /// The columns x, y, z, as many as there are times; those left out are zero.
-std::vector<Course::Point> read_columns(TableReader& table, const char* unit, const char* doc, Range range,
-                                        std::size_t count) {
+std::vector<Course::Point> read_columns(formats::TableReader& table, const char* unit, const char* doc,
+                                        formats::Range range, std::size_t count) {
   std::vector<Course::Point> points(count, Course::Point{});
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string key(1, "xyz"[axis]);
     if (!table.has(key)) continue;
-    const auto column = table.reals(key, {.unit = unit, .doc = doc, .range = range, .count = exactly(count)});
+    const auto column =
+        table.reals(key, {.unit = unit, .doc = doc, .range = range, .count = formats::exactly(count)});
     for (std::size_t i = 0; i < std::min(count, column.size()); ++i) points[i][axis] = column[i];
   }
   return points;
@@ -118,10 +119,10 @@ namespace {
 const std::string kSketch = "sketch", kEquilibrium = "equilibrium";
 
 /// The words that `start` knows, and a result by its name.
-void read_start(const std::string& start, TableReader& analysis, Dynamics& d) {
+void read_start(const std::string& start, formats::TableReader& analysis, Dynamics& d) {
   d.from_equilibrium = start == kEquilibrium;
   if (d.from_equilibrium || start == kSketch) return;
-  if (analysis.has("start") && analysis.kind("start") != Kind::text) return;  // reported already
+  if (analysis.has("start") && analysis.kind("start") != formats::Kind::text) return;  // reported already
   if (std::filesystem::path(start).extension() == ".hdf") {
     d.start_file = start;
     return;
@@ -134,7 +135,7 @@ void read_start(const std::string& start, TableReader& analysis, Dynamics& d) {
 
 }  // namespace
 
-Dynamics read_dynamics(TableReader& analysis, Registry& registry) {
+Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry) {
   const int errors_before = analysis.diagnostics().errors();
   const Values values = read_parameters(dynamics_keys(), analysis);
   std::vector<std::string> faults;
@@ -175,15 +176,15 @@ bool is_integrator(Registry& registry, const std::string& name) {
   }
 }
 
-Course read_course(TableReader& hold) {
+Course read_course(formats::TableReader& hold) {
   const bool by_way = hold.has("displacement"), by_speed = hold.has("velocity");
   if (by_way && by_speed)
     hold.error("velocity", "is one way to say how it moves, displacement is another; give one of them");
   if (!by_way && !by_speed) return {};
-  TableReader table = hold.table(by_way ? "displacement" : "velocity");
+  formats::TableReader table = hold.table(by_way ? "displacement" : "velocity");
   const auto t = read_times(table);
   if (by_way) return through(t, read_columns(table, "m", "way from where it is held", {-1e6, 1e6}, t.size()));
   return gone(t, read_columns(table, "m/s", "velocity of what is held", {-1e3, 1e3}, t.size()));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <span>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// How a scene goes through time.
 struct Dynamics {
@@ -26,13 +26,13 @@ struct Dynamics {
 std::span<const netloft_parameter> dynamics_keys();
 
 /// Reads them, and the table of the integrator. Throws PluginRefused if there is no such integrator.
-Dynamics read_dynamics(TableReader& analysis, Registry& registry);
+Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry);
 
 /// A solver's name that is an integrator's: it goes through time until everything is at rest.
 bool is_integrator(Registry& registry, const std::string& name);
 
 /// `displacement` or `velocity` of a `[[hold]]`: columns over `t`. A way is a smooth curve through its points
 /// that begins and ends at rest; a velocity is straight between them, and goes on as it ends.
-Course read_course(TableReader& hold);
+Course read_course(formats::TableReader& hold);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
-void report_refusal(TableReader& table, const char* key, const std::string& what) {
+void report_refusal(formats::TableReader& table, const char* key, const std::string& what) {
   const auto end = what.find('\n');
   std::string tried;
   for (auto at = end; at != std::string::npos;) {
@@ -20,13 +20,14 @@ void report_refusal(TableReader& table, const char* key, const std::string& what
   table.error(key, what.substr(0, end), tried);
 }
 
-std::string read_name(TableReader& table, const char* key, const char* doc) {
+std::string read_name(formats::TableReader& table, const char* key, const char* doc) {
   const std::string name = table.text(key, {.doc = doc});
-  if (name.empty() && table.kind(key) == Kind::text) table.error(key, "is empty (" + std::string(doc) + ")");
+  if (name.empty() && table.kind(key) == formats::Kind::text)
+    table.error(key, "is empty (" + std::string(doc) + ")");
   return name;
 }
 
-const ElementType* ElementChoice::find(const std::string& name, TableReader& table) const {
+const ElementType* ElementChoice::find(const std::string& name, formats::TableReader& table) const {
   if (name.empty()) return nullptr;
   try {
     return &registry_.element(name);
@@ -45,7 +46,7 @@ std::vector<const ElementType*> ElementChoice::companions_of(const ElementType& 
   return riders;
 }
 
-void ElementChoice::read(const ElementType& type, TableReader& table, Part& part) const {
+void ElementChoice::read(const ElementType& type, formats::TableReader& table, Part& part) const {
   part.type = type.type;
   part.parameters = read_parameters(parameters_with_companions(type), table);
   part.laws = read_laws(type, table);
@@ -64,12 +65,13 @@ std::vector<netloft_parameter> ElementChoice::parameters_with_companions(const E
 }
 
 /// `drag = "hydro/morison"`, or a table with `law` and the parameters of the law.
-std::map<std::string, LawChoice> ElementChoice::read_laws(const ElementType& type, TableReader& table) const {
+std::map<std::string, LawChoice> ElementChoice::read_laws(const ElementType& type,
+                                                          formats::TableReader& table) const {
   std::map<std::string, LawChoice> laws;
   for (const auto& slot : type.laws) {
     if (!table.has(slot.name)) continue;
-    if (table.kind(slot.name) == Kind::table) {
-      TableReader own = table.table(slot.name);
+    if (table.kind(slot.name) == formats::Kind::table) {
+      formats::TableReader own = table.table(slot.name);
       const std::string name = own.text("law", {.doc = slot.doc, .fallback = slot.fallback});
       if (const LawType* law = find_law(name, own, "law"))
         laws[slot.name] = {name, read_parameters(law->parameters, own)};
@@ -81,7 +83,8 @@ std::map<std::string, LawChoice> ElementChoice::read_laws(const ElementType& typ
   return laws;
 }
 
-const LawType* ElementChoice::find_law(const std::string& name, TableReader& table, const char* key) const {
+const LawType* ElementChoice::find_law(const std::string& name, formats::TableReader& table,
+                                       const char* key) const {
   try {
     return &registry_.law(name);
   } catch (const PluginRefused& e) {
@@ -91,4 +94,4 @@ const LawType* ElementChoice::find_law(const std::string& name, TableReader& tab
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/gear_model.hpp"
 
+#include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/reading/keys.hpp"
 #include "io/scenes/reading/parameter_reader.hpp"
 #include "io/scenes/reading/part_names.hpp"
-#include "io/formats/units/in_quotes.hpp"
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -16,20 +16,20 @@ constexpr double kMostFiner = 100;
 constexpr std::int64_t kFewestNodes = 20;
 
 /// Whether `nodes = "knots"`, beside which no other key says how fine the mesh is.
-bool wants_knots(TableReader& table) {
-  const Value* nodes = table.kind("nodes") == Kind::text ? table.raw("nodes") : nullptr;
+bool wants_knots(formats::TableReader& table) {
+  const formats::Value* nodes = table.kind("nodes") == formats::Kind::text ? table.raw("nodes") : nullptr;
   return nodes && *nodes->as<std::string>() == kKnots;
 }
 
 /// The keys of `[gear]`, without the number of nodes where it is a word.
-Values read_gear_keys(TableReader& table, bool knots) {
+Values read_gear_keys(formats::TableReader& table, bool knots) {
   std::vector<netloft_parameter> keys(gear_keys().begin(), gear_keys().end());
   if (knots) std::erase_if(keys, [](const auto& key) { return std::string_view(key.name) == "nodes"; });
   return read_parameters(keys, table);
 }
 
 /// Either the number of nodes or the length of sides says how fine a mesh is.
-void check_fineness(const GearKeys& keys, TableReader& table) {
+void check_fineness(const GearKeys& keys, formats::TableReader& table) {
   if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
     table.error("size", "stands beside nodes, and either says how fine the mesh is",
                 "leave one of them out; nodes = 0 leaves it to size, size = 0 to nodes");
@@ -38,7 +38,7 @@ void check_fineness(const GearKeys& keys, TableReader& table) {
                 "0 goes with a size alone");
 }
 
-void check_knots(TableReader& gear) {
+void check_knots(formats::TableReader& gear) {
   for (const char* key : {"size", "finer"})
     if (gear.has(key))
       gear.error(key, "stands beside nodes = \"knots\", which says how fine the mesh is",
@@ -46,10 +46,11 @@ void check_knots(TableReader& gear) {
 }
 
 /// What the half of a gear cannot have.
-void check_halves(const NetPlan& plan, TableReader& table) {
+void check_halves(const gears::NetPlan& plan, formats::TableReader& table) {
   for (const auto& body : plan.bodies)
-    if (body.stands != io::Standing::pair)
-      table.error("extent", "= \"half\", and " + in_quotes(body.name) + " is a body that stands once",
+    if (body.stands != gears::Standing::pair)
+      table.error("extent",
+                  "= \"half\", and " + formats::in_quotes(body.name) + " is a body that stands once",
                   "extent = \"whole\"; half a body is none");
   if (plan.ship)
     for (const auto& moment : plan.ship->path)
@@ -63,27 +64,29 @@ void check_halves(const NetPlan& plan, TableReader& table) {
                 "extent = \"whole\", or leave out ship.path_port");
   for (const auto& rope : plan.ropes)
     if (rope.length_port.value_or(rope.length) != rope.length)
-      table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another length to port",
+      table.error("extent",
+                  "= \"half\", and " + formats::in_quotes(rope.name) + " has another length to port",
                   "extent = \"whole\", or leave out length_port");
   for (const auto& rope : plan.ropes)
     if (rope.tension_port.value_or(rope.tension.value_or(0)) != rope.tension.value_or(0))
-      table.error("extent", "= \"half\", and " + in_quotes(rope.name) + " has another tension to port",
+      table.error("extent",
+                  "= \"half\", and " + formats::in_quotes(rope.name) + " has another tension to port",
                   "extent = \"whole\", or leave out tension_port");
 }
 
 /// `finer = { top-codend = 2 }`, by panels and ropes.
-void read_finer(TableReader& table, const Gear& gear, Fineness& fineness) {
-  TableReader finer = table.table("finer", Presence::optional);
+void read_finer(formats::TableReader& table, const gears::Gear& gear, gears::Fineness& fineness) {
+  formats::TableReader finer = table.table("finer", formats::Presence::optional);
   std::vector<std::string> names;
   for (const auto& panel : gear.panels) names.push_back(panel.name);
   for (const auto& rope : gear.ropes) names.push_back(rope.name);
   for (const auto& name : finer.keys()) {
     const double times = finer.real(name, {.unit = "1",
                                            .doc = "sides of triangles, or bars, that many times shorter",
-                                           .range = between(1 / kMostFiner, kMostFiner)});
+                                           .range = formats::between(1 / kMostFiner, kMostFiner)});
     const auto meant = meant_by(name, names);
     if (meant.empty())
-      finer.error(name, "there is no panel or rope " + in_quotes(name), name_hint(name, names));
+      finer.error(name, "there is no panel or rope " + formats::in_quotes(name), name_hint(name, names));
     for (const auto& one : meant)
       if (one == name || !finer.has(one)) fineness.finer[one] = times;
   }
@@ -98,8 +101,8 @@ std::vector<std::string> meant_by(const std::string& name, const std::vector<std
   return is_there(starboard) && is_there(port) ? std::vector{starboard, port} : std::vector<std::string>{};
 }
 
-std::optional<GearModel> read_gear_model(const NetPlan& plan, TableReader& root) {
-  TableReader table = root.table("gear", Presence::optional);
+std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root) {
+  formats::TableReader table = root.table("gear", formats::Presence::optional);
   GearModel model;
   model.fineness.knots = wants_knots(table);
   const Values values = read_gear_keys(table, model.fineness.knots);
@@ -108,12 +111,12 @@ std::optional<GearModel> read_gear_model(const NetPlan& plan, TableReader& root)
   if (!faults.empty()) return std::nullopt;
   const auto& keys = *static_cast<const GearKeys*>(block.data());
   model.fineness.knots ? check_knots(table) : check_fineness(keys, table);
-  model.gear = make_gear(plan, keys.extent == 1 ? Extent::half : Extent::whole);
+  model.gear = gears::make_gear(plan, keys.extent == 1 ? gears::Extent::half : gears::Extent::whole);
   model.fineness.nodes = static_cast<std::size_t>(keys.nodes);
   model.fineness.size = keys.size;
   read_finer(table, model.gear, model.fineness);
-  if (model.gear.extent == Extent::half) check_halves(plan, table);
+  if (model.gear.extent == gears::Extent::half) check_halves(plan, table);
   return model;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

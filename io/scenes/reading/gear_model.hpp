@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/plan/plan.hpp"
-#include "io/gears/meshing/start_shape.hpp"
 #include "io/formats/toml/table_reader.hpp"
+#include "io/gears/meshing/start_shape.hpp"
+#include "io/gears/plan/plan.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// What of a net plan is modelled, the whole or a half, and how finely.
 struct GearModel {
-  Gear gear;
-  Fineness fineness;
+  gears::Gear gear;
+  gears::Fineness fineness;
 };
 
 /// Reads `[gear]`. Nothing where its keys are wrong, as the diagnostics then say.
-std::optional<GearModel> read_gear_model(const NetPlan& plan, TableReader& root);
+std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
 /// Of the names in a gear those that a plan's name stands for: itself, or in the whole both of a pair.
 std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/gear_parts.hpp"
 
+#include "io/formats/toml/merge.hpp"
 #include "io/gears/catalogue/part_kinds.hpp"
 #include "io/gears/plan/twine_coordinates.hpp"
 #include "io/scenes/reading/gear_model.hpp"
@@ -12,17 +13,16 @@
 #include "io/scenes/reading/riding.hpp"
 #include "io/scenes/reading/ship_course.hpp"
 #include "io/scenes/reading/thickness.hpp"
-#include "io/formats/toml/merge.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 /// What the part of a plan bears, where it says so.
-void keep_strength(LoadedScene& loaded, const std::string& part, const Value& numbers, int twines,
+void keep_strength(LoadedScene& loaded, const std::string& part, const formats::Value& numbers, int twines,
                    const std::string& material) {
   const double load = breaking_load_of(numbers) * twines;
   if (load > 0) loaded.strengths[part] = {load, material};
@@ -30,40 +30,41 @@ void keep_strength(LoadedScene& loaded, const std::string& part, const Value& nu
 
 }  // namespace
 
-bool is_seam(TableReader& join) {
+bool is_seam(formats::TableReader& join) {
   const bool sews = join.has("edges") && !join.has("points");
   if (sews) join.has("take_up");
   return sews;
 }
 
-GearParts::GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& choice, Draft& draft)
+GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice,
+                     Draft& draft)
     : plan_(plan), draft_(draft), diagnostics_(root.diagnostics()) {
   for (const char* key : {"panels", "ropes", "hang", "floats", "points", "ship"}) root.has(key);
   const int errors_before = diagnostics_.errors();
   GearInScene& in_scene = draft_.out.gear.emplace();
-  Fineness fineness;
+  gears::Fineness fineness;
   if (auto model = read_gear_model(plan, root)) {
     gear_ = std::move(model->gear);
     fineness = model->fineness;
-    in_scene.times = gear_.extent == Extent::half ? 2 : 1;
+    in_scene.times = gear_.extent == gears::Extent::half ? 2 : 1;
     in_scene.nodes = fineness.nodes;
     in_scene.size = fineness.size;
     in_scene.bill = bill_of(plan);
     in_scene.sheet = sheet_of(plan, gear_);
   }
-  TableReader table = root.table("elements", Presence::optional);
+  formats::TableReader table = root.table("elements", formats::Presence::optional);
   elements_.emplace(plan, gear_, table, choice);
   if (diagnostics_.errors() > errors_before) return;
-  mesh_ = divide(gear_, fineness);
+  mesh_ = gears::divide(gear_, fineness);
   if (fineness.knots) in_scene.nodes = mesh_.nodes;
   own_.resize(mesh_.nodes);
 }
 
 /// A board starts where warps of such boards have it: as deep as they reach, on the bed where there is one.
 /// Only a start: what is found does not depend on it, unless a gear has several equilibria.
-BodyOfPlan GearParts::place_of(const GearBody& body) const {
+BodyOfPlan GearParts::place_of(const gears::GearBody& body) const {
   BodyOfPlan place{body.is_mirrored ? -1.0 : 1.0, {}};
-  const io::Rope* warp = plan_.find_rope(kWarp);
+  const gears::Rope* warp = plan_.find_rope(gears::kWarp);
   if (!plan_.ship || !warp) return place;
   place.guess = [this, warp, side = place.side](double lowest) {
     constexpr double kDepth = 0.3, kSpread = 0.09;  // over the length of warp
@@ -77,9 +78,9 @@ BodyOfPlan GearParts::place_of(const GearBody& body) const {
   return place;
 }
 
-void GearParts::tie(const GearBody& body, std::size_t part) {
+void GearParts::tie(const gears::GearBody& body, std::size_t part) {
   const Geometry& geometry = draft_.geometries[part];
-  if (body.body->stands == io::Standing::pair)
+  if (body.body->stands == gears::Standing::pair)
     draft_.out.gear->pairs[body.body->name].push_back(static_cast<std::uint32_t>(part));
   for (std::uint32_t k = 0; geometry.body && k < geometry.body->names.size(); ++k) {
     const auto node = mesh_.points.find(body.name + "." + geometry.body->names[k]);
@@ -92,15 +93,15 @@ void GearParts::tie(const GearBody& body, std::size_t part) {
 }
 
 void GearParts::add_parts() {
-  start_ = start_shape(gear_, mesh_, known_);
+  start_ = gears::start_shape(gear_, mesh_, known_);
   for (std::size_t p = 0; p < mesh_.panels.size(); ++p) add_panel(gear_.panels[p], mesh_.panels[p]);
   for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) add_rope(gear_.ropes[r], mesh_.ropes[r]);
   for (const auto& pieces : gear_.pieces) draft_.announce_rider(pieces.name);
   name_points();
 }
 
-void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
-  const io::Panel& plan = *panel.panel;
+void GearParts::add_panel(const gears::GearPanel& panel, const gears::PanelMesh& mesh) {
+  const gears::Panel& plan = *panel.panel;
   Geometry geometry;
   geometry.names.panel = mesh.meshes;
   geometry.names.sets = mesh.sets;
@@ -108,23 +109,23 @@ void GearParts::add_panel(const GearPanel& panel, const PanelMesh& mesh) {
   geometry.elements = mesh.triangles;
   for (const auto own : mesh.triangles) {
     const auto [U, V] = mesh.meshes[own];
-    const auto [u, v] = twine_coordinates(plan.orientation, plan.angle, U, V);
+    const auto [u, v] = gears::twine_coordinates(plan.orientation, plan.angle, U, V);
     geometry.data[datum::kU.name].push_back(u);
     geometry.data[datum::kV.name].push_back(v);
     geometry.data[datum::kToAft.name].push_back(plan.depth - V);
   }
   geometry.data[datum::kBarLength.name].assign(mesh.triangles.size() / 3, plan.mesh / 2);
-  Value twine = plan.twine;
+  formats::Value twine = plan.twine;
   keep_strength(draft_.out, panel.name, plan.twine, plan.twines, plan.twine_name);
-  if (plan.twines > 1 && twine.as<Table>())
-    put(*twine.as<Table>(), "number", {plan.place, std::int64_t{plan.twines}});
+  if (plan.twines > 1 && twine.as<formats::Table>())
+    formats::put(*twine.as<formats::Table>(), "number", {plan.place, std::int64_t{plan.twines}});
   add_part("netting", panel.name, "panels." + plan.name, std::move(twine), !plan.twine_name.empty(),
            std::move(geometry), mesh.nodes);
   if (plan.orientation == "t90")
     check_turned_netting(draft_.out.scene.parts.back(), plan.place, diagnostics_);
 }
 
-void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
+void GearParts::add_rope(const gears::GearRope& rope, const gears::RopeMesh& mesh) {
   Geometry geometry;
   geometry.names.sets = mesh.sets;
   geometry.names.place = rope.rope->place;
@@ -138,7 +139,7 @@ void GearParts::add_rope(const GearRope& rope, const RopeMesh& mesh) {
 
 /// `nodes`: own number -> node of the gear.
 void GearParts::add_part(std::string_view kind, const std::string& name, const std::string& path,
-                         Value numbers, bool is_of_catalogue, Geometry geometry,
+                         formats::Value numbers, bool is_of_catalogue, Geometry geometry,
                          const std::vector<std::uint32_t>& nodes) {
   Part part;
   part.name = name;
@@ -186,7 +187,7 @@ void GearParts::add_pieces() {
   name_lines(gear);
 }
 
-void GearParts::put_pieces(const GearPieces& pieces) {
+void GearParts::put_pieces(const gears::GearPieces& pieces) {
   Part part;
   part.name = pieces.name;
   const bool is_sound = elements_->read_part("floats", "floats." + pieces.pieces->name, pieces.pieces->piece,
@@ -198,7 +199,8 @@ void GearParts::put_pieces(const GearPieces& pieces) {
 }
 
 /// Where pieces are hung, and how much of the rope or edge every node carries.
-std::vector<std::uint32_t> GearParts::nodes_of(const GearPieces& pieces, std::vector<double>& carried) const {
+std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
+                                               std::vector<double>& carried) const {
   std::vector<std::uint32_t> nodes;
   const auto carry = [&](std::uint32_t from, std::uint32_t to, double length) {
     carried[from] += length / 2;
@@ -206,13 +208,13 @@ std::vector<std::uint32_t> GearParts::nodes_of(const GearPieces& pieces, std::ve
   };
   if (!pieces.point.empty()) return {scene_node(mesh_.points.at(pieces.point))};
   if (!pieces.rope.empty()) {
-    const RopeMesh& rope =
+    const gears::RopeMesh& rope =
         mesh_.ropes[static_cast<std::size_t>(gear_.find_rope(pieces.rope) - gear_.ropes.data())];
     for (const auto node : rope.nodes) nodes.push_back(scene_node(node));
     for (std::size_t i = 1; i < nodes.size(); ++i) carry(nodes[i - 1], nodes[i], rope.rest_lengths[i - 1]);
   }
   for (const auto& ref : pieces.edges) {
-    const PanelMesh& panel = mesh_.panels[ref.panel];
+    const gears::PanelMesh& panel = mesh_.panels[ref.panel];
     const auto& edge = panel.sets.at(gear_.panels[ref.panel].outline.edges[ref.edge].name);
     for (std::size_t i = 0; i < edge.size(); ++i) {
       nodes.push_back(scene_node(panel.nodes[edge[i]]));
@@ -229,8 +231,8 @@ std::vector<std::uint32_t> GearParts::nodes_of(const GearPieces& pieces, std::ve
 /// The roles that the plan gives its ropes; parts of ropes are in the order of the gear's.
 void GearParts::name_lines(GearInScene& gear) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
-    const io::Rope& rope = *gear_.ropes[r].rope;
-    if (rope.stands == io::Standing::middle) gear.across.insert(gear.ropes[r]);
+    const gears::Rope& rope = *gear_.ropes[r].rope;
+    if (rope.stands == gears::Standing::middle) gear.across.insert(gear.ropes[r]);
     if (rope.role == "headline")
       gear.headline = gear_.ropes[r].name;
     else if (rope.role == "footrope")
@@ -243,9 +245,9 @@ void GearParts::name_lines(GearInScene& gear) const {
 /// Ends of a rope across the gear have the same names in the whole and in the half.
 std::string GearParts::point_name(const std::string& name) const {
   const auto dot = name.find('.');
-  const GearRope* rope = dot == std::string::npos ? nullptr : gear_.find_rope(name.substr(0, dot));
-  if (!rope || rope->rope->stands != io::Standing::middle) return name;
-  const bool is_whole = gear_.extent == Extent::whole;
+  const gears::GearRope* rope = dot == std::string::npos ? nullptr : gear_.find_rope(name.substr(0, dot));
+  if (!rope || rope->rope->stands != gears::Standing::middle) return name;
+  const bool is_whole = gear_.extent == gears::Extent::whole;
   const std::string end = name.substr(dot + 1);
   if (end == "start") return rope->name + (is_whole ? ".port" : ".middle");
   return end == "end" ? rope->name + ".starboard" : name;
@@ -267,13 +269,14 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
   return false;
 }
 
-std::vector<std::pair<std::string, Value>> GearParts::contacts(const std::set<std::uint32_t>& carried) const {
-  std::vector<std::pair<std::string, Value>> all;
+std::vector<std::pair<std::string, formats::Value>> GearParts::contacts(
+    const std::set<std::uint32_t>& carried) const {
+  std::vector<std::pair<std::string, formats::Value>> all;
   if (!elements_->has_contact()) return all;
-  for (const io::Rope& rope : plan_.ropes)
+  for (const gears::Rope& rope : plan_.ropes)
     if (rests_on_bed(rope) && !is_carried(rope.name, carried))
       all.emplace_back(rope.name + "-on-bed", elements_->contact_of(rope.name, {rope.name}, rope.place));
-  for (const PlanBody& body : plan_.bodies) {
+  for (const gears::PlanBody& body : plan_.bodies) {
     auto shoes = shoes_of(body);
     std::erase_if(shoes, [&](const auto& shoe) { return is_carried_at(shoe, carried); });
     if (!shoes.empty())
@@ -284,7 +287,7 @@ std::vector<std::pair<std::string, Value>> GearParts::contacts(const std::set<st
 
 bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
   if (!plan_.ship || elements_->has_contact()) return false;
-  return std::ranges::any_of(plan_.ropes, [&](const io::Rope& rope) {
+  return std::ranges::any_of(plan_.ropes, [&](const gears::Rope& rope) {
     return rope.role == "footrope" && !is_carried(rope.name, carried);
   });
 }
@@ -307,7 +310,7 @@ void GearParts::hold_blocks() {
   Scene& scene = draft_.out.scene;
   Hold hold{kShip, {}, {}};
   for (const auto& point : gear_.points) {
-    if (point.point->name != kBlock) continue;
+    if (point.point->name != gears::kBlock) continue;
     const std::uint32_t node = scene_node(mesh_.points.at(point.name));
     hold.nodes.push_back(node);
     hold.axes.push_back(kAllAxes);
@@ -326,8 +329,8 @@ void GearParts::hold_blocks() {
 /// said how it runs. It starts at its block.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
-    const GearRope& rope = gear_.ropes[r];
-    const io::Rope& plan = *rope.rope;
+    const gears::GearRope& rope = gear_.ropes[r];
+    const gears::Rope& plan = *rope.rope;
     if (!plan.tension && plan.winch.empty()) continue;
     const std::uint32_t block = scene_node(mesh_.ropes[r].nodes.front());
     const double tension = plan.tension.value_or(0),
@@ -338,7 +341,7 @@ void GearParts::set_winches() {
     Winch winch{rope.name, parameter::kLengthShare.name, block,
                 rope.is_mirrored ? plan.length_port.value_or(plan.length) : plan.length, plan.winch};
     if (winch.stages.empty())
-      winch.stages.push_back({.max_speed = kWinchSpeed, .band = kWinchBand * tension});
+      winch.stages.push_back({.max_speed = gears::kWinchSpeed, .band = gears::kWinchBand * tension});
     WinchStage& first = winch.stages.front();
     if (plan.tension && first.follows == WinchStage::Follows::tension && first.rows.size() < 2)
       first.rows = {{0, wanted}};
@@ -349,12 +352,12 @@ void GearParts::set_winches() {
 void GearParts::follow_holds() {
   if (mesh_.nodes == 0) return;
   Scene& scene = draft_.out.scene;
-  std::vector<KnownCoordinate> known = known_;
+  std::vector<gears::KnownCoordinate> known = known_;
   for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
     for (int axis = 0; axis < 3; ++axis)
       if (const auto in = scene_node(node); scene.held[in] & (1 << axis) && !scene.frames.contains(in))
         known.push_back({node, axis, scene.positions[3 * std::size_t{in} + static_cast<std::size_t>(axis)]});
-  const auto start = start_shape(gear_, mesh_, known);
+  const auto start = gears::start_shape(gear_, mesh_, known);
   for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
     std::copy_n(start.begin() + 3 * std::ptrdiff_t{node}, 3,
                 scene.positions.begin() + 3 * std::ptrdiff_t{scene_node(node)});
@@ -369,4 +372,4 @@ bool GearParts::has_name(const std::string& name) const {
          std::any_of(gear_.bodies.begin(), gear_.bodies.end(), is_it);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/plan/plan.hpp"
 #include "io/gears/meshing/start_shape.hpp"
+#include "io/gears/plan/plan.hpp"
 #include "io/scenes/reading/bodies.hpp"
 #include "io/scenes/reading/draft.hpp"
 #include "io/scenes/reading/plan_elements.hpp"
@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Name of the hold that keeps the middle of a half on the plane of symmetry.
 inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
@@ -19,22 +19,23 @@ inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
 inline constexpr const char* kShip = "ship";
 
 /// Whether `join` is a seam of a net plan rather than a join of parts.
-bool is_seam(TableReader& join);
+bool is_seam(formats::TableReader& join);
 
 /// What a net plan becomes in a scene: panels of triangles and ropes of bars, joined where the plan joins
 /// them, floats and weights on them. Members are steps of reading a scene, in the order they happen.
 class GearParts {
  public:
   /// `plan` has no errors. Reads `[gear]` and `[elements]`.
-  GearParts(const NetPlan& plan, TableReader& root, const ElementChoice& choice, Draft& draft);
+  GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice,
+            Draft& draft);
 
   /// False after an error: then nothing in the scene can be judged.
   bool is_divided() const { return mesh_.nodes > 0; }
-  const std::vector<GearBody>& bodies() const { return gear_.bodies; }
+  const std::vector<gears::GearBody>& bodies() const { return gear_.bodies; }
   /// Where a body of the plan stands.
-  BodyOfPlan place_of(const GearBody& body) const;
+  BodyOfPlan place_of(const gears::GearBody& body) const;
   /// Ropes lead to the points of this part, which is that body. All bodies come before `add_parts`.
-  void tie(const GearBody& body, std::size_t part);
+  void tie(const gears::GearBody& body, std::size_t part);
   /// Panels and ropes, on nodes of their own, and the names of points.
   void add_parts();
   /// Nodes that panels and ropes share become one.
@@ -44,7 +45,7 @@ class GearParts {
   /// With `[elements.contact]`, the parts that carry the gear on the bed, as they would stand in `[parts]`:
   /// one for each rope and body of the plan that touches it and that no part of the scene carries already:
   /// `carried` are the nodes of those.
-  std::vector<std::pair<std::string, Value>> contacts(const std::set<std::uint32_t>& carried) const;
+  std::vector<std::pair<std::string, formats::Value>> contacts(const std::set<std::uint32_t>& carried) const;
   /// Whether the footrope of a towed gear has nothing that would carry it on the bed.
   bool sinks_into_bed(const std::set<std::uint32_t>& carried) const;
   /// Of a half: the plane of symmetry.
@@ -61,28 +62,29 @@ class GearParts {
   bool is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const;
   bool is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const;
 
-  void add_panel(const GearPanel& panel, const PanelMesh& mesh);
-  void add_rope(const GearRope& rope, const RopeMesh& mesh);
-  void add_part(std::string_view kind, const std::string& name, const std::string& path, Value numbers,
-                bool is_of_catalogue, Geometry geometry, const std::vector<std::uint32_t>& nodes);
+  void add_panel(const gears::GearPanel& panel, const gears::PanelMesh& mesh);
+  void add_rope(const gears::GearRope& rope, const gears::RopeMesh& mesh);
+  void add_part(std::string_view kind, const std::string& name, const std::string& path,
+                formats::Value numbers, bool is_of_catalogue, Geometry geometry,
+                const std::vector<std::uint32_t>& nodes);
   void name_points();
-  void put_pieces(const GearPieces& pieces);
-  std::vector<std::uint32_t> nodes_of(const GearPieces& pieces, std::vector<double>& carried) const;
+  void put_pieces(const gears::GearPieces& pieces);
+  std::vector<std::uint32_t> nodes_of(const gears::GearPieces& pieces, std::vector<double>& carried) const;
   void name_lines(GearInScene& gear) const;
   void set_winches();
   std::string point_name(const std::string& name) const;
   std::uint32_t scene_node(std::uint32_t gear_node) const;
 
-  const NetPlan& plan_;
+  const gears::NetPlan& plan_;
   Draft& draft_;
-  Diagnostics& diagnostics_;
-  Gear gear_;
+  formats::Diagnostics& diagnostics_;
+  gears::Gear gear_;
   std::optional<PlanElements> elements_;  // once it is read
-  GearMesh mesh_;
-  std::vector<KnownCoordinate> known_;  // points of bodies
-  std::vector<double> start_;           // 3 per node of the gear
+  gears::GearMesh mesh_;
+  std::vector<gears::KnownCoordinate> known_;  // points of bodies
+  std::vector<double> start_;                  // 3 per node of the gear
   /// Parts and own nodes that a node of the gear is: its first is where its position comes from.
   std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

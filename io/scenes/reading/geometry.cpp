@@ -3,7 +3,7 @@
 
 #include "io/scenes/reading/geometry_keys.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 Layout layout_of(const ElementType& type) {
   switch (type.element.stencil) {
@@ -30,7 +30,7 @@ Point along_line(const std::vector<Point>& line, double t) {
   return line.back();
 }
 
-Geometry read_point(TableReader& part) {
+Geometry read_point(formats::TableReader& part) {
   Geometry out;
   const Point at = read_one_point(part, kAt);
   append(out.positions, at);
@@ -41,7 +41,7 @@ Geometry read_point(TableReader& part) {
   return out;
 }
 
-Geometry read_line(TableReader& part) {
+Geometry read_line(formats::TableReader& part) {
   Geometry out;
   const double length = read_real(part, kLength);
   const auto n = static_cast<std::uint32_t>(read_integers(part, kBars)[0]);
@@ -57,4 +57,4 @@ Geometry read_line(TableReader& part) {
   return out;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

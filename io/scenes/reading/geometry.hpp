@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/registry/descriptors.hpp"
-#include "io/scenes/reading/loaded_scene.hpp"
 #include "io/formats/toml/table_reader.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
 
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// How a rigid body is made: its own nodes are its origin and its points.
 struct BodyGeometry {
@@ -40,8 +40,8 @@ struct GeometryKey {
   enum class Shape { real, integer, integers, points, named_points, word };
   std::string name, unit, doc;
   Shape shape;
-  Range range;
-  Count count;  // of integers or points
+  formats::Range range;
+  formats::Count count;  // of integers or points
   bool required = true;
   std::vector<std::string> words = {};  // allowed, the first being the default
 };
@@ -59,11 +59,11 @@ const std::vector<GeometryKey>& geometry_keys(Layout layout);
 std::array<double, 3> along_line(const std::vector<std::array<double, 3>>& line, double t);
 
 /// A point: one node. Set: point. Data: pieces [1], one; length [m], none.
-Geometry read_point(TableReader& part);
+Geometry read_point(formats::TableReader& part);
 
 /// A rope in bars: `length` unstretched, `cells` bars, `sketch` a line of two or more points along which the
 /// nodes are spread evenly. Sets: start, end, middle (with an even number of bars). Data: rest_length [m].
-Geometry read_line(TableReader& part);
+Geometry read_line(formats::TableReader& part);
 
 /// A rectangle of netting in triangles, the paper's section 2.2 for a panel cut along meshes: `panel` in
 /// meshes, `cells` across and along, `sketch` four corners: fore left, fore right, aft right, aft left; or
@@ -77,7 +77,7 @@ Geometry read_line(TableReader& part);
 /// Left edge and right edge lie on the same line, on top (towards +x for a tube that stands upright); from
 /// one to the other the nodes turn clockwise as seen by one who looks aft, so that corners are
 /// counter-clockwise seen from outside.
-Geometry read_panel(TableReader& part);
+Geometry read_panel(formats::TableReader& part);
 
 /// The same panel in bars along the twines of diamond netting, from the same keys. A cell of m by m meshes,
 /// m = across/cells across = along/cells along, has its four corners and its centre as nodes, and a bar from
@@ -89,6 +89,6 @@ Geometry read_panel(TableReader& part);
 /// meshes are refused: their bars would run across twines.
 /// Nodes as in read_panel, cells crossed. Sets as in read_panel, of corners. Data: rest_length [m], parallel.
 /// Faces: four triangles a cell, from its centre to each side, with to_aft as in read_panel.
-Geometry read_panel_in_bars(TableReader& part);
+Geometry read_panel_in_bars(formats::TableReader& part);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/geometry_keys.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 using Shape = GeometryKey::Shape;
-const Range kCoordinates = between(-1e6, 1e6);
-const Range kMeshes{.lo = 0, .hi = 1e6, .lo_open = true};
-const Range kRadii = between(0, 1e4);
+const formats::Range kCoordinates = formats::between(-1e6, 1e6);
+const formats::Range kMeshes{.lo = 0, .hi = 1e6, .lo_open = true};
+const formats::Range kRadii = formats::between(0, 1e4);
 
 /// The last word of a dotted name.
 std::string leaf(const GeometryKey& key) { return key.name.substr(key.name.find('.') + 1); }
 
 }  // namespace
 
-const GeometryKey kAt{"at", "m", "where the point starts", Shape::points, kCoordinates, exactly(1)};
+const GeometryKey kAt{"at", "m", "where the point starts", Shape::points, kCoordinates, formats::exactly(1)};
 const GeometryKey kLength{
     "length", "m", "unstretched length of the rope", Shape::real, {.lo = 0, .hi = 1e6, .lo_open = true}, {}};
-const GeometryKey kBars{"cells", "1", "bars the rope is divided into", Shape::integer, between(1, kMostCells),
-                        {}};
+const GeometryKey kBars{
+    "cells", "1", "bars the rope is divided into", Shape::integer, formats::between(1, kMostCells), {}};
 const GeometryKey kLine{"sketch",      "m",          "points of the line along which the rope starts",
                         Shape::points, kCoordinates, {.least = 2}};
 const GeometryKey kAcross{"panel.across", "1", "meshes across the panel", Shape::real, kMeshes, {}};
@@ -40,9 +40,12 @@ const GeometryKey kNetting{
     {},
     false,
     {"diamond", "t90", "square"}};
-const GeometryKey kCells{
-    "cells",   "1", "cells across and along, divided into triangles", Shape::integers, between(1, kMostCells),
-    exactly(2)};
+const GeometryKey kCells{"cells",
+                         "1",
+                         "cells across and along, divided into triangles",
+                         Shape::integers,
+                         formats::between(1, kMostCells),
+                         formats::exactly(2)};
 const GeometryKey kDivision{
     "division",
     "1",
@@ -57,25 +60,27 @@ const GeometryKey kSquareCells{"cells",
                                "1",
                                "cells across and along, as many meshes wide as long, four bars each",
                                Shape::integers,
-                               between(1, kMostCells),
-                               exactly(2)};
+                               formats::between(1, kMostCells),
+                               formats::exactly(2)};
 const GeometryKey kCorners{
     "sketch",      "m",          "corners: fore left, fore right, aft right, aft left; need not be accurate",
-    Shape::points, kCoordinates, exactly(4),
+    Shape::points, kCoordinates, formats::exactly(4),
     false};
 const GeometryKey kFrom{"tube.from",   "m",          "middle of the fore edge, of a panel sketched as a tube",
-                        Shape::points, kCoordinates, exactly(1),
+                        Shape::points, kCoordinates, formats::exactly(1),
                         false};
-const GeometryKey kTo{"tube.to",  "m",  "middle of the aft edge of the tube", Shape::points, kCoordinates,
-                      exactly(1), false};
+const GeometryKey kTo{"tube.to",     "m",          "middle of the aft edge of the tube",
+                      Shape::points, kCoordinates, formats::exactly(1),
+                      false};
 const GeometryKey kRadius{"tube.radius", "m", "radius of the tube", Shape::real, kRadii, {}, false};
 const GeometryKey kRadiusAft{
     "tube.radius_aft", "m", "radius at the aft edge, if it is another one", Shape::real, kRadii, {}, false};
 
 namespace {
-const Range kAngles = between(-3.15, 3.15);
+const formats::Range kTurnRange = formats::between(-3.15, 3.15);
 }
-const GeometryKey kOrigin{"at", "m", "where its origin starts", Shape::points, kCoordinates, exactly(1)};
+const GeometryKey kOrigin{"at",          "m",          "where its origin starts",
+                          Shape::points, kCoordinates, formats::exactly(1)};
 const GeometryKey kPoints{"points",
                           "m",
                           "places where parts are joined to it, by name: [aft, outward, up] from its origin",
@@ -95,12 +100,12 @@ const GeometryKey kHeading{"turned.heading",
                            "rad",
                            "angle at the start by which its nose is turned outward",
                            Shape::real,
-                           kAngles,
+                           kTurnRange,
                            {},
                            false};
-const GeometryKey kHeel{"turned.heel", "rad", "by which its top leans outward", Shape::real, kAngles, {},
+const GeometryKey kHeel{"turned.heel", "rad", "by which its top leans outward", Shape::real, kTurnRange, {},
                         false};
-const GeometryKey kTrim{"turned.trim", "rad", "by which its nose is up", Shape::real, kAngles, {}, false};
+const GeometryKey kTrim{"turned.trim", "rad", "by which its nose is up", Shape::real, kTurnRange, {}, false};
 const GeometryKey kTurns{"turns",
                          "1",
                          "whether it turns freely, about one axis of the scene alone, or not at all",
@@ -113,31 +118,33 @@ const GeometryKey kOutline{"outline",     "m",          "corners of its shape in
                            Shape::points, kCoordinates, {.least = 3},
                            false};
 
-double read_real(TableReader& table, const GeometryKey& key, std::optional<double> fallback) {
+double read_real(formats::TableReader& table, const GeometryKey& key, std::optional<double> fallback) {
   return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .fallback = fallback});
 }
 
-std::string read_word(TableReader& table, const GeometryKey& key) {
+std::string read_word(formats::TableReader& table, const GeometryKey& key) {
   return table.choice(leaf(key), {.allowed = key.words, .doc = key.doc, .fallback = key.words[0]});
 }
 
-Point read_one_point(TableReader& table, const GeometryKey& key) {
-  const auto at =
-      table.reals(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .count = exactly(3)});
+Point read_one_point(formats::TableReader& table, const GeometryKey& key) {
+  const auto at = table.reals(
+      leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .count = formats::exactly(3)});
   return at.size() == 3 ? Point{at[0], at[1], at[2]} : Point{};
 }
 
-std::vector<std::int64_t> read_integers(TableReader& table, const GeometryKey& key) {
+std::vector<std::int64_t> read_integers(formats::TableReader& table, const GeometryKey& key) {
   const auto lo = static_cast<std::int64_t>(key.range.lo), hi = static_cast<std::int64_t>(key.range.hi);
   if (key.shape == Shape::integer) return {table.integer(leaf(key), {.doc = key.doc, .lo = lo, .hi = hi})};
   return table.integers(leaf(key), {.doc = key.doc, .lo = lo, .hi = hi, .count = key.count});
 }
 
-std::vector<Point> read_points(TableReader& table, const GeometryKey& key) {
+std::vector<Point> read_points(formats::TableReader& table, const GeometryKey& key) {
   std::vector<Point> points;
-  for (const auto& row : table.rows(
-           leaf(key),
-           {.unit = key.unit, .doc = key.doc, .range = key.range, .rows = key.count, .columns = exactly(3)}))
+  for (const auto& row : table.rows(leaf(key), {.unit = key.unit,
+                                               .doc = key.doc,
+                                               .range = key.range,
+                                               .rows = key.count,
+                                               .columns = formats::exactly(3)}))
     if (row.size() == 3) points.push_back({row[0], row[1], row[2]});
   return points;
 }
@@ -152,4 +159,4 @@ const std::vector<GeometryKey>& geometry_keys(Layout layout) {
   return keys.of(layout);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

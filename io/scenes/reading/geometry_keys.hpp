@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 inline constexpr std::int64_t kMostCells = 100000;  // along one direction
 
@@ -38,14 +38,14 @@ extern const GeometryKey kAt, kLength, kBars, kLine, kAcross, kAlong, kBar, kNet
     kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft, kOrigin, kPoints, kSide, kHeading, kHeel, kTrim,
     kTurns, kOutline;
 
-double read_real(TableReader& table, const GeometryKey& key, std::optional<double> fallback = {});
+double read_real(formats::TableReader& table, const GeometryKey& key, std::optional<double> fallback = {});
 /// The first of those that are allowed if it is missing.
-std::string read_word(TableReader& table, const GeometryKey& key);
+std::string read_word(formats::TableReader& table, const GeometryKey& key);
 /// A point that is needed; the origin if something is wrong with it.
-Point read_one_point(TableReader& table, const GeometryKey& key);
+Point read_one_point(formats::TableReader& table, const GeometryKey& key);
 /// One, where the key is of one integer.
-std::vector<std::int64_t> read_integers(TableReader& table, const GeometryKey& key);
-std::vector<Point> read_points(TableReader& table, const GeometryKey& key);
+std::vector<std::int64_t> read_integers(formats::TableReader& table, const GeometryKey& key);
+std::vector<Point> read_points(formats::TableReader& table, const GeometryKey& key);
 
 inline double distance(const Point& a, const Point& b) {
   return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
@@ -59,4 +59,4 @@ inline void append(std::vector<double>& positions, const Point& p) {
   positions.insert(positions.end(), p.begin(), p.end());
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -65,7 +65,7 @@ void add_pairs(const LoadedScene& loaded, std::span<const double> positions,
     const auto y = [&](const RigidBody* body) { return positions[3 * std::size_t{body->origin} + 1]; };
     if (y(bodies[1]) < y(bodies[0]))
       crossings.push_back({parts[0], false,
-                           bodies[1]->name + " is " + in_metres(y(bodies[0]) - y(bodies[1]), 3) +
+                           bodies[1]->name + " is " + formats::in_metres(y(bodies[0]) - y(bodies[1]), 3) +
                                " to port of " + bodies[0]->name + ": they have crossed"});
   }
 }
@@ -84,10 +84,10 @@ std::vector<Crossing> find_crossings(const LoadedScene& loaded, std::span<const 
   const bool is_held = std::any_of(beyond.begin(), beyond.end(), [](const auto& b) { return b.is_held; });
   crossings.push_back({beyond[0].part, is_held,
                        list_names(loaded, beyond) + (beyond.size() == 1 ? " lies " : " lie up to ") +
-                           in_metres(beyond[0].by, 3) +
+                           formats::in_metres(beyond[0].by, 3) +
                            " beyond the plane of symmetry, y = 0: the half to starboard and its mirror image "
                            "have crossed"});
   return crossings;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

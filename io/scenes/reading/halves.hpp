@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// What lies on the other side of the plane of symmetry, y = 0, and may not: nothing else keeps the half that
 /// is modelled, or a body of a pair, from passing through its mirror image.
@@ -20,4 +20,4 @@ struct Crossing {
 /// its pairs of bodies. Nodes of half a gear that lie beyond by round-off alone are none.
 std::vector<Crossing> find_crossings(const LoadedScene& loaded, std::span<const double> positions);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

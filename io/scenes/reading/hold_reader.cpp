@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/hold_reader.hpp"
 
+#include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/reading/bodies.hpp"
 #include "io/scenes/reading/tow.hpp"
-#include "io/formats/units/in_quotes.hpp"
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 void HoldReader::read() {
   Holder holder(out_.scene);
@@ -15,7 +15,7 @@ void HoldReader::read() {
     const int errors_before = diagnostics_.errors();
     const HoldEntry entry = read_hold(table);
     check_hold_name(entry, table);
-    if (table.kind("on") != Kind::text && table.kind("on") != Kind::array) continue;
+    if (table.kind("on") != formats::Kind::text && table.kind("on") != formats::Kind::array) continue;
     const auto nodes = find_held(entry, table);
     if (nodes.empty() || diagnostics_.errors() > errors_before) continue;
     out_.holds.push_back(holder.hold(entry, nodes, table));
@@ -25,7 +25,7 @@ void HoldReader::read() {
 }
 
 /// Nodes of all that a hold names; empty where something is wrong with it.
-std::vector<std::uint32_t> HoldReader::find_held(const HoldEntry& entry, TableReader& table) {
+std::vector<std::uint32_t> HoldReader::find_held(const HoldEntry& entry, formats::TableReader& table) {
   std::vector<std::uint32_t> nodes;
   std::size_t sets = 0;
   for (std::size_t i = 0; i < entry.on.size(); ++i)
@@ -49,14 +49,14 @@ std::vector<std::uint32_t> HoldReader::find_held(const HoldEntry& entry, TableRe
 void HoldReader::refuse_carried(const Mention& m, std::uint32_t node) {
   const std::string body = body_that_carries(out_.scene, node)->name;
   diagnostics_.error(m.place,
-                     m.path + ": " + in_quotes(m.name) + " holds a point of the body " + in_quotes(body) +
-                         ", which carries it",
+                     m.path + ": " + formats::in_quotes(m.name) + " holds a point of the body " +
+                         formats::in_quotes(body) + ", which carries it",
                      "hold its origin, on = \"" + body + ".origin\"; turns = \"not\" in [bodies." + body +
                          "] holds its attitude");
 }
 
 /// Lets what a hold holds go along a course.
-void HoldReader::guide(Course course, const HoldEntry& entry, const Hold& hold, TableReader& table) {
+void HoldReader::guide(Course course, const HoldEntry& entry, const Hold& hold, formats::TableReader& table) {
   if (course.knots.empty()) return;
   guides_.push_back(table);
   const char* key = table.has("velocity") ? "velocity" : "displacement";
@@ -68,13 +68,13 @@ void HoldReader::guide(Course course, const HoldEntry& entry, const Hold& hold, 
 }
 
 void HoldReader::check_guides() {
-  TableReader analysis = root_.table("analysis", Presence::optional);
+  formats::TableReader analysis = root_.table("analysis", formats::Presence::optional);
   if (diagnostics_.where(analysis.place("kind")).starts_with("--set")) return;
   for (auto& hold : guides_)
     hold.error(hold.has("velocity") ? "velocity" : "displacement", "nothing moves in a static analysis",
                "kind = \"dynamic\" in [analysis], or leave it out");
   if (!plan_) return;
-  const auto refuse = [&](const char* what, Place place) {
+  const auto refuse = [&](const char* what, formats::Place place) {
     diagnostics_.error(place, std::string(what) + ": nothing moves in a static analysis",
                        "kind = \"dynamic\" in [analysis], or leave it out");
   };
@@ -83,14 +83,14 @@ void HoldReader::check_guides() {
     if (!rope.winch.empty()) refuse("ship.warp.winch", rope.winch_place);
 }
 
-void HoldReader::check_hold_name(const HoldEntry& entry, TableReader& table) {
+void HoldReader::check_hold_name(const HoldEntry& entry, formats::TableReader& table) {
   const char* key = table.has("name") ? "name" : "on";
   const auto [earlier, is_new] = hold_names_.emplace(entry.name, table.place(key));
   if (!is_new && !entry.name.empty())
     table.error(key,
-                "there is a hold named " + in_quotes(entry.name) + " already, at " +
+                "there is a hold named " + formats::in_quotes(entry.name) + " already, at " +
                     diagnostics_.where(earlier->second),
                 "give one of them a name of its own: name = \"…\"");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

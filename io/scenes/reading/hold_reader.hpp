@@ -4,7 +4,7 @@
 #include "io/scenes/reading/one_sided_holds.hpp"
 #include "io/scenes/reading/scene_reading.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Reads `[[hold]]`: what is held, where, and along which course it goes.
 class HoldReader : ReadingStep {
@@ -17,14 +17,14 @@ class HoldReader : ReadingStep {
   void report_one_sided() const { one_sided_.report(draft_, diagnostics_); }
 
  private:
-  std::vector<std::uint32_t> find_held(const HoldEntry& entry, TableReader& table);
+  std::vector<std::uint32_t> find_held(const HoldEntry& entry, formats::TableReader& table);
   void refuse_carried(const Mention& m, std::uint32_t node);
-  void guide(Course course, const HoldEntry& entry, const Hold& hold, TableReader& table);
-  void check_hold_name(const HoldEntry& entry, TableReader& table);
+  void guide(Course course, const HoldEntry& entry, const Hold& hold, formats::TableReader& table);
+  void check_hold_name(const HoldEntry& entry, formats::TableReader& table);
 
-  std::vector<TableReader> guides_;  // holds that move
+  std::vector<formats::TableReader> guides_;  // holds that move
   OneSidedHolds one_sided_;
-  std::map<std::string, Place> hold_names_;
+  std::map<std::string, formats::Place> hold_names_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

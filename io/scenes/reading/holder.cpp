@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
-std::uint8_t read_axes(TableReader& table) {
+std::uint8_t read_axes(formats::TableReader& table) {
   const int before = table.diagnostics().errors();
   const std::string text =
       table.text("axes", {.doc = "along which it cannot move: letters of xyz", .fallback = "xyz"});
@@ -43,7 +43,7 @@ std::array<double, 9> frame_along(const std::array<double, 3>& d) {
 
 /// `along`: free on a line of this direction alone. `plane`: free in the plane with this normal (a symmetry
 /// plane).
-void read_frame(TableReader& table, HoldEntry& entry) {
+void read_frame(formats::TableReader& table, HoldEntry& entry) {
   const bool along = table.has("along"), plane = table.has("plane");
   if (!along && !plane) return;
   if (along + plane + table.has("axes") > 1)
@@ -53,11 +53,11 @@ void read_frame(TableReader& table, HoldEntry& entry) {
                 "does not go with along and plane, which pass through the nodes where they are sketched",
                 "sketch the part where the line or plane is");
   const auto d = along ? table.reals("along", {.doc = "direction of the line it slides on",
-                                               .range = between(-1e6, 1e6),
-                                               .count = exactly(3)})
+                                               .range = formats::between(-1e6, 1e6),
+                                               .count = formats::exactly(3)})
                        : table.reals("plane", {.doc = "normal of the plane it stays in",
-                                               .range = between(-1e6, 1e6),
-                                               .count = exactly(3)});
+                                               .range = formats::between(-1e6, 1e6),
+                                               .count = formats::exactly(3)});
   if (d.size() != 3) return;
   if (std::hypot(d[0], d[1], d[2]) == 0) {
     table.error(along ? "along" : "plane", "has no direction");
@@ -67,26 +67,26 @@ void read_frame(TableReader& table, HoldEntry& entry) {
   entry.axes = along ? kAxisY | kAxisZ : kAxisX;
 }
 
-void read_at(TableReader& table, HoldEntry& entry) {
+void read_at(formats::TableReader& table, HoldEntry& entry) {
   const auto kind = table.kind("at");
   if (!kind) return;
-  if (*kind == Kind::text) {
+  if (*kind == formats::Kind::text) {
     entry.as_sketched =
         table.choice("at", {.allowed = {"sketch"}, .doc = "where the sketch has it, or points"}) == "sketch";
     return;
   }
-  const Range range = between(-1e6, 1e6);
-  const Array* array = table.raw("at")->as<Array>();
+  const formats::Range range = formats::between(-1e6, 1e6);
+  const formats::Array* array = table.raw("at")->as<formats::Array>();
   std::vector<std::vector<double>> rows;
-  if (array && !array->items.empty() && array->items[0].kind() != Kind::array)
-    rows = {table.reals("at",
-                        {.unit = "m", .doc = "point where it is held", .range = range, .count = exactly(3)})};
+  if (array && !array->items.empty() && array->items[0].kind() != formats::Kind::array)
+    rows = {table.reals(
+        "at", {.unit = "m", .doc = "point where it is held", .range = range, .count = formats::exactly(3)})};
   else
     rows = table.rows("at", {.unit = "m",
                              .doc = "points of the line along which it is held",
                              .range = range,
                              .rows = {.least = 1},
-                             .columns = exactly(3)});
+                             .columns = formats::exactly(3)});
   for (const auto& row : rows)
     if (row.size() == 3) entry.at.push_back({row[0], row[1], row[2]});
 }
@@ -114,10 +114,10 @@ bool agree(const std::array<double, 3>& a, const std::array<double, 3>& b, int a
 
 }  // namespace
 
-HoldEntry read_hold(TableReader& table) {
+HoldEntry read_hold(formats::TableReader& table) {
   HoldEntry entry;
   const char* doc = "what is held: a part, an edge or a point (net.fore), or an array of them";
-  if (table.kind("on") == Kind::array)
+  if (table.kind("on") == formats::Kind::array)
     entry.on = table.texts("on", {.doc = doc, .count = {.least = 1}});
   else
     entry.on = {table.text("on", {.doc = doc})};
@@ -129,7 +129,8 @@ HoldEntry read_hold(TableReader& table) {
   return entry;
 }
 
-Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, TableReader& table) {
+Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes,
+                  formats::TableReader& table) {
   if (is_one_point(entry.at) && nodes.size() > 1 && entry.axes == kAllAxes)
     table.error("at", std::to_string(nodes.size()) + " nodes cannot be held in one point",
                 "give two or more points of a line, along which they are spread");
@@ -178,7 +179,7 @@ std::vector<Holder::Point> Holder::places(const HoldEntry& entry,
 }
 
 /// False: an error was put at `at`.
-bool Holder::put(std::uint32_t node, const Put& put, TableReader& table) {
+bool Holder::put(std::uint32_t node, const Put& put, formats::TableReader& table) {
   for (const Put& earlier : put_[node])
     if (!agree(put.point, earlier.point, put.axes & earlier.axes)) {
       table.error("at",
@@ -193,4 +194,4 @@ bool Holder::put(std::uint32_t node, const Put& put, TableReader& table) {
   return true;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/scenes/reading/loaded_scene.hpp"
 #include "io/formats/toml/table_reader.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
 
 #include <optional>
 #include <unordered_map>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// One `[[hold]]` as it is written.
 struct HoldEntry {
@@ -19,7 +19,7 @@ struct HoldEntry {
 };
 
 /// Errors are located and go to the diagnostics of `table`.
-HoldEntry read_hold(TableReader& table);
+HoldEntry read_hold(formats::TableReader& table);
 
 /// Fixes nodes of a scene where the entries say, and finds entries that contradict one another.
 class Holder {
@@ -28,7 +28,7 @@ class Holder {
 
   /// `nodes` of the scene in the order of the set. What is held already counts with the entry that held it
   /// first, so that the reactions of all holds add up to what holds the gear.
-  Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, TableReader& table);
+  Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:
   using Point = std::array<double, 3>;
@@ -36,11 +36,11 @@ class Holder {
   struct Put {
     Point point;
     std::uint8_t axes;
-    Place said_at;
+    formats::Place said_at;
   };
 
   std::vector<Point> places(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes) const;
-  bool put(std::uint32_t node, const Put& put, TableReader& table);
+  bool put(std::uint32_t node, const Put& put, formats::TableReader& table);
   bool holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const;
   bool turn(std::uint32_t node, const std::array<double, 9>& frame);
 
@@ -49,4 +49,4 @@ class Holder {
   std::unordered_map<std::uint32_t, std::vector<Put>> put_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

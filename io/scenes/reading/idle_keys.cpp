@@ -4,7 +4,7 @@
 #include "framework/parameters/find_number.hpp"
 #include "io/scenes/reading/known_parameters.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -18,17 +18,17 @@ bool meshes_resist(const Part& part) {
 
 }  // namespace
 
-void check_idle_keys(const Part& part, TableReader& table) {
+void check_idle_keys(const Part& part, formats::TableReader& table) {
   if (is_set(part, parameter::kOpeningAngle) && !meshes_resist(part))
     table.error("twine", "opening_angle has no effect: nothing draws the meshes to it",
                 "EI or opening_stiffness of the twine, or leave it out");
 }
 
-void check_turned_netting(const Part& part, const Place& place, Diagnostics& diagnostics) {
+void check_turned_netting(const Part& part, const formats::Place& place, formats::Diagnostics& diagnostics) {
   if (!meshes_resist(part))
     diagnostics.warning(
         place, part.name + ": t90 netting whose meshes resist no opening hangs as diamond netting does",
         "EI or opening_stiffness of the twine, which hold meshes open along their knots");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

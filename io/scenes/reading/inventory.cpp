@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/inventory.hpp"
 
-#include "io/gears/drawing/layout.hpp"
 #include "io/formats/units/units.hpp"
+#include "io/gears/drawing/layout.hpp"
 
 #include <algorithm>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of a part's table in an SI unit, NaN if it is not given there.
-double number_of(const Value& part, const char* key, const char* unit) {
-  const Table* table = part.as<Table>();
-  const Member* member = table ? table->find(key) : nullptr;
+double number_of(const formats::Value& part, const char* key, const char* unit) {
+  const formats::Table* table = part.as<formats::Table>();
+  const formats::Member* member = table ? table->find(key) : nullptr;
   if (!member) return kNone;
   if (const double* value = member->value.as<double>()) return *value;
   if (const auto* value = member->value.as<std::int64_t>()) return static_cast<double>(*value);
   const std::string* text = member->value.as<std::string>();
-  const Quantity quantity = text ? to_si(*text, unit) : Quantity{kNone, "", ""};
+  const formats::Quantity quantity = text ? formats::to_si(*text, unit) : formats::Quantity{kNone, "", ""};
   return quantity.ok() ? quantity.value : kNone;
 }
 
-double count_of(Standing stands) { return stands == Standing::pair ? 2 : 1; }
+double count_of(gears::Standing stands) { return stands == gears::Standing::pair ? 2 : 1; }
 
-BillItem item_of(const Panel& panel) {
+BillItem item_of(const gears::Panel& panel) {
   return {"netting",
           panel.name,
           panel.twine_name,
@@ -39,7 +39,7 @@ BillItem item_of(const Panel& panel) {
           kNone};
 }
 
-BillItem item_of(const Rope& rope) {
+BillItem item_of(const gears::Rope& rope) {
   return {"rope",
           rope.name,
           rope.part_name,
@@ -51,7 +51,7 @@ BillItem item_of(const Rope& rope) {
           kNone};
 }
 
-BillItem item_of(const Pieces& pieces) {
+BillItem item_of(const gears::Pieces& pieces) {
   return {"piece",
           pieces.name,
           pieces.part_name,
@@ -63,17 +63,17 @@ BillItem item_of(const Pieces& pieces) {
           kNone};
 }
 
-SheetPlace place_of(const PlacedPanel& placed) {
-  const PanelPoint origin = placed.on_sheet({0, 0}), across = placed.on_sheet({1, 0}),
-                   deep = placed.on_sheet({0, 1});
+SheetPlace place_of(const gears::PlacedPanel& placed) {
+  const gears::PanelPoint origin = placed.on_sheet({0, 0}), across = placed.on_sheet({1, 0}),
+                          deep = placed.on_sheet({0, 1});
   return {origin.x, origin.y, across.x - origin.x, across.y - origin.y, deep.x - origin.x, deep.y - origin.y};
 }
 
 }  // namespace
 
-double breaking_load_of(const Value& numbers) { return number_of(numbers, "breaking_load", "N"); }
+double breaking_load_of(const formats::Value& numbers) { return number_of(numbers, "breaking_load", "N"); }
 
-std::vector<BillItem> bill_of(const NetPlan& plan) {
+std::vector<BillItem> bill_of(const gears::NetPlan& plan) {
   std::vector<BillItem> bill;
   for (const auto& panel : plan.panels) bill.push_back(item_of(panel));
   for (const auto& rope : plan.ropes)
@@ -82,11 +82,11 @@ std::vector<BillItem> bill_of(const NetPlan& plan) {
   return bill;
 }
 
-std::map<std::string, SheetPlace> sheet_of(const NetPlan& plan, const Gear& gear) {
+std::map<std::string, SheetPlace> sheet_of(const gears::NetPlan& plan, const gears::Gear& gear) {
   std::map<std::string, SheetPlace> sheet;
-  const auto placed = lay_out(plan);
+  const auto placed = gears::lay_out(plan);
   for (const auto& panel : gear.panels) {
-    const auto at = std::find_if(placed.begin(), placed.end(), [&](const PlacedPanel& one) {
+    const auto at = std::find_if(placed.begin(), placed.end(), [&](const gears::PlacedPanel& one) {
       return one.panel == panel.panel && one.is_mirrored == panel.is_mirrored;
     });
     if (at != placed.end()) sheet[panel.name] = place_of(*at);
@@ -94,4 +94,4 @@ std::map<std::string, SheetPlace> sheet_of(const NetPlan& plan, const Gear& gear
   return sheet;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// The tension at which what a table describes breaks [N]; NaN if it does not say.
-double breaking_load_of(const Value& numbers);
+double breaking_load_of(const formats::Value& numbers);
 
 /// The rows of a gear's bill of materials: panels, ropes, and what is hung on them, each under its name in
 /// the plan, port and starboard in one row.
-std::vector<BillItem> bill_of(const NetPlan& plan);
+std::vector<BillItem> bill_of(const gears::NetPlan& plan);
 
 /// Where every panel of the gear lies on the drawing of its plan.
-std::map<std::string, SheetPlace> sheet_of(const NetPlan& plan, const Gear& gear);
+std::map<std::string, SheetPlace> sheet_of(const gears::NetPlan& plan, const gears::Gear& gear);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -2,7 +2,7 @@
 #include "io/scenes/reading/join_reader.hpp"
 #include "io/formats/units/in_quotes.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 void JoinReader::read() {
   Joiner joiner(draft_.geometries);
@@ -21,7 +21,7 @@ void JoinReader::join_by_others(Joiner& joiner) const {
   if (gear_) gear_->join(joiner);
 }
 
-void JoinReader::read_join(TableReader& table, Joiner& joiner) {
+void JoinReader::read_join(formats::TableReader& table, Joiner& joiner) {
   const int errors_before = diagnostics_.errors();
   const bool together = table.boolean("together", {.doc = "all nodes become one", .fallback = false});
   const auto points = table.texts("points", {.doc = "two or more points or edges that become one",
@@ -36,13 +36,13 @@ void JoinReader::read_join(TableReader& table, Joiner& joiner) {
 }
 
 bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
-                               TableReader& table, bool together) {
+                               formats::TableReader& table, bool together) {
   for (std::size_t s = 0; s < sets.size(); ++s) {
     if (!draft_.is_sound[sets[s].part]) return false;  // it has no true number of nodes
     if (!together && sets[s].own.size() != sets[0].own.size()) {
       table.error("points",
-                  in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +
-                      in_quotes(points[s]) + " has " + std::to_string(sets[s].own.size()) +
+                  formats::in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +
+                      formats::in_quotes(points[s]) + " has " + std::to_string(sets[s].own.size()) +
                       "; only as many to as many can be joined",
                   "give both the same cells, join node by node (net.node-17), or write together = true to "
                   "gather all in one");
@@ -50,7 +50,7 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
     }
     for (std::size_t t = 0; t < s; ++t)
       if (sets[s].part == sets[t].part && sets[s].own == sets[t].own) {
-        table.error("points", in_quotes(points[s]) + " is joined to itself");
+        table.error("points", formats::in_quotes(points[s]) + " is joined to itself");
         return false;
       }
   }
@@ -66,11 +66,11 @@ void JoinReader::check_joins(Joiner& joiner) const {
   for (const auto& join : joins_) {
     join.make(again);
     if (const auto fault = again.find_collapse(reading_.nodes_per_element()))
-      return diagnostics_.error(join.at.place,
-                                join.at.path + ": " + in_quotes(draft_.out.scene.parts[fault->part].name) +
-                                    " element " + std::to_string(fault->element) +
-                                    " would have two of its corners in one node, and no size",
-                                "join nodes that are no neighbours: more cells make room");
+      return diagnostics_.error(
+          join.at.place,
+          join.at.path + ": " + formats::in_quotes(draft_.out.scene.parts[fault->part].name) + " element " +
+              std::to_string(fault->element) + " would have two of its corners in one node, and no size",
+          "join nodes that are no neighbours: more cells make room");
   }
 }
 
@@ -86,4 +86,4 @@ void JoinReader::number(Joiner& joiner) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

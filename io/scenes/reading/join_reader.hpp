@@ -3,7 +3,7 @@
 #include "io/scenes/reading/joiner.hpp"
 #include "io/scenes/reading/scene_reading.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Joins parts, by `[[join]]`, by their meshes and by the net plan, and numbers the nodes of the scene.
 class JoinReader : ReadingStep {
@@ -22,9 +22,9 @@ class JoinReader : ReadingStep {
   };
 
   void join_by_others(Joiner& joiner) const;
-  void read_join(TableReader& table, Joiner& joiner);
+  void read_join(formats::TableReader& table, Joiner& joiner);
   bool can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
-                     TableReader& table, bool together);
+                     formats::TableReader& table, bool together);
   void check_joins(Joiner& joiner) const;
   void number(Joiner& joiner);
 
@@ -32,4 +32,4 @@ class JoinReader : ReadingStep {
   std::vector<Join> joins_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Makes the nodes of a scene out of the nodes of its parts: joined nodes become one, with the position of
 /// the first.
@@ -131,4 +131,4 @@ class Joiner {
   std::vector<std::vector<std::uint32_t>> gathered_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -4,7 +4,7 @@
 #include "framework/balance/static_problem.hpp"
 #include "framework/scene/standard_gravity.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 std::span<const netloft_parameter> water_keys() {
   static const auto table = [] {
@@ -165,4 +165,4 @@ std::span<const GearElements> gear_elements() {
   return all;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// What `[analysis]` means where it names none: the solver of stages and of the steps of a motion, how an
 /// equilibrium is found, and how if only a solver is named.
@@ -80,4 +80,4 @@ std::span<const netloft_parameter> bed_keys();
 std::span<const netloft_parameter> analysis_keys();
 std::span<const netloft_parameter> gear_keys();
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

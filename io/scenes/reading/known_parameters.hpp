@@ -2,7 +2,7 @@
 #pragma once
 #include <array>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Parameters that are read by their name, in an element of whatever plugin: what a part says under it is
 /// checked, drawn or changed. Authors find the table in framework/guides/element.md, and a test compares
@@ -39,4 +39,4 @@ inline constexpr std::array kKnown = {kTwineDiameter, kRopeDiameter,     kFloatD
                                       kBedSlopeX,     kBedSlopeY,        kBedSoftness,   kLengthShare};
 
 }  // namespace parameter
-}  // namespace netloft::io
+}  // namespace netloft::scenes

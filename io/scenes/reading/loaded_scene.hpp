@@ -3,8 +3,8 @@
 #include "framework/balance/static_problem.hpp"
 #include "framework/scene/plan.hpp"
 #include "framework/scene/scene.hpp"
-#include "io/scenes/reading/dynamics.hpp"
 #include "io/formats/toml/document.hpp"
+#include "io/scenes/reading/dynamics.hpp"
 
 #include <array>
 #include <map>
@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// A part as its author sees it: its own nodes, numbered from 0, and the names of its edges and corners.
 struct PartGeometry {
   std::string name;
-  Place place;
+  formats::Place place;
   std::vector<std::uint32_t> nodes;  // own number -> scene node
   std::vector<int> cells;            // bars of a rope; cells across, along a panel; empty: not divided
   std::vector<std::array<double, 2>> panel;                // own number -> (U, V) [meshes]; empty off a panel
@@ -124,16 +124,16 @@ struct LoadedScene {
   std::vector<Hold> holds;
   std::vector<ResultRequest> results;
   Analysis analysis;
-  std::vector<SourceFile> files;
+  std::vector<formats::SourceFile> files;
   std::optional<GearInScene> gear;            // of a scene with a net plan
   std::map<std::string, Strength> strengths;  // by part, where something is known
 
   /// Place of the part that a fault speaks of, for messages.
-  Place place_of(const std::string& part) const {
+  formats::Place place_of(const std::string& part) const {
     for (const auto& p : parts)
       if (p.name == part) return p.place;
     return {0, 0, 0};
   }
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -22,14 +22,14 @@ const GeometryKey kRegion{"region",
                           {},
                           false};
 
-RegionKind kind_for(Layout layout) {
+formats::RegionKind kind_for(Layout layout) {
   switch (layout) {
     case Layout::panel_in_triangles:
-      return RegionKind::triangles;
+      return formats::RegionKind::triangles;
     case Layout::panel_in_bars:
-      return RegionKind::twines;
+      return formats::RegionKind::twines;
     default:
-      return RegionKind::bars;
+      return formats::RegionKind::bars;
   }
 }
 
@@ -42,16 +42,16 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
   return in ? std::optional(std::move(text).str()) : std::nullopt;
 }
 
-std::string names_of_regions(const InputMesh& mesh, RegionKind kind) {
+std::string names_of_regions(const formats::InputMesh& mesh, formats::RegionKind kind) {
   std::string names;
   for (const auto& region : mesh.regions)
     if (region.kind == kind) names += (names.empty() ? "" : ", ") + region.name;
-  return names.empty() ? "it has no " + std::string(name_of(kind)) : "there is: " + names;
+  return names.empty() ? "it has no " + std::string(formats::name_of(kind)) : "there is: " + names;
 }
 
 /// Own numbers of the nodes of a region, in the order of the mesh.
 struct OwnNodes {
-  OwnNodes(const InputMesh& mesh, const MeshRegion& region)
+  OwnNodes(const formats::InputMesh& mesh, const formats::MeshRegion& region)
       : nodes(region.nodes), own(mesh.node_count(), kNone) {
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -62,7 +62,8 @@ struct OwnNodes {
   std::vector<std::uint32_t> own;    // by node of the mesh
 };
 
-void add_nodes(const InputMesh& mesh, const MeshRegion& region, const OwnNodes& numbers, Geometry& out) {
+void add_nodes(const formats::InputMesh& mesh, const formats::MeshRegion& region, const OwnNodes& numbers,
+               Geometry& out) {
   for (const auto node : numbers.nodes)
     for (std::size_t axis = 0; axis < 3; ++axis)
       out.positions.push_back(mesh.positions[3 * std::size_t{node} + axis]);
@@ -72,8 +73,8 @@ void add_nodes(const InputMesh& mesh, const MeshRegion& region, const OwnNodes& 
       if (numbers.own[node] != OwnNodes::kNone) out.names.sets[set.name].push_back(numbers.own[node]);
 }
 
-void read_triangles(const MeshRegion& region, TableReader& part, Geometry& out) {
-  TableReader panel = part.table("panel", Presence::required, "the netting of the panel");
+void read_triangles(const formats::MeshRegion& region, formats::TableReader& part, Geometry& out) {
+  formats::TableReader panel = part.table("panel", formats::Presence::required, "the netting of the panel");
   const double bar = read_real(panel, kBar);
   const std::string netting = read_word(panel, kNetting);
   double aft = region.numbers[1];
@@ -81,7 +82,7 @@ void read_triangles(const MeshRegion& region, TableReader& part, Geometry& out) 
   out.names.panel.resize(out.node_count());
   for (std::size_t corner = 0; corner < region.nodes.size(); ++corner) {
     const double U = region.numbers[2 * corner], V = region.numbers[2 * corner + 1];
-    const auto [u, v] = twine_coordinates(netting, 0, U, V);
+    const auto [u, v] = gears::twine_coordinates(netting, 0, U, V);
     out.data[datum::kU.name].push_back(u);
     out.data[datum::kV.name].push_back(v);
     out.data[datum::kToAft.name].push_back(aft - V);
@@ -101,15 +102,15 @@ void name_ends(Geometry& out) {
     out.names.sets.try_emplace("middle", std::vector{bars[count]});
 }
 
-void read_bars(const MeshRegion& region, TableReader& part, Geometry& out) {
+void read_bars(const formats::MeshRegion& region, formats::TableReader& part, Geometry& out) {
   const double length = read_real(part, kLength);
   for (std::size_t e = 0; e < region.size(); ++e)
     out.data[datum::kRestLength.name].push_back(length * (region.numbers[2 * e + 1] - region.numbers[2 * e]));
   name_ends(out);
 }
 
-void read_twines(const MeshRegion& region, TableReader& part, Geometry& out) {
-  TableReader panel = part.table("panel", Presence::required, "the netting of the panel");
+void read_twines(const formats::MeshRegion& region, formats::TableReader& part, Geometry& out) {
+  formats::TableReader panel = part.table("panel", formats::Presence::required, "the netting of the panel");
   const double bar = read_real(panel, kBar);
   for (std::size_t e = 0; e < region.size(); ++e) {
     out.data[datum::kRestLength.name].push_back(bar * region.numbers[2 * e]);
@@ -125,66 +126,69 @@ const std::vector<GeometryKey>& mesh_keys(Layout layout) {
   return keys.of(layout);
 }
 
-MeshParts::MeshParts(std::filesystem::path folder, Diagnostics& diagnostics)
+MeshParts::MeshParts(std::filesystem::path folder, formats::Diagnostics& diagnostics)
     : folder_(std::move(folder)), diagnostics_(diagnostics) {}
 
 Geometry MeshParts::read(const ElementType& type, const std::string& name, std::size_t part,
-                         TableReader& table) {
+                         formats::TableReader& table) {
   Geometry out;
   const Layout layout = layout_of(type);
   if (layout == Layout::point) {
     table.error("mesh", "has no nodes for elements that stand on points", "write on = \"part.set\" instead");
     return out;
   }
-  const InputMesh* mesh = find_mesh(table);
+  const formats::InputMesh* mesh = find_mesh(table);
   table.has("region");  // known, also where there is no mesh to have it
-  const MeshRegion* region = mesh ? find_region(*mesh, kind_for(layout), name, table) : nullptr;
-  const MeshRegion none{kind_for(layout), name, {}, std::vector<double>(2)};
+  const formats::MeshRegion* region = mesh ? find_region(*mesh, kind_for(layout), name, table) : nullptr;
+  const formats::MeshRegion none{kind_for(layout), name, {}, std::vector<double>(2)};
   if (region) {
     standing_.push_back({part, mesh, OwnNodes(*mesh, *region).nodes});
     add_nodes(*mesh, *region, OwnNodes(*mesh, *region), out);
   }
-  const MeshRegion& stands_on = region ? *region : none;  // else its other keys are read all the same
+  const formats::MeshRegion& stands_on =
+      region ? *region : none;  // else its other keys are read all the same
   if (layout == Layout::panel_in_triangles) read_triangles(stands_on, table, out);
   if (layout == Layout::panel_in_bars) read_twines(stands_on, table, out);
   if (layout == Layout::line) region ? read_bars(*region, table, out) : void(read_real(table, kLength));
   return out;
 }
 
-const InputMesh* MeshParts::find_mesh(TableReader& table) {
+const formats::InputMesh* MeshParts::find_mesh(formats::TableReader& table) {
   const std::string name = table.text("mesh", {.doc = kMesh.doc});
   if (name.empty()) {
-    if (table.kind("mesh") == Kind::text) table.error("mesh", "is empty (" + kMesh.doc + ")");
+    if (table.kind("mesh") == formats::Kind::text) table.error("mesh", "is empty (" + kMesh.doc + ")");
     return nullptr;
   }
   const auto [at, is_new] = meshes_.try_emplace(name);
   if (!is_new) return at->second.get();
   const auto text = read_file(folder_ / name);
   if (!text) {
-    table.error("mesh", in_quotes(name) + " cannot be read", "files are named relative to the scene");
+    table.error("mesh", formats::in_quotes(name) + " cannot be read",
+                "files are named relative to the scene");
     return nullptr;
   }
   const int file = diagnostics_.add_source(name, *text);
   const int errors_before = diagnostics_.errors();
   const bool is_binary = text->find('\0') != std::string::npos;  // results keep texts
-  files_.push_back({name, is_binary ? "" : *text, fnv1a64(*text)});
-  auto mesh = std::make_unique<InputMesh>(is_hdf5(*text) ? read_vtkhdf(folder_ / name, file, diagnostics_)
-                                                         : read_any_mesh(*text, file, diagnostics_));
+  files_.push_back({name, is_binary ? "" : *text, formats::fnv1a64(*text)});
+  auto mesh = std::make_unique<formats::InputMesh>(
+      formats::is_hdf5(*text) ? formats::read_vtkhdf(folder_ / name, file, diagnostics_)
+                              : formats::read_any_mesh(*text, file, diagnostics_));
   if (diagnostics_.errors() == errors_before) at->second = std::move(mesh);
   return at->second.get();
 }
 
-const MeshRegion* MeshParts::find_region(const InputMesh& mesh, RegionKind kind, const std::string& name,
-                                         TableReader& table) {
+const formats::MeshRegion* MeshParts::find_region(const formats::InputMesh& mesh, formats::RegionKind kind,
+                                                  const std::string& name, formats::TableReader& table) {
   const bool is_said = table.has("region");
   const std::string wanted = is_said ? table.text("region", {.doc = kRegion.doc}) : name;
-  const MeshRegion* region = mesh.find(wanted);
+  const formats::MeshRegion* region = mesh.find(wanted);
   if (region && region->kind == kind && region->size() > 0) return region;
   const char* key = is_said ? "region" : "mesh";
   if (region && region->kind == kind)
-    table.error(key, "the region " + in_quotes(wanted) + " is empty");
+    table.error(key, "the region " + formats::in_quotes(wanted) + " is empty");
   else
-    table.error(key, "has no region " + in_quotes(wanted) + " of " + name_of(kind),
+    table.error(key, "has no region " + formats::in_quotes(wanted) + " of " + formats::name_of(kind),
                 names_of_regions(mesh, kind) + (is_said ? "" : "; name it with region = \"…\""));
   return nullptr;
 }
@@ -195,7 +199,7 @@ bool MeshParts::has_failed() const {
 
 void MeshParts::connect(Joiner& joiner) const {
   using Ends = Joiner::Ends;
-  std::map<std::pair<const InputMesh*, std::uint32_t>, std::pair<std::size_t, std::uint32_t>> first;
+  std::map<std::pair<const formats::InputMesh*, std::uint32_t>, std::pair<std::size_t, std::uint32_t>> first;
   std::map<std::pair<std::size_t, std::size_t>, std::pair<Ends, Ends>> common;  // by two parts
   for (const auto& s : standing_)
     for (std::uint32_t own = 0; own < s.nodes.size(); ++own) {
@@ -209,4 +213,4 @@ void MeshParts::connect(Joiner& joiner) const {
   for (const auto& [parts, ends] : common) joiner.join({ends.first, ends.second});
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -40,7 +40,7 @@ std::string mirror_image(const std::string& name) {
   return mirrored_word(name.substr(0, dot)) + "." + mirrored_word(name.substr(dot + 1));
 }
 
-void OneSidedHolds::report(Draft& draft, Diagnostics& diagnostics) const {
+void OneSidedHolds::report(Draft& draft, formats::Diagnostics& diagnostics) const {
   for (const auto& held : holds_) {
     const std::string other = mirror_image(in_full(draft, held.on));
     if (other == in_full(draft, held.on) || !has(draft, other)) continue;
@@ -56,4 +56,4 @@ void OneSidedHolds::report(Draft& draft, Diagnostics& diagnostics) const {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/own_data.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 void read_own_datum(const ElementType& type, const netloft_datum& datum, std::size_t elements,
-                    TableReader& table, ElementData& data) {
+                    formats::TableReader& table, ElementData& data) {
   if (const HostDatum* meant = find_datum_meant(type.element.stencil, datum.name);
       meant && meant->name != std::string_view(datum.name) && !table.has(datum.name))
     return table.error(datum.name,
                        std::string("a datum of ") + type.type + " that neither the host nor this part gives",
                        std::string("did its author mean \"") + meant->name + "\" (" + meant->doc + ")?");
   const auto values =
-      table.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = exactly(datum.width)});
+      table.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = formats::exactly(datum.width)});
   if (values.size() != datum.width) return;  // which was said
   auto& own = data[datum.name];
   for (std::size_t e = 0; e < elements; ++e) own.insert(own.end(), values.begin(), values.end());
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

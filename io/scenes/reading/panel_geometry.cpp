@@ -10,7 +10,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -43,10 +43,10 @@ void name_edges(const Grid& g, PartGeometry& names) {
 }
 
 /// Where a panel starts: the point a share s of the way across and t of the way along.
-using Surface = std::function<Point(double s, double t)>;
+using SurfacePoint = std::function<Point(double s, double t)>;
 
 /// The bilinear surface through the four corners.
-Surface through_corners(std::vector<Point> corner) {
+SurfacePoint through_corners(std::vector<Point> corner) {
   return [corner = std::move(corner)](double s, double t) {
     return between_points(between_points(corner[0], corner[1], s), between_points(corner[3], corner[2], s),
                           t);
@@ -56,7 +56,7 @@ Surface through_corners(std::vector<Point> corner) {
 Vec3<double> vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
 /// c(t) + r(t) (cos 2πs e₁ + sin 2πs e₂) about the axis a, e₁ × e₂ = a; e₁ is as much upwards as can be.
-Surface round_an_axis(const Point& from, const Point& to, double radius, double radius_aft) {
+SurfacePoint round_an_axis(const Point& from, const Point& to, double radius, double radius_aft) {
   const Vec3<double> way = vector(to) - vector(from), a = (1 / norm(way)) * way;
   const Vec3<double> up = std::abs(a.z) > 0.999 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 0, 1};
   const Vec3<double> across = up - dot(up, a) * a, e1 = (1 / norm(across)) * across, e2 = cross(a, e1);
@@ -68,7 +68,7 @@ Surface round_an_axis(const Point& from, const Point& to, double radius, double 
   };
 }
 
-void place_nodes(const Grid& g, const Surface& surface, double meshes_across, double meshes_along,
+void place_nodes(const Grid& g, const SurfacePoint& surface, double meshes_across, double meshes_along,
                  Geometry& out) {
   for (std::size_t j = 0; j <= g.along; ++j)
     for (std::size_t i = 0; i <= g.across; ++i) {
@@ -78,8 +78,9 @@ void place_nodes(const Grid& g, const Surface& surface, double meshes_across, do
     }
 }
 
-std::optional<Surface> read_tube(TableReader& part) {
-  TableReader tube = part.table("tube", Presence::required, "a tube along which the panel starts");
+std::optional<SurfacePoint> read_tube(formats::TableReader& part) {
+  formats::TableReader tube =
+      part.table("tube", formats::Presence::required, "a tube along which the panel starts");
   const Point from = read_one_point(tube, kFrom), to = read_one_point(tube, kTo);
   const double radius = read_real(tube, kRadius), radius_aft = read_real(tube, kRadiusAft, radius);
   if (distance(from, to) == 0) {
@@ -90,7 +91,7 @@ std::optional<Surface> read_tube(TableReader& part) {
 }
 
 /// `sketch` or `tube`; nothing when there is something wrong with it.
-std::optional<Surface> read_surface(TableReader& part) {
+std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   if (part.has("tube") && part.has("sketch"))
     part.error("tube", "stands beside a sketch; a panel starts in one place", "leave one of them out");
   if (part.has("tube")) return read_tube(part);
@@ -103,13 +104,14 @@ std::optional<Surface> read_surface(TableReader& part) {
 struct Panel {
   double across, along, bar;  // [meshes], [m]
   Grid cells;
-  Surface surface;
+  SurfacePoint surface;
 };
 
 /// `elements` in a cell, of a kind.
-std::optional<Panel> read_panel_keys(TableReader& part, const GeometryKey& key, std::int64_t elements,
-                                     const char* kind) {
-  TableReader panel = part.table("panel", Presence::required, "size of the panel in meshes");
+std::optional<Panel> read_panel_keys(formats::TableReader& part, const GeometryKey& key,
+                                     std::int64_t elements, const char* kind) {
+  formats::TableReader panel =
+      part.table("panel", formats::Presence::required, "size of the panel in meshes");
   const double across = read_real(panel, kAcross), along = read_real(panel, kAlong),
                bar = read_real(panel, kBar);
   const auto cells = read_integers(part, key);
@@ -145,7 +147,7 @@ std::string nearest_square_cells(const Panel& p) {
 }
 
 /// Whether the cells are as many meshes wide as long.
-bool check_square_cells(const Panel& p, TableReader& part) {
+bool check_square_cells(const Panel& p, formats::TableReader& part) {
   const double across = double(p.cells.across), along = double(p.cells.along);
   if (is_square(slant(p, across, along))) return true;
   std::ostringstream size;
@@ -207,7 +209,7 @@ void for_each_cell(const Grid& g, Visit&& visit) {
 void add_triangle(const Panel& p, const Triangle& corners, const std::string& netting, Geometry& out) {
   for (const auto node : corners) {
     const auto [U, V] = out.names.panel[node];
-    const auto [u, v] = twine_coordinates(netting, 0, U, V);
+    const auto [u, v] = gears::twine_coordinates(netting, 0, U, V);
     out.elements.push_back(node);
     out.data[datum::kU.name].push_back(u);
     out.data[datum::kV.name].push_back(v);
@@ -235,9 +237,9 @@ void add_star(const Panel& p, const Cell& cell, Geometry& out) {
 
 }  // namespace
 
-Geometry read_panel(TableReader& part) {
+Geometry read_panel(formats::TableReader& part) {
   Geometry out;
-  TableReader size = part.table("panel", Presence::optional);
+  formats::TableReader size = part.table("panel", formats::Presence::optional);
   const std::string netting = read_word(size, kNetting);
   const bool crossed = read_word(part, kDivision) == "crossed";
   const auto panel = read_panel_keys(part, kCells, crossed ? 4 : 2, "triangles");
@@ -256,7 +258,7 @@ Geometry read_panel(TableReader& part) {
   return out;
 }
 
-Geometry read_panel_in_bars(TableReader& part) {
+Geometry read_panel_in_bars(formats::TableReader& part) {
   Geometry out;
   const auto panel = read_panel_keys(part, kSquareCells, 4, "bars");
   if (!panel || !check_square_cells(*panel, part)) return out;
@@ -268,4 +270,4 @@ Geometry read_panel_in_bars(TableReader& part) {
   return out;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -17,24 +17,27 @@ std::vector<std::string> words_of(const netloft_parameter& p) {
 }
 
 /// A column of numbers, or { unit = "deg", values = [0, 5, 10] }.
-std::vector<double> read_column(const netloft_parameter& p, std::size_t k, Count count, TableReader& table) {
+std::vector<double> read_column(const netloft_parameter& p, std::size_t k, formats::Count count,
+                                formats::TableReader& table) {
   const char *name = p.columns[k], *unit = p.column_units[k];
-  if (table.kind(name) != Kind::table) return table.reals(name, {.unit = unit, .doc = p.doc, .count = count});
-  TableReader own = table.table(name);
+  if (table.kind(name) != formats::Kind::table)
+    return table.reals(name, {.unit = unit, .doc = p.doc, .count = count});
+  formats::TableReader own = table.table(name);
   const std::string said = own.text("unit", {.doc = "unit of the values, such as deg"});
   auto values = own.reals("values", {.unit = "1", .doc = p.doc, .count = count});
   if (said.empty()) return values;
-  const Quantity one = to_si("1 " + said, unit);
+  const formats::Quantity one = formats::to_si("1 " + said, unit);
   if (!one.ok()) own.error("unit", one.error, one.hint);
   for (double& value : values) value *= one.ok() ? one.value : 1;
   return values;
 }
 
 /// A table of columns, as many numbers in each, row by row.
-Samples read_rows(const netloft_parameter& p, TableReader& table) {
+Samples read_rows(const netloft_parameter& p, formats::TableReader& table) {
   Samples rows;
   for (std::size_t k = 0; p.columns[k]; ++k) {
-    const auto column = read_column(p, k, k ? exactly(rows.size()) : Count{.least = 1}, table);
+    const auto column =
+        read_column(p, k, k ? formats::exactly(rows.size()) : formats::Count{.least = 1}, table);
     if (k == 0) rows.resize(column.size());
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(i < column.size() ? column[i] : 0.0);
   }
@@ -42,7 +45,7 @@ Samples read_rows(const netloft_parameter& p, TableReader& table) {
 }
 
 /// The first column ascends.
-Samples read_samples(const netloft_parameter& p, TableReader table) {
+Samples read_samples(const netloft_parameter& p, formats::TableReader table) {
   Samples rows = read_rows(p, table);
   for (std::size_t i = 1; i < rows.size(); ++i)
     if (!(rows[i][0] > rows[i - 1][0])) {
@@ -53,12 +56,12 @@ Samples read_samples(const netloft_parameter& p, TableReader table) {
 }
 
 std::string pair_text(const netloft_parameter& p, double first, double second) {
-  return std::string(p.columns[0]) + " = " + format(first, p.column_units[0]) + ", " + p.columns[1] + " = " +
-         format(second, p.column_units[1]);
+  return std::string(p.columns[0]) + " = " + formats::format(first, p.column_units[0]) + ", " + p.columns[1] +
+         " = " + formats::format(second, p.column_units[1]);
 }
 
 /// Rows for every pair of the values of two arguments, in any order; sorted here.
-Samples read_grid(const netloft_parameter& p, TableReader table) {
+Samples read_grid(const netloft_parameter& p, formats::TableReader table) {
   const int errors_before = table.diagnostics().errors();
   Samples rows = read_rows(p, table);
   if (table.diagnostics().errors() > errors_before) return rows;
@@ -87,14 +90,14 @@ Samples read_grid(const netloft_parameter& p, TableReader table) {
 }
 
 /// Whatever the table says of it.
-std::string read_text(const netloft_parameter& p, TableReader& from, const std::string& key) {
+std::string read_text(const netloft_parameter& p, formats::TableReader& from, const std::string& key) {
   std::string text = from.text(key, {.doc = p.doc});
-  const bool is_text = from.kind(key) == Kind::text;
+  const bool is_text = from.kind(key) == formats::Kind::text;
   if (const auto fault = fault_of(p, text); is_text && fault) from.error(key, *fault);
   return text;
 }
 
-netloft::Value read_value(const netloft_parameter& p, TableReader& from, const std::string& key) {
+netloft::Value read_value(const netloft_parameter& p, formats::TableReader& from, const std::string& key) {
   switch (p.kind) {
     case NETLOFT_INTEGER:
       return from.integer(
@@ -108,7 +111,7 @@ netloft::Value read_value(const netloft_parameter& p, TableReader& from, const s
     case NETLOFT_TABLE:
       return p.arguments == 2 ? read_grid(p, from.table(key)) : read_samples(p, from.table(key));
     default:
-      return from.real(key, {.unit = p.unit, .doc = p.doc, .range = between(p.lo, p.hi)});
+      return from.real(key, {.unit = p.unit, .doc = p.doc, .range = formats::between(p.lo, p.hi)});
   }
 }
 
@@ -120,24 +123,25 @@ bool group_is_required(std::span<const netloft_parameter> table, const std::stri
 }
 
 /// The keys of a group stand in a table of its own, which says something if it is there.
-TableReader open_group(std::span<const netloft_parameter> table, TableReader& from,
-                       const std::string& group) {
+formats::TableReader open_group(std::span<const netloft_parameter> table, formats::TableReader& from,
+                                const std::string& group) {
   const bool is_required = group_is_required(table, group);
-  TableReader own = from.table(group, is_required ? Presence::required : Presence::optional);
-  if (!is_required && from.kind(group) == Kind::table && own.keys().empty())
+  formats::TableReader own =
+      from.table(group, is_required ? formats::Presence::required : formats::Presence::optional);
+  if (!is_required && from.kind(group) == formats::Kind::table && own.keys().empty())
     from.error(group, "is an empty table, which says nothing", "leave it out, or see `netloft describe`");
   return own;
 }
 
 }  // namespace
 
-Values read_parameters(std::span<const netloft_parameter> table, TableReader& from) {
+Values read_parameters(std::span<const netloft_parameter> table, formats::TableReader& from) {
   Values values;
-  std::map<std::string, TableReader> groups;
+  std::map<std::string, formats::TableReader> groups;
   for (const auto& p : table) {
     const std::string name = p.name;
     const auto dot = name.find('.');
-    TableReader* reader = &from;
+    formats::TableReader* reader = &from;
     std::string key = name;
     if (dot != std::string::npos) {
       const std::string group = name.substr(0, dot);
@@ -150,4 +154,4 @@ Values read_parameters(std::span<const netloft_parameter> table, TableReader& fr
   return values;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

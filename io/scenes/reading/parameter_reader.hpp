@@ -5,10 +5,10 @@
 
 #include <span>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Reads what a parameter table asks for out of a TOML table; a dot in a name is a table within ("twine.EA").
 /// What is absent and not required is left to its default. Errors are located and go to the diagnostics.
-Values read_parameters(std::span<const netloft_parameter> table, TableReader& from);
+Values read_parameters(std::span<const netloft_parameter> table, formats::TableReader& from);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::string set_hint(const PartGeometry& part, std::size_t count, const std::str
   return "there is: " + joined(there) + ", " + nodes;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

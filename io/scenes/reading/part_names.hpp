@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/scenes/reading/loaded_scene.hpp"
 #include "io/formats/units/in_quotes.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
 
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// What is wrong with the name of a part or a result, as the end of a sentence; empty when nothing is.
 std::string name_fault(const std::string& name);
@@ -21,4 +21,4 @@ std::string name_hint(const std::string& name, const std::vector<std::string>& t
 /// The same for the sets and nodes of a part.
 std::string set_hint(const PartGeometry& part, std::size_t count, const std::string& name);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

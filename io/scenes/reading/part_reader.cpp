@@ -2,19 +2,19 @@
 #include "io/scenes/reading/part_reader.hpp"
 
 #include "framework/parameters/nearest.hpp"
+#include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/reading/idle_keys.hpp"
 #include "io/scenes/reading/own_data.hpp"
 #include "io/scenes/reading/part_names.hpp"
 #include "io/scenes/reading/thickness.hpp"
-#include "io/formats/units/in_quotes.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
-bool is_turned(TableReader& part) {
-  const Value* panel = part.kind("panel") == Kind::table ? part.raw("panel") : nullptr;
-  const Member* netting = panel ? panel->as<Table>()->find("netting") : nullptr;
+bool is_turned(formats::TableReader& part) {
+  const formats::Value* panel = part.kind("panel") == formats::Kind::table ? part.raw("panel") : nullptr;
+  const formats::Member* netting = panel ? panel->as<formats::Table>()->find("netting") : nullptr;
   const std::string* word = netting ? netting->value.as<std::string>() : nullptr;
   return word && *word == "t90";
 }
@@ -22,14 +22,15 @@ bool is_turned(TableReader& part) {
 }  // namespace
 
 void PartReader::read_parts() {
-  TableReader parts = root_.table("parts", gear_ ? Presence::optional : Presence::required,
-                                  "the pieces of the gear, a table each");
-  if (!gear_ && root_.kind("parts") == Kind::table && parts.keys().empty())
+  formats::TableReader parts =
+      root_.table("parts", gear_ ? formats::Presence::optional : formats::Presence::required,
+                  "the pieces of the gear, a table each");
+  if (!gear_ && root_.kind("parts") == formats::Kind::table && parts.keys().empty())
     root_.error("parts", "there are no parts: a scene needs at least one, such as [parts.net]");
   for (const auto& name : parts.keys()) {
     check_part_name(name, parts);
-    if (parts.kind(name) == Kind::table) {
-      TableReader part = parts.table(name);
+    if (parts.kind(name) == formats::Kind::table) {
+      formats::TableReader part = parts.table(name);
       if (part.has("on")) {
         riders_.emplace_back(name, part);  // stands on parts that may come later
         draft_.announce_rider(name);
@@ -43,45 +44,48 @@ void PartReader::read_parts() {
 }
 
 void PartReader::read_bodies() {
-  TableReader bodies = root_.table("bodies", Presence::optional, "rigid bodies, a table each");
+  formats::TableReader bodies =
+      root_.table("bodies", formats::Presence::optional, "rigid bodies, a table each");
   for (const auto& name : bodies.keys()) {
     check_part_name(name, bodies);
     if (const auto same = draft_.part_number(name))
-      diagnostics_.error(bodies.place(name), "there is a part named " + in_quotes(name) + " already, at " +
+      diagnostics_.error(bodies.place(name), "there is a part named " + formats::in_quotes(name) +
+                                                 " already, at " +
                                                  diagnostics_.where(draft_.geometries[*same].names.place));
-    if (bodies.kind(name) != Kind::table) {
+    if (bodies.kind(name) != formats::Kind::table) {
       bodies.error(name, "a body is a table, such as [bodies.door]");
       continue;
     }
-    TableReader body = bodies.table(name);
+    formats::TableReader body = bodies.table(name);
     read_part(name, body, Home::bodies);
   }
 }
 
 void PartReader::read_bodies_of_plan() {
-  TableReader bodies = root_.table("bodies", Presence::optional);
-  for (const GearBody& body : gear_->bodies()) {
+  formats::TableReader bodies = root_.table("bodies", formats::Presence::optional);
+  for (const gears::GearBody& body : gear_->bodies()) {
     if (!draft_.is_sound.empty() && !draft_.is_sound.back()) return;  // said once, not for both sides
     const BodyOfPlan place = gear_->place_of(body);
-    TableReader table = bodies.table(body.body->name);
+    formats::TableReader table = bodies.table(body.body->name);
     table.has("stands");
-    read_part(body.name, table, Home::bodies, body.body->stands == Standing::pair ? &place : nullptr);
+    read_part(body.name, table, Home::bodies, body.body->stands == gears::Standing::pair ? &place : nullptr);
     gear_->tie(body, draft_.geometries.size() - 1);
   }
 }
 
-void PartReader::check_part_name(const std::string& name, TableReader& parts) {
+void PartReader::check_part_name(const std::string& name, formats::TableReader& parts) {
   const bool has_dot = name.find('.') != std::string::npos;
   const std::string fault =
       has_dot ? "must not hold a dot, which leads to its edges (net.fore)" : name_fault(name);
   if (!fault.empty())
-    diagnostics_.error(parts.place(name), "the name of a part, " + in_quotes(name) + ", " + fault);
+    diagnostics_.error(parts.place(name), "the name of a part, " + formats::in_quotes(name) + ", " + fault);
   if (gear_ && gear_->has_name(name))
-    diagnostics_.error(parts.place(name), "the net plan has something named " + in_quotes(name) + " already",
+    diagnostics_.error(parts.place(name),
+                       "the net plan has something named " + formats::in_quotes(name) + " already",
                        "[elements." + name + "] says more of it; parts of the scene have names of their own");
 }
 
-const ElementType* PartReader::find_type(Part& part, TableReader& table, Home home) const {
+const ElementType* PartReader::find_type(Part& part, formats::TableReader& table, Home home) const {
   part.type = read_type_name(draft_, part.name, table);
   const ElementType* type = elements_.find(part.type, table);
   if (!type || type->is_on_body() == (home == Home::bodies)) return type;
@@ -92,7 +96,8 @@ const ElementType* PartReader::find_type(Part& part, TableReader& table, Home ho
   return nullptr;
 }
 
-void PartReader::read_part(const std::string& name, TableReader& table, Home home, const BodyOfPlan* place) {
+void PartReader::read_part(const std::string& name, formats::TableReader& table, Home home,
+                           const BodyOfPlan* place) {
   const int errors_before = diagnostics_.errors();
   Geometry geometry;
   Part part;
@@ -115,13 +120,14 @@ void PartReader::read_part(const std::string& name, TableReader& table, Home hom
   draft_.add_part(std::move(part), std::move(geometry), type, is_sound);
 }
 
-void PartReader::check_thickness(const Part& part, const Geometry& geometry, TableReader& table) {
+void PartReader::check_thickness(const Part& part, const Geometry& geometry, formats::TableReader& table) {
   if (table.has("mesh")) return;  // meshes have joints
   if (const auto fault = thickness_fault(part, geometry))
     table.error(fault->key, fault->message, kThicknessCure);
 }
 
-Geometry PartReader::read_geometry(const ElementType& type, const std::string& name, TableReader& table) {
+Geometry PartReader::read_geometry(const ElementType& type, const std::string& name,
+                                   formats::TableReader& table) {
   if (table.has("mesh")) return meshes_.read(type, name, draft_.geometries.size(), table);
   switch (layout_of(type)) {
     case Layout::line:
@@ -141,14 +147,14 @@ Geometry PartReader::read_geometry(const ElementType& type, const std::string& n
 }
 
 /// Data of elements that the geometry does not give: the same number for every element of the part.
-void PartReader::read_extra_data(const ElementType& type, Geometry& geometry, TableReader& table) {
+void PartReader::read_extra_data(const ElementType& type, Geometry& geometry, formats::TableReader& table) {
   const std::size_t elements = geometry.elements.size() / static_cast<std::size_t>(type.nodes());
   for (const auto& datum : type.data)
     if (!find_datum_on(type.element.stencil, datum.name))
       read_own_datum(type, datum, elements, table, geometry.data);
 }
 
-std::string read_type_name(const Draft& draft, const std::string& name, TableReader& table) {
+std::string read_type_name(const Draft& draft, const std::string& name, formats::TableReader& table) {
   std::vector<std::string> others;
   for (const auto& part : draft.geometries) others.push_back(part.names.name);
   if (const auto near = nearest(name, others); near && !table.has("type")) {
@@ -159,4 +165,4 @@ std::string read_type_name(const Draft& draft, const std::string& name, TableRea
   return read_name(table, "type", "element type, plugin/element, such as priour/triangle");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

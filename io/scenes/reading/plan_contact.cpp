@@ -7,16 +7,16 @@
 #include <set>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 /// A length as the plan or the catalogue writes it [m]; 0 where that is no length, which is said elsewhere.
-double metres_of(const Value& value) {
+double metres_of(const formats::Value& value) {
   if (const auto* number = value.as<double>()) return *number;
   if (const auto* number = value.as<std::int64_t>()) return static_cast<double>(*number);
   const auto* text = value.as<std::string>();
-  return text ? to_si(*text, "m").value : 0;
+  return text ? formats::to_si(*text, "m").value : 0;
 }
 
 }  // namespace
@@ -26,39 +26,39 @@ const GearElements& contact_elements() {
                                [](const auto& of) { return of.kind == std::string_view(kContact); });
 }
 
-Value without_contact(Value said) {
-  std::erase_if(said.as<Table>()->members,
-                [](const Member& member) { return member.key == contact_elements().key; });
+formats::Value without_contact(formats::Value said) {
+  std::erase_if(said.as<formats::Table>()->members,
+                [](const formats::Member& member) { return member.key == contact_elements().key; });
   return said;
 }
 
-Value only_contact(Value said) {
-  std::erase_if(said.as<Table>()->members,
-                [](const Member& member) { return member.key != contact_elements().key; });
+formats::Value only_contact(formats::Value said) {
+  std::erase_if(said.as<formats::Table>()->members,
+                [](const formats::Member& member) { return member.key != contact_elements().key; });
   return said;
 }
 
-bool rests_on_bed(const io::Rope& rope) {
+bool rests_on_bed(const gears::Rope& rope) {
   static const std::set<std::string> roles = {"footrope", "fishing-line", "ground-rope", "bridle",
                                               "sweep",    "backstrap",    "door-leg"};
   return roles.contains(rope.role);
 }
 
-std::vector<std::string> shoes_of(const PlanBody& body) {
+std::vector<std::string> shoes_of(const gears::PlanBody& body) {
   std::vector<std::string> shoes;
   for (const char* point : {"toe", "heel"})
     if (std::ranges::find(body.points, point) != body.points.end()) shoes.push_back(body.name + "." + point);
   return shoes;
 }
 
-double radius_along(const NetPlan& plan, const std::string& rope) {
+double radius_along(const gears::NetPlan& plan, const std::string& rope) {
   double widest = 0;
-  for (const Pieces& pieces : plan.pieces) {
-    const Table* numbers = pieces.along == rope ? pieces.piece.as<Table>() : nullptr;
-    const Member* diameter = numbers ? numbers->find("diameter") : nullptr;
+  for (const gears::Pieces& pieces : plan.pieces) {
+    const formats::Table* numbers = pieces.along == rope ? pieces.piece.as<formats::Table>() : nullptr;
+    const formats::Member* diameter = numbers ? numbers->find("diameter") : nullptr;
     if (diameter) widest = std::max(widest, metres_of(diameter->value));
   }
   return widest / 2;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

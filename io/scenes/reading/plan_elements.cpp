@@ -1,42 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/plan_elements.hpp"
 
+#include "io/formats/toml/merge.hpp"
+#include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/reading/gear_model.hpp"
 #include "io/scenes/reading/part_names.hpp"
 #include "io/scenes/reading/plan_contact.hpp"
-#include "io/formats/toml/merge.hpp"
-#include "io/formats/units/in_quotes.hpp"
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 /// Numbers of the catalogue's that a part may know and its element need not: what is left is known.
-void drop_unknown_numbers(Table& numbers, const ElementType& type, const std::string& key) {
-  std::erase_if(numbers.members, [&](const Member& number) {
+void drop_unknown_numbers(formats::Table& numbers, const ElementType& type, const std::string& key) {
+  std::erase_if(numbers.members, [&](const formats::Member& number) {
     const std::string name = key + "." + number.key;
     return std::none_of(type.parameters.begin(), type.parameters.end(),
                         [&](const auto& p) { return name == p.name; });
   });
 }
 
-const Value* find_exception(const std::map<std::string, Value>& exceptions, const std::string& name) {
+const formats::Value* find_exception(const std::map<std::string, formats::Value>& exceptions,
+                                     const std::string& name) {
   const auto said = exceptions.find(name);
   return said == exceptions.end() ? nullptr : &said->second;
 }
 
 }  // namespace
 
-PlanElements::PlanElements(const NetPlan& plan, const Gear& gear, TableReader& elements,
-                           const ElementChoice& choice)
+PlanElements::PlanElements(const gears::NetPlan& plan, const gears::Gear& gear,
+                           formats::TableReader& elements, const ElementChoice& choice)
     : plan_(plan), choice_(choice), diagnostics_(elements.diagnostics()) {
   for (const auto& of : gear_elements())
     if (of.kind != std::string_view(kContact))
       made_.push_back(read_elements(elements, of));
-    else if (const Value* said = elements.has(of.kind) ? elements.raw(of.kind) : nullptr;
-             said && said->as<Table>())
+    else if (const formats::Value* said = elements.has(of.kind) ? elements.raw(of.kind) : nullptr;
+             said && said->as<formats::Table>())
       contact_ = *said;
   read_exceptions(elements, gear);
 }
@@ -44,13 +45,13 @@ PlanElements::PlanElements(const NetPlan& plan, const Gear& gear, TableReader& e
 /// Whether the name of a rope, a body or of the kind itself stands for what rests on the bed.
 bool PlanElements::touches_bed(const std::string& name) const {
   if (!contact_) return false;
-  const io::Rope* rope = plan_.find_rope(name);
-  const PlanBody* body = plan_.find_body(name);
+  const gears::Rope* rope = plan_.find_rope(name);
+  const gears::PlanBody* body = plan_.find_body(name);
   return name == kContact || (rope && rests_on_bed(*rope)) || (body && !shoes_of(*body).empty());
 }
 
 /// `[elements.top-codend]`: what one part of the plan is made of, over what all of its kind are.
-void PlanElements::read_exceptions(TableReader& elements, const Gear& gear) {
+void PlanElements::read_exceptions(formats::TableReader& elements, const gears::Gear& gear) {
   std::vector<std::string> names;
   for (const auto& panel : gear.panels) names.push_back(panel.name);
   for (const auto& rope : gear.ropes) names.push_back(rope.name);
@@ -58,18 +59,19 @@ void PlanElements::read_exceptions(TableReader& elements, const Gear& gear) {
   for (const auto& body : gear.bodies) names.push_back(body.name);
   for (const auto& of : gear_elements()) names.push_back(of.kind);
   for (const auto& name : elements.keys()) {
-    const Value* said = elements.raw(name);
+    const formats::Value* said = elements.raw(name);
     const auto meant = meant_by(name, names);
     if (meant.empty())
-      elements.error(name, "there is nothing named " + in_quotes(name) + " in the net plan",
+      elements.error(name, "there is nothing named " + formats::in_quotes(name) + " in the net plan",
                      name_hint(name, names));
-    else if (said->as<Table>() && said->as<Table>()->find(contact_elements().key) && !touches_bed(name))
+    else if (said->as<formats::Table>() && said->as<formats::Table>()->find(contact_elements().key) &&
+             !touches_bed(name))
       elements.error(name,
                      std::string("says ") + contact_elements().key + ", and " +
                          (contact_ ? "does not touch the bed" : "nothing of the plan rests on the bed"),
                      contact_ ? "footropes, bridles, sweeps, legs and boards with a toe or heel do"
                               : "[elements.contact] lets all that touches it rest there");
-    else if (!said->as<Table>())
+    else if (!said->as<formats::Table>())
       elements.error(name, "a table is expected, such as { drag = \"hydro/morison\" }");
     else if (meant.front() == name)
       exceptions_[name] = *said;
@@ -78,11 +80,12 @@ void PlanElements::read_exceptions(TableReader& elements, const Gear& gear) {
   }
 }
 
-PlanElements::Made PlanElements::read_elements(TableReader& elements, const GearElements& of) const {
-  TableReader table = elements.table(of.kind, Presence::optional);
+PlanElements::Made PlanElements::read_elements(formats::TableReader& elements, const GearElements& of) const {
+  formats::TableReader table = elements.table(of.kind, formats::Presence::optional);
   for (const auto& key : table.keys()) table.raw(key);  // read with each part
-  Made made{&of, {table.place(), Table{}}, nullptr};
-  if (const Value* said = elements.raw(of.kind); said && said->as<Table>()) made.said = *said;
+  Made made{&of, {table.place(), formats::Table{}}, nullptr};
+  if (const formats::Value* said = elements.raw(of.kind); said && said->as<formats::Table>())
+    made.said = *said;
   made.type = choice_.find(
       table.has("type") ? read_name(table, "type", "element type, such as priour/triangle") : of.type, table);
   if (made.type && made.type->element.stencil != of.stencil) {
@@ -97,42 +100,43 @@ const PlanElements::Made& PlanElements::made(std::string_view kind) const {
   return *std::find_if(made_.begin(), made_.end(), [&](const auto& m) { return m.of->kind == kind; });
 }
 
-bool PlanElements::read_part(std::string_view kind, const std::string& path, Value numbers,
+bool PlanElements::read_part(std::string_view kind, const std::string& path, formats::Value numbers,
                              bool is_of_catalogue, Part& part) const {
   const Made& how = made(kind);
   const int errors_before = diagnostics_.errors();
-  if (Table* table = numbers.as<Table>(); table && is_of_catalogue)
+  if (formats::Table* table = numbers.as<formats::Table>(); table && is_of_catalogue)
     drop_unknown_numbers(*table, *how.type, how.of->key);
-  Value whole{numbers.place, Table{}};
-  put(*whole.as<Table>(), how.of->key, std::move(numbers));
-  merge(whole, how.said);
+  formats::Value whole{numbers.place, formats::Table{}};
+  formats::put(*whole.as<formats::Table>(), how.of->key, std::move(numbers));
+  formats::merge(whole, how.said);
   for (const auto* exceptions : {&exceptions_of_pairs_, &exceptions_})
     if (const auto said = exceptions->find(part.name); said != exceptions->end())
-      merge(whole, without_contact(said->second));
-  TableReader reader(whole, diagnostics_, path);
+      formats::merge(whole, without_contact(said->second));
+  formats::TableReader reader(whole, diagnostics_, path);
   reader.has("type");
   choice_.read(*how.type, reader, part);
   reader.finish();
   return diagnostics_.errors() == errors_before;
 }
 
-Value PlanElements::contact_of(const std::string& name, std::vector<std::string> on, Place place) const {
+formats::Value PlanElements::contact_of(const std::string& name, std::vector<std::string> on,
+                                        formats::Place place) const {
   const GearElements& of = contact_elements();
-  Value table{contact_->place, Table{}};
-  put(*table.as<Table>(), "type", {contact_->place, std::string(of.type)});
+  formats::Value table{contact_->place, formats::Table{}};
+  formats::put(*table.as<formats::Table>(), "type", {contact_->place, std::string(of.type)});
   if (const double radius = radius_along(plan_, name); radius > 0) {
-    Table seabed;
-    put(seabed, "radius", {place, radius});
-    put(*table.as<Table>(), of.key, {place, std::move(seabed)});
+    formats::Table seabed;
+    formats::put(seabed, "radius", {place, radius});
+    formats::put(*table.as<formats::Table>(), of.key, {place, std::move(seabed)});
   }
-  merge(table, *contact_);
+  formats::merge(table, *contact_);
   for (const auto* said :
        {find_exception(exceptions_of_pairs_, "starboard-" + name), find_exception(exceptions_, name)})
-    if (said) merge(table, only_contact(*said));
-  Array names;
+    if (said) formats::merge(table, only_contact(*said));
+  formats::Array names;
   for (auto& point : on) names.items.push_back({place, std::move(point)});
-  put(*table.as<Table>(), "on", {place, std::move(names)});
+  formats::put(*table.as<formats::Table>(), "on", {place, std::move(names)});
   return table;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/plan/plan.hpp"
 #include "io/gears/meshing/start_shape.hpp"
+#include "io/gears/plan/plan.hpp"
 #include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/keys.hpp"
 
@@ -11,48 +11,49 @@
 #include <string_view>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// `[elements]`: what the parts of a net plan are made of, and what a scene says of them beside the plan, of
 /// all parts of a kind and of single ones.
 class PlanElements {
  public:
   /// Reads the table `elements`. The plan and the choice have to outlive this object.
-  PlanElements(const NetPlan& plan, const Gear& gear, TableReader& elements, const ElementChoice& choice);
+  PlanElements(const gears::NetPlan& plan, const gears::Gear& gear, formats::TableReader& elements,
+               const ElementChoice& choice);
 
   /// Of parts of a kind, such as "netting"; null after an error.
   const ElementType* type_of(std::string_view kind) const { return made(kind).type; }
   /// Parameters of a part of a kind: its numbers in the plan, over them what `[elements.KIND]` says of all,
   /// and over both what `[elements.NAME]` says of this one. `path` names the part in messages. False:
   /// something is wrong with them.
-  bool read_part(std::string_view kind, const std::string& path, Value numbers, bool is_of_catalogue,
+  bool read_part(std::string_view kind, const std::string& path, formats::Value numbers, bool is_of_catalogue,
                  Part& part) const;
 
   /// Whether `[elements.contact]` lets what touches the bed rest there.
   bool has_contact() const { return contact_.has_value(); }
   /// The part on points `on` that carries a rope or a body of the plan on the bed, as it would stand in
   /// `[parts]`.
-  Value contact_of(const std::string& name, std::vector<std::string> on, Place place) const;
+  formats::Value contact_of(const std::string& name, std::vector<std::string> on, formats::Place place) const;
 
  private:
   /// `[elements.KIND]` and the element type that it chooses.
   struct Made {
     const GearElements* of = nullptr;
-    Value said;  // a table
+    formats::Value said;  // a table
     const ElementType* type = nullptr;
   };
 
-  Made read_elements(TableReader& elements, const GearElements& of) const;
-  void read_exceptions(TableReader& elements, const Gear& gear);
+  Made read_elements(formats::TableReader& elements, const GearElements& of) const;
+  void read_exceptions(formats::TableReader& elements, const gears::Gear& gear);
   bool touches_bed(const std::string& name) const;
   const Made& made(std::string_view kind) const;
 
-  const NetPlan& plan_;
+  const gears::NetPlan& plan_;
   const ElementChoice& choice_;
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   std::vector<Made> made_;
-  std::optional<Value> contact_;                                   // `[elements.contact]`, a table
-  std::map<std::string, Value> exceptions_, exceptions_of_pairs_;  // `[elements.NAME]` by part
+  std::optional<formats::Value> contact_;                                   // `[elements.contact]`, a table
+  std::map<std::string, formats::Value> exceptions_, exceptions_of_pairs_;  // `[elements.NAME]` by part
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -25,8 +25,8 @@ namespace {
 class SceneReader {
  public:
   /// `plan`: of a gear that stands in the scene; null without.
-  SceneReader(const Value& root, const NetPlan* plan, const std::filesystem::path& file, Registry& registry,
-              Diagnostics& diagnostics, bool& refused)
+  SceneReader(const formats::Value& root, const gears::NetPlan* plan, const std::filesystem::path& file,
+              Registry& registry, formats::Diagnostics& diagnostics, bool& refused)
       : reading_(root, plan, file, registry, diagnostics, refused),
         diagnostics_(diagnostics),
         out_(reading_.out()),
@@ -77,8 +77,8 @@ class SceneReader {
   }
 
   void read_analysis_and_results() {
-    out_.analysis = read_analysis(reading_.root.table("analysis", Presence::optional), reading_.registry,
-                                  reading_.refused);
+    out_.analysis = read_analysis(reading_.root.table("analysis", formats::Presence::optional),
+                                  reading_.registry, reading_.refused);
     water_.take_model();
     if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) {
       holds_.check_guides();
@@ -91,7 +91,7 @@ class SceneReader {
   }
 
   SceneReading reading_;
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   LoadedScene& out_;  // of the draft
   std::optional<GearParts>& gear_;
   WaterReader water_{reading_};
@@ -102,15 +102,16 @@ class SceneReader {
 };
 
 /// The net plan in a scene, checked; nothing if there is none.
-std::optional<NetPlan> read_plan_of(const Document& document, const std::filesystem::path& folder,
-                                    Diagnostics& diagnostics) {
-  if (!holds_plan(document)) return {};
-  NetPlan plan = read_plan(document, folder, diagnostics);
-  if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
+std::optional<gears::NetPlan> read_plan_of(const formats::Document& document,
+                                           const std::filesystem::path& folder,
+                                           formats::Diagnostics& diagnostics) {
+  if (!gears::holds_plan(document)) return {};
+  gears::NetPlan plan = gears::read_plan(document, folder, diagnostics);
+  if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
   return plan;
 }
 
-void append_new(std::vector<SourceFile>& files, const std::vector<SourceFile>& more) {
+void append_new(std::vector<formats::SourceFile>& files, const std::vector<formats::SourceFile>& more) {
   for (const auto& file : more)
     if (std::none_of(files.begin(), files.end(), [&](const auto& f) { return f.path == file.path; }))
       files.push_back(file);
@@ -119,10 +120,10 @@ void append_new(std::vector<SourceFile>& files, const std::vector<SourceFile>& m
 }  // namespace
 
 LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                       Registry& registry, Diagnostics& diagnostics, bool& refused) {
-  const Document document = Document::load(file, overrides, diagnostics);
+                       Registry& registry, formats::Diagnostics& diagnostics, bool& refused) {
+  const formats::Document document = formats::Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
-  Value root = document.root();
+  formats::Value root = document.root();
   std::map<std::string, Strength> strengths;
   const auto catalogues = put_catalogue_parts(root, file.parent_path(), registry, diagnostics, strengths);
   const auto plan = read_plan_of(document, file.parent_path(), diagnostics);
@@ -138,4 +139,4 @@ LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std:
   return loaded;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

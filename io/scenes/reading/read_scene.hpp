@@ -3,12 +3,12 @@
 #include "framework/registry/registry.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Reads a scene with all it includes, `overrides` ("path=value") laid on top. Everything wrong is put into
 /// the diagnostics, located; use what is returned only if there are no errors. Opens the plugins the scene
 /// names; `refused` is set when one of them is missing or must not run.
 LoadedScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                       Registry& registry, Diagnostics& diagnostics, bool& refused);
+                       Registry& registry, formats::Diagnostics& diagnostics, bool& refused);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/result_reader.hpp"
 
+#include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/reading/part_names.hpp"
 #include "io/scenes/reading/result_request.hpp"
-#include "io/formats/units/in_quotes.hpp"
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 void ResultReader::read() {
   const bool holds_are_known = diagnostics_.errors() == 0;
-  TableReader results = root_.table("results", Presence::optional);
+  formats::TableReader results = root_.table("results", formats::Presence::optional);
   for (const auto& name : results.keys()) {
     if (const std::string fault = name_fault(name); !fault.empty())
-      diagnostics_.error(results.place(name), "the name of a result, " + in_quotes(name) + ", " + fault);
-    TableReader entry = results.table(name, Presence::required, "such as { of = \"net\", take = \"min z\" }");
+      diagnostics_.error(results.place(name),
+                         "the name of a result, " + formats::in_quotes(name) + ", " + fault);
+    formats::TableReader entry =
+        results.table(name, formats::Presence::required, "such as { of = \"net\", take = \"min z\" }");
     read_result(name, entry, holds_are_known);
   }
 }
 
-void ResultReader::read_result(const std::string& name, TableReader& entry, bool holds_are_known) {
+void ResultReader::read_result(const std::string& name, formats::TableReader& entry, bool holds_are_known) {
   ResultRequest request;
   request.name = name;
   request.of = read_name(entry, "of", "a part, an edge or a point");
@@ -42,14 +44,15 @@ void ResultReader::read_result(const std::string& name, TableReader& entry, bool
   out_.results.push_back(std::move(request));
 }
 
-void ResultReader::check_reaction(const ResultRequest& request, TableReader& entry) {
+void ResultReader::check_reaction(const ResultRequest& request, formats::TableReader& entry) {
   const int axes = request.axis == 3 ? kAllAxes : 1 << request.axis;
   const bool has_one = std::any_of(request.nodes.begin(), request.nodes.end(),
                                    [&](auto node) { return out_.scene.held[node] & axes; });
   if (request.source == ResultRequest::Source::reaction && !has_one)
-    entry.error("take",
-                "nothing of " + in_quotes(request.of) + " is held there, so there is no " + request.quantity,
-                "reactions are of what a [[hold]] holds");
+    entry.error(
+        "take",
+        "nothing of " + formats::in_quotes(request.of) + " is held there, so there is no " + request.quantity,
+        "reactions are of what a [[hold]] holds");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/scenes/reading/scene_reading.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Reads `[results]`: what is asked of the answer, and whether there is such a thing.
 class ResultReader : ReadingStep {
@@ -12,8 +12,8 @@ class ResultReader : ReadingStep {
   void read();
 
  private:
-  void read_result(const std::string& name, TableReader& entry, bool holds_are_known);
-  void check_reaction(const ResultRequest& request, TableReader& entry);
+  void read_result(const std::string& name, formats::TableReader& entry, bool holds_are_known);
+  void check_reaction(const ResultRequest& request, formats::TableReader& entry);
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

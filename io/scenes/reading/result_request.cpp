@@ -11,7 +11,7 @@
 #include <limits>
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -96,7 +96,8 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 std::string take_hint(const ResultRequest& request, const ElementType& type, bool whole) {
   const auto names = quantity_names(whole ? &type : nullptr);
   if (has_name(quantity_names(&type), request.quantity))
-    return in_quotes(request.quantity) + " is of elements, not of nodes: take it of the whole part, of = \"" +
+    return formats::in_quotes(request.quantity) +
+           " is of elements, not of nodes: take it of the whole part, of = \"" +
            request.of.substr(0, request.of.find('.')) + "\"";
   const auto space = request.quantity.find(' ');
   const std::string first = request.quantity.substr(0, space);
@@ -146,12 +147,13 @@ double reduce(const std::string& how, const std::vector<double>& v) {
 
 }  // namespace
 
-bool understand(ResultRequest& request, const ElementType& type, TableReader& entry) {
+bool understand(ResultRequest& request, const ElementType& type, formats::TableReader& entry) {
   split_take(request);
   const bool whole = request.of.find('.') == std::string::npos;
   if (!find_quantity(request, whole ? &type : nullptr)) {
     entry.error("take",
-                in_quotes(request.quantity) + " is nothing that can be taken of " + in_quotes(request.of),
+                formats::in_quotes(request.quantity) + " is nothing that can be taken of " +
+                    formats::in_quotes(request.of),
                 take_hint(request, type, whole));
     return false;
   }
@@ -159,7 +161,7 @@ bool understand(ResultRequest& request, const ElementType& type, TableReader& en
                         ? !type.is_on_body()
                         : request.source != Source::attitude && request.nodes.size() > 1;
   if (request.how.empty() && many) {
-    entry.error("take", in_quotes(request.of) + " has many; say which to take",
+    entry.error("take", formats::in_quotes(request.of) + " has many; say which to take",
                 "write \"min " + request.quantity + "\", or max, mean, sum, range");
     return false;
   }
@@ -191,4 +193,4 @@ double value_of(const ResultRequest& request, const LoadedScene& loaded, const A
   return reduce(request.how, values);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

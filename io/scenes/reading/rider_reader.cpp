@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -29,7 +29,7 @@ void keep_own_parameters(Part& part, const ElementType& type) {
 
 }  // namespace
 
-void RiderReader::read(const std::string& name, TableReader& table) {
+void RiderReader::read(const std::string& name, formats::TableReader& table) {
   const int errors_before = diagnostics_.errors();
   const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
   Part part;
@@ -51,7 +51,7 @@ void RiderReader::read_contacts() {
         "elements." + std::string(kContact) + ": there is no bed that the gear could touch",
         "[bed] depth = \"100 m\"");
   for (const auto& [name, said] : gear_->contacts(carried)) {
-    TableReader table(said, diagnostics_, "elements." + std::string(kContact));
+    formats::TableReader table(said, diagnostics_, "elements." + std::string(kContact));
     const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
     if (type && !rests_on_bed(*type))
       return table.error("type", type->type + " does not rest on the bed of the scene", "such as seabed/bed");
@@ -90,4 +90,4 @@ void RiderReader::add_companions() {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Reads parts that stand on others, once the scene has its nodes: those with a table of their own, what of a
 /// net plan touches the bed, and the elements that ride on those of a part.
@@ -12,7 +12,7 @@ class RiderReader : ReadingStep {
  public:
   explicit RiderReader(SceneReading& reading) : ReadingStep(reading), companions_(reading.companions) {}
 
-  void read(const std::string& name, TableReader& table);
+  void read(const std::string& name, formats::TableReader& table);
   /// Parts of the plan that touch the bed.
   void read_contacts();
   void add_companions();
@@ -23,4 +23,4 @@ class RiderReader : ReadingStep {
   std::vector<const ElementType*>& companions_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

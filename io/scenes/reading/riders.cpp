@@ -7,14 +7,14 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 /// Lets one rider stand; members are steps in the order they happen.
 class RiderMaker {
  public:
-  RiderMaker(const ElementType& type, TableReader& table, Draft& draft, Part& rider)
+  RiderMaker(const ElementType& type, formats::TableReader& table, Draft& draft, Part& rider)
       : type_(type),
         table_(table),
         draft_(draft),
@@ -38,7 +38,7 @@ class RiderMaker {
 
  private:
   void read_names() {
-    if (table_.kind("on") == Kind::text)
+    if (table_.kind("on") == formats::Kind::text)
       names_ = {table_.text("on", {})};
     else
       names_ = table_.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
@@ -46,7 +46,7 @@ class RiderMaker {
 
   /// `number` pieces shared out, or `each` on every node.
   void stand_on_nodes() {
-    const Range pieces = between(0, 1e6);
+    const formats::Range pieces = formats::between(0, 1e6);
     const double number = table_.real(
         "number", {.doc = "pieces, shared out along what it stands on", .range = pieces, .fallback = 1.0});
     if (!table_.has("each")) {
@@ -64,7 +64,8 @@ class RiderMaker {
     const std::string& name = at.name;
     if (const auto begin = names_.begin(), here = begin + static_cast<std::ptrdiff_t>(n);
         std::find(begin, here, names_[n]) != here)
-      table_.diagnostics().error(at.place, at.path + ": " + in_quotes(names_[n]) + " is named twice");
+      table_.diagnostics().error(at.place,
+                                 at.path + ": " + formats::in_quotes(names_[n]) + " is named twice");
     const auto set = draft_.find_nodes(at);
     if (!set || !draft_.is_sound[set->part] || !draft_.types[set->part]) return;
     const bool is_whole = name.find('.') == std::string::npos;
@@ -79,7 +80,7 @@ class RiderMaker {
     else if (set->own.size() == 1 && is_one_of_corners())
       corners_.push_back(draft_.scene_nodes(*set)[0]);
     else if (!is_whole || !add_elements(set->part))
-      table_.error("on", in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
+      table_.error("on", formats::in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
   }
 
   /// On its origin, or on one of its points, if the element has a datum for that.
@@ -87,7 +88,7 @@ class RiderMaker {
     const auto& body = draft_.geometries[set.part].body;
     if (!body || !(is_whole || declares(type_, datum::kArm)))
       return table_.diagnostics().error(at.place,
-                                        at.path + ": " + in_quotes(at.name) + " is no rigid body" +
+                                        at.path + ": " + formats::in_quotes(at.name) + " is no rigid body" +
                                             (declares(type_, datum::kArm) ? " or point of one" : "") +
                                             ", which " + type_.type + " stands on",
                                         "name one of [bodies]");
@@ -123,8 +124,8 @@ class RiderMaker {
     ride_on_meeting_bars(parts[ropes_[0]], parts[ropes_[1]], rider_);
     if (rider_.nodes.empty())
       table_.error("on",
-                   in_quotes(parts[ropes_[0]].name) + " and " + in_quotes(parts[ropes_[1]].name) +
-                       " do not meet in a node",
+                   formats::in_quotes(parts[ropes_[0]].name) + " and " +
+                       formats::in_quotes(parts[ropes_[1]].name) + " do not meet in a node",
                    "join them where they meet");
   }
 
@@ -164,7 +165,7 @@ class RiderMaker {
   }
 
   const ElementType& type_;
-  TableReader& table_;
+  formats::TableReader& table_;
   Draft& draft_;
   Part& rider_;
   bool on_nodes_;
@@ -177,8 +178,8 @@ class RiderMaker {
 
 }  // namespace
 
-void stand_on_others(const ElementType& type, TableReader& table, Draft& draft, Part& rider) {
+void stand_on_others(const ElementType& type, formats::TableReader& table, Draft& draft, Part& rider) {
   RiderMaker(type, table, draft, rider).stand();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -86,4 +86,4 @@ void ride_on_elements(const Part& part, Part& rider) {
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

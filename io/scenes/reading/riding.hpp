@@ -3,7 +3,7 @@
 #include "framework/registry/descriptors.hpp"
 #include "framework/scene/scene.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Parts that stand on what is there already: floats along a headline, pressure on a cod-end, the seabed
 /// under a footrope. They have no nodes of their own.
@@ -31,4 +31,4 @@ void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider);
 /// The elements of another part, with their data.
 void ride_on_elements(const Part& part, Part& rider);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -27,9 +27,9 @@ void check_symmetric_parameters(const SceneReading& reading, const std::string& 
 }
 
 /// A start from which a gear can come free is a warning; what is held stays where it is.
-void check_crossings(const LoadedScene& out, Diagnostics& diagnostics) {
+void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) {
   for (const auto& crossing : find_crossings(out, out.scene.positions)) {
-    const Place place = out.parts[crossing.part].place;
+    const formats::Place place = out.parts[crossing.part].place;
     const std::string fault = "at the start " + crossing.sentence;
     if (crossing.is_held)
       diagnostics.error(place, fault, "hold what is to starboard at a positive y");
@@ -45,7 +45,7 @@ void check_held(const SceneReading& reading) {
 }
 
 /// Friction of what the gear is towed over points aft only if the ground passes, too.
-void check_ground(const Draft& draft, Diagnostics& diagnostics) {
+void check_ground(const Draft& draft, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p)
     if (is_rubbed_by_standing_ground(out.scene, out.scene.parts[p], *draft.types[p]))
@@ -59,7 +59,7 @@ void check_ground(const Draft& draft, Diagnostics& diagnostics) {
 }
 
 /// What lies on the bed of the scene wants one.
-void check_bed(const Draft& draft, Diagnostics& diagnostics) {
+void check_bed(const Draft& draft, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p)
     for (const auto& term : draft.types[p]->terms)
@@ -80,7 +80,7 @@ void check_symmetry(SceneReading& reading, const WaterReader& water) {
     return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.velocity[1] != 0; });
   };
   if (across(out.scene.current.samples) || across(out.scene.current.drifts)) {
-    reading.root.table("water", Presence::optional)
+    reading.root.table("water", formats::Presence::optional)
         .error("current", "flows across the plane y = 0, of which half a gear is the mirror image", cure);
   }
   if (out.scene.ground[1] != 0) {
@@ -102,4 +102,4 @@ void check_scene(SceneReading& reading, const WaterReader& water) {
   check_crossings(reading.out(), reading.diagnostics);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -3,7 +3,7 @@
 #include "io/scenes/reading/scene_reading.hpp"
 #include "io/scenes/reading/water_reader.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Half a gear stands for a whole one only if nothing tells port from starboard.
 void check_symmetry(SceneReading& reading, const WaterReader& water);
@@ -12,4 +12,4 @@ void check_symmetry(SceneReading& reading, const WaterReader& water);
 /// it rests on, and what begins on the wrong side of the plane of symmetry.
 void check_scene(SceneReading& reading, const WaterReader& water);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -8,13 +8,14 @@
 #include <optional>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// What those have in common who read one scene: its tables, and what has come of them so far.
 struct SceneReading {
   /// `plan`: of a gear that stands in the scene; null without.
-  SceneReading(const Value& tables, const NetPlan* net_plan, const std::filesystem::path& file,
-               Registry& plugins, Diagnostics& said, bool& is_refused)
+  SceneReading(const formats::Value& tables, const gears::NetPlan* net_plan,
+               const std::filesystem::path& file, Registry& plugins, formats::Diagnostics& said,
+               bool& is_refused)
       : root(tables, said),
         registry(plugins),
         diagnostics(said),
@@ -37,14 +38,14 @@ struct SceneReading {
     return counts;
   }
 
-  TableReader root;
+  formats::TableReader root;
   Registry& registry;
-  Diagnostics& diagnostics;
+  formats::Diagnostics& diagnostics;
   bool& refused;
   ElementChoice elements;
   Draft draft;
   MeshParts meshes;
-  const NetPlan* plan;
+  const gears::NetPlan* plan;
   std::optional<GearParts> gear;
   std::vector<const ElementType*> companions;  // of parts that follow those of the draft
 };
@@ -61,13 +62,13 @@ class ReadingStep {
         plan_(reading.plan),
         gear_(reading.gear) {}
 
-  TableReader& root_;
-  Diagnostics& diagnostics_;
+  formats::TableReader& root_;
+  formats::Diagnostics& diagnostics_;
   const ElementChoice& elements_;
   Draft& draft_;
   LoadedScene& out_;  // of the draft
-  const NetPlan* plan_;
+  const gears::NetPlan* plan_;
   std::optional<GearParts>& gear_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -4,22 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 /// Between two knots of the course: a cubic is 2e-8 of its radius from an arc of that angle.
 constexpr double kArc = 0.05;  // [rad]
 
-ShipMoment between(const ShipMoment& a, const ShipMoment& b, double s) {
+gears::ShipMoment between(const gears::ShipMoment& a, const gears::ShipMoment& b, double s) {
   return {a.t + s * (b.t - a.t), a.speed + s * (b.speed - a.speed), a.heading + s * (b.heading - a.heading)};
 }
 
-Course::Point velocity(const Ship& ship, const ShipMoment& m) {
+Course::Point velocity(const gears::Ship& ship, const gears::ShipMoment& m) {
   return {ship.speed - m.speed * std::cos(m.heading), m.speed * std::sin(m.heading), 0};
 }
 
-double rate_of_turn(const ShipMoment& a, const ShipMoment& b) {
+double rate_of_turn(const gears::ShipMoment& a, const gears::ShipMoment& b) {
   return (b.heading - a.heading) / (b.t - a.t);
 }
 
@@ -32,10 +32,10 @@ double at_corner(double before, double after) {
 
 /// The moments of a path, as close to each other as (1) is followed, with dψ/dt.
 struct Row {
-  std::vector<ShipMoment> moments;
+  std::vector<gears::ShipMoment> moments;
   std::vector<double> turns;
 };
-Row divide(const std::vector<ShipMoment>& path) {
+Row divide(const std::vector<gears::ShipMoment>& path) {
   Row row{{path.front()}, {0}};
   for (std::size_t i = 1; i < path.size(); ++i) {
     const double turn = rate_of_turn(path[i - 1], path[i]);
@@ -53,16 +53,16 @@ Row divide(const std::vector<ShipMoment>& path) {
 
 }  // namespace
 
-Course course_of_block(const Ship& ship, double from_the_middle) {
+Course course_of_block(const gears::Ship& ship, double from_the_middle) {
   const bool are_two = !ship.path_port.empty();
   const double across = are_two ? 0 : from_the_middle;
   const Row row = divide(are_two && from_the_middle < 0 ? ship.path_port : ship.path);
   Course course;
   Course::Point way{};
   for (std::size_t i = 0; i < row.moments.size(); ++i) {
-    const ShipMoment& m = row.moments[i];
+    const gears::ShipMoment& m = row.moments[i];
     if (i > 0) {  // Simpson's rule
-      const ShipMoment& before = row.moments[i - 1];
+      const gears::ShipMoment& before = row.moments[i - 1];
       const auto v0 = velocity(ship, before), v1 = velocity(ship, between(before, m, 0.5)),
                  v2 = velocity(ship, m);
       for (std::size_t k = 0; k < 3; ++k) way[k] += (m.t - before.t) / 6 * (v0[k] + 4 * v1[k] + v2[k]);
@@ -78,4 +78,4 @@ Course course_of_block(const Ship& ship, double from_the_middle) {
   return course;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

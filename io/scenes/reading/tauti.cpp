@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
-double* number_of(Part& part, const KnownParameter& known) {
+double* number_in(Part& part, const KnownParameter& known) {
   const auto given = part.parameters.find(known.name);
   return given == part.parameters.end() ? nullptr : std::get_if<double>(&given->second);
 }
@@ -21,13 +21,13 @@ double TautiModel::viscosity_of_netting() const { return std::pow(twines, 1.5); 
 void TautiModel::scale_ropes_and_floats(Scene& scene) const {
   const double ratio = lengths / twines;
   for (Part& part : scene.parts) {
-    double* const rope = number_of(part, parameter::kRopeDiameter);
-    double* const floats = number_of(part, parameter::kFloatDiameter);
-    double* const area = number_of(part, parameter::kFloatArea);
+    double* const rope = number_in(part, parameter::kRopeDiameter);
+    double* const floats = number_in(part, parameter::kFloatDiameter);
+    double* const area = number_in(part, parameter::kFloatArea);
     if (!rope && !floats && !area) continue;
     part.viscosity_ratio = ratio;
     if (rope) *rope *= std::sqrt(ratio);
-    if (double* const density = number_of(part, parameter::kRopeDensity))
+    if (double* const density = number_in(part, parameter::kRopeDensity))
       *density = scene.water.density + (*density - scene.water.density) / ratio;
     if (floats) *floats *= std::cbrt(ratio);
     if (area) *area *= std::cbrt(ratio * ratio);
@@ -43,4 +43,4 @@ const Part* find_part_above_water(const Scene& scene) {
   return nullptr;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

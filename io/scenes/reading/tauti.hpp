@@ -2,7 +2,7 @@
 #pragma once
 #include "framework/scene/scene.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// A model of a gear in a tank by the rule of M. Tauti, "A relation between experiments on model and on full
 /// scale of fishing net", Nippon Suisan Gakkaishi 3 (1934): lengths are divided by λ, bars and twines of the
@@ -29,4 +29,4 @@ struct TautiModel {
 /// A part that may be partly dry, where (1) does not hold; null without.
 const Part* find_part_above_water(const Scene& scene);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

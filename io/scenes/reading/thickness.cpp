@@ -2,13 +2,13 @@
 #include "io/scenes/reading/thickness.hpp"
 
 #include "framework/parameters/find_number.hpp"
-#include "io/scenes/reading/known_parameters.hpp"
 #include "io/formats/units/in_metres.hpp"
+#include "io/scenes/reading/known_parameters.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -31,15 +31,16 @@ double bar_of(const Geometry& geometry) {
 std::optional<ThicknessFault> thickness_fault(const Part& part, const Geometry& geometry) {
   const double twine = number_of(part, parameter::kTwineDiameter), bar = bar_of(geometry);
   if (bar > 0 && twine >= bar)
-    return ThicknessFault{
-        "twine", "diameter = " + in_metres(twine) + ", and bars of " + in_metres(bar) + ": no mesh can open"};
+    return ThicknessFault{"twine", "diameter = " + formats::in_metres(twine) + ", and bars of " +
+                                       formats::in_metres(bar) + ": no mesh can open"};
   const auto* rest = find_data(geometry.data, datum::kRestLength);
   if (!rest || bar > 0) return {};
   const double rope = number_of(part, parameter::kRopeDiameter),
                length = std::accumulate(rest->begin(), rest->end(), 0.0);
   if (rope > 0 && rope >= length)
-    return ThicknessFault{"rope", "diameter = " + in_metres(rope) + ", and a length of " + in_metres(length)};
+    return ThicknessFault{
+        "rope", "diameter = " + formats::in_metres(rope) + ", and a length of " + formats::in_metres(length)};
   return {};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// What is wrong with the table `key` of a part.
 struct ThicknessFault {
@@ -19,4 +19,4 @@ std::optional<ThicknessFault> thickness_fault(const Part& part, const Geometry& 
 
 inline constexpr const char* kThicknessCure = "one of the two may be in another unit";
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
-void read_tow(TableReader tow, Scene& scene) {
+void read_tow(formats::TableReader tow, Scene& scene) {
   const Values values = read_parameters(tow_keys(), tow);
   std::vector<std::string> faults;
   const ParameterBlock block(tow_keys(), sizeof(TowKeys), values, faults);
@@ -24,7 +24,7 @@ void read_tow(TableReader tow, Scene& scene) {
   scene.current.tow = scene.ground;
 }
 
-SeaBottom read_bed(TableReader bed, Scene& scene) {
+SeaBottom read_bed(formats::TableReader bed, Scene& scene) {
   const Values values = read_parameters(bed_keys(), bed);
   std::vector<std::string> faults;
   const ParameterBlock block(bed_keys(), sizeof(BedKeys), values, faults);
@@ -44,4 +44,4 @@ bool is_rubbed_by_standing_ground(const Scene& scene, const Part& part, const El
   });
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

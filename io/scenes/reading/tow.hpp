@@ -2,18 +2,18 @@
 #pragma once
 #include "framework/registry/registry.hpp"
 #include "framework/scene/scene.hpp"
-#include "io/scenes/reading/bottom.hpp"
 #include "io/formats/toml/table_reader.hpp"
+#include "io/scenes/reading/bottom.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// `[tow]`: lets water and ground pass the gear. Without the table both are as they are written elsewhere.
-void read_tow(TableReader tow, Scene& scene);
+void read_tow(formats::TableReader tow, Scene& scene);
 
 /// `[bed]`: the bed of the sea, and what it is made of.
-SeaBottom read_bed(TableReader bed, Scene& scene);
+SeaBottom read_bed(formats::TableReader bed, Scene& scene);
 
 /// Whether a part is rubbed by a ground of which the scene does not say whether it passes, while water does.
 bool is_rubbed_by_standing_ground(const Scene& scene, const Part& part, const ElementType& type);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

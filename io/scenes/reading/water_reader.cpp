@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/water_reader.hpp"
 
-#include "io/scenes/water/current.hpp"
+#include "io/formats/units/in_quotes.hpp"
+#include "io/formats/units/units.hpp"
 #include "io/scenes/reading/parameter_reader.hpp"
 #include "io/scenes/reading/tow.hpp"
 #include "io/scenes/reading/waves.hpp"
-#include "io/formats/units/in_quotes.hpp"
-#include "io/formats/units/units.hpp"
+#include "io/scenes/water/current.hpp"
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 void WaterReader::read() {
-  TableReader water = root_.table("water", Presence::optional);
+  formats::TableReader water = root_.table("water", formats::Presence::optional);
   const Values values = read_parameters(water_keys(), water);
   std::vector<std::string> faults;
   const ParameterBlock block(water_keys(), sizeof(WaterKeys), values, faults);
@@ -27,9 +27,10 @@ void WaterReader::read() {
 
 void WaterReader::check_waves() {
   if (!out_.scene.waves ||
-      diagnostics_.where(root_.table("analysis", Presence::optional).place("kind")).starts_with("--set"))
+      diagnostics_.where(root_.table("analysis", formats::Presence::optional).place("kind"))
+          .starts_with("--set"))
     return;
-  TableReader water = root_.table("water");
+  formats::TableReader water = root_.table("water");
   water.error("waves", "act on nothing in a static analysis",
               "kind = \"dynamic\" in [analysis], or leave them out");
 }
@@ -50,7 +51,7 @@ void WaterReader::read_ship() {
 
 /// A model at 1 : s in water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the
 /// gear in water of viscosity ν s^1.5, and where nothing stretches all else is similar (W. Froude).
-void WaterReader::take_water(const WaterKeys& keys, TableReader& water) {
+void WaterReader::take_water(const WaterKeys& keys, formats::TableReader& water) {
   out_.scene.water = keys;
   if (keys.model_twine_scale == 0) {
     out_.scene.water.viscosity *= std::pow(keys.model_scale, 1.5);
@@ -59,9 +60,9 @@ void WaterReader::take_water(const WaterKeys& keys, TableReader& water) {
   const bool is_whole = keys.model_twine_scale >= 1;
   if (!is_whole || keys.model_twine_scale > keys.model_scale)
     water.error("model_twine_scale",
-                "is outside [1, " + format(keys.model_scale) +
+                "is outside [1, " + formats::format(keys.model_scale) +
                     "]: by Tauti's rule twines are scaled less than lengths",
-                is_whole ? "model_scale = " + format(keys.model_twine_scale) + ", or more"
+                is_whole ? "model_scale = " + formats::format(keys.model_twine_scale) + ", or more"
                          : "model_twine_scale = 1, or more; none for Froude's rule");
   tauti_ = TautiModel{keys.model_scale, keys.model_twine_scale};
   out_.scene.water.viscosity *= tauti_->viscosity_of_netting();
@@ -71,7 +72,7 @@ void WaterReader::take_model() {
   if (!tauti_ || diagnostics_.errors() > 0) return;
   if (const Part* dry = find_part_above_water(out_.scene))
     root_.table("water").error("model_twine_scale", "Tauti's rule is for what is under water, and " +
-                                                        in_quotes(dry->name) + " may be above it");
+                                                        formats::in_quotes(dry->name) + " may be above it");
   if (out_.analysis.kind == AnalysisKind::dynamics)
     root_.table("water").error("model_twine_scale",
                                "Tauti's rule knows no masses: it is for kind = \"static\"");
@@ -95,4 +96,4 @@ const char* WaterReader::uneven_key() const {
   return bottom_.is_symmetric() ? nullptr : "bottom";
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -5,7 +5,7 @@
 #include "io/scenes/reading/scene_reading.hpp"
 #include "io/scenes/reading/tauti.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Reads what a gear is towed through and over: `[water]`, `[tow]`, `[bed]`, and the speed of the `[ship]`.
 class WaterReader : ReadingStep {
@@ -25,11 +25,11 @@ class WaterReader : ReadingStep {
 
  private:
   void read_ship();
-  void take_water(const WaterKeys& keys, TableReader& water);
+  void take_water(const WaterKeys& keys, formats::TableReader& water);
 
   bool says_tow_ = false;
   SeaBottom bottom_;
   std::optional<TautiModel> tauti_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

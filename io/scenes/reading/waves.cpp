@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/waves.hpp"
 
+#include "io/formats/units/in_metres.hpp"
 #include "io/scenes/reading/keys.hpp"
 #include "io/scenes/reading/parameter_reader.hpp"
-#include "io/formats/units/in_metres.hpp"
 #include "io/scenes/water/jonswap.hpp"
 
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -22,7 +22,7 @@ double depth_of(const WaveKeys& keys, const Scene& scene) {
 bool is_drawn(const WaveKeys& keys) { return keys.spectrum != 0; }
 
 /// Keys of the other kind of waves would be read and mean nothing.
-void refuse_idle(const WaveKeys& keys, TableReader& waves) {
+void refuse_idle(const WaveKeys& keys, formats::TableReader& waves) {
   if (is_drawn(keys)) {
     if (waves.has("phase"))
       waves.error("phase", "is drawn for each wave of a spectrum", "leave it out; seed draws other phases");
@@ -34,19 +34,20 @@ void refuse_idle(const WaveKeys& keys, TableReader& waves) {
 }
 
 /// The height of one wave, or the significant height at the period of the peak.
-void check_height(const WaveKeys& keys, double k, double depth, TableReader& waves) {
+void check_height(const WaveKeys& keys, double k, double depth, formats::TableReader& waves) {
   const double length = 2 * std::numbers::pi / k, highest = highest_wave(k, depth);
   if (keys.height >= highest)
     waves.error("height",
-                "= " + in_metres(keys.height) + " breaks: waves of this period are " + in_metres(length) +
-                    " long and at most " + in_metres(highest) + " high",
+                "= " + formats::in_metres(keys.height) + " breaks: waves of this period are " +
+                    formats::in_metres(length) + " long and at most " + formats::in_metres(highest) + " high",
                 "a smaller height or a longer period");
 }
 
-void check_depth(double k, double depth, bool is_own, TableReader& waves) {
+void check_depth(double k, double depth, bool is_own, formats::TableReader& waves) {
   if (!is_shallow(k, depth)) return;
   waves.error(is_own ? "depth" : "period",
-              "makes waves of " + in_metres(2 * std::numbers::pi / k) + " in " + in_metres(depth) +
+              "makes waves of " + formats::in_metres(2 * std::numbers::pi / k) + " in " +
+                  formats::in_metres(depth) +
                   " of water, longer than 20 depths: linear waves do not describe them",
               "a shorter period or deeper water");
 }
@@ -62,9 +63,9 @@ AiryWaves::Sea sea_of(const WaveKeys& keys, double depth) {
 
 }  // namespace
 
-std::shared_ptr<const WaterField> read_waves(TableReader& water, const Scene& scene) {
+std::shared_ptr<const WaterField> read_waves(formats::TableReader& water, const Scene& scene) {
   if (!water.has("waves")) return nullptr;
-  TableReader waves = water.table("waves");
+  formats::TableReader waves = water.table("waves");
   const std::size_t before = waves.diagnostics().errors();
   const Values values = read_parameters(wave_keys(), waves);
   std::vector<std::string> faults;
@@ -84,4 +85,4 @@ std::shared_ptr<const WaterField> read_waves(TableReader& water, const Scene& sc
   return std::make_shared<AiryWaves>(sea_of(keys, depth), scene.water.gravity, scene.current);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

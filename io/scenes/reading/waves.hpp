@@ -5,9 +5,9 @@
 
 #include <memory>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// `water.waves` of a scene whose water, current and bed have been read; null if it is absent or wrong.
-std::shared_ptr<const WaterField> read_waves(TableReader& water, const Scene& scene);
+std::shared_ptr<const WaterField> read_waves(formats::TableReader& water, const Scene& scene);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

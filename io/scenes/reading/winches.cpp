@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
 /// The warps of a plan are one rope of it.
-const Rope* find_warp(const NetPlan& plan) {
-  const auto is_run = [](const Rope& rope) { return rope.tension || !rope.winch.empty(); };
+const gears::Rope* find_warp(const gears::NetPlan& plan) {
+  const auto is_run = [](const gears::Rope& rope) { return rope.tension || !rope.winch.empty(); };
   const auto warp = std::ranges::find_if(plan.ropes, is_run);
   return warp == plan.ropes.end() ? nullptr : &*warp;
 }
@@ -36,8 +36,9 @@ Part* find_part(Scene& scene, const std::string& name) {
 
 }  // namespace
 
-void ready_winches(const NetPlan& plan, Registry& registry, LoadedScene& out, Diagnostics& diagnostics) {
-  const Rope* warp = find_warp(plan);
+void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& out,
+                   formats::Diagnostics& diagnostics) {
+  const gears::Rope* warp = find_warp(plan);
   if (!warp || diagnostics.errors() > 0) return;
   if (out.analysis.settles && warp->tension)
     diagnostics.error(warp->tension_place,
@@ -62,4 +63,4 @@ void ready_winches(const NetPlan& plan, Registry& registry, LoadedScene& out, Di
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

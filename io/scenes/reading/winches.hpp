@@ -4,10 +4,11 @@
 #include "io/gears/plan/plan.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Whether the lengths of warps can be looked for and changed by what the scene is analysed by, and with what
 /// its ropes are made of. In a motion, winches then have a table to change; at rest there are none.
-void ready_winches(const NetPlan& plan, Registry& registry, LoadedScene& out, Diagnostics& diagnostics);
+void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& out,
+                   formats::Diagnostics& diagnostics);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Newton's method for x tanh x = y, x = k d, from the better of both limits; its steps halve the digits that
 /// are wrong, so the last one that changes anything is the last.
@@ -110,4 +110,4 @@ WaterMotion AiryWaves::at(const std::array<double, 3>& place, double time) const
   return water;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Wave number k > 0 [1/m] of ω² = g k tanh(k d), to the last digits of double precision.
 double wave_number(double omega, double gravity, double depth);
@@ -68,4 +68,4 @@ class AiryWaves : public WaterField {
   double cosine_, sine_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

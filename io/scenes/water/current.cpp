@@ -3,25 +3,26 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
-const Range kSpeeds = between(-50, 50);
+const formats::Range kSpeeds = formats::between(-50, 50);
 
-std::vector<double> read_column(TableReader& profile, const char* key, std::size_t count) {
+std::vector<double> read_column(formats::TableReader& profile, const char* key, std::size_t count) {
   if (!profile.has(key)) return std::vector<double>(count, 0.0);
-  auto column = profile.reals(
-      key,
-      {.unit = "m/s", .doc = "velocity of the water at each z", .range = kSpeeds, .count = exactly(count)});
+  auto column = profile.reals(key, {.unit = "m/s",
+                                    .doc = "velocity of the water at each z",
+                                    .range = kSpeeds,
+                                    .count = formats::exactly(count)});
   column.resize(count);
   return column;
 }
 
-const RealsSpec kTimes{
-    .unit = "s", .doc = "times, ascending", .range = between(-1e9, 1e9), .count = {.least = 1}};
+const formats::RealsSpec kTimes{
+    .unit = "s", .doc = "times, ascending", .range = formats::between(-1e9, 1e9), .count = {.least = 1}};
 
-bool ascend(const std::vector<double>& t, TableReader& table) {
+bool ascend(const std::vector<double>& t, formats::TableReader& table) {
   for (std::size_t i = 1; i < t.size(); ++i)
     if (!(t[i] > t[i - 1])) {
       table.error("t", "does not ascend: each time must be later than the one before");
@@ -31,7 +32,7 @@ bool ascend(const std::vector<double>& t, TableReader& table) {
 }
 
 /// Columns over time instead of height: the same current everywhere.
-Current read_drift(TableReader table) {
+Current read_drift(formats::TableReader table) {
   Current current;
   const auto t = table.reals("t", kTimes);
   const auto x = read_column(table, "x", t.size()), y = read_column(table, "y", t.size()),
@@ -42,24 +43,24 @@ Current read_drift(TableReader table) {
 }
 
 /// Reads the factors on the profile at the times `t`.
-void read_factors(TableReader& profile, Current& current) {
+void read_factors(formats::TableReader& profile, Current& current) {
   if (!profile.has("t") && !profile.has("factor")) return;
   const auto t = profile.reals("t", kTimes);
-  const auto factor = profile.reals(
-      "factor",
-      {.doc = "factor on the profile at each t", .range = between(-1e3, 1e3), .count = exactly(t.size())});
+  const auto factor = profile.reals("factor", {.doc = "factor on the profile at each t",
+                                               .range = formats::between(-1e3, 1e3),
+                                               .count = formats::exactly(t.size())});
   if (!ascend(t, profile)) return;
   for (std::size_t i = 0; i < std::min(t.size(), factor.size()); ++i)
     current.factors.push_back({t[i], factor[i]});
 }
 
-Current read_profile(TableReader profile) {
+Current read_profile(formats::TableReader profile) {
   if (!profile.has("z") && profile.has("t")) return read_drift(profile);
   Current current;
   read_factors(profile, current);
   const auto z = profile.reals("z", {.unit = "m",
                                      .doc = "heights of the samples, 0 at the surface",
-                                     .range = between(-2e4, 1e3),
+                                     .range = formats::between(-2e4, 1e3),
                                      .count = {.least = 1}});
   const auto x = read_column(profile, "x", z.size()), y = read_column(profile, "y", z.size()),
              up = read_column(profile, "up", z.size());
@@ -77,13 +78,14 @@ Current read_profile(TableReader profile) {
 
 }  // namespace
 
-Current read_current(TableReader& water) {
+Current read_current(formats::TableReader& water) {
   if (!water.has("current")) return {};
-  if (water.kind("current") == Kind::table) return read_profile(water.table("current"));
+  if (water.kind("current") == formats::Kind::table) return read_profile(water.table("current"));
   const auto v = water.reals(
-      "current", {.unit = "m/s", .doc = "velocity of the water", .range = kSpeeds, .count = exactly(3)});
+      "current",
+      {.unit = "m/s", .doc = "velocity of the water", .range = kSpeeds, .count = formats::exactly(3)});
   if (v.size() != 3) return {};
   return {{{0, {v[0], v[1], v[2]}}}};
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

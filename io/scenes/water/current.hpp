@@ -3,10 +3,10 @@
 #include "framework/scene/scene.hpp"
 #include "io/formats/toml/table_reader.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// `water.current`: one velocity [vx, vy, vz], or a profile { z = […], x = […], y = […] } over height.
 /// Absent: still.
-Current read_current(TableReader& water);
+Current read_current(formats::TableReader& water);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 Dice::Dice(std::string_view name, std::uint64_t number) : state_(14695981039346656037ull) {
   for (const char c : name) state_ = (state_ ^ static_cast<unsigned char>(c)) * 1099511628211ull;  // FNV-1a
@@ -27,4 +27,4 @@ std::int64_t Dice::whole(std::int64_t lo, std::int64_t hi) {
   return lo + static_cast<std::int64_t>(next() % static_cast<std::uint64_t>(hi - lo + 1));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood, "Fast splittable
 /// pseudorandom number generators", OOPSLA 2014), seeded by a name and a number.
@@ -22,4 +22,4 @@ class Dice {
   std::uint64_t state_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::vector<AiryWaves::Component> draw(const Jonswap& spectrum) {
   return all;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace netloft::io {
+namespace netloft::scenes {
 
 /// The spectrum of a sea that the wind still makes grow (K. Hasselmann et al., "Measurements of wind-wave
 /// growth and swell decay during the Joint North Sea Wave Project", Deutsche Hydrographische Zeitschrift A8
@@ -26,4 +26,4 @@ struct Jonswap {
 /// Drawn by a generator of our own: a seed is the same sea on every machine. (2) holds as it stands.
 std::vector<AiryWaves::Component> draw(const Jonswap& spectrum);
 
-}  // namespace netloft::io
+}  // namespace netloft::scenes

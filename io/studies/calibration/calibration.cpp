@@ -3,7 +3,7 @@
 
 #include "framework/balance/statistics.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -45,7 +45,7 @@ std::vector<std::size_t> fitted_first(const CalibrationFile& file) {
 double Calibration::width() const { return normal_quantile((1 + file.confidence) / 2); }
 
 Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
-                      const std::filesystem::path& folder, Registry& registry, const Watch& watch,
+                      const std::filesystem::path& folder, Registry& registry, const runs::Watch& watch,
                       const OnSolve& on_solve) {
   Calibration done;
   done.file = std::move(file);
@@ -71,4 +71,4 @@ Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
   return done;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

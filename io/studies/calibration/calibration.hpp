@@ -2,7 +2,7 @@
 #pragma once
 #include "io/studies/calibration/scene_model.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// A calibration that was done, or why not.
 struct Calibration {
@@ -23,11 +23,11 @@ struct Calibration {
 
 /// Fits what takes part, and predicts the rest.
 Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
-                      const std::filesystem::path& folder, Registry& registry, const Watch& watch,
+                      const std::filesystem::path& folder, Registry& registry, const runs::Watch& watch,
                       const OnSolve& on_solve = {});
 
 /// For people, and as one JSON object.
 std::string calibration_text(const Calibration& calibration);
 std::string calibration_json(const Calibration& calibration);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

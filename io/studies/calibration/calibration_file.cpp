@@ -11,14 +11,15 @@
 #include <map>
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 /// Reads one calibration file; members are steps in the order they happen.
 class CalibrationReader {
  public:
-  CalibrationReader(const Value& root, Diagnostics& diagnostics) : root_(root, diagnostics) {}
+  CalibrationReader(const formats::Value& root, formats::Diagnostics& diagnostics)
+      : root_(root, diagnostics) {}
 
   CalibrationFile read() {
     file_.confidence =
@@ -36,9 +37,11 @@ class CalibrationReader {
 
  private:
   void read_scenes() {
-    TableReader scenes = root_.table("scenes", Presence::required, "what was measured, a scene each");
+    formats::TableReader scenes =
+        root_.table("scenes", formats::Presence::required, "what was measured, a scene each");
     for (const std::string& name : scenes.keys()) {
-      TableReader table = scenes.table(name, Presence::required, "scene, and what is set of it");
+      formats::TableReader table =
+          scenes.table(name, formats::Presence::required, "scene, and what is set of it");
       CalibrationScene scene{name, table.text("scene", {.doc = "the scene, relative to this file"}),
                              table.place(), set_};
       for (auto& word : table.texts("set", {.doc = "values of this scene, as --set takes them",
@@ -51,7 +54,7 @@ class CalibrationReader {
   }
 
   /// The scenes that a key names; all of them where it is left out.
-  std::vector<std::size_t> scenes_in(TableReader& table, const std::string& key) {
+  std::vector<std::size_t> scenes_in(formats::TableReader& table, const std::string& key) {
     std::vector<std::size_t> all(file_.scenes.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     if (!table.has(key)) return all;
@@ -62,7 +65,8 @@ class CalibrationReader {
     return all;
   }
 
-  std::optional<std::size_t> find_scene(TableReader& table, const std::string& key, const std::string& name) {
+  std::optional<std::size_t> find_scene(formats::TableReader& table, const std::string& key,
+                                        const std::string& name) {
     std::vector<std::string> known;
     for (std::size_t s = 0; s < file_.scenes.size(); ++s) {
       if (file_.scenes[s].name == name) return s;
@@ -75,9 +79,10 @@ class CalibrationReader {
   }
 
   void read_variables() {
-    TableReader variables = root_.table("variables", Presence::required, "what is looked for, a table each");
+    formats::TableReader variables =
+        root_.table("variables", formats::Presence::required, "what is looked for, a table each");
     for (const std::string& name : variables.keys()) {
-      TableReader table = variables.table(name, Presence::required, "key and range");
+      formats::TableReader table = variables.table(name, formats::Presence::required, "key and range");
       CalibrationVariable read{read_variable(name, table, VariedBy::interval), {}, {}};
       if (read.variable.interval)
         read.distribution = read_distribution(read.variable, table, {"uniform", "normal"});
@@ -101,8 +106,9 @@ class CalibrationReader {
   }
 
   void read_measured() {
-    const auto rows = root_.tables("measured", Presence::required, "what was measured, a [[measured]] each");
-    for (TableReader row : rows) {
+    const auto rows =
+        root_.tables("measured", formats::Presence::required, "what was measured, a [[measured]] each");
+    for (formats::TableReader row : rows) {
       MeasuredFigure read;
       if (const auto scene = find_scene(row, "scene", row.text("scene", {.doc = "of which scene"})))
         read.scene = *scene;
@@ -121,13 +127,13 @@ class CalibrationReader {
   }
 
   /// A number as it is written, with or without a unit.
-  std::string quantity(TableReader& row, const std::string& key, const std::string& doc) {
+  std::string quantity(formats::TableReader& row, const std::string& key, const std::string& doc) {
     const auto kind = row.kind(key);
-    if (!kind || *kind == Kind::text) return row.text(key, {.doc = doc});
-    return format(row.real(key, {.doc = doc}), "");
+    if (!kind || *kind == formats::Kind::text) return row.text(key, {.doc = doc});
+    return formats::format(row.real(key, {.doc = doc}), "");
   }
 
-  TableReader root_;
+  formats::TableReader root_;
   CalibrationFile file_;
   std::vector<std::string> set_;  // of all scenes
   std::map<std::pair<std::size_t, std::string>, std::string> owners_;
@@ -146,12 +152,12 @@ double CalibrationVariable::prior_deviation() const {
                                                          : (high - low) / std::sqrt(12.0);
 }
 
-CalibrationFile read_calibration_file(const std::filesystem::path& path, Diagnostics& diagnostics) {
-  const Document document = Document::load(path, {}, diagnostics);
+CalibrationFile read_calibration_file(const std::filesystem::path& path, formats::Diagnostics& diagnostics) {
+  const formats::Document document = formats::Document::load(path, {}, diagnostics);
   if (diagnostics.errors()) return {};
   CalibrationFile file = CalibrationReader(document.root(), diagnostics).read();
   file.name = path.stem().string();
   return file;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

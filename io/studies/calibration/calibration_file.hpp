@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// A scene that something was measured of.
 struct CalibrationScene {
   std::string name;
   std::string file;  // from the folder of the calibration file
-  Place place;
+  formats::Place place;
   std::vector<std::string> set;  // as `--set` takes them
 };
 
@@ -33,7 +33,7 @@ struct CalibrationVariable {
 struct MeasuredFigure {
   std::size_t scene = 0;
   std::string figure;  // "gear/mouth/headline_height", as in a study
-  Place place, value_place;
+  formats::Place place, value_place;
   std::string value, deviation;
   bool is_held_back = false;
 };
@@ -48,6 +48,6 @@ struct CalibrationFile {
 };
 
 /// Reads a calibration file; what is wrong goes to `diagnostics`, and then the result must not be used.
-CalibrationFile read_calibration_file(const std::filesystem::path& path, Diagnostics& diagnostics);
+CalibrationFile read_calibration_file(const std::filesystem::path& path, formats::Diagnostics& diagnostics);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -212,4 +212,4 @@ std::string calibration_json(const Calibration& c) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

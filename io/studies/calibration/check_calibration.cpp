@@ -2,13 +2,13 @@
 #include "io/studies/calibration/scene_model.hpp"
 
 #include "framework/parameters/nearest.hpp"
-#include "io/studies/sweep/path_run.hpp"
 #include "io/formats/units/units.hpp"
+#include "io/studies/sweep/path_run.hpp"
 #include "io/studies/variables/scene_faults.hpp"
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -16,7 +16,7 @@ namespace {
 class Inspection {
  public:
   Inspection(const CalibrationFile& file, const std::filesystem::path& folder, Registry& registry,
-             Diagnostics& diagnostics, const std::function<void(double)>& on_budget)
+             formats::Diagnostics& diagnostics, const std::function<void(double)>& on_budget)
       : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics), on_budget_(on_budget) {
     checked_.measured.resize(file.measured.size());
     checked_.units.resize(file.measured.size());
@@ -49,20 +49,20 @@ class Inspection {
 
   bool open(std::size_t scene, const std::vector<double>& parameters, bool learns) {
     const CalibrationScene& s = file_.scenes[scene];
-    std::map<std::string, Place> places;
+    std::map<std::string, formats::Place> places;
     for (const auto& v : file_.variables)
       for (const auto& key : v.variable.keys) places.emplace(key.path, v.variable.place);
     for (const std::string& word : s.set) places.emplace(word.substr(0, word.find('=')), s.place);
-    Case the_case({folder_ / s.file, overrides_of(file_, scene, parameters), 1}, registry_);
-    const Case::State state = the_case.open();
-    if (learns || state != Case::State::ready)
+    runs::Case the_case({folder_ / s.file, overrides_of(file_, scene, parameters), 1}, registry_);
+    const runs::Case::State state = the_case.open();
+    if (learns || state != runs::Case::State::ready)
       hand_on_faults(the_case.diagnostics(), places, s.place, diagnostics_);
-    checked_.refused |= state == Case::State::refused;
-    if (state == Case::State::ready && learns) learn(scene, the_case);
-    return state == Case::State::ready;
+    checked_.refused |= state == runs::Case::State::refused;
+    if (state == runs::Case::State::ready && learns) learn(scene, the_case);
+    return state == runs::Case::State::ready;
   }
 
-  void learn(std::size_t scene, Case& the_case) {
+  void learn(std::size_t scene, runs::Case& the_case) {
     if (the_case.loaded().analysis.kind == AnalysisKind::dynamics)
       return diagnostics_.error(file_.scenes[scene].place,
                                 "the scene goes through time; a calibration is of equilibria",
@@ -98,8 +98,8 @@ class Inspection {
   }
 
   double in_unit(const MeasuredFigure& row, const std::string& text, const std::string& unit) {
-    const bool is_pure = read_as_written(text).unit.empty();
-    const Quantity read = is_pure ? to_si(text, "1") : to_si(text, unit);
+    const bool is_pure = formats::read_as_written(text).unit.empty();
+    const formats::Quantity read = is_pure ? formats::to_si(text, "1") : formats::to_si(text, unit);
     if (read.ok()) return read.value;
     diagnostics_.error(row.value_place, row.figure + ": " + read.error, read.hint);
     return 1;
@@ -108,7 +108,7 @@ class Inspection {
   const CalibrationFile& file_;
   const std::filesystem::path& folder_;
   Registry& registry_;
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   const std::function<void(double)>& on_budget_;
   CheckedCalibration checked_;
 };
@@ -116,9 +116,9 @@ class Inspection {
 }  // namespace
 
 CheckedCalibration check_calibration(const CalibrationFile& file, const std::filesystem::path& folder,
-                                     Registry& registry, Diagnostics& diagnostics,
+                                     Registry& registry, formats::Diagnostics& diagnostics,
                                      const std::function<void(double)>& on_budget) {
   return Inspection(file, folder, registry, diagnostics, on_budget).inspect();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -26,7 +26,7 @@ bool all_finite(const std::vector<double>& numbers) {
 
 /// A scene that has been solved, from which it is solved again.
 struct SceneModel::Solved {
-  std::unique_ptr<Case> the_case;
+  std::unique_ptr<runs::Case> the_case;
   std::vector<double> x;  // over all degrees of freedom [m]
   bool is_stable = true;
 };
@@ -44,7 +44,7 @@ std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t s
 }
 
 SceneModel::SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry,
-                       Watch watch, OnSolve on_solve)
+                       runs::Watch watch, OnSolve on_solve)
     : file_(file),
       folder_(std::move(folder)),
       registry_(registry),
@@ -65,10 +65,11 @@ std::vector<std::string> SceneModel::unstable() const {
 std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
                                                        const std::vector<double>& parameters, Solved& from,
                                                        bool keep) {
-  auto the_case = std::make_unique<Case>(
-      CaseSource{folder_ / file_.scenes[scene].file, overrides_of(file_, scene, parameters), 1}, registry_);
+  auto the_case = std::make_unique<runs::Case>(
+      runs::CaseSource{folder_ / file_.scenes[scene].file, overrides_of(file_, scene, parameters), 1},
+      registry_);
   trouble_ = file_.scenes[scene].name + ": ";
-  if (the_case->open() != Case::State::ready)
+  if (the_case->open() != runs::Case::State::ready)
     return trouble_ += "it cannot be read with these values", std::nullopt;
   Solution found;
   ++solves_;
@@ -128,4 +129,4 @@ std::optional<std::vector<std::vector<double>>> SceneModel::slopes(const std::ve
   return rows;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

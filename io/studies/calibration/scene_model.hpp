@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/studies/calibration/calibration_file.hpp"
 #include "io/runs/case.hpp"
+#include "io/studies/calibration/calibration_file.hpp"
 #include "solvers/fitting/least_squares/least_squares.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// Told after every solve of a calibration: how many there were, and the name of the scene.
 using OnSolve = std::function<void(std::size_t solves, const std::string& scene)>;
@@ -15,7 +15,7 @@ using OnSolve = std::function<void(std::size_t solves, const std::string& scene)
 class SceneModel : public Model {
  public:
   /// `file` has been checked. Scenes are found from `folder`.
-  SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry, Watch watch,
+  SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry, runs::Watch watch,
              OnSolve on_solve);
   ~SceneModel() override;
 
@@ -38,7 +38,7 @@ class SceneModel : public Model {
   const CalibrationFile& file_;
   std::filesystem::path folder_;
   Registry& registry_;
-  Watch watch_;
+  runs::Watch watch_;
   OnSolve on_solve_;
   std::vector<Solved> last_;  // of each scene
   int solves_ = 0;
@@ -58,7 +58,7 @@ struct CheckedCalibration {
   bool refused = false;
 };
 CheckedCalibration check_calibration(const CalibrationFile& file, const std::filesystem::path& folder,
-                                     Registry& registry, Diagnostics& diagnostics,
+                                     Registry& registry, formats::Diagnostics& diagnostics,
                                      const std::function<void(double)>& on_budget);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

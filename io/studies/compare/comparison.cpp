@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -31,7 +31,7 @@ double size_of(const Scene& scene) {
   return std::sqrt(square);
 }
 
-std::string mesh_of(const LoadedScene& loaded) {
+std::string mesh_of(const scenes::LoadedScene& loaded) {
   for (const std::size_t directions : {2u, 1u})
     for (const auto& part : loaded.parts)
       if (part.cells.size() == directions)
@@ -41,7 +41,8 @@ std::string mesh_of(const LoadedScene& loaded) {
 
 class Comparing {
  public:
-  Comparing(const CaseSource& source, Registry& registry, const ComparisonTask& task, const Watch& watch)
+  Comparing(const runs::CaseSource& source, Registry& registry, const ComparisonTask& task,
+            const runs::Watch& watch)
       : source_(source),
         registry_(registry),
         task_(task),
@@ -49,7 +50,7 @@ class Comparing {
         own_(source, registry),
         references_(source, registry, task.reference, watch),
         paths_(source, registry, task.reference, task.tolerances.back(), watch) {
-    if (own_.open() != Case::State::ready) throw std::runtime_error(own_.diagnostics().render(false));
+    if (own_.open() != runs::Case::State::ready) throw std::runtime_error(own_.diagnostics().render(false));
   }
 
   Comparison run() {
@@ -118,7 +119,7 @@ class Comparing {
     const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),
                                    [](const Trial& t) { return t.converged(); });
     if (last == result.trials.rend()) return {};
-    Case fresh(source_for(source_, result.method, last->tolerance), registry_);
+    runs::Case fresh(source_for(source_, result.method, last->tolerance), registry_);
     fresh.open();
     const Polished limit = polish(fresh, last->u), &goal = result.reference->answer;
     const double apart = distance(limit.x, goal.x);
@@ -159,11 +160,11 @@ class Comparing {
     return first.reference ? first.reference->method : first.method;
   }
 
-  const CaseSource& source_;
+  const runs::CaseSource& source_;
   Registry& registry_;
   const ComparisonTask& task_;
-  const Watch& watch_;
-  Case own_;
+  const runs::Watch& watch_;
+  runs::Case own_;
   ReferenceAnswers references_;
   ReferencePaths paths_;
   Comparison out_;
@@ -183,9 +184,9 @@ bool Comparison::any_failed() const {
   });
 }
 
-Comparison compare(const CaseSource& source, Registry& registry, const ComparisonTask& task,
-                   const Watch& watch) {
+Comparison compare(const runs::CaseSource& source, Registry& registry, const ComparisonTask& task,
+                   const runs::Watch& watch) {
   return Comparing(source, registry, task, watch).run();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

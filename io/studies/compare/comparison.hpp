@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The methods, tolerances and meshes that a comparison runs.
 struct ComparisonTask {
@@ -54,7 +54,7 @@ struct Comparison {
 /// Runs all trials. The scene must have been opened with every method before, so that it is known to be free
 /// of errors. Throws std::runtime_error if it has errors, std::invalid_argument for divisions that the scene
 /// does not have.
-Comparison compare(const CaseSource& source, Registry& registry, const ComparisonTask& task,
-                   const Watch& watch);
+Comparison compare(const runs::CaseSource& source, Registry& registry, const ComparisonTask& task,
+                   const runs::Watch& watch);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

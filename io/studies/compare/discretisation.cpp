@@ -3,26 +3,26 @@
 
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 constexpr double kTolerance = 1e-10;  // keeps solver errors well below those of the mesh
 
-CaseSource divided(const CaseSource& source, const MeshLevel& level) {
-  CaseSource with = source;
+runs::CaseSource divided(const runs::CaseSource& source, const MeshLevel& level) {
+  runs::CaseSource with = source;
   with.overrides.insert(with.overrides.end(), level.overrides.begin(), level.overrides.end());
   return with;
 }
 
-MeshResult solve_level(const CaseSource& source, Registry& registry, const Method& method,
-                       const MeshLevel& level, const Watch& watch, Places& places) {
-  const CaseSource mesh = divided(source, level);
+MeshResult solve_level(const runs::CaseSource& source, Registry& registry, const Method& method,
+                       const MeshLevel& level, const runs::Watch& watch, Places& places) {
+  const runs::CaseSource mesh = divided(source, level);
   MeshResult result;
   result.cells = level.cells;
   result.trial = run_trial(mesh, registry, method, kTolerance, 1, watch);
-  Case fresh(source_for(mesh, method, kTolerance), registry);
-  if (fresh.open() != Case::State::ready) throw std::runtime_error(fresh.diagnostics().render(false));
+  runs::Case fresh(source_for(mesh, method, kTolerance), registry);
+  if (fresh.open() != runs::Case::State::ready) throw std::runtime_error(fresh.diagnostics().render(false));
   result.unknowns = fresh.plan().unknowns;
   if (result.trial.converged()) places = places_of(fresh.loaded(), fresh.positions(result.trial.x));
   return result;
@@ -55,9 +55,9 @@ void judge_meshes(const std::vector<Places>& places, Discretisation& d) {
     if (d.steady || i + 1 < n) d.levels[i].error = largest_distance(places[i], goal);
 }
 
-Discretisation find_discretisation_error(const CaseSource& source, Registry& registry, const Method& method,
-                                         const std::string& part, const std::vector<MeshLevel>& levels,
-                                         const Watch& watch) {
+Discretisation find_discretisation_error(const runs::CaseSource& source, Registry& registry,
+                                         const Method& method, const std::string& part,
+                                         const std::vector<MeshLevel>& levels, const runs::Watch& watch) {
   Discretisation result;
   result.part = part;
   std::vector<Places> places;
@@ -71,4 +71,4 @@ Discretisation find_discretisation_error(const CaseSource& source, Registry& reg
   return result;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

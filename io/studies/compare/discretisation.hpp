@@ -5,7 +5,7 @@
 #include "io/studies/compare/richardson.hpp"
 #include "io/studies/compare/trial.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// One division of the gear, and its distance from the extrapolated limit or from the finest mesh.
 struct MeshResult {
@@ -28,12 +28,12 @@ struct Discretisation {
 /// Solves every level and extrapolates node by node from the two finest levels. The order is observed on the
 /// nodes that the three finest levels have in common, as the mean over nodes, because corners alone converge
 /// more slowly.
-Discretisation find_discretisation_error(const CaseSource& source, Registry& registry, const Method& method,
-                                         const std::string& part, const std::vector<MeshLevel>& levels,
-                                         const Watch& watch);
+Discretisation find_discretisation_error(const runs::CaseSource& source, Registry& registry,
+                                         const Method& method, const std::string& part,
+                                         const std::vector<MeshLevel>& levels, const runs::Watch& watch);
 
 /// Computes errors and orders of `result` from the places of the nodes on meshes of increasing numbers of
 /// cells. find_discretisation_error calls it with the solved levels.
 void judge_meshes(const std::vector<Places>& places, Discretisation& result);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -43,7 +43,7 @@ std::int64_t read_count(const std::string& word, const std::string& all) {
   return count;
 }
 
-const PartGeometry& part_named(const LoadedScene& loaded, const std::string& name) {
+const scenes::PartGeometry& part_named(const scenes::LoadedScene& loaded, const std::string& name) {
   for (const auto& part : loaded.parts)
     if (part.name == name && !part.cells.empty()) return part;
   std::string divided;
@@ -52,29 +52,31 @@ const PartGeometry& part_named(const LoadedScene& loaded, const std::string& nam
   refuse("--cells: there is no part \"" + name + "\" that is divided into cells; divided are " + divided);
 }
 
-std::string spell_cells(const PartGeometry& part, Factor factor) {
+std::string spell_cells(const scenes::PartGeometry& part, Factor factor) {
   std::string all;
   for (const int cells : part.cells) all += (all.empty() ? "" : ",") + std::to_string(factor.of(cells));
-  return "parts." + spell_key(part.name) + ".cells=" + (part.cells.size() > 1 ? "[" + all + "]" : all);
+  return "parts." + formats::spell_key(part.name) +
+         ".cells=" + (part.cells.size() > 1 ? "[" + all + "]" : all);
 }
 
-bool divides(const PartGeometry& part, Factor factor) {
+bool divides(const scenes::PartGeometry& part, Factor factor) {
   return std::all_of(part.cells.begin(), part.cells.end(), [&](int cells) { return factor.divides(cells); });
 }
 
 /// The parts that a factor applies to: all of them, or the one named `only`.
-std::vector<const PartGeometry*> divided_parts(const LoadedScene& loaded, const std::string& only) {
-  std::vector<const PartGeometry*> parts;
+std::vector<const scenes::PartGeometry*> divided_parts(const scenes::LoadedScene& loaded,
+                                                       const std::string& only) {
+  std::vector<const scenes::PartGeometry*> parts;
   for (const auto& part : loaded.parts)
     if (!part.cells.empty() && (only.empty() || part.name == only)) parts.push_back(&part);
   return parts;
 }
 
-bool all_divide(const std::vector<const PartGeometry*>& parts, Factor factor) {
+bool all_divide(const std::vector<const scenes::PartGeometry*>& parts, Factor factor) {
   return std::all_of(parts.begin(), parts.end(), [&](auto* part) { return divides(*part, factor); });
 }
 
-MeshLevel level(const std::vector<const PartGeometry*>& parts, std::int64_t cells, Factor factor) {
+MeshLevel level(const std::vector<const scenes::PartGeometry*>& parts, std::int64_t cells, Factor factor) {
   MeshLevel made{cells, {}};
   for (const auto* part : parts) {
     if (!divides(*part, factor))
@@ -88,14 +90,14 @@ MeshLevel level(const std::vector<const PartGeometry*>& parts, std::int64_t cell
 
 using Names = std::set<std::string>;
 
-Names names_of(const std::vector<const PartGeometry*>& parts) {
+Names names_of(const std::vector<const scenes::PartGeometry*>& parts) {
   Names names;
   for (const auto* part : parts) names.insert(part->name);
   return names;
 }
 
 /// The numbers of a gear's panels and ropes.
-std::vector<std::uint32_t> parts_of(const GearInScene& gear) {
+std::vector<std::uint32_t> parts_of(const scenes::GearInScene& gear) {
   std::vector<std::uint32_t> parts = gear.panels;
   parts.insert(parts.end(), gear.ropes.begin(), gear.ropes.end());
   return parts;
@@ -110,18 +112,18 @@ bool names_a_divided_node(const std::string& text, const Names& parts) {
 
 /// Calls visit(text, place) for every text below `value`.
 template <class Visit>
-void for_texts(const Value& value, const Visit& visit) {
+void for_texts(const formats::Value& value, const Visit& visit) {
   if (const auto* text = value.as<std::string>()) visit(*text, value.place);
-  if (const auto* array = value.as<Array>())
+  if (const auto* array = value.as<formats::Array>())
     for (const auto& item : array->items) for_texts(item, visit);
-  if (const auto* table = value.as<Table>())
+  if (const auto* table = value.as<formats::Table>())
     for (const auto& member : table->members) for_texts(member.value, visit);
 }
 
-void refuse_numbered_nodes(const LoadedScene& loaded, const Names& parts) {
-  Diagnostics diagnostics;
-  const Document document = Document::load(loaded.files.at(0).path, {}, diagnostics);
-  for_texts(document.root(), [&](const std::string& text, const Place& place) {
+void refuse_numbered_nodes(const scenes::LoadedScene& loaded, const Names& parts) {
+  formats::Diagnostics diagnostics;
+  const formats::Document document = formats::Document::load(loaded.files.at(0).path, {}, diagnostics);
+  for_texts(document.root(), [&](const std::string& text, const formats::Place& place) {
     if (names_a_divided_node(text, parts))
       refuse(diagnostics.where(place) + ": \"" + text +
              "\" is a different node on another mesh; name an edge, a corner or a middle to compare meshes");
@@ -144,15 +146,16 @@ CellList read_cell_list(const std::string& text) {
   return list;
 }
 
-const PartGeometry& leading_part(const LoadedScene& loaded) {
+const scenes::PartGeometry& leading_part(const scenes::LoadedScene& loaded) {
   for (const std::size_t directions : {2u, 1u})
     for (const auto& part : loaded.parts)
       if (part.cells.size() == directions) return part;
   refuse("nothing in this scene is divided into cells, so there is no mesh to refine");
 }
 
-std::vector<MeshLevel> mesh_levels(const LoadedScene& loaded, const CellList& list) {
-  const PartGeometry& leading = list.part.empty() ? leading_part(loaded) : part_named(loaded, list.part);
+std::vector<MeshLevel> mesh_levels(const scenes::LoadedScene& loaded, const CellList& list) {
+  const scenes::PartGeometry& leading =
+      list.part.empty() ? leading_part(loaded) : part_named(loaded, list.part);
   const auto parts = divided_parts(loaded, list.part);
   refuse_numbered_nodes(loaded, names_of(parts));
   std::vector<MeshLevel> levels;
@@ -160,9 +163,9 @@ std::vector<MeshLevel> mesh_levels(const LoadedScene& loaded, const CellList& li
   return levels;
 }
 
-MeshSize count_mesh(const LoadedScene& loaded) {
+MeshSize count_mesh(const scenes::LoadedScene& loaded) {
   if (!loaded.gear) {
-    const PartGeometry& part = leading_part(loaded);
+    const scenes::PartGeometry& part = leading_part(loaded);
     return {part.cells[0], 1.0 / part.cells[0], "cells of " + part.name, true};
   }
   std::set<std::uint32_t> nodes;
@@ -172,7 +175,8 @@ MeshSize count_mesh(const LoadedScene& loaded) {
   return {count, 1 / std::sqrt(static_cast<double>(count)), "nodes of the gear", false};
 }
 
-std::vector<MeshLevel> gear_levels(const LoadedScene& loaded, const std::vector<std::int64_t>& nodes) {
+std::vector<MeshLevel> gear_levels(const scenes::LoadedScene& loaded,
+                                   const std::vector<std::int64_t>& nodes) {
   if (!loaded.gear)
     refuse("this scene has no net plan, so it has no gear nodes to count; use --cells instead");
   Names parts;
@@ -186,7 +190,7 @@ std::vector<MeshLevel> gear_levels(const LoadedScene& loaded, const std::vector<
 
 namespace {
 
-std::vector<MeshLevel> gear_levels_around(const LoadedScene& loaded) {
+std::vector<MeshLevel> gear_levels_around(const scenes::LoadedScene& loaded) {
   const std::int64_t own = count_mesh(loaded).count;
   if (own / 2 >= kFewestNodes) return gear_levels(loaded, {own / 2, own * 2});
   return gear_levels(loaded, {own * 2, own * 4});
@@ -194,7 +198,7 @@ std::vector<MeshLevel> gear_levels_around(const LoadedScene& loaded) {
 
 }  // namespace
 
-std::vector<MeshLevel> levels_around(const LoadedScene& loaded) {
+std::vector<MeshLevel> levels_around(const scenes::LoadedScene& loaded) {
   if (loaded.gear) return gear_levels_around(loaded);
   const std::int64_t own = leading_part(loaded).cells[0];
   const auto parts = divided_parts(loaded, "");
@@ -209,4 +213,4 @@ std::vector<MeshLevel> levels_around(const LoadedScene& loaded) {
   return levels;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// One division of a scene into cells, or of a scene with a net plan into nodes of the gear.
 struct MeshLevel {
@@ -20,7 +20,7 @@ struct MeshSize {
   std::string of;          // what is counted: "cells of net", "nodes of the gear"
   bool is_similar = true;  // to those of other counts: cells are divided evenly, a gear is triangulated anew
 };
-MeshSize count_mesh(const LoadedScene& loaded);
+MeshSize count_mesh(const scenes::LoadedScene& loaded);
 
 /// The argument of `--cells`: "8,16,32" for all parts, or "net=8,16,32" for one part alone.
 struct CellList {
@@ -33,21 +33,21 @@ CellList read_cell_list(const std::string& text);
 
 /// The part whose cells a division is named after: the first panel, else the first rope. Throws
 /// std::invalid_argument when nothing in the scene is divided.
-const PartGeometry& leading_part(const LoadedScene& loaded);
+const scenes::PartGeometry& leading_part(const scenes::LoadedScene& loaded);
 
 /// The divisions of a list: the leading part has as many cells as the list says, all other parts are divided
 /// in proportion. Throws std::invalid_argument if a part would have no whole number of cells, or if the scene
 /// names a node by its number, which means a different node on another mesh.
-std::vector<MeshLevel> mesh_levels(const LoadedScene& loaded, const CellList& list);
+std::vector<MeshLevel> mesh_levels(const scenes::LoadedScene& loaded, const CellList& list);
 
 /// Divisions of a gear into approximately these numbers of nodes; parts outside the gear keep their cells.
 /// Throws std::invalid_argument as above, and if the scene has no gear.
-std::vector<MeshLevel> gear_levels(const LoadedScene& loaded, const std::vector<std::int64_t>& nodes);
+std::vector<MeshLevel> gear_levels(const scenes::LoadedScene& loaded, const std::vector<std::int64_t>& nodes);
 
 /// Two divisions to compare with the scene's own in order to estimate its mesh error. Preferred are a quarter
 /// and a half of its cells, which cost little; then half and twice as many; then twice as many alone. For a
 /// gear they are half and twice its nodes, or twice and four times as many if half would be too few to
 /// be worth a solve. Throws as above.
-std::vector<MeshLevel> levels_around(const LoadedScene& loaded);
+std::vector<MeshLevel> levels_around(const scenes::LoadedScene& loaded);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -8,13 +8,13 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 /// Sets the errors of numbers; adds a sentence for every end of a rope where there is none.
 void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, Numbers numbers,
-           std::vector<NamedScalar>& judged, std::string& note) {
+           std::vector<results::NamedScalar>& judged, std::string& note) {
   for (auto& scalar : judged) {
     const Trend trend = find_trend_of(scalar.name, numbers, meshes, own);
     if (trend.diverges && is_of_rope_end(scalar.name)) {
@@ -49,8 +49,9 @@ std::size_t sort_meshes(std::vector<NumbersOnMesh>& meshes) {
 
 }  // namespace
 
-void find_mesh_errors(const CaseSource& source, Registry& registry, const Case& own,
-                      const std::vector<MeshLevel>& levels, const Watch& watch, RunResult& result) {
+void find_mesh_errors(const runs::CaseSource& source, Registry& registry, const runs::Case& own,
+                      const std::vector<MeshLevel>& levels, const runs::Watch& watch,
+                      results::RunResult& result) {
   if (!is_stationary(result.solution)) {
     result.mesh_note = "is not known: the scene itself did not converge";
     return;
@@ -74,4 +75,4 @@ void find_mesh_errors(const CaseSource& source, Registry& registry, const Case& 
   judge(meshes, at, &NumbersOnMesh::gear, result.gear, result.mesh_note);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

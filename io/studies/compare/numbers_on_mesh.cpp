@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
-NumbersOnMesh numbers_of(const Case& solved, const RunResult& result) {
+NumbersOnMesh numbers_of(const runs::Case& solved, const results::RunResult& result) {
   return {count_mesh(solved.loaded()),
           solved.plan().unknowns,
           result.solution.cost.statistics.total_seconds,
@@ -17,18 +17,18 @@ NumbersOnMesh numbers_of(const Case& solved, const RunResult& result) {
           result.ropes};
 }
 
-std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& source, Registry& registry,
-                                      const Watch& watch, std::string& why_not) {
-  CaseSource divided = source;
+std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
+                                      Registry& registry, const runs::Watch& watch, std::string& why_not) {
+  runs::CaseSource divided = source;
   divided.overrides.insert(divided.overrides.end(), level.overrides.begin(), level.overrides.end());
-  Case one(divided, registry);
-  if (one.open() != Case::State::ready) {
+  runs::Case one(divided, registry);
+  if (one.open() != runs::Case::State::ready) {
     const auto errors = one.diagnostics().sorted();
     why_not = fmt::format("with {} the scene has an error: {}", fmt::join(level.overrides, ", "),
                           errors.empty() ? "" : errors.front().message);
     return {};
   }
-  RunResult result;
+  results::RunResult result;
   result.solution = one.solve(watch);
   const MeshSize mesh = count_mesh(one.loaded());
   if (!is_stationary(result.solution)) {
@@ -36,7 +36,7 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& 
                           name_of(result.solution.status), result.solution.reason);
     return {};
   }
-  collect(one.loaded(), one.assembler(), result);
+  results::collect(one.loaded(), one.assembler(), result);
   return numbers_of(one, result);
 }
 
@@ -44,7 +44,7 @@ Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<
                     std::size_t asked) {
   std::vector<double> values, widths;
   for (const auto& mesh : meshes) {
-    const NamedScalar* found = find_scalar(mesh.*numbers, name);
+    const results::NamedScalar* found = results::find_scalar(mesh.*numbers, name);
     if (!found || !std::isfinite(found->value)) return {};
     values.push_back(found->value);
     widths.push_back(mesh.mesh.width);
@@ -52,4 +52,4 @@ Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<
   return find_trend(values, widths, asked, meshes[asked].mesh.is_similar);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

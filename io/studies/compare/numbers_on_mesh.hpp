@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/results/figures/run_result.hpp"
 #include "io/runs/case.hpp"
 #include "io/studies/compare/division.hpp"
 #include "io/studies/compare/richardson.hpp"
-#include "io/results/figures/run_result.hpp"
 
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The numbers that a run reports on one mesh.
 struct NumbersOnMesh {
@@ -15,24 +15,24 @@ struct NumbersOnMesh {
   std::size_t unknowns = 0;
   double seconds = 0;  // wall time of the solver
   bool is_stable = true;
-  std::vector<NamedScalar> scalars, gear;
-  std::vector<RopeTensions> ropes;
+  std::vector<results::NamedScalar> scalars, gear;
+  std::vector<results::RopeTensions> ropes;
 };
 
 /// The mesh of a run that has an answer, and that answer's numbers.
-NumbersOnMesh numbers_of(const Case& solved, const RunResult& result);
+NumbersOnMesh numbers_of(const runs::Case& solved, const results::RunResult& result);
 
 /// Selects one of the two lists of numbers.
-using Numbers = std::vector<NamedScalar> NumbersOnMesh::*;
+using Numbers = std::vector<results::NamedScalar> NumbersOnMesh::*;
 
 /// Solves a scene on another mesh. Returns nothing unless forces balance there, `why_not` then says why. An
 /// equilibrium that is not stable will do: its figures go with the mesh like those of a stable one.
-std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const CaseSource& source, Registry& registry,
-                                      const Watch& watch, std::string& why_not);
+std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
+                                      Registry& registry, const runs::Watch& watch, std::string& why_not);
 
 /// The limit of a number on finer and finer meshes, and its distance from that limit on mesh `asked`. Unknown
 /// if the number is missing on some mesh.
 Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<NumbersOnMesh>& meshes,
                     std::size_t asked);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

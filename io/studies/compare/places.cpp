@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -18,13 +18,14 @@ std::int64_t in_units(double fraction) {
 }
 
 /// Returns the fractions of the width and of the length at which the part's node `own` lies.
-std::array<double, 2> fractions_of(const PartGeometry& part, std::size_t own, std::array<double, 2> size) {
+std::array<double, 2> fractions_of(const scenes::PartGeometry& part, std::size_t own,
+                                   std::array<double, 2> size) {
   if (!part.panel.empty()) return {part.panel[own][0] / size[0], part.panel[own][1] / size[1]};
   return {part.nodes.size() > 1 ? double(own) / double(part.nodes.size() - 1) : 0.0, 0.0};
 }
 
 /// Returns the extent of the part across and along it, in meshes.
-std::array<double, 2> size_of(const PartGeometry& part) {
+std::array<double, 2> size_of(const scenes::PartGeometry& part) {
   std::array<double, 2> size{};
   for (const auto& at : part.panel)
     for (std::size_t k = 0; k < 2; ++k) size[k] = std::max(size[k], at[k]);
@@ -42,10 +43,10 @@ void for_common(const Places& a, const Places& b, const Visit& visit) {
 
 }  // namespace
 
-Places places_of(const LoadedScene& loaded, std::span<const double> positions) {
+Places places_of(const scenes::LoadedScene& loaded, std::span<const double> positions) {
   Places places;
   for (std::uint32_t p = 0; p < loaded.parts.size(); ++p) {
-    const PartGeometry& part = loaded.parts[p];
+    const scenes::PartGeometry& part = loaded.parts[p];
     const auto size = size_of(part);
     for (std::size_t own = 0; own < part.nodes.size(); ++own) {
       const auto [s, t] = fractions_of(part, own, size);
@@ -85,4 +86,4 @@ Places extrapolate(const Places& a, const Places& b, double w, const Places& amo
   return limit;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -7,7 +7,7 @@
 #include <map>
 #include <span>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// A spot of a gear that does not depend on the mesh: a part, and the fractions of its width and its length.
 struct Spot {
@@ -21,7 +21,7 @@ struct Spot {
 using Places = std::map<Spot, std::array<double, 3>>;
 
 /// `positions` are those of all nodes of the scene, 3 per node [m].
-Places places_of(const LoadedScene& loaded, std::span<const double> positions);
+Places places_of(const scenes::LoadedScene& loaded, std::span<const double> positions);
 
 /// Largest distance over the spots that both have [m]; NaN if there are none in common.
 double largest_distance(const Places& a, const Places& b);
@@ -32,4 +32,4 @@ double mean_distance(const Places& a, const Places& b, const Places& among);
 /// a + w (a − b) at the spots that a, b and `among` have.
 Places extrapolate(const Places& a, const Places& b, double w, const Places& among);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

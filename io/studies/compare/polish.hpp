@@ -2,7 +2,7 @@
 #pragma once
 #include "io/runs/case.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// An answer brought down to the round-off floor by the host's own Newton steps.
 struct Polished {
@@ -18,10 +18,10 @@ struct Polished {
 /// Takes Newton steps from displacements `u` for as long as they lower the largest nodal residual. This gains
 /// accuracy only: which equilibrium is approached was decided by the solver that found `u`. `fresh` must not
 /// have solved anything.
-Polished polish(Case& fresh, const std::vector<double>& u);
+Polished polish(runs::Case& fresh, const std::vector<double>& u);
 
 /// CPU seconds of one numeric factorisation of the exact tangent at `u`, the least of several. It serves as
 /// the unit of work that can be compared between machines.
-double factorisation_seconds(Case& fresh, const std::vector<double>& u);
+double factorisation_seconds(runs::Case& fresh, const std::vector<double>& u);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -17,12 +17,12 @@ constexpr std::array<const char*, 6> kTrusted{
     "newton", "ptc", "lbfgs", "relaxation", "newton:method=classic", "newton:method=globalised"};
 
 /// Returns the polished answer of the solver, or nothing if it did not converge to any of the tolerances.
-std::optional<ReferenceAnswer> solve_for_reference(const CaseSource& source, Registry& registry,
-                                                   const Method& method, const Watch& watch) {
+std::optional<ReferenceAnswer> solve_for_reference(const runs::CaseSource& source, Registry& registry,
+                                                   const Method& method, const runs::Watch& watch) {
   for (const double tolerance : kTolerances) {
     const Trial trial = run_trial(source, registry, method, tolerance, 1, watch);
     if (!trial.converged()) continue;
-    Case fresh(source_for(source, method, tolerance), registry);
+    runs::Case fresh(source_for(source, method, tolerance), registry);
     fresh.open();
     return ReferenceAnswer{method, true, tolerance, trial.stability, polish(fresh, trial.u)};
   }
@@ -33,7 +33,7 @@ std::optional<ReferenceAnswer> solve_for_reference(const CaseSource& source, Reg
 
 std::string plugin_of(const Method& method) {
   const std::string name = method.name();
-  return method.kind() == "strategy" ? kSolver : name.substr(0, name.find_first_of(":/"));
+  return method.kind() == "strategy" ? scenes::kSolver : name.substr(0, name.find_first_of(":/"));
 }
 
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
@@ -67,4 +67,4 @@ const std::optional<ReferenceAnswer>& ReferenceAnswers::answer_of(const Method& 
   return found_[method.specification] = solve_for_reference(source_, registry_, method, watch_);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

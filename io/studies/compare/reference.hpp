@@ -3,7 +3,7 @@
 #include "io/studies/compare/polish.hpp"
 #include "io/studies/compare/trial.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The answer that errors of a method are measured against: found by another solver and brought to the
 /// round-off floor.
@@ -32,7 +32,8 @@ std::string plugin_of(const Method& method);
 /// The answers of reference solvers to one scene, each computed on first use.
 class ReferenceAnswers {
  public:
-  ReferenceAnswers(const CaseSource& source, Registry& registry, std::string wanted, const Watch& watch)
+  ReferenceAnswers(const runs::CaseSource& source, Registry& registry, std::string wanted,
+                   const runs::Watch& watch)
       : source_(source), registry_(registry), wanted_(std::move(wanted)), watch_(watch) {}
 
   /// Returns nothing if none of the solvers converges.
@@ -41,11 +42,11 @@ class ReferenceAnswers {
  private:
   const std::optional<ReferenceAnswer>& answer_of(const Method& method);
 
-  const CaseSource& source_;
+  const runs::CaseSource& source_;
   Registry& registry_;
   std::string wanted_;  // specification of a solver
-  const Watch& watch_;
+  const runs::Watch& watch_;
   std::map<std::string, std::optional<ReferenceAnswer>> found_;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -7,15 +7,15 @@
 #include <array>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 // Accuracies of references over the tightest that is compared.
 constexpr std::array<double, 2> kFiner{0.1, 1};
 // In decreasing order of trust, by how few hard motions they lose (tests/bench/motions).
-constexpr std::array<const char*, 3> kTrusted{"integrator energy-momentum", "integrator generalized-alpha",
-                                              "integrator newmark"};
+constexpr std::array<const char*, 3> kTrustedIntegrators{
+    "integrator energy-momentum", "integrator generalized-alpha", "integrator newmark"};
 
 }  // namespace
 
@@ -32,7 +32,7 @@ const std::optional<ReferenceAnswer>& ReferencePaths::path_of(const Method& meth
   const std::pair<std::string, bool> key{method.specification, is_damped};
   const auto [known, is_new] = found_.try_emplace(key);
   if (!is_new) return known->second;
-  CaseSource source = source_;
+  runs::CaseSource source = source_;
   if (!is_damped) source.overrides.push_back("analysis.material_damping=false");
   for (const double finer : kFiner) {
     Trial trial = run_trial(source, registry_, method, finer * tightest_, 1, watch_);
@@ -49,7 +49,7 @@ const std::optional<ReferenceAnswer>& ReferencePaths::path_of(const Method& meth
 std::optional<ReferenceAnswer> ReferencePaths::find_for(const Method& method, bool is_damped) {
   std::vector<Method> candidates;
   for (const bool own_plugin : {false, true})
-    for (const char* trusted : kTrusted)
+    for (const char* trusted : kTrustedIntegrators)
       if (const Method other{trusted}; (plugin_of(other) == plugin_of(method)) == own_plugin)
         candidates.push_back(other);
   if (!wanted_.empty()) candidates.assign(1, Method{"integrator " + wanted_});
@@ -58,7 +58,7 @@ std::optional<ReferenceAnswer> ReferencePaths::find_for(const Method& method, bo
     const auto& found = path_of(other, is_damped);
     if (!found || found->is_damped != is_damped) continue;
     if (reference && plugin_of(other) != plugin_of(reference->method)) {
-      Case own(source_, registry_);
+      runs::Case own(source_, registry_);
       own.open();
       reference->answer.uncertainty =
           path_distance(own.loaded().scene, own.assembler().numbering(), reference->path, found->path);
@@ -72,4 +72,4 @@ std::optional<ReferenceAnswer> ReferencePaths::find_for(const Method& method, bo
   return reference;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

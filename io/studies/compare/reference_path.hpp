@@ -2,7 +2,7 @@
 #pragma once
 #include "io/studies/compare/reference.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The paths that errors of motions are measured against: of an integrator of another plugin than the method
 /// under test, a decade finer than the tightest accuracy that is compared, or as fine as that where it is
@@ -11,8 +11,8 @@ namespace netloft::io {
 class ReferencePaths {
  public:
   /// `wanted`: the only integrator asked; empty: the most trusted that there are.
-  ReferencePaths(const CaseSource& source, Registry& registry, std::string wanted, double tightest,
-                 const Watch& watch)
+  ReferencePaths(const runs::CaseSource& source, Registry& registry, std::string wanted, double tightest,
+                 const runs::Watch& watch)
       : source_(source),
         registry_(registry),
         wanted_(std::move(wanted)),
@@ -25,11 +25,11 @@ class ReferencePaths {
  private:
   const std::optional<ReferenceAnswer>& path_of(const Method& method, bool is_damped);
 
-  const CaseSource& source_;
+  const runs::CaseSource& source_;
   Registry& registry_;
   std::string wanted_;
   double tightest_;
-  const Watch& watch_;
+  const runs::Watch& watch_;
   std::map<std::pair<std::string, bool>, std::optional<ReferenceAnswer>> found_;
 };
 
@@ -38,4 +38,4 @@ class ReferencePaths {
 double path_distance(const Scene& scene, const Numbering& numbering,
                      const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -25,16 +25,16 @@ void add_trends(const Refinement& refinement, std::string_view group, Numbers nu
   for (const auto& finest : meshes.back().*numbers) {
     RefinedNumber number{std::string(group) + finest.name, finest.unit, {}, {}};
     for (const auto& mesh : meshes) {
-      const NamedScalar* found = find_scalar(mesh.*numbers, finest.name);
-      number.values.push_back(found ? found->value : NamedScalar::kUnknown);
+      const results::NamedScalar* found = results::find_scalar(mesh.*numbers, finest.name);
+      number.values.push_back(found ? found->value : results::NamedScalar::kUnknown);
     }
     number.trend = find_trend_of(finest.name, numbers, meshes, meshes.size() - 1);
-    if (number.diverges()) number.trend.error = NamedScalar::kUnknown;
+    if (number.diverges()) number.trend.error = results::NamedScalar::kUnknown;
     all.push_back(std::move(number));
   }
 }
 
-std::string number(double value, const char* format = "{:.6g}") {
+std::string number_cell(double value, const char* format = "{:.6g}") {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
@@ -51,11 +51,12 @@ bool is_of_one_part(const std::string& name) { return name.find("_by_part/") != 
 
 std::string row_text(const RefinedNumber& n, std::size_t width) {
   std::string text = fmt::format("{:<{}}", n.name, width);
-  for (const double value : n.values) text += fmt::format(" {:>11}", number(value));
-  return text + fmt::format(" {:>11} {:>9} {:>6} {}\n", number(n.trend.limit),
-                            number(n.trend.error, "{:.1e}"),
-                            number(n.trend.steady ? n.trend.order : NamedScalar::kUnknown, "{:.1f}"),
-                            n.unit == "1" ? "" : n.unit);
+  for (const double value : n.values) text += fmt::format(" {:>11}", number_cell(value));
+  return text +
+         fmt::format(" {:>11} {:>9} {:>6} {}\n", number_cell(n.trend.limit),
+                     number_cell(n.trend.error, "{:.1e}"),
+                     number_cell(n.trend.steady ? n.trend.order : results::NamedScalar::kUnknown, "{:.1f}"),
+                     n.unit == "1" ? "" : n.unit);
 }
 
 std::string heading_text(const Refinement& r, std::size_t width) {
@@ -79,8 +80,8 @@ bool RefinedNumber::varies() const {
   return !(*most - *least <= kRoundOff * std::max(std::abs(*least), std::abs(*most)));
 }
 
-Refinement refine(const CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
-                  const Watch& watch) {
+Refinement refine(const runs::CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
+                  const runs::Watch& watch) {
   Refinement refinement;
   for (const auto& level : levels) {
     std::string why_not;
@@ -149,4 +150,4 @@ std::string refinement_json(const Refinement& r) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

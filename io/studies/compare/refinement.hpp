@@ -2,7 +2,7 @@
 #pragma once
 #include "io/studies/compare/numbers_on_mesh.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The numbers that a scene reports on finer and finer meshes.
 struct Refinement {
@@ -25,8 +25,8 @@ struct RefinedNumber {
 };
 
 /// Solves the scene on every mesh. A mesh without an equilibrium is left out and named in `missing`.
-Refinement refine(const CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
-                  const Watch& watch);
+Refinement refine(const runs::CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
+                  const runs::Watch& watch);
 
 /// Named results, then figures of the gear, in the order in which the finest mesh reports them; empty for
 /// fewer than two meshes.
@@ -37,4 +37,4 @@ std::vector<RefinedNumber> find_trends(const Refinement& refinement);
 std::string refinement_text(const Refinement& refinement);
 std::string refinement_json(const Refinement& refinement);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/studies/compare/comparison.hpp"
 #include "io/formats/svg/plot.hpp"
+#include "io/studies/compare/comparison.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The comparison as a table for people.
 std::string comparison_text(const Comparison& c);
@@ -17,6 +17,6 @@ std::string comparison_json(const Comparison& c);
 
 /// The work-precision diagram: a line per method, from its loosest tolerance to its tightest, and a mark at
 /// the discretisation error of each mesh.
-LinePlot comparison_plot(const Comparison& c);
+formats::LinePlot comparison_plot(const Comparison& c);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

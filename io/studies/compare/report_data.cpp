@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -176,4 +176,4 @@ std::string comparison_json(const Comparison& c) {
   return dumped(all);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

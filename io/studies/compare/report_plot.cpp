@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -14,7 +14,7 @@ namespace {
 double floor_of(const Comparison& c) { return std::numeric_limits<double>::epsilon() * c.size; }
 
 /// Tolerances that end at the same answer become one point, at the least cost.
-void add(std::vector<PlotSeries::Point>& points, PlotSeries::Point p) {
+void add(std::vector<formats::PlotSeries::Point>& points, formats::PlotSeries::Point p) {
   if (!points.empty() && points.back().x == p.x)
     points.back().y = std::min(points.back().y, p.y);
   else
@@ -35,8 +35,8 @@ std::string lost_at(const MethodResult& m) {
   return m.reference ? text : text + " (no reference)";
 }
 
-PlotSeries series_of(const Comparison& c, const MethodResult& m) {
-  PlotSeries series{c.is_of_motions ? m.method.name() : m.method.specification, {}};
+formats::PlotSeries series_of(const Comparison& c, const MethodResult& m) {
+  formats::PlotSeries series{c.is_of_motions ? m.method.name() : m.method.specification, {}};
   for (const Trial& t : m.trials)
     if (t.converged() && std::isfinite(t.error))
       add(series.points, {std::max(t.error, floor_of(c)), t.cpu_seconds});
@@ -51,13 +51,13 @@ PlotSeries series_of(const Comparison& c, const MethodResult& m) {
 
 }  // namespace
 
-LinePlot comparison_plot(const Comparison& c) {
-  LinePlot plot{with_times_signs(c.scene + ", " + c.mesh),
-                c.is_of_motions ? "error of the path: largest node distance [m]"
-                                : "solver error: largest node distance [m]",
-                "CPU time [s]",
-                {},
-                {}};
+formats::LinePlot comparison_plot(const Comparison& c) {
+  formats::LinePlot plot{with_times_signs(c.scene + ", " + c.mesh),
+                         c.is_of_motions ? "error of the path: largest node distance [m]"
+                                         : "solver error: largest node distance [m]",
+                         "CPU time [s]",
+                         {},
+                         {}};
   for (const auto& m : c.methods)
     if (!m.is_absent) plot.series.push_back(series_of(c, m));
   if (c.discretisation)
@@ -68,4 +68,4 @@ LinePlot comparison_plot(const Comparison& c) {
   return plot;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

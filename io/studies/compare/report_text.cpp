@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::string comparison_text(const Comparison& c) {
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

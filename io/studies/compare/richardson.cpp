@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -90,4 +90,4 @@ Trend find_trend(const std::vector<double>& values, const std::vector<double>& h
   return trend;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The limit of a sequence of meshes, after L. F. Richardson, Phil. Trans. R. Soc. A 210, 1911:
 ///   f(h) = f* + C hᵖ                                                                        (1)
@@ -51,4 +51,4 @@ struct Trend {
 Trend find_trend(const std::vector<double>& values, const std::vector<double>& h, std::size_t asked,
                  bool similar = false);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -14,13 +14,13 @@ constexpr std::string_view kRopes = "ropes/", kTension = "/tension_";
 
 /// The rope of "ropes/headrope/tension_end", seen from that end; nothing if the figure is no tension at an
 /// end.
-std::optional<RopeTensions> seen_from_end(const std::string& figure, const NumbersOnMesh& mesh) {
+std::optional<results::RopeTensions> seen_from_end(const std::string& figure, const NumbersOnMesh& mesh) {
   const auto slash = figure.rfind(kTension);
   if (!figure.starts_with(kRopes) || slash == std::string::npos) return {};
   const std::string end = figure.substr(slash + kTension.size());
   if (end == "largest") return {};
   const std::string rope = figure.substr(kRopes.size(), slash - kRopes.size());
-  for (const RopeTensions& r : mesh.ropes)
+  for (const results::RopeTensions& r : mesh.ropes)
     if (r.rope == rope) return end == "end" || end == "starboard" ? r.turned_round() : r;
   return {};
 }
@@ -53,4 +53,4 @@ std::string divergence_text(const std::string& figure, const std::vector<Numbers
                      distance, tensions[asked], find_trend(tensions, widths, asked).error);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

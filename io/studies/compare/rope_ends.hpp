@@ -2,7 +2,7 @@
 #pragma once
 #include "io/studies/compare/numbers_on_mesh.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// Where netting has a free corner, the tension at the end of the rope there has no limit on finer meshes: it
 /// is singular. Such a figure has no error, but the tension a little way inside has one.
@@ -15,4 +15,4 @@ bool is_of_rope_end(const std::string& figure);
 std::string divergence_text(const std::string& figure, const std::vector<NumbersOnMesh>& meshes,
                             std::size_t asked);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -43,7 +43,7 @@ const char* word_for(MarchStatus status) {
 }
 
 /// Positions at every output stay in memory; no file is written.
-Trial trial_in_time(Case& fresh, const Method& method, double tolerance, const Watch& watch) {
+Trial trial_in_time(runs::Case& fresh, const Method& method, double tolerance, const runs::Watch& watch) {
   Trial t;
   MarchWatch look;
   const std::string name = fmt::format("{} at {:.0e}", method.name(), tolerance);
@@ -75,10 +75,10 @@ Trial failed_trial(double tolerance, const std::string& why) {
   return t;
 }
 
-Trial run_once(const CaseSource& source, Registry& registry, const Method& method, double tolerance,
-               const Watch& watch) {
-  Case fresh(source_for(source, method, tolerance), registry);
-  if (fresh.open() != Case::State::ready)
+Trial run_once(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
+               const runs::Watch& watch) {
+  runs::Case fresh(source_for(source, method, tolerance), registry);
+  if (fresh.open() != runs::Case::State::ready)
     throw std::runtime_error(method.specification + ": " + fresh.diagnostics().render(false));
   try {
     if (method.kind() == "integrator") return trial_in_time(fresh, method, tolerance, watch);
@@ -110,17 +110,17 @@ std::string Method::name() const {
   return kind() == "solver" ? specification : specification.substr(kind().size() + 1);
 }
 
-CaseSource source_for(const CaseSource& source, const Method& method, double tolerance) {
-  CaseSource with = source;
-  const auto overrides = overrides_of(method.kind(), method.name());
+runs::CaseSource source_for(const runs::CaseSource& source, const Method& method, double tolerance) {
+  runs::CaseSource with = source;
+  const auto overrides = runs::overrides_of(method.kind(), method.name());
   with.overrides.insert(with.overrides.end(), overrides.begin(), overrides.end());
   with.overrides.push_back(
       fmt::format("analysis.{}={:e}", method.kind() == "integrator" ? "accuracy" : "tolerance", tolerance));
   return with;
 }
 
-Trial run_trial(const CaseSource& source, Registry& registry, const Method& method, double tolerance,
-                int repeats, const Watch& watch) {
+Trial run_trial(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
+                int repeats, const runs::Watch& watch) {
   Trial best = run_once(source, registry, method, tolerance, watch);
   for (int i = 1; i < repeats && best.converged(); ++i) {
     Trial again = run_once(source, registry, method, tolerance, watch);
@@ -129,8 +129,8 @@ Trial run_trial(const CaseSource& source, Registry& registry, const Method& meth
   return best;
 }
 
-std::vector<Trial> run_trials(const CaseSource& source, Registry& registry, const Method& method,
-                              const std::vector<double>& tolerances, int repeats, const Watch& watch) {
+std::vector<Trial> run_trials(const runs::CaseSource& source, Registry& registry, const Method& method,
+                              const std::vector<double>& tolerances, int repeats, const runs::Watch& watch) {
   std::vector<Trial> trials;
   for (const double tolerance : tolerances)
     trials.push_back(trials.empty() || trials.back().converged() || method.kind() == "integrator"
@@ -139,4 +139,4 @@ std::vector<Trial> run_trials(const CaseSource& source, Registry& registry, cons
   return trials;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

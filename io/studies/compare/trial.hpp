@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The cost and the answer of one method at one tolerance; of a motion that is the accuracy of its path.
 struct Trial {
@@ -52,16 +52,16 @@ struct Method {
 };
 
 /// Returns `source` with the overrides of a method and of a tolerance added.
-CaseSource source_for(const CaseSource& source, const Method& method, double tolerance);
+runs::CaseSource source_for(const runs::CaseSource& source, const Method& method, double tolerance);
 
 /// Solves the scene `repeats` times from its initial guess, each time in a new case; with an integrator, goes
 /// through time, as far as the budget of work of the analysis leads.
-Trial run_trial(const CaseSource& source, Registry& registry, const Method& method, double tolerance,
-                int repeats, const Watch& watch);
+Trial run_trial(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
+                int repeats, const runs::Watch& watch);
 
 /// Runs all tolerances from the loosest to the tightest; those after a failure are not tried, but for
 /// motions, which shorter steps may save.
-std::vector<Trial> run_trials(const CaseSource& source, Registry& registry, const Method& method,
-                              const std::vector<double>& tolerances, int repeats, const Watch& watch);
+std::vector<Trial> run_trials(const runs::CaseSource& source, Registry& registry, const Method& method,
+                              const std::vector<double>& tolerances, int repeats, const runs::Watch& watch);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

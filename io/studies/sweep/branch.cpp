@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -44,7 +44,8 @@ struct Move {
 };
 
 /// The node that is furthest apart in two states of one topology.
-Move largest_move(const Case& the_case, const std::vector<double>& from_x, const std::vector<double>& to_x) {
+Move largest_move(const runs::Case& the_case, const std::vector<double>& from_x,
+                  const std::vector<double>& to_x) {
   const auto from = the_case.positions(from_x), to = the_case.positions(to_x);
   Move largest;
   for (std::uint32_t n = 0; 3 * std::size_t{n} < from.size(); ++n) {
@@ -79,7 +80,7 @@ double size_of(const Scene& scene) {
 
 }  // namespace
 
-Reached Branch::reach(std::shared_ptr<Case> the_case, const Values& values) {
+Reached Branch::reach(std::shared_ptr<runs::Case> the_case, const Values& values) {
   Reached reached;
   Solved solved{std::move(the_case), {}, values};
   spent_ = {};
@@ -134,7 +135,7 @@ Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
 }
 
 /// Goes from the last point to the next, by the whole step or by halves of it. False: the way ends before.
-bool Branch::walk(const std::shared_ptr<Case>& the_case, const Values& values, Way& way) {
+bool Branch::walk(const std::shared_ptr<runs::Case>& the_case, const Values& values, Way& way) {
   const Solved start = way.back().solved;
   const double shortest = std::ldexp(1.0, -options_.halvings);
   for (double length = 1; length >= shortest;) {
@@ -168,7 +169,7 @@ std::vector<double> Branch::led_on(const Way& way, double at) {
   return x;
 }
 
-Solution Branch::step(Case& the_case, const Way& way, double at) {
+Solution Branch::step(runs::Case& the_case, const Way& way, double at) {
   Solution solution = the_case.continue_from(the_case.assembler().displacements_to(led_on(way, at)),
                                              options_.iterations, watch_);
   spent_.add(solution.cost);
@@ -177,7 +178,7 @@ Solution Branch::step(Case& the_case, const Way& way, double at) {
 
 bool Branch::may_have_jumped(const Way& way, std::size_t place) const {
   const Solution& found = way[place].solved.solution;
-  const Case& the_case = *way[place].solved.the_case;
+  const runs::Case& the_case = *way[place].solved.the_case;
   if (place < 2) return found.cost.statistics.iterations > options_.few_iterations;
   const auto led = led_on({way[place - 2], way[place - 1]}, way[place].at);
   const double off = largest_move(the_case, led, found.x).distance;
@@ -185,13 +186,13 @@ bool Branch::may_have_jumped(const Way& way, std::size_t place) const {
          off > largest_move(the_case, way[place - 1].solved.solution.x, led).distance;
 }
 
-bool Branch::is_noticed(double distance, const Case& of) const {
+bool Branch::is_noticed(double distance, const runs::Case& of) const {
   return distance > options_.noticed * size_of(of.loaded().scene);
 }
 
 /// The scene a part t of the way from one point to another, and its values.
-std::shared_ptr<Case> Branch::open_between(const Solved& from, const Values& to, double t,
-                                           Values& values) const {
+std::shared_ptr<runs::Case> Branch::open_between(const Solved& from, const Values& to, double t,
+                                                 Values& values) const {
   values = from.values;
   for (std::size_t v = 0; v < to.size(); ++v)
     if (from.values[v].text != to[v].text)
@@ -242,4 +243,4 @@ std::string Branch::spell(const Values& values, const Values& other) const {
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -5,11 +5,11 @@
 
 #include <memory>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// An equilibrium of a study: a scene that has been solved, and the values of the variables in its path.
 struct Solved {
-  std::shared_ptr<Case> the_case;
+  std::shared_ptr<runs::Case> the_case;
   Solution solution;
   std::vector<VariableValue> values;
 };
@@ -48,14 +48,14 @@ struct BranchOptions {
 class Branch {
  public:
   /// Makes the scene of the path at some values and opens it; null if it is not ready.
-  using OpenCase = std::function<std::shared_ptr<Case>(const std::vector<VariableValue>&)>;
+  using OpenCase = std::function<std::shared_ptr<runs::Case>(const std::vector<VariableValue>&)>;
 
-  Branch(std::vector<Variable> variables, OpenCase open, const Watch& watch, BranchOptions options = {})
+  Branch(std::vector<Variable> variables, OpenCase open, const runs::Watch& watch, BranchOptions options = {})
       : variables_(std::move(variables)), open_(std::move(open)), watch_(watch), options_(options) {}
 
   /// The equilibrium of a scene that is ready, at these values. Where it is a stable one, the branch goes on
   /// from there, else from nowhere.
-  Reached reach(std::shared_ptr<Case> the_case, const std::vector<VariableValue>& values);
+  Reached reach(std::shared_ptr<runs::Case> the_case, const std::vector<VariableValue>& values);
 
  private:
   /// A solved place on the way from the last point (0) to the next (1); before 0, points before.
@@ -67,23 +67,23 @@ class Branch {
 
   Way known_places(const std::vector<VariableValue>& values);
   Way tangent_way(const Solved& from, const std::vector<VariableValue>& to);
-  bool walk(const std::shared_ptr<Case>& the_case, const std::vector<VariableValue>& values, Way& way);
+  bool walk(const std::shared_ptr<runs::Case>& the_case, const std::vector<VariableValue>& values, Way& way);
   static std::vector<double> led_on(const Way& way, double at);
-  Solution step(Case& the_case, const Way& way, double at);
+  Solution step(runs::Case& the_case, const Way& way, double at);
   bool may_have_jumped(const Way& way, std::size_t place) const;
-  bool is_noticed(double distance, const Case& of) const;
-  std::shared_ptr<Case> open_between(const Solved& from, const std::vector<VariableValue>& to, double t,
-                                     std::vector<VariableValue>& values) const;
+  bool is_noticed(double distance, const runs::Case& of) const;
+  std::shared_ptr<runs::Case> open_between(const Solved& from, const std::vector<VariableValue>& to, double t,
+                                           std::vector<VariableValue>& values) const;
   void look_for_jump(Solved from, Solved to, std::vector<std::string>& events);
   void look_for_fold(const Way& way, const Solved& anew, std::vector<std::string>& events) const;
   std::string spell(const std::vector<VariableValue>& values, const std::vector<VariableValue>& other) const;
 
   std::vector<Variable> variables_;  // of the path
   OpenCase open_;
-  const Watch& watch_;
+  const runs::Watch& watch_;
   BranchOptions options_;
   std::vector<Solved> trail_;  // the last two equilibria, the newest behind
   Cost spent_;                 // on the way to the next one
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -26,7 +26,7 @@ std::string path_of(const std::string& word) { return word.substr(0, word.find('
 class Inspection {
  public:
   Inspection(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
-             Diagnostics& diagnostics)
+             formats::Diagnostics& diagnostics)
       : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics) {
     for (std::size_t v = 0; v < file.variables.size(); ++v) {
       if (!file.variables[v].is_sound) continue;
@@ -51,22 +51,23 @@ class Inspection {
 
  private:
   bool open(const std::map<std::size_t, VariableValue>& others) {
-    CaseSource source{folder_ / file_.scene, file_.set, 1};
+    runs::CaseSource source{folder_ / file_.scene, file_.set, 1};
     for (const std::size_t v : counts_) {
       const Variable& variable = file_.variables[v].variable;
       const auto other = others.find(v);
       for (auto& word : variable.overrides(other == others.end() ? tried(variable).front() : other->second))
         source.overrides.push_back(std::move(word));
     }
-    Case the_case(source, registry_);
-    const Case::State state = the_case.open();
+    runs::Case the_case(source, registry_);
+    const runs::Case::State state = the_case.open();
     hand_on_faults(the_case.diagnostics(), places_, file_.scene_place, diagnostics_);
     blamed_.clear();
-    for (const Diagnostic& fault : the_case.diagnostics().sorted())
-      if (fault.severity == Severity::error) blamed_.insert(the_case.diagnostics().where(fault.place));
-    found_.refused |= state == Case::State::refused;
-    if (state == Case::State::ready) learn(the_case);
-    return state == Case::State::ready;
+    for (const formats::Diagnostic& fault : the_case.diagnostics().sorted())
+      if (fault.severity == formats::Severity::error)
+        blamed_.insert(the_case.diagnostics().where(fault.place));
+    found_.refused |= state == runs::Case::State::refused;
+    if (state == runs::Case::State::ready) learn(the_case);
+    return state == runs::Case::State::ready;
   }
 
   /// Leaves out the variables that the last scene blames. False: it blames none.
@@ -79,8 +80,8 @@ class Inspection {
     return std::erase_if(counts_, is_blamed) > 0;
   }
 
-  void learn(Case& the_case) {
-    for (const SourceFile& file : the_case.loaded().files) {
+  void learn(runs::Case& the_case) {
+    for (const formats::SourceFile& file : the_case.loaded().files) {
       const std::pair<std::string, std::string> one(file.path, file.hash);
       if (std::find(found_.files.begin(), found_.files.end(), one) == found_.files.end())
         found_.files.push_back(one);
@@ -110,19 +111,19 @@ class Inspection {
   const StudyFile& file_;
   const std::filesystem::path& folder_;
   Registry& registry_;
-  Diagnostics& diagnostics_;
-  std::map<std::string, Place> places_;  // of keys
-  std::set<std::string> known_;          // figures
-  std::set<std::size_t> counts_;         // variables that the scene is tried with
-  std::set<std::string> blamed_;         // where the last scene has errors
+  formats::Diagnostics& diagnostics_;
+  std::map<std::string, formats::Place> places_;  // of keys
+  std::set<std::string> known_;                   // figures
+  std::set<std::size_t> counts_;                  // variables that the scene is tried with
+  std::set<std::string> blamed_;                  // where the last scene has errors
   CheckedScenes found_;
 };
 
 }  // namespace
 
 CheckedScenes check_scenes(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
-                           Diagnostics& diagnostics) {
+                           formats::Diagnostics& diagnostics) {
   return Inspection(file, folder, registry, diagnostics).inspect();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

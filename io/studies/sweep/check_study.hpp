@@ -3,7 +3,7 @@
 #include "framework/registry/registry.hpp"
 #include "io/studies/sweep/study.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// What was found out about the scenes of a study before it is planned.
 struct CheckedScenes {
@@ -18,6 +18,6 @@ struct CheckedScenes {
 /// without errors are left out, and so are, once they are reported, those that are to blame for a scene that
 /// cannot be read: what else is wrong is reported with them.
 CheckedScenes check_scenes(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
-                           Diagnostics& diagnostics);
+                           formats::Diagnostics& diagnostics);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::size_t items_per_minute(const Study& study, const std::filesystem::path& fo
   return std::min(study.items.size(), static_cast<std::size_t>(std::min(wanted, 1e9)));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

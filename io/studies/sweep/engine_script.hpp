@@ -2,7 +2,7 @@
 #pragma once
 #include "io/studies/sweep/study.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// Who starts the programs that compute items.
 enum class Engine { parallel, slurm };
@@ -28,4 +28,4 @@ std::string engine_script(Engine engine, const Study& study, const ScriptOptions
 std::size_t items_per_minute(const Study& study, const std::filesystem::path& folder,
                              double& seconds_per_item);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -15,12 +15,12 @@
 #include <numeric>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 // Kriging takes n³/3 operations: a tenth of a second for each figure. Points further away say little.
-constexpr std::size_t kMostPoints = 600;
+constexpr std::size_t kMostFittedPoints = 600;
 constexpr double kSolveError = 1e-9;  // relative, of (1)
 
 using Numbers = std::vector<double>;
@@ -221,7 +221,7 @@ class Estimator {
     std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
       return squared_distance(a.first, place_) < squared_distance(b.first, place_);
     });
-    all.resize(std::min(all.size(), kMostPoints));
+    all.resize(std::min(all.size(), kMostFittedPoints));
     Known known;
     for (auto& [point, sample] : all) {
       known.points.push_back(std::move(point));
@@ -362,7 +362,7 @@ class Estimator {
 }  // namespace
 
 std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vector<std::string>& wanted,
-                                        Diagnostics& diagnostics) {
+                                        formats::Diagnostics& diagnostics) {
   std::vector<std::string> names;
   for (const StudyFigure& figure : table.figures) names.push_back(figure.name);
   std::vector<std::size_t> chosen;
@@ -382,7 +382,7 @@ std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vect
 }
 
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
-                                      Diagnostics& diagnostics) {
+                                      formats::Diagnostics& diagnostics) {
   if (table.figures.empty())
     throw StudyError("no point of this study has been computed; `netloft study run` computes them");
   const Site site = read_site(table, request.at, diagnostics);
@@ -391,4 +391,4 @@ std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateReq
   return Estimator(table, site).run(figures);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

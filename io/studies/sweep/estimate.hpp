@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// Where figures are asked for.
 struct EstimateRequest {
@@ -45,9 +45,9 @@ struct StudyEstimate {
   std::vector<std::string> events;  // folds and jumps at the points around it
 };
 
-/// Estimates figures between the points of a table by kriging (solvers/fitting/kriging). Of a variable that is asked
-/// for at one of its listed values only rows with that value count; the others are asked for between their
-/// values. The error of an estimate y is
+/// Estimates figures between the points of a table by kriging (solvers/fitting/kriging). Of a variable that
+/// is asked for at one of its listed values only rows with that value count; the others are asked for between
+/// their values. The error of an estimate y is
 ///   max(2 s, Σ_v max_G |y_G − y_{−G}|, 10⁻⁹ |y|)                                                    (1)
 /// s the deviation of kriging; y_G the figures of a level G of variable v, and y_{−G} what all other points
 /// say of them, where they are nearest to the place. Levels are the two values of v that are nearest to the
@@ -66,15 +66,15 @@ struct StudyEstimate {
 /// not there or are missing, wrong units, places beyond the values of a variable or between its only two.
 /// Throws StudyError with a sentence if none of the points that would count has a stable equilibrium.
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
-                                      Diagnostics& diagnostics);
+                                      formats::Diagnostics& diagnostics);
 
 /// Places of figures in a table: those that are named, or without names all but those of single parts. Names
 /// that are not there go to the diagnostics.
 std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vector<std::string>& wanted,
-                                        Diagnostics& diagnostics);
+                                        formats::Diagnostics& diagnostics);
 
 /// For people, and as one JSON object.
 std::string estimate_text(const std::string& study, const StudyEstimate& estimate);
 std::string estimate_json(const std::string& study, const StudyEstimate& estimate);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::string estimate_json(const std::string& study, const StudyEstimate& e) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

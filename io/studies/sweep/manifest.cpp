@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -130,8 +130,8 @@ StudyItem read_item(const Json& json, const Study& study) {
 
 std::string text_of_manifest(const fs::path& path) {
   try {
-    if (auto text = read_whole(path)) return std::move(*text);
-  } catch (const ReadError& e) {
+    if (auto text = formats::read_whole(path)) return std::move(*text);
+  } catch (const formats::ReadError& e) {
     throw StudyError(e.what());
   }
   throw StudyError("there is no " + path.string() + "; `netloft study plan STUDY.toml` makes it");
@@ -181,4 +181,4 @@ fs::path failure_path(const fs::path& folder, const StudyItem& item) {
   return path_of(folder, item, ".failed");
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// A file of a study that cannot be used; what() is a sentence for the user.
 class StudyError : public std::runtime_error {
@@ -24,4 +24,4 @@ std::filesystem::path manifest_path(const std::filesystem::path& folder);
 std::filesystem::path record_path(const std::filesystem::path& folder, const StudyItem& item);
 std::filesystem::path failure_path(const std::filesystem::path& folder, const StudyItem& item);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -2,8 +2,8 @@
 #include "io/studies/sweep/path_run.hpp"
 
 #include "framework/balance/statistics.hpp"
-#include "io/results/file/provenance.hpp"
 #include "io/results/figures/run_result.hpp"
+#include "io/results/file/provenance.hpp"
 #include "io/studies/sweep/branch.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
@@ -14,7 +14,7 @@
 #include <array>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -45,9 +45,9 @@ class PathRun {
   std::optional<ItemRecord> run() {
     ItemRecord record;
     record.hash = item_.hash;
-    record.program = program_version();
+    record.program = results::program_version();
     record.cost.host = host_name();
-    record.cost.started = utc_now();
+    record.cost.started = results::utc_now();
     const double wall = wall_seconds(), cpu = cpu_seconds();
     for (const StudyPoint& point : item_.points) {
       record.points.push_back(solve(point));
@@ -61,25 +61,25 @@ class PathRun {
  private:
   bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
 
-  std::shared_ptr<Case> make_case(const std::vector<std::string>& set) const {
-    return std::make_shared<Case>(source_of(study_, item_, set, context_), *context_.registry, make_);
+  std::shared_ptr<runs::Case> make_case(const std::vector<std::string>& set) const {
+    return std::make_shared<runs::Case>(source_of(study_, item_, set, context_), *context_.registry, make_);
   }
 
   /// Between points.
-  std::shared_ptr<Case> open_at(const std::vector<VariableValue>& values) const {
+  std::shared_ptr<runs::Case> open_at(const std::vector<VariableValue>& values) const {
     std::vector<std::string> set;
     std::size_t v = 0;
     for (const StudyColumn& column : study_.columns)
       if (column.is_in_path)
         for (auto& word : column.variable.overrides(values[v++])) set.push_back(std::move(word));
     auto the_case = make_case(set);
-    return the_case->open() == Case::State::ready ? the_case : nullptr;
+    return the_case->open() == runs::Case::State::ready ? the_case : nullptr;
   }
 
   PointRecord solve(const StudyPoint& point) {
     const auto the_case = make_case(point.set);
     PointRecord record;
-    if (the_case->open() != Case::State::ready) {
+    if (the_case->open() != runs::Case::State::ready) {
       record.status = "wrong input";
       record.reason = first_fault(the_case->diagnostics());
       return record;
@@ -93,14 +93,14 @@ class PathRun {
     return record;
   }
 
-  void require_same_files(Case& the_case) const {
-    for (const SourceFile& file : the_case.loaded().files)
+  void require_same_files(runs::Case& the_case) const {
+    for (const formats::SourceFile& file : the_case.loaded().files)
       if (std::none_of(study_.files.begin(), study_.files.end(),
                        [&](const auto& known) { return known.second == file.hash; }))
         throw StudyError(file.path + " has changed since the study was planned; plan it again");
   }
 
-  void fill(PointRecord& record, Case& the_case, const Solution& s) const {
+  void fill(PointRecord& record, runs::Case& the_case, const Solution& s) const {
     record.status = name_of(s.status);
     record.reason = s.reason;
     record.iterations = s.cost.statistics.iterations;
@@ -117,7 +117,7 @@ class PathRun {
   const StudyItem& item_;
   const PathContext& context_;
   MakeFactorisation make_;
-  Watch watch_;
+  runs::Watch watch_;
   Branch branch_;
 };
 
@@ -127,31 +127,32 @@ std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, co
   return PathRun(study, item, context).run();
 }
 
-CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
-                     const PathContext& context) {
-  CaseSource source{context.folder / study.scene, study.set, context.threads};
+runs::CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
+                           const PathContext& context) {
+  runs::CaseSource source{context.folder / study.scene, study.set, context.threads};
   source.overrides.insert(source.overrides.end(), item.set.begin(), item.set.end());
   source.overrides.insert(source.overrides.end(), set.begin(), set.end());
   return source;
 }
 
-std::string first_fault(const Diagnostics& diagnostics) {
-  for (const Diagnostic& d : diagnostics.sorted())
-    if (d.severity == Severity::error) return diagnostics.where(d.place) + ": " + d.message;
+std::string first_fault(const formats::Diagnostics& diagnostics) {
+  for (const formats::Diagnostic& d : diagnostics.sorted())
+    if (d.severity == formats::Severity::error) return diagnostics.where(d.place) + ": " + d.message;
   return "a plugin is missing";
 }
 
-std::vector<StudyFigure> figures_of(Case& the_case, const Solution& solution) {
-  RunResult result;
+std::vector<StudyFigure> figures_of(runs::Case& the_case, const Solution& solution) {
+  results::RunResult result;
   result.solution = solution;
-  collect(the_case.loaded(), the_case.assembler(), result);
+  results::collect(the_case.loaded(), the_case.assembler(), result);
   std::vector<StudyFigure> figures;
-  for (const NamedScalar& s : result.scalars) figures.push_back({"results/" + s.name, s.unit, s.value});
-  for (const NamedScalar& s : result.gear) figures.push_back({"gear/" + s.name, s.unit, s.value});
-  for (const HoldForce& hold : result.hold_forces)
+  for (const results::NamedScalar& s : result.scalars)
+    figures.push_back({"results/" + s.name, s.unit, s.value});
+  for (const results::NamedScalar& s : result.gear) figures.push_back({"gear/" + s.name, s.unit, s.value});
+  for (const results::HoldForce& hold : result.hold_forces)
     for (std::size_t axis = 0; axis < 3; ++axis)
       figures.push_back({"held/" + hold.name + "/" + "xyz"[axis], "N", hold.force[axis]});
   return figures;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

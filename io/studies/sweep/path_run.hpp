@@ -6,13 +6,13 @@
 
 #include <memory>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// Where and with what an item is solved.
 struct PathContext {
   std::filesystem::path folder;  // of the study
   Registry* registry = nullptr;
-  Watch watch = {};
+  runs::Watch watch = {};
   int threads = 1;  // of the assembly
 };
 
@@ -23,13 +23,13 @@ struct PathContext {
 std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, const PathContext& context);
 
 /// The scene of an item with what a point sets, beside the item and the study.
-CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
-                     const PathContext& context);
+runs::CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
+                           const PathContext& context);
 
 /// The first error of a scene that cannot be read.
-std::string first_fault(const Diagnostics& diagnostics);
+std::string first_fault(const formats::Diagnostics& diagnostics);
 
 /// All numbers that a case reports at a solution.
-std::vector<StudyFigure> figures_of(Case& the_case, const Solution& solution);
+std::vector<StudyFigure> figures_of(runs::Case& the_case, const Solution& solution);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

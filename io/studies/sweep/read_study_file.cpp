@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/parameters/nearest.hpp"
-#include "io/studies/sweep/study_file.hpp"
 #include "io/formats/units/units.hpp"
+#include "io/studies/sweep/study_file.hpp"
 #include "io/studies/variables/read_variable.hpp"
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -15,7 +15,7 @@ constexpr std::int64_t kMostDraws = 1'000'000;
 /// Reads one study file; members are steps in the order they happen.
 class StudyReader {
  public:
-  StudyReader(const Value& root, Diagnostics& diagnostics) : root_(root, diagnostics) {}
+  StudyReader(const formats::Value& root, formats::Diagnostics& diagnostics) : root_(root, diagnostics) {}
 
   StudyFile read() {
     read_scene();
@@ -37,10 +37,12 @@ class StudyReader {
   }
 
   void read_variables() {
-    TableReader variables = root_.table("variables", Presence::required, "what is varied, a table each");
+    formats::TableReader variables =
+        root_.table("variables", formats::Presence::required, "what is varied, a table each");
     for (const std::string& name : variables.keys()) {
       const int errors = root_.diagnostics().errors();
-      TableReader table = variables.table(name, Presence::required, "key, and values or range");
+      formats::TableReader table =
+          variables.table(name, formats::Presence::required, "key, and values or range");
       DesignVariable read{read_variable(name, table), {}, false};
       check_name(read.variable);
       if (read.is_drawn())
@@ -76,7 +78,8 @@ class StudyReader {
   }
 
   void read_design() {
-    TableReader design = root_.table("design", Presence::optional, "how values are combined");
+    formats::TableReader design =
+        root_.table("design", formats::Presence::optional, "how values are combined");
     const std::string combine =
         design.choice("combine", {.allowed = {"grid", "list"},
                                   .doc = "listed values: all with all, or the first with the first",
@@ -96,7 +99,7 @@ class StudyReader {
     if (study_.combination == Combination::list) check_list();
   }
 
-  void check_draws(TableReader& design) {
+  void check_draws(formats::TableReader& design) {
     const bool some_are_drawn = std::any_of(study_.variables.begin(), study_.variables.end(),
                                             [](const auto& v) { return v.is_drawn(); });
     if (some_are_drawn && study_.draws == 0)
@@ -162,24 +165,24 @@ class StudyReader {
     study_.figures =
         root_.texts("figures", {.doc = "figures that are kept, such as gear/mouth/headline_height",
                                 .fallback = std::vector<std::string>{}});
-    const Value* raw = root_.raw("figures");
-    const Array* array = raw ? raw->as<Array>() : nullptr;
+    const formats::Value* raw = root_.raw("figures");
+    const formats::Array* array = raw ? raw->as<formats::Array>() : nullptr;
     for (std::size_t i = 0; array && i < array->items.size(); ++i)
       study_.figure_places.push_back(array->items[i].place);
   }
 
-  TableReader root_;
+  formats::TableReader root_;
   StudyFile study_;
 };
 
 }  // namespace
 
-StudyFile read_study_file(const std::filesystem::path& path, Diagnostics& diagnostics) {
-  const Document document = Document::load(path, {}, diagnostics);
+StudyFile read_study_file(const std::filesystem::path& path, formats::Diagnostics& diagnostics) {
+  const formats::Document document = formats::Document::load(path, {}, diagnostics);
   if (diagnostics.errors()) return {};
   StudyFile study = StudyReader(document.root(), diagnostics).read();
   study.name = path.stem().string();
   return study;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

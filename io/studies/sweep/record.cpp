@@ -11,7 +11,7 @@
 #include <limits>
 #include <map>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -123,14 +123,14 @@ std::optional<ItemRecord> find_record(const std::filesystem::path& folder, const
                                       std::string& fault) {
   const auto path = record_path(folder, item);
   try {
-    const auto text = read_whole(path);
+    const auto text = formats::read_whole(path);
     return text ? std::optional(read_record(*text, item)) : std::nullopt;
   } catch (const StudyError& e) {
     fault = path.string() + ": " + e.what();
-  } catch (const ReadError& e) {
+  } catch (const formats::ReadError& e) {
     fault = e.what();
   }
   return std::nullopt;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// A number that a point reports.
 struct StudyFigure {
@@ -48,4 +48,4 @@ ItemRecord read_record(const std::string& text, const StudyItem& item);
 std::optional<ItemRecord> find_record(const std::filesystem::path& folder, const StudyItem& item,
                                       std::string& fault);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

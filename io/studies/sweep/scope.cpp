@@ -2,9 +2,9 @@
 #include "io/studies/sweep/scope.hpp"
 
 #include "io/formats/svg/plot.hpp"
+#include "io/formats/units/degrees.hpp"
 #include "io/studies/sweep/branch.hpp"
 #include "io/studies/sweep/path_run.hpp"
-#include "io/formats/units/degrees.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
 
@@ -13,7 +13,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -28,11 +28,11 @@ Variable variable_in_metres(const char* name, const char* key) {
 }
 
 /// Names of figures, as the gear of a scene has them.
-struct FigureNames {
+struct ScopeFigureNames {
   std::string heel, spread;
 };
 
-FigureNames names_for(const LoadedScene& loaded) {
+ScopeFigureNames names_for(const scenes::LoadedScene& loaded) {
   if (!loaded.gear || !(loaded.gear->ship_speed > 0) || !loaded.scene.bed.is_there)
     throw std::invalid_argument(
         "a scope table is of a gear behind a ship over a bed: [ship] in its plan, [bed] in the scene");
@@ -51,13 +51,13 @@ ScopePoint without_numbers(double warp, std::string why_not) {
   return {warp, kNone, kNone, kNone, kNone, kNone, std::move(why_not)};
 }
 
-ScopePoint point_of(Case& the_case, const Solution& solution, double warp) {
+ScopePoint point_of(runs::Case& the_case, const Solution& solution, double warp) {
   if (solution.status != SolveStatus::converged)
     return without_numbers(warp, std::string(name_of(solution.status)) + ": " + solution.reason);
   const auto figures = figures_of(the_case, solution);
-  const FigureNames names = names_for(the_case.loaded());
+  const ScopeFigureNames names = names_for(the_case.loaded());
   return {warp,
-          kDegreesPerRadian * value_of(figures, names.heel),
+          formats::kDegreesPerRadian * value_of(figures, names.heel),
           value_of(figures, names.spread),
           value_of(figures, "gear/mouth/upper_wing_spread"),
           value_of(figures, "gear/mouth/headline_height"),
@@ -85,8 +85,8 @@ double end_between(const ScopeRequest& request, const ScopePoint& in, const Scop
 /// up is none of the next depth.
 class ScopeRun {
  public:
-  ScopeRun(const CaseSource& source, Registry& registry, const ScopeRequest& request, const Watch& watch,
-           const OnScopePoint& on_point)
+  ScopeRun(const runs::CaseSource& source, Registry& registry, const ScopeRequest& request,
+           const runs::Watch& watch, const OnScopePoint& on_point)
       : source_(source),
         registry_(registry),
         request_(request),
@@ -115,17 +115,17 @@ class ScopeRun {
  private:
   bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
 
-  std::shared_ptr<Case> make_case(const std::vector<VariableValue>& values) const {
-    CaseSource source = source_;
+  std::shared_ptr<runs::Case> make_case(const std::vector<VariableValue>& values) const {
+    runs::CaseSource source = source_;
     for (std::size_t v = 0; v < values.size(); ++v)
       for (auto& word : variables_[v].overrides(values[v])) source.overrides.push_back(std::move(word));
-    return std::make_shared<Case>(std::move(source), registry_, make_);
+    return std::make_shared<runs::Case>(std::move(source), registry_, make_);
   }
 
   /// Null where the scene cannot be read with these values.
-  std::shared_ptr<Case> open(const std::vector<VariableValue>& values) const {
+  std::shared_ptr<runs::Case> open(const std::vector<VariableValue>& values) const {
     auto the_case = make_case(values);
-    return the_case->open() == Case::State::ready ? the_case : nullptr;
+    return the_case->open() == runs::Case::State::ready ? the_case : nullptr;
   }
 
   void solve(ScopeRow& row, double scope, Branch& branch) {
@@ -141,7 +141,7 @@ class ScopeRun {
 
   ScopePoint solve(ScopeRow& row, double warp, const std::vector<VariableValue>& values, Branch& branch) {
     const auto the_case = make_case(values);
-    if (the_case->open() != Case::State::ready)
+    if (the_case->open() != runs::Case::State::ready)
       return without_numbers(warp, first_fault(the_case->diagnostics()));
     was_read_ = true;
     Reached reached = branch.reach(the_case, values);
@@ -149,10 +149,10 @@ class ScopeRun {
     return point_of(*the_case, reached.solution, warp);
   }
 
-  const CaseSource& source_;
+  const runs::CaseSource& source_;
   Registry& registry_;
   const ScopeRequest& request_;
-  const Watch& watch_;
+  const runs::Watch& watch_;
   const OnScopePoint& on_point_;
   bool was_read_ = false;
   std::size_t solved_ = 0;
@@ -181,24 +181,25 @@ void find_lengths(const ScopeRequest& request, ScopeRow& row) {
               last + 1 < p.size() ? end_between(request, p[last], p[last + 1]) : p[last].warp};
 }
 
-std::vector<ScopeRow> find_scope(const CaseSource& source, Registry& registry, const ScopeRequest& request,
-                                 const Watch& watch, const OnScopePoint& on_point) {
-  Case first(source, registry);
-  if (first.open() == Case::State::ready) names_for(first.loaded());
+std::vector<ScopeRow> find_scope(const runs::CaseSource& source, Registry& registry,
+                                 const ScopeRequest& request, const runs::Watch& watch,
+                                 const OnScopePoint& on_point) {
+  runs::Case first(source, registry);
+  if (first.open() == runs::Case::State::ready) names_for(first.loaded());
   return ScopeRun(source, registry, request, watch, on_point).run();
 }
 
 std::string draw_scope(const std::string& scene, const std::vector<ScopeRow>& rows, bool as_page) {
-  LinePlot plot{"Warp for " + scene, "depth [m]", "warp [m]", {}};
-  plot.x_scale = plot.y_scale = AxisScale::linear;
-  PlotSeries lengths{"boards as wanted", {}};
+  formats::LinePlot plot{"Warp for " + scene, "depth [m]", "warp [m]", {}};
+  plot.x_scale = plot.y_scale = formats::AxisScale::linear;
+  formats::PlotSeries lengths{"boards as wanted", {}};
   for (const ScopeRow& row : rows)
     if (row.chosen) {
       lengths.points.push_back({row.depth, row.points[*row.chosen].warp});
       lengths.band.push_back({row.depth, row.warp->low, row.warp->high});
     }
   plot.series.push_back(std::move(lengths));
-  return as_page ? draw_html(plot) : draw_svg(plot);
+  return as_page ? formats::draw_html(plot) : formats::draw_svg(plot);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// For which depths and which lengths of warp a gear is looked at, and how its boards ought to stand.
 struct ScopeRequest {
@@ -42,10 +42,11 @@ void find_lengths(const ScopeRequest& request, ScopeRow& row);
 /// Follows the equilibrium of a scene with a ship, a bed and one pair of boards over lengths of warp, depth
 /// by depth (branch.hpp). An interruption leaves out what was not solved, and the lengths of its depth.
 /// Throws std::invalid_argument with a sentence for other scenes, and where no length can be read.
-std::vector<ScopeRow> find_scope(const CaseSource& source, Registry& registry, const ScopeRequest& request,
-                                 const Watch& watch, const OnScopePoint& on_point = {});
+std::vector<ScopeRow> find_scope(const runs::CaseSource& source, Registry& registry,
+                                 const ScopeRequest& request, const runs::Watch& watch,
+                                 const OnScopePoint& on_point = {});
 
 /// Lengths of warp over depth, as a picture: SVG or an HTML page.
 std::string draw_scope(const std::string& scene, const std::vector<ScopeRow>& rows, bool as_page);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

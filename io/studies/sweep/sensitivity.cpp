@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/sensitivity.hpp"
 
+#include "io/scenes/water/dice.hpp"
 #include "io/studies/sweep/site.hpp"
 #include "io/studies/sweep/statistics.hpp"
-#include "io/scenes/water/dice.hpp"
 #include "solvers/fitting/kriging/hull.hpp"
 #include "solvers/fitting/kriging/kriging.hpp"
 
@@ -14,12 +14,12 @@
 #include <numeric>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 // Every point of the sample takes as many correlations; with more the error is that of the study's steps.
-constexpr std::size_t kMostPoints = 500;
+constexpr std::size_t kMostTablePoints = 500;
 constexpr std::size_t kMostGroups = 10;  // of draws that are left out
 constexpr std::size_t kHullPoints = 128;
 constexpr std::size_t kLeastLevels = 3;
@@ -44,13 +44,13 @@ struct Coordinate {
 };
 
 /// What is known of one figure.
-struct Known {
+struct KnownFigures {
   std::vector<Numbers> points;
   Numbers values;
   std::vector<std::size_t> draws;
 
-  Known without(const Group& group) const {
-    Known rest;
+  KnownFigures without(const Group& group) const {
+    KnownFigures rest;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!std::binary_search(group.begin(), group.end(), i)) {
         rest.points.push_back(points[i]);
@@ -64,7 +64,7 @@ struct Known {
 /// Indices of one figure; members are steps in the order they happen.
 class FigureIndices {
  public:
-  FigureIndices(const Known& known, const std::vector<Coordinate>& coordinates)
+  FigureIndices(const KnownFigures& known, const std::vector<Coordinate>& coordinates)
       : known_(known),
         coordinates_(coordinates),
         kriging_(known.points, known.values),
@@ -167,7 +167,7 @@ class FigureIndices {
       squares_ += residual * residual;
       ++residuals_;
     }
-    const Known rest = known_.without(group);
+    const KnownFigures rest = known_.without(group);
     const SobolIndices found = indices_of(Kriging(rest.points, rest.values, &*scales_), kOneReplicate);
     for (std::size_t i = 0; i < differences.size(); ++i) {
       differences[i].first.error = std::abs(found.variables[i].first.value - all.variables[i].first.value);
@@ -176,7 +176,7 @@ class FigureIndices {
     return differences;
   }
 
-  const Known& known_;
+  const KnownFigures& known_;
   const std::vector<Coordinate>& coordinates_;
   Kriging kriging_;
   std::optional<KrigingScales> scales_;
@@ -187,7 +187,7 @@ class FigureIndices {
 /// Chooses coordinates and rows; members are steps in the order they happen.
 class Analysis {
  public:
-  Analysis(const StudyTable& table, const Site& site, Diagnostics& diagnostics)
+  Analysis(const StudyTable& table, const Site& site, formats::Diagnostics& diagnostics)
       : table_(table), site_(site), diagnostics_(diagnostics) {
     for (std::size_t v = 0; v < table.columns.size(); ++v) add_column(v);
     if (result_.variables.empty() && !diagnostics.errors())
@@ -283,7 +283,7 @@ class Analysis {
 
   FigureSensitivity analyse(std::size_t f) {
     FigureSensitivity figure{table_.figures[f].name, table_.figures[f].unit, 0, 0, 0, 0, {}, {}};
-    const Known known = known_of(f);
+    const KnownFigures known = known_of(f);
     figure.points = known.points.size();
     figure.why_not = why_not(known);
     if (!figure.why_not.empty()) return figure;
@@ -293,16 +293,16 @@ class Analysis {
   }
 
   /// All points with a figure, or as many of them as count, at random.
-  Known known_of(std::size_t f) const {
+  KnownFigures known_of(std::size_t f) const {
     std::map<Numbers, std::pair<double, std::size_t>> all;
     for (const StudyRow* row : rows_)
       if (std::isfinite(row->figures[f])) all.try_emplace(point_of(*row), row->figures[f], row->draw);
     std::vector<std::pair<Numbers, std::pair<double, std::size_t>>> chosen(all.begin(), all.end());
-    Dice dice("sensitivity", 1);
-    for (std::size_t i = 0; chosen.size() > kMostPoints && i < kMostPoints; ++i)
+    scenes::Dice dice("sensitivity", 1);
+    for (std::size_t i = 0; chosen.size() > kMostTablePoints && i < kMostTablePoints; ++i)
       std::swap(chosen[i], chosen[i + dice.index(chosen.size() - i)]);
-    chosen.resize(std::min(chosen.size(), kMostPoints));
-    Known known;
+    chosen.resize(std::min(chosen.size(), kMostTablePoints));
+    KnownFigures known;
     for (auto& [point, value] : chosen) {
       known.points.push_back(point);
       known.values.push_back(value.first);
@@ -318,7 +318,7 @@ class Analysis {
     return point;
   }
 
-  std::string why_not(const Known& known) const {
+  std::string why_not(const KnownFigures& known) const {
     if (known.points.empty()) return "no point that counts has this figure";
     if (std::all_of(known.values.begin(), known.values.end(),
                     [&](double y) { return y == known.values.front(); }))
@@ -338,7 +338,7 @@ class Analysis {
     return {};
   }
 
-  double part_beyond(const Known& known) const {
+  double part_beyond(const KnownFigures& known) const {
     std::size_t beyond = 0;
     for (const Numbers& unit : unit_points(Drawing::sobol, kHullPoints, coordinates_.size(), 1)) {
       Numbers point;
@@ -350,7 +350,7 @@ class Analysis {
 
   const StudyTable& table_;
   const Site& site_;
-  Diagnostics& diagnostics_;
+  formats::Diagnostics& diagnostics_;
   std::vector<Coordinate> coordinates_;
   std::vector<const StudyRow*> rows_;
   StudySensitivity result_;
@@ -359,7 +359,7 @@ class Analysis {
 }  // namespace
 
 std::optional<StudySensitivity> sensitivity(const StudyTable& table, const SensitivityRequest& request,
-                                            Diagnostics& diagnostics) {
+                                            formats::Diagnostics& diagnostics) {
   if (table.figures.empty())
     throw StudyError("no point of this study has been computed; `netloft study run` computes them");
   const Site site = read_site(table, request.at, diagnostics, SiteNeeds::nothing);
@@ -370,4 +370,4 @@ std::optional<StudySensitivity> sensitivity(const StudyTable& table, const Sensi
   return analysis.run(figures);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -3,7 +3,7 @@
 #include "io/formats/svg/bars.hpp"
 #include "io/studies/sweep/sobol_indices.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 struct SensitivityRequest {
   std::vector<std::string> at;       // "speed=3 kn": variables that are held
@@ -47,11 +47,11 @@ struct StudySensitivity {
 /// that are not there, variables that have to be held because they are no numbers or have only two values,
 /// lists, which vary no variable by itself. Throws StudyError with a sentence where no point counts.
 std::optional<StudySensitivity> sensitivity(const StudyTable& table, const SensitivityRequest& request,
-                                            Diagnostics& diagnostics);
+                                            formats::Diagnostics& diagnostics);
 
 /// For people, as one JSON object, and as bars.
 std::string sensitivity_text(const std::string& study, const StudySensitivity& found);
 std::string sensitivity_json(const std::string& study, const StudySensitivity& found);
-BarChart sensitivity_bars(const StudySensitivity& found);
+formats::BarChart sensitivity_bars(const StudySensitivity& found);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,7 +6,7 @@
 
 #include <iterator>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -89,11 +89,11 @@ std::string sensitivity_json(const std::string& study, const StudySensitivity& s
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-BarChart sensitivity_bars(const StudySensitivity& s) {
-  BarChart chart{"part of the variance", {"first order", "total"}, {}};
+formats::BarChart sensitivity_bars(const StudySensitivity& s) {
+  formats::BarChart chart{"part of the variance", {"first order", "total"}, {}};
   for (const FigureSensitivity& figure : s.figures) {
     if (!figure.why_not.empty()) continue;
-    BarChart::Group& group = chart.groups.emplace_back(BarChart::Group{figure.name, {}});
+    formats::BarChart::Group& group = chart.groups.emplace_back(formats::BarChart::Group{figure.name, {}});
     for (std::size_t v = 0; v < s.variables.size(); ++v) {
       const auto& [first, total] = figure.variables[v];
       group.rows.push_back({s.variables[v].name, {{first.value, first.error}, {total.value, total.error}}});
@@ -102,4 +102,4 @@ BarChart sensitivity_bars(const StudySensitivity& s) {
   return chart;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

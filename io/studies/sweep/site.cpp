@@ -13,12 +13,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 // Below this number of values nothing tells whether a figure goes straight from one to the next.
-constexpr std::size_t kLeastLevels = 3;
+constexpr std::size_t kLeastLevelsOfSite = 3;
 
 /// "a=1,b=[2, 3]" at the commas that stand in no brackets and no quotes.
 std::vector<std::string> split_at_commas(const std::string& words) {
@@ -39,11 +39,13 @@ std::vector<std::string> split_at_commas(const std::string& words) {
 /// Reads word by word; members are steps in the order they happen.
 class SiteReader {
  public:
-  SiteReader(const StudyTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
+  SiteReader(const StudyTable& table, formats::Diagnostics& diagnostics)
+      : table_(table), diagnostics_(diagnostics) {}
 
   Site read(const std::vector<std::string>& words, SiteNeeds needs) {
     for (const std::string& some : words)
-      for (const std::string& word : split_at_commas(some)) apply_override(root_, word, diagnostics_, "--at");
+      for (const std::string& word : split_at_commas(some))
+        formats::apply_override(root_, word, diagnostics_, "--at");
     refuse_unknown();
     if (needs == SiteNeeds::all) refuse_missing();
     Site site;
@@ -53,7 +55,7 @@ class SiteReader {
 
  private:
   const std::string& name(std::size_t v) const { return table_.columns[v].variable.name; }
-  const Member* given(std::size_t v) const { return root_.as<Table>()->find(name(v)); }
+  const formats::Member* given(std::size_t v) const { return root_.as<formats::Table>()->find(name(v)); }
 
   std::vector<std::string> names() const {
     std::vector<std::string> all;
@@ -63,7 +65,7 @@ class SiteReader {
 
   void refuse_unknown() {
     const auto all = names();
-    for (const Member& member : root_.as<Table>()->members) {
+    for (const formats::Member& member : root_.as<formats::Table>()->members) {
       if (std::find(all.begin(), all.end(), member.key) != all.end()) continue;
       const auto near = nearest(member.key, all);
       diagnostics_.error(
@@ -96,12 +98,12 @@ class SiteReader {
   }
 
   std::optional<VariableValue> read_value(std::size_t v) {
-    const Member* member = given(v);
+    const formats::Member* member = given(v);
     if (!member) return std::nullopt;
     return table_.columns[v].is_number ? read_number(v) : read_choice(v, *member);
   }
 
-  std::optional<VariableValue> read_choice(std::size_t v, const Member& member) {
+  std::optional<VariableValue> read_choice(std::size_t v, const formats::Member& member) {
     const std::string text = spell_for_set(member.value);
     std::vector<std::string> known;
     for (const StudyRow& row : table_.rows) {
@@ -118,27 +120,28 @@ class SiteReader {
     const Variable& variable = table_.columns[v].variable;
     const std::vector<double> levels = levels_of(table_, v);
     if (levels.empty()) return std::nullopt;
-    TableReader reader(root_, diagnostics_);
-    const std::string ends = fmt::format("[{}, {}]{}", format(levels.front()), format(levels.back()),
-                                         variable.unit.empty() ? "" : " " + variable.unit);
+    formats::TableReader reader(root_, diagnostics_);
+    const std::string ends =
+        fmt::format("[{}, {}]{}", formats::format(levels.front()), formats::format(levels.back()),
+                    variable.unit.empty() ? "" : " " + variable.unit);
     const auto number = read_number_of(variable, reader, name(v), "the study has " + ends);
     if (!number) return std::nullopt;
-    const std::string text = name(v) + " = " + format(*number, variable.unit);
+    const std::string text = name(v) + " = " + formats::format(*number, variable.unit);
     const auto level =
         std::find_if(levels.begin(), levels.end(), [&](double x) { return is_same_number(x, *number); });
     if (level != levels.end()) return variable.value_of(*level);
     if (!(*number > levels.front() && *number < levels.back()))
       diagnostics_.error(reader.place(name(v)), text + " is outside " + ends + ", the values of the study",
                          "what lies beyond them has to be solved: netloft run");
-    else if (!table_.columns[v].is_drawn && levels.size() < kLeastLevels)
+    else if (!table_.columns[v].is_drawn && levels.size() < kLeastLevelsOfSite)
       diagnostics_.error(reader.place(name(v)), text + " lies between the only two values of the study",
                          "two values do not tell what lies between them; three or more do");
     return variable.value_of(*number);
   }
 
   const StudyTable& table_;
-  Diagnostics& diagnostics_;
-  Value root_{{}, Table{}};
+  formats::Diagnostics& diagnostics_;
+  formats::Value root_{{}, formats::Table{}};
 };
 
 }  // namespace
@@ -156,9 +159,9 @@ std::vector<double> levels_of(const StudyTable& table, std::size_t column) {
   return levels;
 }
 
-Site read_site(const StudyTable& table, const std::vector<std::string>& words, Diagnostics& diagnostics,
-               SiteNeeds needs) {
+Site read_site(const StudyTable& table, const std::vector<std::string>& words,
+               formats::Diagnostics& diagnostics, SiteNeeds needs) {
   return SiteReader(table, diagnostics).read(words, needs);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// A place among the points of a study: a value for each column; none for drawn variables that are left open.
 using Site = std::vector<std::optional<VariableValue>>;
@@ -20,7 +20,7 @@ enum class SiteNeeds { all, nothing };
 
 /// Reads a place out of words such as "speed=2.7 kn", which may have several, with commas between. All that
 /// is wrong goes to the diagnostics, and then the place must not be used (estimate.hpp says what is wrong).
-Site read_site(const StudyTable& table, const std::vector<std::string>& words, Diagnostics& diagnostics,
-               SiteNeeds needs = SiteNeeds::all);
+Site read_site(const StudyTable& table, const std::vector<std::string>& words,
+               formats::Diagnostics& diagnostics, SiteNeeds needs = SiteNeeds::all);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

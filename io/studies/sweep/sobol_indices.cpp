@@ -7,20 +7,20 @@
 #include <cmath>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 using Numbers = std::vector<double>;
 
-/// Values of one replicate: at rows a, at rows b, and at rows c of each variable.
-struct Values {
+/// TripleOfValues of one replicate: at rows a, at rows b, and at rows c of each variable.
+struct TripleOfValues {
   Numbers a, b;
   std::vector<Numbers> c;
 };
 
-Values evaluate(const UnitFunction& f, std::size_t d, std::size_t points, std::uint64_t seed) {
-  Values values{{}, {}, std::vector<Numbers>(d)};
+TripleOfValues evaluate(const UnitFunction& f, std::size_t d, std::size_t points, std::uint64_t seed) {
+  TripleOfValues values{{}, {}, std::vector<Numbers>(d)};
   for (const Numbers& both : unit_points(Drawing::sobol, points, 2 * d, seed)) {
     const auto middle = both.begin() + static_cast<std::ptrdiff_t>(d);
     Numbers row(both.begin(), middle);
@@ -36,7 +36,7 @@ Values evaluate(const UnitFunction& f, std::size_t d, std::size_t points, std::u
 }
 
 /// (1) and (2) without errors, and mean and deviation.
-SobolIndices indices_of(const Values& values) {
+SobolIndices indices_of(const TripleOfValues& values) {
   Numbers all = values.a;
   all.insert(all.end(), values.b.begin(), values.b.end());
   SobolIndices indices{mean_of(all), deviation_of(all), std::vector<SobolIndex>(values.c.size())};
@@ -78,4 +78,4 @@ SobolIndices sobol_indices(const UnitFunction& f, std::size_t variables, const S
   return mean;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

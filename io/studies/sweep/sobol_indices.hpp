@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// How much of the variance of a function follows from one of its variables.
 struct SobolIndex {
@@ -39,4 +39,4 @@ using UnitFunction = std::function<double(const std::vector<double>&)>;
 /// means. The same points every time. A function that is constant has indices of zero.
 SobolIndices sobol_indices(const UnitFunction& f, std::size_t variables, const SobolSample& sample = {});
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 double quantile_of(std::vector<double> sample, double p) {
   std::erase_if(sample, [](double x) { return !std::isfinite(x); });
@@ -31,4 +31,4 @@ double deviation_of(const std::vector<double>& sample) {
   return std::sqrt(sum / static_cast<double>(sample.size() - 1));
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// The number below which a fraction p of a sample lies, between neighbours in proportion (type 7 of R. J.
 /// Hyndman and Y. Fan, Sample quantiles in statistical packages, The American Statistician 50, 1996): with x₀
@@ -15,4 +15,4 @@ double mean_of(const std::vector<double>& sample);
 /// With n − 1; zero of a single number.
 double deviation_of(const std::vector<double>& sample);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -192,7 +192,7 @@ std::string hash_of(const Study& study, const StudyItem& item) {
   add(study.set, "set");
   add(item.set, "item");
   for (const StudyPoint& point : item.points) add(point.set, "point");
-  return fnv1a64(all);
+  return formats::fnv1a64(all);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

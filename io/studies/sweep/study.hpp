@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// One solve of a study.
 struct StudyPoint {
@@ -65,4 +65,4 @@ Study make_study(const StudyFile& file, const std::string& scene,
 /// The hash of an item (fnv1a64): of the files, of the figures that are kept, of all that is set.
 std::string hash_of(const Study& study, const StudyItem& item);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/studies/sweep/unit_points.hpp"
 #include "io/formats/toml/document.hpp"
+#include "io/studies/sweep/unit_points.hpp"
 #include "io/studies/variables/distribution.hpp"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// How listed values of several variables go together.
 enum class Combination { grid, list };
@@ -25,20 +25,20 @@ struct DesignVariable {
 struct StudyFile {
   std::string name;   // of the file, without its ending
   std::string scene;  // path of the scene, from the folder of the file
-  Place scene_place;
+  formats::Place scene_place;
   std::vector<std::string> set;  // of all points, as `--set` takes them
-  Place set_place;
+  formats::Place set_place;
   std::vector<DesignVariable> variables;  // in the order of the file
   Combination combination = Combination::grid;
   Drawing drawing = Drawing::latin_hypercube;
   std::size_t draws = 0;
   std::uint64_t seed = 1;
   std::vector<std::string> figures;  // that are kept; empty: all
-  std::vector<Place> figure_places;
+  std::vector<formats::Place> figure_places;
 };
 
 /// Reads a study file; what is wrong goes to `diagnostics`, and then the result may only be used to find what
 /// else is wrong (check_study.hpp).
-StudyFile read_study_file(const std::filesystem::path& path, Diagnostics& diagnostics);
+StudyFile read_study_file(const std::filesystem::path& path, formats::Diagnostics& diagnostics);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

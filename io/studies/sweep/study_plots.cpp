@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 constexpr std::size_t kMostLines = 8;  // markers that can be told apart
 
-std::string with_unit(const std::string& name, const std::string& unit) {
+std::string axis_title(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : name + " [" + unit + "]";
 }
 
@@ -34,8 +34,8 @@ class Plotter {
     choose_figures(request.figures);
   }
 
-  std::vector<LinePlot> draw() const {
-    std::vector<LinePlot> plots;
+  std::vector<formats::LinePlot> draw() const {
+    std::vector<formats::LinePlot> plots;
     for (const std::size_t f : figures_) plots.push_back(draw_figure(f));
     return plots;
   }
@@ -137,23 +137,23 @@ class Plotter {
                        [&](const StudyRow* row) { return row->figures[f] != rows_.front()->figures[f]; });
   }
 
-  LinePlot draw_figure(std::size_t f) const {
+  formats::LinePlot draw_figure(std::size_t f) const {
     const StudyFigure& figure = table_.figures[f];
-    LinePlot plot{title(),
-                  with_unit(name(over_), table_.columns[over_].variable.unit),
-                  with_unit(figure.name, figure.unit),
-                  {},
-                  {},
-                  AxisScale::linear,
-                  AxisScale::linear,
-                  "some of the draws have no stable equilibrium here"};
+    formats::LinePlot plot{title(),
+                           axis_title(name(over_), table_.columns[over_].variable.unit),
+                           axis_title(figure.name, figure.unit),
+                           {},
+                           {},
+                           formats::AxisScale::linear,
+                           formats::AxisScale::linear,
+                           "some of the draws have no stable equilibrium here"};
     if (by_ == table_.columns.size()) {
       plot.series.push_back(series("", figure.name, f));
     } else {
       for (const auto& value : values_of(by_))
         plot.series.push_back(series(value.text, name(by_) + " " + value.text, f));
     }
-    std::erase_if(plot.series, [](const PlotSeries& s) { return s.points.empty(); });
+    std::erase_if(plot.series, [](const formats::PlotSeries& s) { return s.points.empty(); });
     return plot;
   }
 
@@ -176,8 +176,8 @@ class Plotter {
   }
 
   /// Rows of one line.
-  PlotSeries series(const std::string& value, const std::string& label, std::size_t f) const {
-    PlotSeries series{label, {}};
+  formats::PlotSeries series(const std::string& value, const std::string& label, std::size_t f) const {
+    formats::PlotSeries series{label, {}};
     std::map<double, std::vector<double>> samples;  // by x
     for (const StudyRow* row : rows_)
       if (is_of_line(*row, value) && std::isfinite(row->figures[f]))
@@ -205,8 +205,8 @@ class Plotter {
 
 }  // namespace
 
-std::vector<LinePlot> plots_of(const StudyTable& table, const PlotRequest& request) {
+std::vector<formats::LinePlot> plots_of(const StudyTable& table, const PlotRequest& request) {
   return Plotter(table, request).draw();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -3,7 +3,7 @@
 #include "io/formats/svg/plot.hpp"
 #include "io/studies/sweep/study_table.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// Which part of a table is drawn, over what.
 struct PlotRequest {
@@ -21,6 +21,6 @@ inline constexpr double kBandLow = 0.05, kBandHigh = 0.95;
 /// apart by lines are held at one value, which the title says. Points without a stable equilibrium are left
 /// out; where some of the draws have none, the marker is hollow. Throws StudyError with a sentence where a
 /// name is wrong or there is nothing to draw.
-std::vector<LinePlot> plots_of(const StudyTable& table, const PlotRequest& request);
+std::vector<formats::LinePlot> plots_of(const StudyTable& table, const PlotRequest& request);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

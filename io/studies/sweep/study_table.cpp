@@ -8,16 +8,16 @@
 #include <map>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
 /// The reason that a worker left for an item that it could not compute.
 std::string failure_of(const std::filesystem::path& folder, const StudyItem& item) {
   try {
-    const std::string text = read_whole(failure_path(folder, item)).value_or("");
+    const std::string text = formats::read_whole(failure_path(folder, item)).value_or("");
     return text.substr(0, text.find('\n'));
-  } catch (const ReadError& e) {
+  } catch (const formats::ReadError& e) {
     return e.what();
   }
 }
@@ -101,4 +101,4 @@ StudyTable collect_table(const Study& study, const std::filesystem::path& folder
   return Collector(study, folder).collect();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/studies/sweep/record.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// One row of the table: a point, and what came out.
 struct StudyRow {
@@ -35,4 +35,4 @@ std::string study_hdf5(const Study& study, const StudyTable& table);
 /// What the items cost, and where: comma-separated values, a row for every item that has a record.
 std::string costs_csv(const Study& study, const std::filesystem::path& folder);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

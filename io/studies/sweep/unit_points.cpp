@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -18,7 +18,7 @@ using Points = std::vector<std::vector<double>>;
 /// The middle of the n-th of 2^53 intervals: never 0, never 1.
 double in_open_interval(std::uint64_t bits) { return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53; }
 
-std::vector<std::size_t> shuffled(std::size_t count, Dice& dice) {
+std::vector<std::size_t> shuffled(std::size_t count, scenes::Dice& dice) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[dice.index(i)]);
@@ -28,7 +28,7 @@ std::vector<std::size_t> shuffled(std::size_t count, Dice& dice) {
 Points latin_hypercube(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   Points points(count, std::vector<double>(dimensions));
   for (std::size_t d = 0; d < dimensions; ++d) {
-    Dice dice("latin-hypercube " + std::to_string(d), seed);
+    scenes::Dice dice("latin-hypercube " + std::to_string(d), seed);
     const auto order = shuffled(count, dice);
     for (std::size_t i = 0; i < count; ++i)
       points[i][d] =
@@ -41,7 +41,8 @@ Points sobol(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   assert(dimensions <= kMostSobolVariables);
   boost::random::sobol_engine<std::uint64_t, 64> engine(dimensions);
   std::vector<std::uint64_t> shift(dimensions);
-  for (std::size_t d = 0; d < dimensions; ++d) shift[d] = Dice("sobol " + std::to_string(d), seed).next();
+  for (std::size_t d = 0; d < dimensions; ++d)
+    shift[d] = scenes::Dice("sobol " + std::to_string(d), seed).next();
   Points points(count, std::vector<double>(dimensions));
   // The engine leaves out the sequence's first point, the origin, which belongs to every power of two.
   for (std::size_t i = 0; i < count; ++i)
@@ -58,4 +59,4 @@ Points unit_points(Drawing drawing, std::size_t count, std::size_t dimensions, s
                                    : latin_hypercube(count, dimensions, seed);
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

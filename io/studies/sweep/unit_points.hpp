@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// How draws fill the space of their variables.
 enum class Drawing { latin_hypercube, sobol };
@@ -22,4 +22,4 @@ inline constexpr std::size_t kMostSobolVariables = 3667;
 std::vector<std::vector<double>> unit_points(Drawing drawing, std::size_t count, std::size_t dimensions,
                                              std::uint64_t seed);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return csv_field(unit.empty() || unit == "1" ? name : name + " [" + unit + "]");
+std::string csv_heading(const std::string& name, const std::string& unit) {
+  return results::csv_field(unit.empty() || unit == "1" ? name : name + " [" + unit + "]");
 }
 
 std::string joined(const std::vector<std::string>& sentences) {
@@ -21,7 +21,8 @@ std::string joined(const std::vector<std::string>& sentences) {
 }
 
 std::string value_field(const StudyColumn& column, const VariableValue& value) {
-  return column.is_number && value.number ? csv_number(*value.number) : csv_field(value.text);
+  return column.is_number && value.number ? results::csv_number(*value.number)
+                                          : results::csv_field(value.text);
 }
 
 std::string row_csv(const StudyTable& table, const StudyRow& row) {
@@ -30,17 +31,17 @@ std::string row_csv(const StudyTable& table, const StudyRow& row) {
   for (std::size_t v = 0; v < row.values.size(); ++v)
     text += "," + value_field(table.columns[v], row.values[v]);
   const PointRecord& r = row.record;
-  text += "," + csv_field(r.status) + "," + csv_field(r.reason) + "," + csv_field(r.start) + "," +
-          csv_field(joined(r.events)) + "," + std::to_string(r.iterations) + "," +
-          std::to_string(r.factorisations);
-  for (const double value : row.figures) text += "," + csv_number(value);
+  text += "," + results::csv_field(r.status) + "," + results::csv_field(r.reason) + "," +
+          results::csv_field(r.start) + "," + results::csv_field(joined(r.events)) + "," +
+          std::to_string(r.iterations) + "," + std::to_string(r.factorisations);
+  for (const double value : row.figures) text += "," + results::csv_number(value);
   return text + "\n";
 }
 
 /// Writes one number or text of every row.
 class Columns {
  public:
-  Columns(Tree& tree, const StudyTable& table) : tree_(tree), table_(table) {}
+  Columns(formats::Tree& tree, const StudyTable& table) : tree_(tree), table_(table) {}
 
   template <class Take>
   void write_reals(const std::string& path, const std::string& unit, const std::string& doc,
@@ -63,7 +64,7 @@ class Columns {
   }
 
  private:
-  Tree& tree_;
+  formats::Tree& tree_;
   const StudyTable& table_;
 };
 
@@ -103,16 +104,16 @@ void write_outcomes(Columns& columns) {
 
 std::string study_csv(const StudyTable& table) {
   std::string text = "item,draw,point";
-  for (const StudyColumn& c : table.columns) text += "," + with_unit(c.variable.name, c.variable.unit);
+  for (const StudyColumn& c : table.columns) text += "," + csv_heading(c.variable.name, c.variable.unit);
   text += ",status,reason,start,events,iterations,factorisations";
-  for (const StudyFigure& f : table.figures) text += "," + with_unit(f.name, f.unit);
+  for (const StudyFigure& f : table.figures) text += "," + csv_heading(f.name, f.unit);
   text += "\n";
   for (const StudyRow& row : table.rows) text += row_csv(table, row);
   return text;
 }
 
 std::string study_hdf5(const Study& study, const StudyTable& table) {
-  return hdf5_image([&](Tree& tree) {
+  return formats::hdf5_image([&](formats::Tree& tree) {
     tree.set_attribute("/study", "format", 1);
     tree.set_attribute("/study", "name", std::string_view(study.name));
     tree.set_attribute("/study", "scene", std::string_view(study.scene));
@@ -135,10 +136,11 @@ std::string costs_csv(const Study& study, const std::filesystem::path& folder) {
   std::string text = "item,wall [s],cpu [s],host,started,program\n", unused;
   for (const StudyItem& item : study.items)
     if (const auto record = find_record(folder, item, unused))
-      text += std::to_string(item.id) + "," + csv_number(record->cost.wall_seconds) + "," +
-              csv_number(record->cost.cpu_seconds) + "," + csv_field(record->cost.host) + "," +
-              csv_field(record->cost.started) + "," + csv_field(record->program) + "\n";
+      text += std::to_string(item.id) + "," + results::csv_number(record->cost.wall_seconds) + "," +
+              results::csv_number(record->cost.cpu_seconds) + "," + results::csv_field(record->cost.host) +
+              "," + results::csv_field(record->cost.started) + "," + results::csv_field(record->program) +
+              "\n";
   return text;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

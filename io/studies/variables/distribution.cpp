@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -36,7 +36,7 @@ double quantile(const Distribution& d, const Interval& interval, double p) {
   return std::clamp(number, low, high);
 }
 
-Distribution read_distribution(const Variable& variable, TableReader& table,
+Distribution read_distribution(const Variable& variable, formats::TableReader& table,
                                const std::vector<std::string>& kinds) {
   static const std::vector<std::string> kNames = {"uniform", "logarithmic", "normal"};
   Distribution read;
@@ -57,4 +57,4 @@ Distribution read_distribution(const Variable& variable, TableReader& table,
   return read;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

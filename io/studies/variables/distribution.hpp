@@ -3,7 +3,7 @@
 #include "io/formats/toml/table_reader.hpp"
 #include "io/studies/variables/variable.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// How the draws of a variable lie in its interval. With p in (0, 1) for equally likely draws and F the
 /// standard normal distribution,
@@ -26,7 +26,7 @@ double quantile(const Distribution& distribution, const Interval& interval, doub
 /// Reads how the draws of `variable`, which has an interval, lie in it, out of the same table:
 ///   distribution = "normal"   or one of the other `kinds`, the first of which is the default
 ///   mean, deviation           of a normal one, numbers like those of the range
-Distribution read_distribution(const Variable& variable, TableReader& table,
+Distribution read_distribution(const Variable& variable, formats::TableReader& table,
                                const std::vector<std::string>& kinds);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 namespace {
 
@@ -16,19 +16,19 @@ constexpr const char* kValuesDoc = "the values that it takes";
 constexpr const char* kRangeDoc = "the least and the largest value";
 
 /// A number as it is written, with its unit; nothing if the value is no number.
-std::optional<WrittenQuantity> number_in(const Value& value) {
+std::optional<formats::WrittenQuantity> number_in(const formats::Value& value) {
   if (const auto* integer = value.as<std::int64_t>()) return {{static_cast<double>(*integer), "", "", ""}};
   if (const auto* real = value.as<double>()) return {{*real, "", "", ""}};
   const auto* text = value.as<std::string>();
   if (!text) return std::nullopt;
-  WrittenQuantity quantity = read_as_written(*text);
+  formats::WrittenQuantity quantity = formats::read_as_written(*text);
   return quantity.ok() ? std::optional(std::move(quantity)) : std::nullopt;
 }
 
 /// Reads one variable; members are steps in the order they happen.
 class VariableReader {
  public:
-  VariableReader(const std::string& name, TableReader& table) : table_(table) {
+  VariableReader(const std::string& name, formats::TableReader& table) : table_(table) {
     variable_.name = name;
     variable_.place = table.place();
   }
@@ -53,20 +53,20 @@ class VariableReader {
                  : "range = [\"2 kn\", \"4 kn\"] gives both ends");
   }
 
-  void refuse(const Value& at, const std::string& message, const std::string& hint = {}) {
+  void refuse(const formats::Value& at, const std::string& message, const std::string& hint = {}) {
     table_.diagnostics().error(at.place, message, hint);
   }
 
   void read_values() {
-    const Value& raw = *table_.raw("values");
-    const Array* array = raw.as<Array>();
+    const formats::Value& raw = *table_.raw("values");
+    const formats::Array* array = raw.as<formats::Array>();
     if (!array || array->items.empty())
       return refuse(
           raw, table_.path("values") + (array ? " is empty" : " is not an array") + " (" + kValuesDoc + ")",
           "such as [\"2.5 kn\", \"3 kn\"] or [\"pe-braided-4mm\", \"pe-braided-5mm\"]");
-    for (const Value& item : array->items)
+    for (const formats::Value& item : array->items)
       if (const auto number = number_in(item)) take_unit(number->unit);
-    for (const Value& item : array->items) variable_.values.push_back(read_value(item));
+    for (const formats::Value& item : array->items) variable_.values.push_back(read_value(item));
     refuse_repeats(*array);
   }
 
@@ -76,16 +76,16 @@ class VariableReader {
     has_unit_ = true;
   }
 
-  VariableValue read_value(const Value& item) {
+  VariableValue read_value(const formats::Value& item) {
     VariableValue value{spell_for_set(item), std::nullopt};
     if (number_in(item)) value.number = in_own_unit(item);
     return value;
   }
 
-  std::optional<double> in_own_unit(const Value& item) {
+  std::optional<double> in_own_unit(const formats::Value& item) {
     const auto number = number_in(item);
     if (!number) {
-      refuse(item, table_.path() + ": a number is expected, such as " + format(1, variable_.unit));
+      refuse(item, table_.path() + ": a number is expected, such as " + formats::format(1, variable_.unit));
       return std::nullopt;
     }
     if (number->unit == variable_.unit) return number->number;
@@ -94,12 +94,12 @@ class VariableReader {
              "a number without a unit is what the key takes without one, SI as a rule");
       return std::nullopt;
     }
-    const Quantity converted = to_si(*item.as<std::string>(), variable_.unit);
+    const formats::Quantity converted = formats::to_si(*item.as<std::string>(), variable_.unit);
     if (!converted.ok()) refuse(item, table_.path() + ": " + converted.error, converted.hint);
     return converted.ok() ? std::optional(converted.value) : std::nullopt;
   }
 
-  void refuse_repeats(const Array& array) {
+  void refuse_repeats(const formats::Array& array) {
     for (std::size_t i = 0; i < array.items.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const VariableValue &a = variable_.values[i], &b = variable_.values[j];
@@ -109,40 +109,41 @@ class VariableReader {
   }
 
   void read_interval() {
-    const Value& raw = *table_.raw("range");
-    const Array* array = raw.as<Array>();
+    const formats::Value& raw = *table_.raw("range");
+    const formats::Array* array = raw.as<formats::Array>();
     if (!array || array->items.size() != 2)
       return refuse(raw, table_.path("range") + " is not an array of two (" + kRangeDoc + ")",
                     "such as [\"2 kn\", \"4 kn\"]");
-    for (const Value& item : array->items)
+    for (const formats::Value& item : array->items)
       if (const auto number = number_in(item)) take_unit(number->unit);
     const auto low = in_own_unit(array->items[0]), high = in_own_unit(array->items[1]);
     if (!low || !high) return;
     if (!(std::isfinite(*low) && std::isfinite(*high) && *low < *high))
-      return refuse(raw, table_.path("range") + ": " + format(*low, variable_.unit) + " is not less than " +
-                             format(*high, variable_.unit) + " (" + kRangeDoc + ")");
+      return refuse(raw, table_.path("range") + ": " + formats::format(*low, variable_.unit) +
+                             " is not less than " + formats::format(*high, variable_.unit) + " (" +
+                             kRangeDoc + ")");
     variable_.interval = Interval{*low, *high};
   }
 
   void read_keys() {
-    const Value* raw = table_.raw("key");
+    const formats::Value* raw = table_.raw("key");
     if (!raw) {
       table_.diagnostics().error(table_.place(), table_.path("key") + " is missing (" + kKeyDoc + ")",
                                  "such as key = \"tow.speed\"");
       return;
     }
-    const Array* array = raw->as<Array>();
+    const formats::Array* array = raw->as<formats::Array>();
     if (array && array->items.empty()) refuse(*raw, table_.path("key") + " is empty (" + kKeyDoc + ")");
     if (!array) return read_key(*raw);
-    for (const Value& item : array->items) read_key(item);
+    for (const formats::Value& item : array->items) read_key(item);
   }
 
-  void read_key(const Value& item) {
+  void read_key(const formats::Value& item) {
     if (const auto* path = item.as<std::string>()) return add_key({*path, 1, 0}, item);
-    if (!item.as<Table>())
+    if (!item.as<formats::Table>())
       return refuse(item, table_.path("key") + ": a text or a table is expected (" + kKeyDoc + ")",
                     "such as { key = \"points.end.at[2]\", factor = -1, offset = \"2 m\" }");
-    TableReader reader(item, table_.diagnostics(), table_.path("key"));
+    formats::TableReader reader(item, table_.diagnostics(), table_.path("key"));
     FollowingKey key;
     key.path = reader.text("key", {.doc = kKeyDoc});
     key.factor = reader.real("factor", {.doc = "what the variable is multiplied by", .fallback = 1.0});
@@ -151,39 +152,41 @@ class VariableReader {
     add_key(std::move(key), item);
   }
 
-  void add_key(FollowingKey key, const Value& at) {
+  void add_key(FollowingKey key, const formats::Value& at) {
     if (key.path.empty()) return refuse(at, table_.path("key") + " is empty (" + kKeyDoc + ")");
     if (!key.follows_as_it_is() && !variable_.is_number())
       refuse(at, table_.path() + ": only numbers have a factor and an offset");
     variable_.keys.push_back(std::move(key));
   }
 
-  TableReader& table_;
+  formats::TableReader& table_;
   Variable variable_;
   bool has_unit_ = false;
 };
 
 }  // namespace
 
-Variable read_variable(const std::string& name, TableReader table, VariedBy by) {
+Variable read_variable(const std::string& name, formats::TableReader table, VariedBy by) {
   return VariableReader(name, table).read(by);
 }
 
-std::optional<double> read_number_of(const Variable& variable, TableReader& table, const std::string& key,
-                                     const std::string& doc) {
+std::optional<double> read_number_of(const Variable& variable, formats::TableReader& table,
+                                     const std::string& key, const std::string& doc) {
   const auto refuse = [&](const std::string& message, const std::string& hint) {
     table.error(key, message + " (" + doc + ")", hint);
     return std::nullopt;
   };
-  const Value* raw = table.raw(key);
-  if (!raw) return refuse("is missing", "such as " + key + " = \"" + format(1, variable.unit) + "\"");
+  const formats::Value* raw = table.raw(key);
+  if (!raw)
+    return refuse("is missing", "such as " + key + " = \"" + formats::format(1, variable.unit) + "\"");
   const auto number = number_in(*raw);
   if (!number || number->unit.empty() != variable.unit.empty())
-    return refuse("a number is expected like those of the range, such as " + format(1, variable.unit), {});
+    return refuse(
+        "a number is expected like those of the range, such as " + formats::format(1, variable.unit), {});
   if (number->unit == variable.unit) return number->number;
-  const Quantity converted = to_si(*raw->as<std::string>(), variable.unit);
+  const formats::Quantity converted = formats::to_si(*raw->as<std::string>(), variable.unit);
   if (!converted.ok()) return refuse(converted.error, converted.hint);
   return converted.value;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

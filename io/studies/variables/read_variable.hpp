@@ -3,7 +3,7 @@
 #include "io/formats/toml/table_reader.hpp"
 #include "io/studies/variables/variable.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// What a variable may be varied by.
 enum class VariedBy { values_or_interval, interval };
@@ -14,12 +14,12 @@ enum class VariedBy { values_or_interval, interval };
 ///   "4 kn"]         or an interval of numbers
 /// Numbers have units of one dimension, or none, and then are what the key takes without one. Other keys of
 /// the table are the caller's. What is wrong goes to the diagnostics; look at them before using the variable.
-Variable read_variable(const std::string& name, TableReader table,
+Variable read_variable(const std::string& name, formats::TableReader table,
                        VariedBy by = VariedBy::values_or_interval);
 
 /// Reads a number of a variable, such as the mean of a distribution, in the variable's unit. Nothing if it is
 /// missing or wrong, which is reported.
-std::optional<double> read_number_of(const Variable& variable, TableReader& table, const std::string& key,
-                                     const std::string& doc);
+std::optional<double> read_number_of(const Variable& variable, formats::TableReader& table,
+                                     const std::string& key, const std::string& doc);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

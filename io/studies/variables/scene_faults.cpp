@@ -3,20 +3,20 @@
 
 #include <string_view>
 
-namespace netloft::io {
+namespace netloft::studies {
 
-void hand_on_faults(const Diagnostics& of_scene, const std::map<std::string, Place>& keys, const Place& scene,
-                    Diagnostics& to) {
+void hand_on_faults(const formats::Diagnostics& of_scene, const std::map<std::string, formats::Place>& keys,
+                    const formats::Place& scene, formats::Diagnostics& to) {
   constexpr std::string_view kSet = "--set ";
-  for (const Diagnostic& fault : of_scene.sorted()) {
+  for (const formats::Diagnostic& fault : of_scene.sorted()) {
     const std::string where = of_scene.where(fault.place);
     const auto key = where.starts_with(kSet) ? keys.find(where.substr(kSet.size())) : keys.end();
     const bool is_of_key = key != keys.end();
-    const Place& place = is_of_key ? key->second : scene;
+    const formats::Place& place = is_of_key ? key->second : scene;
     const std::string message = (is_of_key || where.empty() ? "" : where + ": ") + fault.message;
-    fault.severity == Severity::error ? to.error(place, message, fault.hint)
-                                      : to.warning(place, message, fault.hint);
+    fault.severity == formats::Severity::error ? to.error(place, message, fault.hint)
+                                               : to.warning(place, message, fault.hint);
   }
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

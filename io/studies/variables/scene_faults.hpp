@@ -5,11 +5,11 @@
 #include <map>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// Shows what is wrong with a scene that another file sets keys of, in that file: what a key is to blame for
 /// at `keys`, the places of keys by their path; all else, with its place in the scene, at `scene`.
-void hand_on_faults(const Diagnostics& of_scene, const std::map<std::string, Place>& keys, const Place& scene,
-                    Diagnostics& to);
+void hand_on_faults(const formats::Diagnostics& of_scene, const std::map<std::string, formats::Place>& keys,
+                    const formats::Place& scene, formats::Diagnostics& to);
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::studies {
 
 /// One value of a variable.
 struct VariableValue {
@@ -29,8 +29,8 @@ struct Interval {
 
 /// What one input of a scene, or several that go together, are varied by: listed values or an interval.
 struct Variable {
-  std::string name;  // in tables, plots and messages
-  Place place;       // of its table
+  std::string name;      // in tables, plots and messages
+  formats::Place place;  // of its table
   std::vector<FollowingKey> keys;
   std::string unit;                   // in which its numbers are written, "kn"; empty: in none
   std::vector<VariableValue> values;  // in the order of the file; empty: an interval
@@ -43,4 +43,4 @@ struct Variable {
   std::vector<std::string> overrides(const VariableValue& value) const;
 };
 
-}  // namespace netloft::io
+}  // namespace netloft::studies

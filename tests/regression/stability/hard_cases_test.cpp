@@ -40,7 +40,7 @@ bool is_missed_rope(const Cell& c) {
 }
 
 Suite shipped_suite() {
-  io::Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   auto suite = read_suite(test::source_folder() + "/tests/stability", 1, diagnostics);
   EXPECT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
   return suite;

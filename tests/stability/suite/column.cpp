@@ -44,8 +44,8 @@ std::string component_of(const std::string& specification) {
 /// What a column is called it is: nothing that is set takes another solver or strategy in its place.
 std::vector<std::string> overrides_of(const Column& column) {
   std::vector<std::string> all = column.overrides;
-  if (!column.solver.empty()) append(all, io::overrides_of("solver", column.solver));
-  if (!column.strategy.empty()) append(all, io::overrides_of("strategy", column.strategy));
+  if (!column.solver.empty()) append(all, runs::overrides_of("solver", column.solver));
+  if (!column.strategy.empty()) append(all, runs::overrides_of("strategy", column.strategy));
   return all;
 }
 

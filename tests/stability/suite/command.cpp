@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/command.hpp"
 
+#include "io/formats/files/whole_file.hpp"
 #include "io/program/session/commands.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/program/session/watchdog.hpp"
-#include "io/formats/files/whole_file.hpp"
 #include "io/scenes/reading/dynamics.hpp"
 #include "tests/stability/suite/matrix.hpp"
 
@@ -54,11 +54,11 @@ bool is_there(const Column& column, Registry& registry, bool asked_for) {
   try {
     overrides_of(column);
     const std::string solver = component_of(column.solver);
-    if (!solver.empty() && !is_integrator(registry, solver)) registry.solver(solver);
+    if (!solver.empty() && !scenes::is_integrator(registry, solver)) registry.solver(solver);
     if (!column.strategy.empty()) registry.strategy(component_of(column.strategy));
     return true;
   } catch (const std::invalid_argument& e) {
-    throw UsageError{e.what()};
+    throw program::UsageError{e.what()};
   } catch (const PluginRefused& e) {
     if (asked_for) throw;
     return false;
@@ -66,7 +66,7 @@ bool is_there(const Column& column, Registry& registry, bool asked_for) {
 }
 
 std::vector<Column> find_columns(const Suite& suite, const SuiteOptions& options, Registry& registry,
-                                 Terminal& terminal) {
+                                 program::Terminal& terminal) {
   std::vector<Column> columns;
   for (auto& column : wanted_columns(suite, options)) {
     if (is_there(column, registry, is_asked_for(options)))
@@ -75,17 +75,17 @@ std::vector<Column> find_columns(const Suite& suite, const SuiteOptions& options
       terminal.say("there is no " + column.head() + ": left out");
   }
   if (columns.empty())
-    throw UsageError{"there is none of the suite's solvers; name one with --solver or --strategy"};
+    throw program::UsageError{"there is none of the suite's solvers; name one with --solver or --strategy"};
   return columns;
 }
 
 /// Returns `code`, or kOther where the page cannot be written. There is none of a suite that was interrupted.
 int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const std::vector<Row>& rows,
-                 Terminal& terminal, int code) {
+                 program::Terminal& terminal, int code) {
   std::puts((options.shared.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
   const std::string& page = options.html;
-  if (page.empty() || code == kInterrupted) return code;
-  return write_last(terminal, code, [&] { write_whole(page, matrix_html(title, rows)); });
+  if (page.empty() || code == program::kInterrupted) return code;
+  return program::write_last(terminal, code, [&] { formats::write_whole(page, matrix_html(title, rows)); });
 }
 
 /// Whether the first column got all of it right.
@@ -97,28 +97,28 @@ bool first_is_right(const std::vector<Row>& rows) {
 /// What there is of the matrix when a plugin does not come back.
 class MatrixSoFar {
  public:
-  MatrixSoFar(const MatrixTitle& title, const SuiteOptions& options, Terminal& terminal)
+  MatrixSoFar(const MatrixTitle& title, const SuiteOptions& options, program::Terminal& terminal)
       : title_(title), options_(options), terminal_(terminal) {}
 
   void add(const Row& row) {
     terminal_.say(row_text(row));
     rows_.push_back(row);
   }
-  int end(const Overdue& overdue) const {
+  int end(const program::Overdue& overdue) const {
     terminal_.say("netloft: " + overdue.sentence + "; the suite ends here, after " +
                   std::to_string(rows_.size()) + " of its cases");
     return print_matrix(title_, options_, rows_, terminal_,
-                        overdue.interrupted ? kInterrupted : kNotConverged);
+                        overdue.interrupted ? program::kInterrupted : program::kNotConverged);
   }
 
  private:
   const MatrixTitle& title_;
   const SuiteOptions& options_;
-  Terminal& terminal_;
+  program::Terminal& terminal_;
   std::vector<Row> rows_;
 };
 
-RunOptions run_options(const SuiteOptions& o, MatrixSoFar& matrix, Watchdog& watchdog) {
+RunOptions run_options(const SuiteOptions& o, MatrixSoFar& matrix, program::Watchdog& watchdog) {
   RunOptions run;
   run.sizes = o.sizes.empty() ? std::vector<std::string>{"small", "medium"} : o.sizes;
   run.pattern = o.pattern;
@@ -126,7 +126,8 @@ RunOptions run_options(const SuiteOptions& o, MatrixSoFar& matrix, Watchdog& wat
   run.work = o.work;
   run.update = o.update_references;
   run.threads = std::max(1, o.shared.threads);
-  run.watch = {.interrupt = &interrupt_flag(), .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  run.watch = {.interrupt = &program::interrupt_flag(),
+               .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   run.on_row = [&](const Row& row) { matrix.add(row); };
   return run;
 }
@@ -140,36 +141,37 @@ std::string what_is_left(const SuiteOptions& o, std::size_t cases) {
 }  // namespace
 
 int run_hard_cases(const SuiteOptions& o) {
-  Terminal terminal(o.shared.color);
+  program::Terminal terminal(o.shared.color);
   Registry registry;
-  find_plugins(o.shared, registry);
-  Diagnostics diagnostics;
+  program::find_plugins(o.shared, registry);
+  formats::Diagnostics diagnostics;
   if (o.update_references && !o.shared.set.empty())
-    throw UsageError{
+    throw program::UsageError{
         "--update-references keeps answers of the cases as they are written; --set changes them"};
-  require_ending("--html", o.html, {".html", ".htm"});
-  require_place(o.html, {});
+  program::require_ending("--html", o.html, {".html", ".htm"});
+  program::require_place(o.html, {});
   const std::filesystem::path folder = o.suite;
   const Suite suite = read_suite(folder, o.draw, diagnostics);
   if (diagnostics.errors()) {
     terminal.say(diagnostics.render(terminal.color()));
-    if (o.shared.json) std::puts(errors_json(diagnostics, kWrongInput).c_str());
-    return kWrongInput;
+    if (o.shared.json) std::puts(program::errors_json(diagnostics, program::kWrongInput).c_str());
+    return program::kWrongInput;
   }
   const auto columns = find_columns(suite, o, registry, terminal);
   References references(suite.folder / "references.json");
-  catch_interrupts();
+  program::catch_interrupts();
   const MatrixTitle title{folder.string(), o.draw};
   MatrixSoFar matrix(title, o, terminal);
-  Watchdog watchdog([&](const Overdue& overdue) { return matrix.end(overdue); });
+  program::Watchdog watchdog([&](const program::Overdue& overdue) { return matrix.end(overdue); });
   const auto rows = run_suite(suite, columns, references, registry, run_options(o, matrix, watchdog));
-  if (rows.empty() && !interrupt_flag())
-    throw UsageError{"no case of " + folder.string() + " has these names and sizes"};
-  if (o.update_references && !interrupt_flag()) references.save();
+  if (rows.empty() && !program::interrupt_flag())
+    throw program::UsageError{"no case of " + folder.string() + " has these names and sizes"};
+  if (o.update_references && !program::interrupt_flag()) references.save();
 
-  const int code = first_is_right(rows) ? kDone : kNotConverged;
-  if (interrupt_flag())
-    return print_matrix(title, o, rows, terminal, end_interrupted(terminal, what_is_left(o, rows.size())));
+  const int code = first_is_right(rows) ? program::kDone : program::kNotConverged;
+  if (program::interrupt_flag())
+    return print_matrix(title, o, rows, terminal,
+                        program::end_interrupted(terminal, what_is_left(o, rows.size())));
   return print_matrix(title, o, rows, terminal, code);
 }
 

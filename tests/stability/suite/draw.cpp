@@ -9,14 +9,14 @@ using namespace io;
 
 namespace {
 
-std::string draw_number(TableReader& entry, Dice& dice) {
+std::string draw_number(TableReader& entry, scenes::Dice& dice) {
   const bool log = entry.boolean("log", {.doc = "uniform in its logarithm", .fallback = false});
   const double from = entry.real("from", {.doc = "least value", .range = log ? above(0) : Range{}});
   const double to = entry.real("to", {.doc = "largest value", .range = at_least(from)});
-  return format(log ? dice.log_uniform(from, to) : dice.uniform(from, to));
+  return formats::format(log ? dice.log_uniform(from, to) : dice.uniform(from, to));
 }
 
-std::string draw_one(TableReader& entry, Dice& dice) {
+std::string draw_one(TableReader& entry, scenes::Dice& dice) {
   if (entry.has("one_of")) {
     const auto words = entry.texts("one_of", {.doc = "texts to choose from", .count = {.least = 1}});
     return words.empty() ? "" : words[dice.index(words.size())];
@@ -34,7 +34,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 
 }  // namespace
 
-Drawn draw(TableReader vary, Dice& dice) {
+Drawn draw(TableReader vary, scenes::Dice& dice) {
   Drawn drawn;
   for (const auto& name : vary.keys()) {
     TableReader entry = vary.table(name);

@@ -14,9 +14,9 @@ namespace netloft::hard_cases {
 ///   EA = { from = 1e3, to = 1e6, log = true }    uniform in its logarithm
 ///   type = { one_of = ["priour/triangle", "lumped/net"] }
 using Drawn = std::map<std::string, std::string>;
-Drawn draw(io::TableReader vary, io::Dice& dice);
+Drawn draw(formats::TableReader vary, scenes::Dice& dice);
 
 /// Replaces $name by what was drawn, in every text of a value.
-void fill_in(io::Value& value, const Drawn& drawn);
+void fill_in(formats::Value& value, const Drawn& drawn);
 
 }  // namespace netloft::hard_cases

@@ -8,8 +8,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Runs strategies and solvers on the suite of hard cases, and prints how they did.",
                "hard_cases"};
   hard_cases::add_options(app, options);
-  return io::run_program(app, options.shared, argc, argv, [&] {
-    io::require_memory_to_solve();
+  return program::run_program(app, options.shared, argc, argv, [&] {
+    program::require_memory_to_solve();
     return hard_cases::run_hard_cases(options);
   });
 }

@@ -10,15 +10,15 @@ namespace netloft::hard_cases {
 namespace {
 
 void add_columns(CLI::App& app, SuiteOptions& s) {
-  io::as_words(
+  program::as_words(
       app.add_option("--strategy", s.strategies, "strategy; may be repeated, and stand beside solvers"),
-      io::kMethod);
-  io::as_words(
+      program::kMethod);
+  program::as_words(
       app.add_option("--without", s.without, "leave out an attempt of the strategy auto; may be repeated"),
       "PART");
-  io::add_set_option(app, s.shared, "a value of every scene: analysis.newton.damping=0.1");
-  io::as_words(app.add_option("--solver", s.solvers, "solver, as run takes it; may be repeated"),
-               io::kMethod);
+  program::add_set_option(app, s.shared, "a value of every scene: analysis.newton.damping=0.1");
+  program::as_words(app.add_option("--solver", s.solvers, "solver, as run takes it; may be repeated"),
+                    program::kMethod);
 }
 
 void add_cases(CLI::App& app, SuiteOptions& s) {
@@ -33,9 +33,9 @@ void add_cases(CLI::App& app, SuiteOptions& s) {
 
 void add_budgets(CLI::App& app, SuiteOptions& s) {
   app.add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
-      ->check(io::numbers_between(0.001, 1e6));
+      ->check(program::numbers_between(0.001, 1e6));
   app.add_option("--work", s.work, "for one case, in iterations of Newton's method for its scene; else any")
-      ->check(io::numbers_between(1.0, 1e9));
+      ->check(program::numbers_between(1.0, 1e9));
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void add_options(CLI::App& app, SuiteOptions& s) {
   app.add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
   app.add_option("--threads", s.shared.threads, "threads of the assembly; else one")
       ->check(CLI::Range(1, 1024));
-  io::add_plugin_options(app, s.shared);
+  program::add_plugin_options(app, s.shared);
 }
 
 }  // namespace netloft::hard_cases

@@ -12,7 +12,7 @@ namespace netloft::hard_cases {
 
 /// The command line, taken apart.
 struct SuiteOptions {
-  io::Options shared;  // what commands of Netloft know, too
+  program::Options shared;  // what commands of Netloft know, too
   std::string suite = "tests/stability";
   std::vector<std::string> solvers;     // --solver, may be repeated; none: those of the suite
   std::vector<std::string> strategies;  // --strategy, may be repeated

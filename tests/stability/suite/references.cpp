@@ -36,7 +36,7 @@ Json to_json(const Reference& r) {
 }  // namespace
 
 References::References(const std::filesystem::path& file) : file_(file) {
-  const auto text = read_whole(file);
+  const auto text = formats::read_whole(file);
   if (!text) return;
   try {
     const Json book = Json::parse(*text);
@@ -78,7 +78,7 @@ void References::save() const {
     out << "}";
   }
   out << "\n}\n";
-  write_whole(file_, out.str());
+  formats::write_whole(file_, out.str());
 }
 
 }  // namespace netloft::hard_cases

@@ -39,7 +39,7 @@ constexpr const char* kFromTheStart = " from the start of ";
 /// "newton" of "newton from the sketch".
 std::string solver_of(const std::string& found_by) { return found_by.substr(0, found_by.find(" from the ")); }
 
-Stability find_stability(Case& one, const Ended& e) {
+Stability find_stability(runs::Case& one, const Ended& e) {
   if (e.conservative || !e.claims_success()) return e.solution.stability;
   const Growth growth = find_growth(
       one.assembler(), {e.solution.x, e.solution.x_low, e.solution.correction.x, e.solution.correction.x_low},
@@ -73,8 +73,8 @@ class SuiteRun {
     return size == "large" ? 60 : 10;
   }
 
-  CaseSource source(const HardCase& c, const std::string& size, const Column& column) const {
-    CaseSource source{c.scene, c.overrides, options_.threads};
+  runs::CaseSource source(const HardCase& c, const std::string& size, const Column& column) const {
+    runs::CaseSource source{c.scene, c.overrides, options_.threads};
     const auto add = [&](const std::vector<std::string>& words) {
       source.overrides.insert(source.overrides.end(), words.begin(), words.end());
     };
@@ -93,11 +93,12 @@ class SuiteRun {
       a.ran = a.ended.unfit = true, a.why_not = "left out at this size";
       return a;
     }
-    Case one(source(c, size, column), registry_);
-    if (one.open([&](LoadedScene& loaded) { spoil(loaded.scene, start); }) != Case::State::ready) {
+    runs::Case one(source(c, size, column), registry_);
+    if (one.open([&](scenes::LoadedScene& loaded) { spoil(loaded.scene, start); }) !=
+        runs::Case::State::ready) {
       a.status = "wrong input", a.why_not = first_error(one.diagnostics());
-      Case as_written(source(c, size, {}), registry_);
-      a.is_refused_anyhow = as_written.open([](LoadedScene&) {}) != Case::State::ready &&
+      runs::Case as_written(source(c, size, {}), registry_);
+      a.is_refused_anyhow = as_written.open([](scenes::LoadedScene&) {}) != runs::Case::State::ready &&
                             first_error(as_written.diagnostics()) == a.why_not;
       return a;
     }
@@ -123,7 +124,7 @@ class SuiteRun {
     return a;
   }
 
-  static std::string first_error(const Diagnostics& diagnostics) {
+  static std::string first_error(const formats::Diagnostics& diagnostics) {
     const auto all = diagnostics.sorted();
     return all.empty() ? "" : diagnostics.where(all[0].place) + ": " + all[0].message;
   }

@@ -37,7 +37,7 @@ struct RunOptions {
   double work = 0;                 // the same in iterations of Newton's method for the scene; 0: any
   int threads = 1;
   bool update = false;  // the book of references
-  io::Watch watch;
+  runs::Watch watch;
   std::function<void(const Row&)> on_row;
 };
 

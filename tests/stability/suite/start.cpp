@@ -26,7 +26,7 @@ Point read_point(TableReader& table, const char* key, const char* unit, const ch
 }
 
 Point read_factor(TableReader& table) {
-  if (table.kind("scale") == Kind::array)
+  if (table.kind("scale") == formats::Kind::array)
     return read_point(table, "scale", "1", "factors along x, y and z", {1, 1, 1});
   const double all =
       table.real("scale", {.doc = "factor, or factors along x, y and z", .range = between(-1e6, 1e6)});
@@ -121,7 +121,7 @@ Point turned(const Point& x, int axis, double angle) {
 }
 
 /// Where one node goes, but for its hold.
-Point target(const StartStep& s, const Point& x, Dice& dice) {
+Point target(const StartStep& s, const Point& x, scenes::Dice& dice) {
   Point y = x;
   for (std::size_t i = 0; i < 3; ++i) y[i] -= s.about[i];
   if (s.kind == StartStep::Kind::turn) y = turned(y, s.axis, s.angle);
@@ -135,7 +135,7 @@ Point target(const StartStep& s, const Point& x, Dice& dice) {
 }
 
 /// Fisher and Yates.
-std::vector<std::uint32_t> shuffled(std::vector<std::uint32_t> nodes, Dice& dice) {
+std::vector<std::uint32_t> shuffled(std::vector<std::uint32_t> nodes, scenes::Dice& dice) {
   for (std::size_t i = nodes.size(); i > 1; --i) std::swap(nodes[i - 1], nodes[dice.index(i)]);
   return nodes;
 }
@@ -152,7 +152,7 @@ std::vector<StartStep> read_start(TableReader& table, std::uint64_t seed) {
 void spoil(Scene& scene, const std::vector<StartStep>& steps) {
   const auto nodes = movable_nodes(scene);
   for (const StartStep& s : steps) {
-    Dice dice(s.seed);
+    scenes::Dice dice(s.seed);
     std::vector<Point> to;
     if (s.kind == StartStep::Kind::shuffle)
       for (const auto other : shuffled(nodes, dice)) to.push_back(position(scene, other));

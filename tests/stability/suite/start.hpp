@@ -25,7 +25,7 @@ struct StartStep {
 
 /// `start = [{ noise = "2 m", seed = 1 }, { scale = [1, 1, 3] }, { turn = "90 deg", axis = "x" }, …]`;
 /// seeds that are not given follow from `seed`.
-std::vector<StartStep> read_start(io::TableReader& table, std::uint64_t seed);
+std::vector<StartStep> read_start(formats::TableReader& table, std::uint64_t seed);
 
 /// Moves the nodes of the scene, step by step.
 void spoil(Scene& scene, const std::vector<StartStep>& steps);

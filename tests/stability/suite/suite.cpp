@@ -24,12 +24,12 @@ std::vector<std::string> read_words(TableReader& table, const char* key, const c
 /// Reads one file of the suite: a scene, its sizes, and the cases made of it.
 class GroupReader {
  public:
-  GroupReader(const fs::path& file, std::uint64_t number, Diagnostics& diagnostics,
+  GroupReader(const fs::path& file, std::uint64_t number, formats::Diagnostics& diagnostics,
               std::vector<HardCase>& out)
       : file_(file),
         number_(number),
         diagnostics_(diagnostics),
-        document_(Document::load(file, {}, diagnostics)),
+        document_(formats::Document::load(file, {}, diagnostics)),
         out_(out) {}
 
   void read() {
@@ -38,11 +38,11 @@ class GroupReader {
     group_.scene = file_.parent_path() / root.text("scene", {.doc = "scene file, from here"});
     group_.overrides = read_words(root, "set", "values of the scene, path=value");
     read_sizes(root.table("sizes"), group_.sizes);
-    const io::Value* cases = root.raw("case");
-    const Array* array = cases ? cases->as<Array>() : nullptr;
+    const formats::Value* cases = root.raw("case");
+    const formats::Array* array = cases ? cases->as<formats::Array>() : nullptr;
     if (!array) root.error("case", "is missing: [[case]] tables with a name and a start");
     if (array)
-      for (const io::Value& entry : array->items) read_entry(entry);
+      for (const formats::Value& entry : array->items) read_entry(entry);
     root.finish();
   }
 
@@ -54,21 +54,21 @@ class GroupReader {
   }
 
   /// A [[case]], or as many as `count` says if it is drawn.
-  void read_entry(const io::Value& entry) {
+  void read_entry(const formats::Value& entry) {
     TableReader plain(entry, diagnostics_, "case");
     if (!plain.has("vary")) return read_case(entry, "", 1, false);
     const auto count = plain.integer("count", {.doc = "cases that are drawn", .lo = 1, .hi = 1000});
     const std::string name = plain.text("name", {.doc = "of the case"});
     for (std::int64_t k = 1; k <= count; ++k) {
       const std::string suffix = "-" + std::to_string(k);
-      Dice dice(file_.stem().string() + "/" + name + suffix, number_);
-      io::Value filled = entry;
+      scenes::Dice dice(file_.stem().string() + "/" + name + suffix, number_);
+      formats::Value filled = entry;
       fill_in(filled, draw(plain.table("vary"), dice));
       read_case(filled, suffix, dice.next() >> 16, true);
     }
   }
 
-  void read_case(const io::Value& value, const std::string& suffix, std::uint64_t seed, bool drawn) {
+  void read_case(const formats::Value& value, const std::string& suffix, std::uint64_t seed, bool drawn) {
     TableReader table(value, diagnostics_, "case");
     for (const char* key : {"vary", "count"}) table.raw(key);
     HardCase c = group_;
@@ -95,8 +95,8 @@ class GroupReader {
 
   fs::path file_;
   std::uint64_t number_;
-  Diagnostics& diagnostics_;
-  Document document_;
+  formats::Diagnostics& diagnostics_;
+  formats::Document document_;
   HardCase group_;
   std::vector<HardCase>& out_;
 };
@@ -114,9 +114,9 @@ Column read_column(TableReader& table) {
   return column;
 }
 
-std::vector<Column> read_columns(const fs::path& file, Diagnostics& diagnostics) {
+std::vector<Column> read_columns(const fs::path& file, formats::Diagnostics& diagnostics) {
   std::vector<Column> columns;
-  const Document document = Document::load(file, {}, diagnostics);
+  const formats::Document document = formats::Document::load(file, {}, diagnostics);
   TableReader root(document.root(), diagnostics);
   for (auto& table : root.tables("solver", Presence::required, "the columns of the matrix"))
     columns.push_back(read_column(table));
@@ -124,7 +124,7 @@ std::vector<Column> read_columns(const fs::path& file, Diagnostics& diagnostics)
   return columns;
 }
 
-std::vector<fs::path> find_files(const fs::path& folder, Diagnostics& diagnostics) {
+std::vector<fs::path> find_files(const fs::path& folder, formats::Diagnostics& diagnostics) {
   std::set<fs::path> files;
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder, failed))
@@ -137,7 +137,7 @@ std::vector<fs::path> find_files(const fs::path& folder, Diagnostics& diagnostic
 
 }  // namespace
 
-Suite read_suite(const fs::path& folder, std::uint64_t number, Diagnostics& diagnostics) {
+Suite read_suite(const fs::path& folder, std::uint64_t number, formats::Diagnostics& diagnostics) {
   Suite suite{folder, {}, {}};
   for (const auto& file : find_files(folder, diagnostics))
     GroupReader(file, number, diagnostics, suite.cases).read();

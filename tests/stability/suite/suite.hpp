@@ -39,7 +39,8 @@ inline const std::vector<std::string> kSizes{"small", "medium", "large"};
 
 /// Reads solvers.toml and every other TOML file of the folder. `number` is that of the draw: another one
 /// changes all random numbers of drawn cases. Use what is returned only if there are no errors.
-Suite read_suite(const std::filesystem::path& folder, std::uint64_t number, io::Diagnostics& diagnostics);
+Suite read_suite(const std::filesystem::path& folder, std::uint64_t number,
+                 formats::Diagnostics& diagnostics);
 
 const char* name_of(Expected expected);
 

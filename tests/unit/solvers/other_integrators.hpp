@@ -41,9 +41,9 @@ inline double order_of_estimates(const Chosen& scheme) {
 
 /// Where a scene of the gear library is at its end.
 inline MarchResult end_of(const std::string& scene, const std::vector<std::string>& overrides) {
-  io::Case c({test::source_folder() + "/gear-library/scenes/dynamics/" + scene, overrides, 1},
-             shipped_plugins());
-  if (c.open() != io::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
+  runs::Case c({test::source_folder() + "/gear-library/scenes/dynamics/" + scene, overrides, 1},
+               shipped_plugins());
+  if (c.open() != runs::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
   MarchResult r = c.march({});
   EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
   return r;

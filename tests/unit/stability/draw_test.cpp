@@ -19,7 +19,7 @@ constexpr const char* kVary =
 
 Drawn draw_with(std::uint64_t number) {
   Input input(kVary);
-  Dice dice("panel", number);
+  scenes::Dice dice("panel", number);
   Drawn drawn = draw(input.reader, dice);
   EXPECT_EQ(input.error(), "");
   return drawn;
@@ -27,7 +27,7 @@ Drawn draw_with(std::uint64_t number) {
 
 // The first outputs of SplitMix64 for the seed 1234567, as published with the generator by S. Vigna.
 TEST(Dice, IsSplitMix64) {
-  Dice dice(1234567);
+  scenes::Dice dice(1234567);
   EXPECT_EQ(dice.next(), 6457827717110365317u);
   EXPECT_EQ(dice.next(), 3203168211198807973u);
   EXPECT_EQ(dice.next(), 9817491932198370423u);
@@ -56,9 +56,9 @@ TEST(Draw, IsTheSameForTheSameNumberAndAnotherForAnother) {
 
 TEST(Draw, FillsNamesInAndTakesTheLongerOneFirst) {
   Input input("set = [\"a=$wide\", \"b=[$wide_aft,$wide]\"]\nstart = [{ noise = \"$wide m\" }]");
-  io::Value value = input.document.root();
+  formats::Value value = input.document.root();
   fill_in(value, {{"wide", "1.5"}, {"wide_aft", "2.5"}});
-  TableReader reader(value, input.diagnostics);
+  formats::TableReader reader(value, input.diagnostics);
   EXPECT_EQ(reader.texts("set", {}), (std::vector<std::string>{"a=1.5", "b=[2.5,1.5]"}));
   EXPECT_EQ(reader.tables("start")[0].real("noise", {.unit = "m"}), 1.5);
 }

@@ -8,17 +8,17 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::hard_cases {
 namespace {
 
 /// Growth where a scene of the suite comes to rest. It need not be in a stable place.
 double growth_of(const std::string& scene, const std::vector<std::string>& overrides, bool turned_over) {
-  Case one({test::source_folder() + "/" + scene, overrides, 1}, test::shipped_plugins());
-  const auto turn_over = [&](LoadedScene& loaded) {
+  runs::Case one({test::source_folder() + "/" + scene, overrides, 1}, test::shipped_plugins());
+  const auto turn_over = [&](scenes::LoadedScene& loaded) {
     for (std::size_t d = 2; turned_over && d < loaded.scene.positions.size(); d += 3)
       loaded.scene.positions[d] = -400 - loaded.scene.positions[d];
   };
-  EXPECT_EQ(one.open(turn_over), Case::State::ready);
+  EXPECT_EQ(one.open(turn_over), runs::Case::State::ready);
   const Solution s = one.solve();
   EXPECT_TRUE(s.balance.balanced) << s.reason;
   return find_growth(one.assembler(), {s.x}, make_factorisation).per_power;
@@ -50,4 +50,4 @@ TEST(Growth, NothingGrowsInATowedRope) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::hard_cases

@@ -106,7 +106,7 @@ TEST_F(SuiteFolder, AFolderWithoutCasesIsNoSuite) {
 
 TEST(TheSuite, HasItsHardCasesAndAThirdOfThemDrawnWhateverTheNumber) {
   for (std::uint64_t number = 1; number <= 10; ++number) {
-    Diagnostics diagnostics;
+    formats::Diagnostics diagnostics;
     const auto suite = read_suite(test::source_folder() + "/tests/stability", number, diagnostics);
     ASSERT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
     const auto count = [&](auto&& is) { return std::count_if(suite.cases.begin(), suite.cases.end(), is); };

@@ -10,7 +10,7 @@
 
 #include "framework/balance/work.hpp"
 #include "framework/registry/hand_out.hpp"
-#include "framework/study/study_host.hpp"
+#include "framework/study/running_study.hpp"
 #include "solvers/factorisation/factorisation.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"

@@ -11,7 +11,7 @@
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
-namespace netloft::io {
+namespace netloft::runs {
 namespace {
 
 constexpr const char* kPanel = "dead-weight-panel.toml";
@@ -159,4 +159,4 @@ TEST(CoarserMeshes, LeadToTheAnswerThatIsFoundWithoutThem) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::runs

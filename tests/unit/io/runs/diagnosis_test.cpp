@@ -10,10 +10,10 @@
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
-namespace netloft::io {
+namespace netloft::runs {
 namespace {
 
-using Change = std::function<void(LoadedScene&)>;
+using Change = std::function<void(scenes::LoadedScene&)>;
 
 Solution solution_of(const std::string& scene, std::vector<std::string> overrides,
                      const Change& change = {}) {
@@ -31,7 +31,7 @@ constexpr const char* kFloat = "tests/stability/scenes/float-on-rope.toml";
 
 // A float straight below what holds it, on a rod: in balance, and pressed with all of its buoyancy.
 TEST(Diagnosis, NamesWhatStandsByCompression) {
-  const auto turned_over = [](LoadedScene& loaded) {
+  const auto turned_over = [](scenes::LoadedScene& loaded) {
     for (std::size_t d = 2; d < loaded.scene.positions.size(); d += 3)
       loaded.scene.positions[d] = -400 - loaded.scene.positions[d];
   };
@@ -53,7 +53,7 @@ TEST(Diagnosis, NamesWhatIsSlack) {
 
 // There and back again, at the eleventh node of 67 bars.
 TEST(Diagnosis, CountsFolds) {
-  const auto folded = [](LoadedScene& loaded) {
+  const auto folded = [](scenes::LoadedScene& loaded) {
     auto& x = loaded.scene.positions;
     for (std::size_t d = 3 * 11 + 2; d < x.size(); d += 3) x[d] = 2 * x[3 * 10 + 2] - x[d];
   };
@@ -72,4 +72,4 @@ TEST(Diagnosis, HasNothingToSayOfWhatArrived) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::runs

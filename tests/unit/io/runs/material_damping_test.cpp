@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::runs {
 namespace {
 
 // A weight of 10 kg on a rope of 10 m, let go at the rope's own length.
@@ -94,4 +94,4 @@ TEST(MaterialDamping, IsSaidWithWhatTakesItsPlace) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::runs

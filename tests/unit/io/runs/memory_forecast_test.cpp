@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-namespace netloft::io {
+namespace netloft::runs {
 namespace {
 
 #if defined(__has_feature)
@@ -36,4 +36,4 @@ TEST(MemoryWithinReach, IsNoMoreThanTheLimitOfAddresses) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::runs {
 namespace {
 
 // A weight of 10 kg on a rope with EA/l = 1000 N/m, let go at the rope's own length.
@@ -52,4 +52,4 @@ TEST(RayleighDamping, LeavesWhatAPartSaysOfItself) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -10,7 +10,7 @@
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
-namespace netloft::io {
+namespace netloft::runs {
 namespace {
 
 // z of the middle [m]; a quarter of a metre off it is a binary number, too, and so the displacement back
@@ -23,7 +23,7 @@ double middle(double sketch, std::optional<double> start, const std::vector<std:
   const std::string file = "tests/unit/io/runs/pressed-bars.toml";
   Case one({test::source_folder() + "/" + file, settings, 1}, test::shipped_plugins());
   const auto z_of = [](std::vector<double>& x) -> double& { return x.at(5); };  // of node 1 of three
-  EXPECT_EQ(one.open([&](LoadedScene& loaded) { z_of(loaded.scene.positions) = sketch; }),
+  EXPECT_EQ(one.open([&](scenes::LoadedScene& loaded) { z_of(loaded.scene.positions) = sketch; }),
             Case::State::ready);
   std::vector<double> x = one.positions(one.assembler().start());
   if (start) z_of(x) = *start;
@@ -53,4 +53,4 @@ TEST(SolveFrom, BeginsAMotionThereToo) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::runs

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ TEST_F(WholeFile, IsAlwaysOneOfThoseThatSeveralWritersWrite) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

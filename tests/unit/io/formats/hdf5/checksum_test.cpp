@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 std::string noise(std::size_t size) {
@@ -43,4 +43,4 @@ TEST(Checksum, GoesOnFromTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

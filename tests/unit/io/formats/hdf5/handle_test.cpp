@@ -5,7 +5,7 @@
 
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 int closed = 0;
@@ -63,4 +63,4 @@ TEST(Handle, ContextGoesInFrontOfTheReason) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -9,7 +9,7 @@
 
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using test::error_of;
@@ -154,4 +154,4 @@ TEST_F(RecordsOfAJournal, StayWhenTheDiskIsFullAndMoreFollowOnceItIsNot) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

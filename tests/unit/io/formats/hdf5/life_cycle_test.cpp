@@ -11,7 +11,7 @@
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 #include "tests/unit/io/formats/hdf5/sheet.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using test::error_of;
@@ -203,4 +203,4 @@ TEST_F(LifeCycle, EqualContentGivesEqualBytes) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -7,7 +7,7 @@
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 #include "tests/unit/io/formats/hdf5/sheet.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using test::error_of;
@@ -114,4 +114,4 @@ TEST_F(Reading, AStepThatDoesNotExistIsAnError) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

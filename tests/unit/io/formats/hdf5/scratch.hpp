@@ -15,7 +15,7 @@
 
 #include "io/formats/hdf5/handle.hpp"
 
-namespace netloft::io::test {
+namespace netloft::formats::test {
 
 /// A fixture with an empty folder of its own.
 class InScratchFolder : public testing::Test {
@@ -113,4 +113,4 @@ inline bool says(const std::string& sentence, const std::string& part) {
   return sentence.find(part) != std::string::npos;
 }
 
-}  // namespace netloft::io::test
+}  // namespace netloft::formats::test

@@ -9,7 +9,7 @@
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 #include "tests/unit/io/formats/hdf5/sheet.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using test::error_of;
@@ -113,4 +113,4 @@ TEST_F(SealedResult, WithATableOfOtherBytesIsRefused) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -13,7 +13,7 @@
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 #include "tests/unit/io/formats/hdf5/sheet.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using test::error_of;
@@ -227,4 +227,4 @@ TEST_F(Series, LosesNoOutputToAnyKill) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -7,7 +7,7 @@
 
 #include "io/formats/hdf5/result_file.hpp"
 
-namespace netloft::io::test {
+namespace netloft::formats::test {
 
 /// A square sheet of triangles, a rope of lines from its last corner, and a float at the end of the rope.
 struct Sheet {
@@ -97,4 +97,4 @@ inline void write_state(ResultFile& file, const Sheet& sheet, double time) {
   file.write_state(time, x, {sheet.heights(time), x, sheet.strains(time)});
 }
 
-}  // namespace netloft::io::test
+}  // namespace netloft::formats::test

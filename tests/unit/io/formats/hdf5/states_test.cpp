@@ -5,7 +5,7 @@
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 #include "tests/unit/io/formats/hdf5/sheet.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 const test::Sheet kSheet{5, 3};
@@ -134,4 +134,4 @@ TEST_F(States, AFieldThatCannotBeNamedOrFilledIsRefused) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -8,7 +8,7 @@
 #include "io/formats/hdf5/result_file.hpp"
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 class TreeOfData : public test::InScratchFolder {
@@ -166,4 +166,4 @@ TEST_F(TreeOfData, PathsAreAbsolute) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -6,7 +6,7 @@
 #include "tests/unit/io/formats/hdf5/sheet.hpp"
 
 int main(int argc, char** argv) try {
-  using namespace netloft::io;
+  using namespace netloft::formats;
   if (argc != 2) return 2;
   const test::Sheet sheet;
   ResultFile file(argv[1]);

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 InputMesh sample() {
@@ -248,4 +248,4 @@ TEST(Vtk, AnswersWhatIsWrongWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 const std::string kMesh =
@@ -98,4 +98,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& wrong) { return wrong.param.name; });
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

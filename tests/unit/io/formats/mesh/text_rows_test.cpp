@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 TEST(Number, IsReadAsProgramsWriteIt) {
@@ -48,4 +48,4 @@ TEST(TextRows, CountColumnsInCharacters) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

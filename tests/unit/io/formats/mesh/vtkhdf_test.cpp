@@ -11,7 +11,7 @@
 #include <cmath>
 #include <functional>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -233,4 +233,4 @@ TEST(VtkHdfMesh, NeedsItsGroupAndItsFile) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

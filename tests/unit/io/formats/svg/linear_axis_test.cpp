@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 std::vector<double> ticks_of(const LinearAxis& axis) {
@@ -51,4 +51,4 @@ TEST(LinearAxis, HasNoMoreLabelsThanFit) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 LogAxis axis(std::vector<double> values, int most_labels = 6) { return LogAxis(values, most_labels); }
@@ -66,4 +66,4 @@ TEST(LogAxis, IsAnAxisWhateverItIsGiven) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

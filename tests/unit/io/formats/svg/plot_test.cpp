@@ -9,7 +9,7 @@
 
 #include "io/formats/svg/svg.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 LinePlot sample() {
@@ -166,4 +166,4 @@ TEST(SvgPicture, WritesPowersOfTenAsSuch) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 std::vector<std::string> messages(const Diagnostics& diagnostics) {
@@ -107,4 +107,4 @@ TEST(Diagnostics, SayHowManyWereLeftOut) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

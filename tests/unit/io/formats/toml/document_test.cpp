@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using testing::Input;
@@ -231,4 +231,4 @@ TEST(Fnv1a64, OfNothingIsItsOffset) { EXPECT_EQ(fnv1a64(""), "fnv1a64:cbf29ce484
 TEST(Fnv1a64, OfFoobarIsThePublishedOne) { EXPECT_EQ(fnv1a64("foobar"), "fnv1a64:85944171f73967e8"); }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -4,7 +4,7 @@
 #include "io/formats/toml/key_depth.hpp"
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using testing::Input;
@@ -97,4 +97,4 @@ TEST(Hostile, RandomSlipsAreSurvived) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

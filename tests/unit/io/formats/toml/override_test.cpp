@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using testing::Input;
@@ -115,4 +115,4 @@ INSTANTIATE_TEST_SUITE_P(Override, BadPath,
                          ::testing::Values("", ".", "a.", "a..b", "a b", "hold[0", "[a]", "#", "a\nb", "é"));
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

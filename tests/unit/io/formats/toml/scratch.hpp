@@ -11,7 +11,7 @@
 #include "io/formats/toml/table_reader.hpp"
 #include "tests/folders.hpp"
 
-namespace netloft::io::testing {
+namespace netloft::formats::testing {
 
 /// A folder of its own for each test, gone when the test is.
 class Scratch : public ::testing::Test {
@@ -66,4 +66,4 @@ struct Input {
   TableReader reader;
 };
 
-}  // namespace netloft::io::testing
+}  // namespace netloft::formats::testing

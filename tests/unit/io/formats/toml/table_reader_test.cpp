@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 using testing::Input;
@@ -254,4 +254,4 @@ TEST(TableReader, LeavesToTheCallerWhatWasTakenRaw) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 TEST(InQuotes, ShowsAShortTextWhole) { EXPECT_EQ(in_quotes("a"), "\"a\""); }
@@ -18,4 +18,4 @@ TEST(InQuotes, CutsALongTextBetweenCharacters) {
 TEST(InQuotes, CutsWhatIsNoTextSomewhere) { EXPECT_EQ(in_quotes(std::string(80, '\xA3')).size(), 57 + 5u); }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

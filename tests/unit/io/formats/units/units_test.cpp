@@ -12,7 +12,7 @@
 #include "io/formats/units/known_words.hpp"
 #include "io/formats/units/udunits.hpp"
 
-namespace netloft::io {
+namespace netloft::formats {
 namespace {
 
 /// Expects `text` to be read as `value`; exact, because every expected value is the decimal a person would
@@ -204,4 +204,4 @@ TEST(Format, WritesExponentsAsPeopleDo) {
 TEST(Format, LeavesThePureNumberBare) { EXPECT_EQ(format(2, "1"), "2"); }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::formats

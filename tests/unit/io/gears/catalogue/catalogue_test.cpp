@@ -5,15 +5,17 @@
 
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
-Catalogue load(const TestFolder& folder, Diagnostics& d) { return Catalogue::load({folder.path()}, d); }
+Catalogue load(const TestFolder& folder, formats::Diagnostics& d) {
+  return Catalogue::load({folder.path()}, d);
+}
 
 std::string messages(const std::string& text) {
   TestFolder folder;
   folder.write("parts.toml", text);
-  Diagnostics d;
+  formats::Diagnostics d;
   load(folder, d);
   return d.render(false);
 }
@@ -21,7 +23,7 @@ std::string messages(const std::string& text) {
 TEST(Catalogue, ReadsAPartInSI) {
   TestFolder folder;
   folder.write("twines.toml", kTwine);
-  Diagnostics d;
+  formats::Diagnostics d;
   const Catalogue catalogue = load(folder, d);
   ASSERT_EQ(d.errors(), 0) << d.render(false);
   const auto* part = catalogue.find("thin", {"twine"});
@@ -34,7 +36,7 @@ TEST(Catalogue, ReadsAPartInSI) {
 TEST(Catalogue, DensityGivesTheWeightInWaterOfTheMaterial) {
   TestFolder folder;
   folder.write("twines.toml", kTwine);
-  Diagnostics d;
+  formats::Diagnostics d;
   const Catalogue catalogue = load(folder, d);
   const auto& numbers = catalogue.find("thin", {"twine"})->numbers;
   const double round = std::numbers::pi / 4 * 0.002 * 0.002;
@@ -47,7 +49,7 @@ TEST(Catalogue, TheWeightInWaterOfAMetreIsOneInStandardGravity) {
   folder.write("ropes.toml",
                "[rope.ground]\ndiameter = \"20 mm\"\nEA = 1e6\nweight_in_water = \"28 N/m\"\nsource = \"s\"\n"
                "uncertainty = \"u\"\n");
-  Diagnostics d;
+  formats::Diagnostics d;
   const Catalogue catalogue = load(folder, d);
   ASSERT_EQ(d.errors(), 0) << d.render(false);
   const double round = std::numbers::pi / 4 * 0.02 * 0.02;
@@ -59,7 +61,7 @@ TEST(Catalogue, TheFolderNamedFirstCounts) {
   TestFolder own, library;
   own.write("mine.toml", std::string(kTwine).replace(std::string(kTwine).find("2 mm"), 4, "3 mm"));
   library.write("twines.toml", kTwine);
-  Diagnostics d;
+  formats::Diagnostics d;
   const Catalogue catalogue = Catalogue::load({own.path(), library.path()}, d);
   EXPECT_EQ(d.errors(), 0) << d.render(false);
   EXPECT_EQ(catalogue.parts().size(), 1u);
@@ -70,7 +72,7 @@ TEST(Catalogue, AFileStatesItsSourceOnce) {
   TestFolder folder;
   folder.write("floats.toml",
                "source = \"a tank\"\nuncertainty = \"2 %\"\n[float.round]\nbuoyancy = \"25 N\"\n");
-  Diagnostics d;
+  formats::Diagnostics d;
   const Catalogue catalogue = load(folder, d);
   ASSERT_EQ(d.errors(), 0) << d.render(false);
   EXPECT_EQ(catalogue.find("round", {"float"})->texts.at("source"), "a tank");
@@ -81,14 +83,14 @@ TEST(Catalogue, APieceDisplacesItsMassOverItsDensity) {
   folder.write("weights.toml",
                "source = \"\"\nuncertainty = \"\"\n[weight.lump]\nsource = \"a scale\"\n"
                "uncertainty = \"1 %\"\nmass = \"78.5 kg\"\nmaterial_density = 7850\n");
-  Diagnostics d;
+  formats::Diagnostics d;
   const Catalogue catalogue = load(folder, d);
   ASSERT_EQ(d.errors(), 0) << d.render(false);
   EXPECT_DOUBLE_EQ(catalogue.find("lump", {"weight"})->numbers.at("volume"), 0.01);
 }
 
 TEST(Catalogue, FoldersThatDoNotExistArePassedOver) {
-  Diagnostics d;
+  formats::Diagnostics d;
   EXPECT_TRUE(Catalogue::load({"/no/such/folder"}, d).parts().empty());
   EXPECT_EQ(d.errors(), 0);
 }
@@ -140,7 +142,7 @@ TEST(Catalogue, APieceWithoutAWeightIsRefused) {
 TEST(Catalogue, TheSamePartTwiceInAFolderIsRefused) {
   TestFolder folder;
   folder.write("a.toml", kTwine).write("b.toml", kTwine);
-  Diagnostics d;
+  formats::Diagnostics d;
   load(folder, d);
   EXPECT_NE(d.render(false).find("twice"), std::string::npos);
 }
@@ -150,4 +152,4 @@ TEST(Catalogue, APartThatIsNoTableIsRefused) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A folder of one test, gone when it ends.
 class TestFolder {
@@ -42,4 +42,4 @@ source = "a scale"
 uncertainty = "1 %"
 )";
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

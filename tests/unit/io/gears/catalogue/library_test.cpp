@@ -7,11 +7,11 @@
 
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 const Catalogue& library() {
-  static Diagnostics diagnostics;
+  static formats::Diagnostics diagnostics;
   static const Catalogue catalogue =
       Catalogue::load({test::source_folder() + "/gear-library/catalogue"}, diagnostics);
   EXPECT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
@@ -63,7 +63,7 @@ TEST(GearLibrary, SolidFillsPartOfTheRound) {
 }
 
 TEST(CatalogueFolders, TheGearLibraryIsFoundFromTheProgram) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   const auto folders = catalogue_folders(diagnostics, {"mine"});
   ASSERT_GE(folders.size(), 2u);
   EXPECT_EQ(folders.front(), "mine");
@@ -71,4 +71,4 @@ TEST(CatalogueFolders, TheGearLibraryIsFoundFromTheProgram) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

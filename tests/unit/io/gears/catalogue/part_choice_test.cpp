@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 /// `twine = …` of a scene, and the catalogue with one twine, "thin".
@@ -15,17 +15,17 @@ struct Bench {
   explicit Bench(const std::string& line) {
     folder.write("twines.toml", kTwine);
     catalogue = Catalogue::load({folder.path()}, diagnostics);
-    root = *parse_toml(line, diagnostics.add_source("scene.toml", line), diagnostics);
-    said = &root.as<Table>()->find("twine")->value;
+    root = *formats::parse_toml(line, diagnostics.add_source("scene.toml", line), diagnostics);
+    said = &root.as<formats::Table>()->find("twine")->value;
   }
   const CataloguePart* choose() {
     return choose_part(*said, {"twine"}, "parts.net.twine", catalogue, diagnostics);
   }
   TestFolder folder;
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   Catalogue catalogue;
-  Value root;
-  Value* said = nullptr;
+  formats::Value root;
+  formats::Value* said = nullptr;
 };
 
 bool anything(const std::string&) { return true; }
@@ -34,26 +34,26 @@ TEST(PartChoice, ANameStandsForAllNumbersOfThePart) {
   Bench bench("twine = \"thin\"");
   const CataloguePart* part = bench.choose();
   ASSERT_TRUE(part);
-  const Value spelled = spell_out(*bench.said, *part, anything);
-  TableReader reader(spelled, bench.diagnostics);
+  const formats::Value spelled = spell_out(*bench.said, *part, anything);
+  formats::TableReader reader(spelled, bench.diagnostics);
   EXPECT_DOUBLE_EQ(reader.real("diameter", {.unit = "m"}), 0.002);
   EXPECT_DOUBLE_EQ(reader.real("EA", {.unit = "N"}), 4000);
 }
 
 TEST(PartChoice, OneNumberIsOverriddenInPlace) {
   Bench bench("twine = { part = \"thin\", diameter = \"2.2 mm\" }");
-  const Value spelled = spell_out(*bench.said, *bench.choose(), anything);
-  TableReader reader(spelled, bench.diagnostics);
+  const formats::Value spelled = spell_out(*bench.said, *bench.choose(), anything);
+  formats::TableReader reader(spelled, bench.diagnostics);
   EXPECT_DOUBLE_EQ(reader.real("diameter", {.unit = "m"}), 0.0022);
   EXPECT_DOUBLE_EQ(reader.real("EA", {.unit = "N"}), 4000);
-  EXPECT_FALSE(spelled.as<Table>()->find("part"));
+  EXPECT_FALSE(spelled.as<formats::Table>()->find("part"));
 }
 
 TEST(PartChoice, NumbersThatNobodyWantsAreLeftOut) {
   Bench bench("twine = \"thin\"");
-  const Value spelled =
+  const formats::Value spelled =
       spell_out(*bench.said, *bench.choose(), [](const std::string& key) { return key == "EA"; });
-  EXPECT_EQ(spelled.as<Table>()->members.size(), 1u);
+  EXPECT_EQ(spelled.as<formats::Table>()->members.size(), 1u);
 }
 
 TEST(PartChoice, ATableWithoutAPartIsNoChoice) {
@@ -99,4 +99,4 @@ TEST(PartChoice, ANameThatIsNoTextIsRefused) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -4,7 +4,7 @@
 #include "io/gears/drawing/layout.hpp"
 #include "tests/unit/io/gears/plan/plans.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 const PlacedPanel& placed(const std::vector<PlacedPanel>& panels, const std::string& name,
@@ -71,4 +71,4 @@ TEST(Drawing, OfAPlanWithoutPanelsIsAnEmptySheet) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 /// A divided gear with all that it points into.
@@ -353,4 +353,4 @@ depth = 50
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 /// The library's trawl in some 300 nodes; the plan must live as long as the gear.
@@ -79,4 +79,4 @@ TEST(StartShape, StretchesNoSideOfATriangleFarBeyondItsTwines) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/io/gears/plan/plans.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 bool says(const CheckedPlan& checked, const std::string& words) {
@@ -118,4 +118,4 @@ TEST(PlanCheck, ARopeOfTheMiddleCarriesBothWings) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

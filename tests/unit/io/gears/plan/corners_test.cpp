@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
@@ -137,4 +137,4 @@ TEST(Corners, ThatAreWrongAreAnsweredWithPlaceAndCure) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

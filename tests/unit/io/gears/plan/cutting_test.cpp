@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 struct Rate {
@@ -53,4 +53,4 @@ TEST(CuttingRate, ABlurredLetterHidesFewRates) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// The shoelace formula.
 inline double outline_area(const Outline& outline) {
@@ -82,4 +82,4 @@ inline void expect_closed_and_oriented(const Gear& gear, const GearMesh& mesh) {
   EXPECT_EQ(free_seen, free.size());
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

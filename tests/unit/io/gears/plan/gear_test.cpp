@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 std::vector<std::string> names(const Gear& gear, const std::vector<EdgeRef>& row) {
@@ -303,4 +303,4 @@ length = "4 m"
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

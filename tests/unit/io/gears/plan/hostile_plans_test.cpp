@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 const char* const kGears[] = {"83-112-eastern.toml", "four-panel.toml", "codend-100-round.toml"};
@@ -85,4 +85,4 @@ TEST(HostilePlans, AFloodOfSeamsIsAnswered) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 const OutlineEdge& edge(const Outline& outline, const std::string& name) {
@@ -105,7 +105,9 @@ TEST(Selvedge, IsAStripOfItsTwines) {
   ASSERT_TRUE(rope) << checked.said();
   EXPECT_DOUBLE_EQ(rope->length, 4);
   EXPECT_EQ(rope->stands, Standing::pair);
-  const auto number = [&](const char* key) { return *rope->rope.as<Table>()->find(key)->value.as<double>(); };
+  const auto number = [&](const char* key) {
+    return *rope->rope.as<formats::Table>()->find(key)->value.as<double>();
+  };
   EXPECT_DOUBLE_EQ(number("EA"), 12 * 3000.0);
   EXPECT_DOUBLE_EQ(number("mass"), 12 * 0.003);
   EXPECT_DOUBLE_EQ(number("diameter"), std::sqrt(12.0) * 0.002);
@@ -186,7 +188,7 @@ TEST(TwineCoordinates, TurningIsARotation) {
 
 TEST(EdgeSet, CountsBothHalvesAcrossTheMiddle) {
   const auto checked = check_text(kGoodPlan);
-  Diagnostics d;
+  formats::Diagnostics d;
   EXPECT_DOUBLE_EQ(find_edge(checked.plan, "body.fore", {}, "", d).meshes(), 80);
   EXPECT_DOUBLE_EQ(find_edge(checked.plan, "body.bosom", {}, "", d).meshes(), 20);
   const EdgeSet wing = find_edge(checked.plan, "body.wing", {}, "", d);
@@ -196,4 +198,4 @@ TEST(EdgeSet, CountsBothHalvesAcrossTheMiddle) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

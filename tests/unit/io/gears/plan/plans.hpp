@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::gears {
 
 /// A small trawl that can be sewn: two wings, a body and a bag.
 /// Wings: 10 fore, 20 more on the inner side by AB over 20 deep: 30 aft.
@@ -86,7 +86,7 @@ inline std::string changed_plan(const std::string& old, const std::string& now) 
 
 struct CheckedPlan {
   NetPlan plan;
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   std::string said() const { return diagnostics.render(false); }
 };
 
@@ -104,4 +104,4 @@ inline std::string library_text(const std::string& name) {
   return text.str();
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::gears

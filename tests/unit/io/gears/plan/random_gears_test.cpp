@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 /// Draws plans of three panels that are sewn together whatever their cuttings are.
@@ -129,4 +129,4 @@ TEST(RandomGears, AreFilledOnceAndSewnWithoutHoles) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/io/gears/plan/plans.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 TEST(NetPlan, CanBeSewn) {
@@ -50,4 +50,4 @@ TEST(NetPlan, ReadsHowManyPiecesStandAlongWhichRope) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

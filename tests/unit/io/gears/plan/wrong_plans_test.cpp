@@ -4,7 +4,7 @@
 #include "tests/unit/io/gears/catalogue/folder.hpp"
 #include "tests/unit/io/gears/plan/plans.hpp"
 
-namespace netloft::io {
+namespace netloft::gears {
 namespace {
 
 struct Wrong {
@@ -241,7 +241,7 @@ TEST_P(WrongCatalogues, AreAnsweredWithFileAndLine) {
   TestFolder folder, own;
   own.write("own.toml", GetParam().text);
   folder.write("plan.toml", "catalogue = [\"" + own.path().string() + "\"]\n" + kGoodPlan);
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   read_plan(folder.path() / "plan.toml", {}, diagnostics);
   const std::string said = diagnostics.render(false);
   EXPECT_NE(said.find(GetParam().says), std::string::npos) << said;
@@ -286,4 +286,4 @@ INSTANTIATE_TEST_SUITE_P(InWriting, WrongPlans, testing::ValuesIn(kWriting), nam
 INSTANTIATE_TEST_SUITE_P(InSewing, WrongPlans, testing::ValuesIn(kSewing), name_of);
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::gears

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 // RFC 4648, section 10.
@@ -22,4 +22,4 @@ TEST(Deflated, IsSmallerWhereBytesRepeat) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 constexpr Colour kRed{1, 0, 0}, kBlue{0, 0, 1}, kWhite{1, 1, 1};
@@ -41,4 +41,4 @@ TEST(Canvas, DropsWhatLiesBesideIt) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 /// Relative luminance (WCAG 2.1), from which a grey print comes.
@@ -20,4 +20,4 @@ TEST(ColourMap, BecomesBrighterAllAlongSoThatItSurvivesGreyPrinting) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
-FieldSpread spread_of(const std::vector<double>& values) {
-  FieldSpread spread;
+results::FieldSpread spread_of(const std::vector<double>& values) {
+  results::FieldSpread spread;
   spread.take(values);
   return spread;
 }
@@ -22,20 +22,20 @@ std::vector<double> one_to_hundred() {
 
 TEST(Scale, GoesFromItsEndsToZeroAndOneAndBack) {
   for (const bool logarithmic : {false, true}) {
-    const Scale scale{2, 200, logarithmic};
+    const results::Scale scale{2, 200, logarithmic};
     EXPECT_NEAR(scale.place(2), 0, 1e-12);
     EXPECT_NEAR(scale.place(200), 1, 1e-12);
     EXPECT_EQ(scale.place(1e9), 1);
     EXPECT_NEAR(scale.value(scale.place(30)), 30, 1e-9);
   }
-  EXPECT_NEAR((Scale{2, 200, true}.value(0.5)), 20, 1e-9);
+  EXPECT_NEAR((results::Scale{2, 200, true}.value(0.5)), 20, 1e-9);
 }
 
 TEST(Scale, HasRoundTicksWithinItsEnds) {
-  EXPECT_EQ((Scale{0, 100, false}.ticks()), (std::vector<double>{0, 20, 40, 60, 80, 100}));
-  EXPECT_EQ((Scale{13, 61, false}.ticks()), (std::vector<double>{20, 30, 40, 50, 60}));
-  EXPECT_EQ((Scale{0.5, 5000, true}.ticks()), (std::vector<double>{1, 10, 100, 1000}));
-  EXPECT_EQ((Scale{3, 60, true}.ticks()), (std::vector<double>{5, 10, 20, 50}));
+  EXPECT_EQ((results::Scale{0, 100, false}.ticks()), (std::vector<double>{0, 20, 40, 60, 80, 100}));
+  EXPECT_EQ((results::Scale{13, 61, false}.ticks()), (std::vector<double>{20, 30, 40, 50, 60}));
+  EXPECT_EQ((results::Scale{0.5, 5000, true}.ticks()), (std::vector<double>{1, 10, 100, 1000}));
+  EXPECT_EQ((results::Scale{3, 60, true}.ticks()), (std::vector<double>{5, 10, 20, 50}));
 }
 
 TEST(FieldSpread, HasAScaleForAConstantFieldAndForOneWithoutValues) {
@@ -50,7 +50,7 @@ TEST(FieldSpread, HasAScaleForAConstantFieldAndForOneWithoutValues) {
 TEST(FieldSpread, LeavesOutTheFiftiethAtEitherEndOfNettingAndSaysSo) {
   auto values = one_to_hundred();
   values.push_back(NAN), values.push_back(1e9);
-  const Scale middle = spread_of(values).linear(true), all = spread_of(values).linear(false);
+  const results::Scale middle = spread_of(values).linear(true), all = spread_of(values).linear(false);
   EXPECT_EQ(middle.lo, 0);  // begins at zero, which costs little
   EXPECT_EQ(middle.hi, 99);
   EXPECT_TRUE(middle.is_cut_above);
@@ -65,32 +65,32 @@ TEST(FieldSpread, BeginsAtItsLeastValueWhereZeroIsFarAway) {
 }
 
 TEST(FieldSpread, SpansFourDecadesAtMostLogarithmically) {
-  const Scale scale = spread_of({0, 1e-9, 1, 1000}).logarithmic(false);
+  const results::Scale scale = spread_of({0, 1e-9, 1, 1000}).logarithmic(false);
   EXPECT_NEAR(scale.lo, 0.1, 1e-12);
   EXPECT_TRUE(scale.is_cut_below);
 }
 
 // Two triangles of one part share two nodes; a third of another part stands on the same nodes.
 TEST(ValuesAtCorners, AreMeansOverTheTrianglesOfThePartAlone) {
-  StoredMesh mesh;
+  results::StoredMesh mesh;
   mesh.triangles = {{0, 1, 2}, {1, 3, 2}, {0, 1, 2}};
   mesh.triangle_cells = {0, 1, 2};
   mesh.cell_part = {0, 0, 1};
-  const auto corners = values_at_corners(mesh, {2, 4, 100});
+  const auto corners = results::values_at_corners(mesh, {2, 4, 100});
   EXPECT_EQ(corners[0], (std::array<double, 3>{2, 3, 3}));
   EXPECT_EQ(corners[1], (std::array<double, 3>{3, 4, 3}));
   EXPECT_EQ(corners[2], (std::array<double, 3>{100, 100, 100}));
 }
 
 TEST(ValuesAtCorners, LeaveOutTrianglesWithoutAValue) {
-  StoredMesh mesh;
+  results::StoredMesh mesh;
   mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
   mesh.triangle_cells = {0, 1};
   mesh.cell_part = {0, 0};
-  const auto corners = values_at_corners(mesh, {2, NAN});
+  const auto corners = results::values_at_corners(mesh, {2, NAN});
   EXPECT_EQ(corners[0], (std::array<double, 3>{2, 2, 2}));
   EXPECT_TRUE(std::isnan(corners[1][1]));
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

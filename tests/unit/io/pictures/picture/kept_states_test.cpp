@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 using States = std::vector<std::size_t>;
@@ -17,4 +17,4 @@ TEST(KeptStates, AreSpacedEvenlyFromTheFirstToTheLast) {
 TEST(KeptStates, EndWithTheNewestEvenWhereOneIsKept) { EXPECT_EQ(kept_states(7, 1), (States{6})); }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 constexpr Frame kPicture{0, 50, 800, 400};
@@ -46,4 +46,4 @@ TEST(Labels, StandInTheMiddleOfALineOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

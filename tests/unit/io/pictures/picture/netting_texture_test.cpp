@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 TEST(NettingTexture, IsDarkWhereTwinesLieAndWhiteBetween) {
@@ -44,4 +44,4 @@ TEST(NettingTexture, IsNotMadeOfTwinesThatDoNotRepeatWithMeshes) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

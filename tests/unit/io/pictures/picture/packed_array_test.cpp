@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 TEST(RoundedToShown, IsNearerThanFourDigits) {
@@ -29,4 +29,4 @@ TEST(RoundedToShown, MakesArraysSmaller) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 /// A picture with as many colours as pixels.
@@ -51,4 +51,4 @@ TEST(SmallPng, IsSmallerForAPictureWhosePixelsAllDiffer) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

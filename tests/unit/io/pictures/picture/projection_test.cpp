@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 const std::vector<Point3> kBox = {{0, -1, -5}, {10, 3, -2}};
@@ -46,4 +46,4 @@ TEST(Projection, KnowsItsViewsByNameAndNoOthers) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 TEST(VariedSetting, IsTheOptionOfTheCommandLinesThatDiffers) {
@@ -36,4 +36,4 @@ TEST(VariedSetting, SurvivesWhatIsNoScene) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::pictures {
 namespace {
 
 constexpr Colour kBlack{0, 0, 0}, kWhite{1, 1, 1};
@@ -41,4 +41,4 @@ TEST(Text, IsCutAtTheEdgesOfThePicture) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::pictures

@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace netloft::io::test {
+namespace netloft::results::test {
 namespace {
 
 /// Two boards 20 m apart, or the one to starboard alone.
@@ -50,7 +50,7 @@ class Pair {
       figures_.push_back({figure, "", "", value});
   }
 
-  LoadedScene loaded_;
+  scenes::LoadedScene loaded_;
   std::vector<NamedScalar> figures_;
 };
 
@@ -96,4 +96,4 @@ TEST(FallenBoards, AreNoWeightsOrFloats) {
 }
 
 }  // namespace
-}  // namespace netloft::io::test
+}  // namespace netloft::results::test

@@ -9,7 +9,7 @@
 #include "tests/folders.hpp"
 #include "tests/unit/io/results/figures/hand_made.hpp"
 
-namespace netloft::io {
+namespace netloft::results {
 namespace {
 
 /// Headline and footrope, straight across from y0 to 3 m, 4 m apart, of three bars that are not at halves.
@@ -228,9 +228,9 @@ TEST(GearFigures, AddUp) {
 }
 
 TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
-  Case plain({test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
-             test::shipped_plugins());
-  ASSERT_EQ(plain.open(), Case::State::ready);
+  runs::Case plain({test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
+                   test::shipped_plugins());
+  ASSERT_EQ(plain.open(), runs::Case::State::ready);
   const auto& scene = plain.loaded().scene;
   EXPECT_TRUE(collect_gear(plain.loaded(), plain.assembler(),
                            ask_elements(scene, plain.assembler(), plain.assembler().start()))
@@ -239,8 +239,8 @@ TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
 
 // Tensions of members are in balance over a part; its loads are what else acts on it.
 TEST(PartForces, AreLoadsAndNotTheTensionsOfMembers) {
-  Case taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1}, test::shipped_plugins());
-  ASSERT_EQ(taut.open(), Case::State::ready);
+  runs::Case taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1}, test::shipped_plugins());
+  ASSERT_EQ(taut.open(), runs::Case::State::ready);
   Assembler& assembler = taut.assembler();
   const auto forces = ask_elements(taut.loaded().scene, assembler, assembler.start()).forces;
   ASSERT_EQ(forces.size(), 4);
@@ -260,4 +260,4 @@ TEST(GearText, SpeaksOfPowerAndFuelInTheUnitsOfTheTrade) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::results

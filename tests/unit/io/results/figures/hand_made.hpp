@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/runs/case.hpp"
 #include "io/results/figures/run_result.hpp"
+#include "io/runs/case.hpp"
 #include "tests/verification/solving.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::results {
 
 /// An ordinary scene whose parts are said to have come from a net plan.
 class HandMade {
@@ -25,12 +25,12 @@ class HandMade {
   HandMade(const std::filesystem::path& file, const Parts& parts,
            const std::vector<std::string>& overrides = {})
       : case_({file, overrides, 1}, test::shipped_plugins()) {
-    if (case_.open([&](LoadedScene& loaded) { loaded.gear = name_parts(loaded, parts); }) !=
-        Case::State::ready)
+    if (case_.open([&](scenes::LoadedScene& loaded) { loaded.gear = name_parts(loaded, parts); }) !=
+        runs::Case::State::ready)
       throw std::invalid_argument(case_.diagnostics().render(false));
   }
 
-  const LoadedScene& loaded() { return case_.loaded(); }
+  const scenes::LoadedScene& loaded() { return case_.loaded(); }
 
   /// Figures at the positions of the sketch.
   std::vector<NamedScalar> at_start() {
@@ -47,14 +47,14 @@ class HandMade {
   }
 
  private:
-  static GearInScene name_parts(const LoadedScene& loaded, const Parts& parts) {
-    GearInScene gear;
+  static scenes::GearInScene name_parts(const scenes::LoadedScene& loaded, const Parts& parts) {
+    scenes::GearInScene gear;
     gear.times = parts.times, gear.headline = parts.headline, gear.footrope = parts.footrope;
     gear.panels = numbers(loaded, parts.panels), gear.ropes = numbers(loaded, parts.ropes),
     gear.pieces = numbers(loaded, parts.pieces);
     return gear;
   }
-  static std::vector<std::uint32_t> numbers(const LoadedScene& loaded,
+  static std::vector<std::uint32_t> numbers(const scenes::LoadedScene& loaded,
                                             const std::vector<std::string>& names) {
     std::vector<std::uint32_t> found;
     for (const auto& name : names)
@@ -63,7 +63,7 @@ class HandMade {
     return found;
   }
 
-  Case case_;
+  runs::Case case_;
 };
 
 /// A scene file of the running test.
@@ -85,4 +85,4 @@ inline double value(const std::vector<NamedScalar>& figures, const std::string& 
   return figure(figures, name).value;
 }
 
-}  // namespace netloft::io
+}  // namespace netloft::results

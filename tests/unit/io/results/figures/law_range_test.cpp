@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace netloft::io::test {
+namespace netloft::results::test {
 namespace {
 
 netloft_validity range_of(std::uint32_t quantity, double lo, double hi) {
@@ -63,4 +63,4 @@ TEST(LawRange, WritesRangesWithOneEndAndAngles) {
 }
 
 }  // namespace
-}  // namespace netloft::io::test
+}  // namespace netloft::results::test

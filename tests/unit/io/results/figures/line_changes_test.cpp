@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::results {
 namespace {
 
 /// The changes as a text such as "-2 b, +2 x".
@@ -40,4 +40,4 @@ TEST(LineChanges, OfVeryLongTextsStillTellAllThatDiffers) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::results

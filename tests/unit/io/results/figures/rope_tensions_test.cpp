@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io::test {
+namespace netloft::results::test {
 namespace {
 
 // Middles at 0.5, 2 and 4 m.
@@ -26,4 +26,4 @@ TEST(RopeTensions, CanBeSeenFromTheOtherEnd) {
 }
 
 }  // namespace
-}  // namespace netloft::io::test
+}  // namespace netloft::results::test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::results {
 namespace {
 
 TEST(HullOfAShip, IsAheadOfItsBlocksAndAsWideAsItsBeam) {
@@ -36,4 +36,4 @@ TEST(HullOfAShip, HasNoHoleInItsSides) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::results

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::results {
 namespace {
 
 TEST(StoredBed, IsAPlaneWithoutARelief) {
@@ -27,4 +27,4 @@ TEST(StoredBed, GoesOnBeyondItsReliefAsAtItsEdge) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::results

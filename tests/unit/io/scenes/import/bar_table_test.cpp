@@ -8,7 +8,7 @@
 
 #include <numeric>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 using femnet::changed;
@@ -28,7 +28,7 @@ struct Read {
   explicit Read(const std::string& text)
       : table(read_bar_table(text, diagnostics.add_source("gear.csv", text), diagnostics)) {}
   std::string said() const { return diagnostics.render(false); }
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   BarTable table;
 };
 
@@ -165,4 +165,4 @@ TEST(BarTable, IsDescribedOnItsPage) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

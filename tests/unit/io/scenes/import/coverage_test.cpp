@@ -4,7 +4,7 @@
 // nothing in FEMNET, either, is named. Nothing is lost in silence.
 #include "tests/unit/io/scenes/import/samples.hpp"
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 namespace {
 
 enum class Fate { carried, said, idle };
@@ -40,7 +40,7 @@ struct Outcome {
 Outcome outcome(const std::string& gear, bool moves) {
   const ImportedSample sample_(gear, sample("03_node_force_symmetry.mdg"),
                                moves ? Sought::motion : Sought::rest);
-  Outcome out{without_comments(sample_.imported.scene), mesh_text(sample_.imported.mesh, ""), {}};
+  Outcome out{without_comments(sample_.imported.scene), formats::mesh_text(sample_.imported.mesh, ""), {}};
   for (const auto& f : sample_.imported.findings) out.said += f.what + ": " + f.text + "\n";
   for (const auto& d : sample_.read.diagnostics.sorted()) out.said += d.message + "\n";
   return out;
@@ -185,4 +185,4 @@ INSTANTIATE_TEST_SUITE_P(FirstPart, Records, testing::ValuesIn(kFirstPart), name
 INSTANTIATE_TEST_SUITE_P(Tail, Records, testing::ValuesIn(kTail), name_of_record);
 
 }  // namespace
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 namespace {
 
 const std::string kPolygon = sample("10_polygon_panel.don");
@@ -229,7 +229,7 @@ class GearInFolder : public testing::Test {
 };
 
 TEST_F(GearInFolder, IsDividedWhereItHasNoMesh) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   const auto gear = import_femnet({write("g.don", kPolygon), {}, "g.mesh"}, diagnostics);
   EXPECT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
   EXPECT_EQ(gear.nodes, 21u);
@@ -240,13 +240,13 @@ TEST_F(GearInFolder, IsDividedWhereItHasNoMesh) {
 TEST_F(GearInFolder, IsDividedWhereItsMeshIsOlder) {
   const auto path = write("g.don", sample("01_two_bars.don"));
   write("g.mdg", changed(sample("01_two_bars.mdg"), "0.5000000 1.0000000     1", "35 -25 0"));
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   const auto gear = import_femnet({path, {}, "g.mesh"}, diagnostics);
   EXPECT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
   EXPECT_NE(gear.scene.find("older than the gear, g.mdg:16:"), std::string::npos) << gear.scene;
   EXPECT_EQ(gear.nodes, 3u);
 
-  Diagnostics of_named;  // a mesh that was asked for is used or refused
+  formats::Diagnostics of_named;  // a mesh that was asked for is used or refused
   import_femnet({path, folder_ / "g.mdg", "g.mesh"}, of_named);
   EXPECT_EQ(of_named.errors(), 1);
 }
@@ -254,7 +254,7 @@ TEST_F(GearInFolder, IsDividedWhereItsMeshIsOlder) {
 TEST_F(GearInFolder, IsRefusedWhereItsMeshIsDamaged) {
   const auto path = write("g.don", sample("01_two_bars.don"));
   write("g.mdg", sample("01_two_bars.mdg").substr(0, 300));
-  Diagnostics diagnostics, again;
+  formats::Diagnostics diagnostics, again;
   import_femnet({path, {}, "g.mesh"}, diagnostics);
   EXPECT_GE(diagnostics.errors(), 1);
   EXPECT_EQ(import_femnet({path, {}, "g.mesh", true}, again).nodes, 3u);  // --divide
@@ -262,7 +262,7 @@ TEST_F(GearInFolder, IsRefusedWhereItsMeshIsDamaged) {
 }
 
 TEST_F(GearInFolder, LeavesOutWhatChangesTheDrawingWhereItIsDivided) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   const auto gear =
       import_femnet({write("g.don", kPolygon + "\ninput rot_X 30\n"), {}, "g.mesh"}, diagnostics);
   ASSERT_EQ(gear.left_out.size(), 1u);
@@ -270,4 +270,4 @@ TEST_F(GearInFolder, LeavesOutWhatChangesTheDrawingWhereItIsDivided) {
 }
 
 }  // namespace
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 namespace {
 
 const std::string kGear = sample("09_hauling.don"), kMesh = sample("09_hauling.mdg");
@@ -117,4 +117,4 @@ TEST(MovedNodes, MayBeFreeInTheFile) {
 }
 
 }  // namespace
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

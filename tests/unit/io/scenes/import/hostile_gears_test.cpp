@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 namespace {
 
 const std::string kGear = sample("03_node_force_symmetry.don"), kMesh = sample("03_node_force_symmetry.mdg");
@@ -45,7 +45,7 @@ class BrokenGear : public testing::TestWithParam<Broken> {};
 
 TEST_P(BrokenGear, IsAnsweredWithItsPlace) {
   const ImportedSample read(changed(kGear, GetParam().old, GetParam().fresh), kMesh);
-  const Diagnostics& said = read.read.diagnostics;
+  const formats::Diagnostics& said = read.read.diagnostics;
   ASSERT_GE(said.errors(), 1);
   EXPECT_NE(said.render(false).find(GetParam().says), std::string::npos) << said.render(false);
   EXPECT_TRUE(read.imported.scene.empty());
@@ -93,7 +93,7 @@ class BrokenMesh : public testing::TestWithParam<Broken> {};
 
 TEST_P(BrokenMesh, IsAnsweredWithItsPlace) {
   const ImportedSample read(kGear, changed(kMesh, GetParam().old, GetParam().fresh));
-  const Diagnostics& said = read.read.diagnostics;
+  const formats::Diagnostics& said = read.read.diagnostics;
   ASSERT_EQ(said.errors(), 1) << said.render(false);
   EXPECT_NE(said.render(false).find(GetParam().says), std::string::npos) << said.render(false);
 }
@@ -152,12 +152,12 @@ TEST(MutatedGears, DoNotCrash) {
     }
     const ImportedSample read(texts[0], texts[1]);
     if (read.imported.scene.empty() || read.read.diagnostics.errors()) continue;
-    Diagnostics again;
-    const std::string mesh = mesh_text(read.imported.mesh, "");
-    read_mesh(mesh, again.add_source("gear.mesh", mesh), again);
+    formats::Diagnostics again;
+    const std::string mesh = formats::mesh_text(read.imported.mesh, "");
+    formats::read_mesh(mesh, again.add_source("gear.mesh", mesh), again);
     ASSERT_EQ(again.errors(), 0) << again.render(false);
   }
 }
 
 }  // namespace
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -3,7 +3,7 @@
 // What becomes of a gear: parts, loads, holds, and what is said of what has no counterpart.
 #include "tests/unit/io/scenes/import/samples.hpp"
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 namespace {
 
 ImportedSample imported(const std::string& name) { return {sample(name + ".don"), sample(name + ".mdg")}; }
@@ -18,7 +18,7 @@ TEST(FemnetScene, HalvesWhatStandsOnThePlaneOfSymmetry) {
 TEST(FemnetScene, TurnsTrianglesSoThatTheirOuterFaceIsSeenCounterClockwise) {
   const auto gear = imported("05_catch_front");
   const MeshFile::Triangle& there = gear.mesh.triangles.at(0);
-  const MeshRegion& here = *gear.imported.mesh.find("panel-1");
+  const formats::MeshRegion& here = *gear.imported.mesh.find("panel-1");
   EXPECT_EQ(here.nodes[0], there.nodes[0]);
   EXPECT_EQ(here.nodes[1], there.nodes[2]);
   EXPECT_EQ(here.nodes[2], there.nodes[1]);
@@ -29,8 +29,8 @@ TEST(FemnetScene, TurnsTrianglesSoThatTheirOuterFaceIsSeenCounterClockwise) {
 TEST(FemnetScene, MakesOneBarOfSeveralTwines) {
   const auto gear = imported("06_netting2ropes");
   EXPECT_TRUE(gear.holds("type = \"lumped/net\""));
-  const MeshRegion& region = *gear.imported.mesh.find("panel-1");
-  EXPECT_EQ(region.kind, RegionKind::twines);
+  const formats::MeshRegion& region = *gear.imported.mesh.find("panel-1");
+  EXPECT_EQ(region.kind, formats::RegionKind::twines);
   EXPECT_EQ(region.numbers[0], 5);  // five mesh sides, one bar
   EXPECT_EQ(region.numbers[1], 5);
 }
@@ -130,4 +130,4 @@ TEST(FemnetMotion, LeavesOutWhatMovesInAnUnknownManner) {
 }
 
 }  // namespace
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 using femnet::changed;
@@ -188,4 +188,4 @@ TEST(MoorDyn, IsAnsweredWhereverItIsCutOff) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

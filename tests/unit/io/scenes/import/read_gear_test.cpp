@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 namespace {
 
 const std::string kBars = sample("01_two_bars.don");
@@ -189,4 +189,4 @@ TEST(FemnetKeywords, SpeakOfCablesThatExist) {
 }
 
 }  // namespace
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-namespace netloft::io::femnet {
+namespace netloft::scenes::femnet {
 
 /// A file of tests/validation/femnet_files.
 inline std::string sample(const std::string& name) {
@@ -34,7 +34,7 @@ struct ReadGear {
   bool says(const std::string& words) const {
     return diagnostics.render(false).find(words) != std::string::npos;
   }
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   GearFile gear;
 };
 
@@ -55,4 +55,4 @@ struct ImportedSample {
   Imported imported;
 };
 
-}  // namespace netloft::io::femnet
+}  // namespace netloft::scenes::femnet

@@ -5,7 +5,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 using testing::Input;
@@ -441,4 +441,4 @@ TEST(AlongLine, WalksByLengthAndStaysOnTheLine) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

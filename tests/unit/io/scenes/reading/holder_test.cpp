@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 using testing::Input;
@@ -23,7 +23,7 @@ class Holding : public ::testing::Test {
   }
   Hold hold(const std::string& text, const std::vector<std::uint32_t>& nodes) {
     inputs.push_back(std::make_unique<Input>(text));
-    TableReader& table = inputs.back()->reader;
+    formats::TableReader& table = inputs.back()->reader;
     return holder->hold(read_hold(table), nodes, table);
   }
   std::array<double, 3> at(std::size_t node) const {
@@ -116,4 +116,4 @@ TEST(HoldEntry, IsNamedAfterWhatItHolds) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

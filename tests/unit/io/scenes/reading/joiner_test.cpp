@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 using Nodes = std::vector<std::uint32_t>;
@@ -141,4 +141,4 @@ TEST(Gathered, NettingMayEndInAPointButNotBeOne) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

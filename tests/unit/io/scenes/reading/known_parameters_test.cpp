@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 TEST(KnownParameters, AreTheTableOfTheGuide) {
@@ -16,4 +16,4 @@ TEST(KnownParameters, AreTheTableOfTheGuide) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 using Nodes = std::vector<std::uint32_t>;
@@ -51,9 +51,9 @@ TEST(PartNames, RefusesNamesThatLeadElsewhere) {
 }
 
 TEST(PartNames, ShortensBetweenCharacters) {
-  EXPECT_EQ(in_quotes("net"), "\"net\"");
-  EXPECT_EQ(in_quotes(std::string(59, 'a') + "ßb"), "\"" + std::string(59, 'a') + "...\"");
+  EXPECT_EQ(formats::in_quotes("net"), "\"net\"");
+  EXPECT_EQ(formats::in_quotes(std::string(59, 'a') + "ßb"), "\"" + std::string(59, 'a') + "...\"");
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 using testing::Input;
@@ -79,4 +79,4 @@ TEST_F(Take, GuessesWhatWasMeant) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

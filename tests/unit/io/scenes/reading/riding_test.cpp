@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 /// Three nodes with a bar of 2 m between the first two and one of 4 m between the last two.
@@ -28,4 +28,4 @@ TEST(Riding, CarriesAllTwinesThatABarStandsFor) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 constexpr double kSpeed = 1.5, kQuarter = std::numbers::pi / 2, kTurning = 120;  // [m/s], [rad], [s]
 
-Ship turning_ship() {
-  Ship ship;
+gears::Ship turning_ship() {
+  gears::Ship ship;
   ship.speed = kSpeed;
   ship.path = {{0, kSpeed, 0}, {20, kSpeed, 0}, {20 + kTurning, kSpeed, kQuarter}};
   return ship;
@@ -39,7 +39,7 @@ TEST(CourseOfBlock, GoesRoundACircleAndOnStraight) {
 }
 
 TEST(CourseOfBlock, FallsBackByWhatTheShipIsSlower) {
-  Ship ship;
+  gears::Ship ship;
   ship.speed = 2;
   ship.path = {{0, 2, 0}, {10, 1, 0}};
   const Course course = course_of_block(ship, 3);
@@ -51,7 +51,7 @@ TEST(CourseOfBlock, FallsBackByWhatTheShipIsSlower) {
 
 /// Two ships that swing apart by a right angle each, on circles of their own: 2 R further apart in the end.
 TEST(CourseOfBlock, IsThatOfItsOwnShipWhereTwoTow) {
-  Ship ships = turning_ship();
+  gears::Ship ships = turning_ship();
   ships.path_port = ships.path;
   for (auto& moment : ships.path_port) moment.heading *= -1;
   const double R = kSpeed * kTurning / kQuarter;
@@ -62,4 +62,4 @@ TEST(CourseOfBlock, IsThatOfItsOwnShipWhereTwoTow) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

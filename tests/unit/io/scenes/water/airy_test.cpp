@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 constexpr double kGravity = 9.81, kPi = std::numbers::pi;
@@ -113,4 +113,4 @@ TEST(Airy, GrowFromNothingOverTheRamp) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <numbers>
 
-namespace netloft::io {
+namespace netloft::scenes {
 namespace {
 
 const Jonswap kSea{2.5, 9, 3.3, 200, 7};
@@ -71,4 +71,4 @@ TEST(Jonswap, PeaksByItsPeakedness) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::scenes

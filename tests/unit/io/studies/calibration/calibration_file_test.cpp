@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 constexpr const char* kGood = R"(confidence = 0.95
@@ -132,4 +132,4 @@ TEST_F(CalibrationFileTest, WantsOnlyInputsThatAreThere) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 /// One scene with two variables, fitted to one row, with another one held back.
@@ -61,4 +61,4 @@ TEST(Calibration, GivesOnlyVariablesToTheScenesThatHaveThem) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 std::string refusal(const std::function<void()>& act) {
@@ -24,9 +24,9 @@ bool contains(const std::string& text, const std::string& piece) {
 }
 
 /// A scene of parts with these cells, whose file says `text`.
-LoadedScene scene_of(const std::vector<std::pair<std::string, std::vector<int>>>& parts,
-                     const std::string& text = "") {
-  LoadedScene loaded;
+scenes::LoadedScene scene_of(const std::vector<std::pair<std::string, std::vector<int>>>& parts,
+                             const std::string& text = "") {
+  scenes::LoadedScene loaded;
   for (const auto& [name, cells] : parts) {
     loaded.parts.emplace_back();
     loaded.parts.back().name = name, loaded.parts.back().cells = cells;
@@ -104,4 +104,4 @@ TEST(Division, PrefersMeshesThatCostLittle) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

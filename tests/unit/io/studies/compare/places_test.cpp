@@ -5,14 +5,14 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 /// A rope along x in n bars, its nodes at (s, f(s), 0).
 template <class F>
-LoadedScene rope(int n, const F& f) {
-  LoadedScene loaded;
-  PartGeometry part;
+scenes::LoadedScene rope(int n, const F& f) {
+  scenes::LoadedScene loaded;
+  scenes::PartGeometry part;
   part.name = "rope", part.cells = {n};
   for (int i = 0; i <= n; ++i) {
     part.nodes.push_back(static_cast<std::uint32_t>(i));
@@ -24,9 +24,9 @@ LoadedScene rope(int n, const F& f) {
 }
 
 /// A panel of 3 x 2 meshes in n x n cells, flat.
-LoadedScene panel(int n) {
-  LoadedScene loaded;
-  PartGeometry part;
+scenes::LoadedScene panel(int n) {
+  scenes::LoadedScene loaded;
+  scenes::PartGeometry part;
   part.name = "net", part.cells = {n, n};
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) {
@@ -38,7 +38,7 @@ LoadedScene panel(int n) {
   return loaded;
 }
 
-Places places(const LoadedScene& loaded) { return places_of(loaded, loaded.scene.positions); }
+Places places(const scenes::LoadedScene& loaded) { return places_of(loaded, loaded.scene.positions); }
 
 std::size_t common(const Places& a, const Places& b) {
   std::size_t n = 0;
@@ -54,7 +54,7 @@ TEST(Places, OfTwoMeshesMeetWhereNodesCoincide) {
 }
 
 TEST(Places, OfMeshesWithoutACommonNodeHaveNoDistance) {
-  LoadedScene other = panel(4);
+  scenes::LoadedScene other = panel(4);
   Places none;
   EXPECT_TRUE(std::isnan(largest_distance(places(other), none)));
 }
@@ -107,4 +107,4 @@ TEST(Discretisation, OfTwoMeshesIsADifference) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

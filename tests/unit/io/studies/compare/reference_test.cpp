@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 std::vector<std::string> asked(const std::string& method, const std::vector<std::string>& available,
@@ -51,4 +51,4 @@ TEST(Reference, IsWhatIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 bool contains(const std::string& text, const std::string& piece) {
@@ -71,14 +71,14 @@ TEST(ComparisonCsv, CountsWorkInFactorisations) {
 }
 
 TEST(ComparisonPlot, DrawsAnErrorOfZeroAtTheRoundOffOfTheGear) {
-  const LinePlot plot = comparison_plot(sample());
+  const formats::LinePlot plot = comparison_plot(sample());
   ASSERT_EQ(plot.series[0].points.size(), 2u);
   EXPECT_EQ(plot.series[0].points[0].x, 0.5);
   EXPECT_DOUBLE_EQ(plot.series[0].points[1].x, 40 * 2.220446049250313e-16);
 }
 
 TEST(ComparisonPlot, DrawsNoErrorsOfAnotherEquilibrium) {
-  const LinePlot plot = comparison_plot(sample());
+  const formats::LinePlot plot = comparison_plot(sample());
   EXPECT_TRUE(plot.series[1].points.empty());
   EXPECT_EQ(plot.series[1].name, "lbfgs (other equilibrium)");
   ASSERT_EQ(plot.marks.size(), 2u);
@@ -101,7 +101,7 @@ TEST(ComparisonOfMotions, NamesTheLostInTableAndPlot) {
   const std::string text = comparison_text(motions());
   EXPECT_TRUE(contains(text, "energy-momentum: lost at 1e-06: because")) << text;
   EXPECT_TRUE(contains(text, "newmark: the reference is energy-momentum at an accuracy of 1e-09")) << text;
-  const LinePlot plot = comparison_plot(motions());
+  const formats::LinePlot plot = comparison_plot(motions());
   EXPECT_EQ(plot.series[1].name, "energy-momentum (lost at 1e-06)");
   ASSERT_EQ(plot.series[1].points.size(), 1u);
   EXPECT_EQ(plot.series[1].points[0].x, 0.25);
@@ -121,4 +121,4 @@ TEST(ComparisonJson, HasNullForWhatIsNotKnown) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 /// f* + C hᵖ on some meshes.
@@ -102,4 +102,4 @@ TEST(Richardson, CallsOrdersSteadyThatAgree) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

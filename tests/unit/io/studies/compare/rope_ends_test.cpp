@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 /// A headrope of 4 m in `bars` bars, whose tension grows towards its end like 1/√distance there.
@@ -45,4 +45,4 @@ TEST(RopeEnds, SayNoMoreOfSumsAndOfRopesThatAreNotThere) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

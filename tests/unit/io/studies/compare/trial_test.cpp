@@ -7,10 +7,10 @@
 
 #include <set>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
-CaseSource pendulum(std::vector<std::string> more) {
+runs::CaseSource pendulum(std::vector<std::string> more) {
   more.push_back("analysis.duration=1");
   return {test::source_folder() + "/gear-library/scenes/dynamics/elastic-pendulum.toml", std::move(more), 1};
 }
@@ -18,7 +18,7 @@ CaseSource pendulum(std::vector<std::string> more) {
 TEST(TrialInTime, ReportsEveryStepUnderTheNameOfItsRun) {
   std::int64_t steps = 0;
   std::set<std::string> names;
-  Watch watch;
+  runs::Watch watch;
   watch.on_step = [&](const StepRecord& step, const std::string& run) {
     steps = step.steps;
     names.insert(run);
@@ -41,4 +41,4 @@ TEST(TrialInTime, EndsWithItsBudgetOfWorkAndSaysWhere) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <regex>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 /// Two bars lean against one another, 2 b wide and h high at rest, and are loaded on top (R. von Mises 1923):
@@ -66,15 +66,15 @@ class BranchTest : public testing::Scratch {
     write("s.toml", kTruss);
     variable_.name = "load", variable_.unit = "N", variable_.keys = {{"parts.load.force.z", 1, 0}};
   }
-  std::shared_ptr<Case> opened(const std::vector<VariableValue>& values) {
-    auto one = std::make_shared<Case>(CaseSource{folder_ / "s.toml", variable_.overrides(values[0]), 1},
-                                      test::shipped_plugins());
-    EXPECT_EQ(one->open(), Case::State::ready) << one->diagnostics().render(false);
+  std::shared_ptr<runs::Case> opened(const std::vector<VariableValue>& values) {
+    auto one = std::make_shared<runs::Case>(
+        runs::CaseSource{folder_ / "s.toml", variable_.overrides(values[0]), 1}, test::shipped_plugins());
+    EXPECT_EQ(one->open(), runs::Case::State::ready) << one->diagnostics().render(false);
     return one;
   }
   /// Follows the loads; heights at all of them.
   std::vector<double> follow(const std::vector<double>& loads) {
-    const Watch watch;
+    const runs::Watch watch;
     Branch branch(
         {variable_}, [this](const auto& values) { return opened(values); }, watch);
     std::vector<double> heights;
@@ -153,4 +153,4 @@ TEST_F(BranchTest, StaysOnTheOtherSideOnTheWayBack) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

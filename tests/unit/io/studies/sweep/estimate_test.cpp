@@ -10,7 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 using Function = std::function<double(double speed, double depth, double friction)>;
@@ -66,7 +66,7 @@ class TableOfAGear {
 };
 
 StudyEstimate estimated(const StudyTable& table, const std::vector<std::string>& at) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   auto found = estimate(table, {at, {}}, diagnostics);
   EXPECT_TRUE(found) << diagnostics.render(false);
   return found ? *found : StudyEstimate{};
@@ -79,7 +79,7 @@ WithError height_at(const StudyTable& table, double speed, double depth) {
 }
 
 std::string refused(const StudyTable& table, const EstimateRequest& request) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   EXPECT_FALSE(estimate(table, request, diagnostics));
   return diagnostics.render(false);
 }
@@ -123,7 +123,7 @@ TEST(Estimates, TakeUnitsAsScenesDo) {
 TEST(Estimates, LeaveOutFiguresOfPartsUnlessNamed) {
   const StudyTable table = TableOfAGear(height).table;
   EXPECT_EQ(estimated(table, {"speed=2.7 kn,depth=80 m"}).figures.size(), 1u);
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   const auto found = estimate(table, {{"speed=2.7 kn,depth=80 m"}, {"gear/drag_by_part/net"}}, diagnostics);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->figures[0].value.value, 1);
@@ -199,7 +199,7 @@ TEST(Estimates, BeyondTheHullOfWhatConvergedAreExtrapolations) {
 TEST(Estimates, OfAPointWithoutEquilibriumAreRefused) {
   StudyTable table = TableOfAGear(height).table;
   table.rows[0].record = {"not converged", "it folds", "anew", {}, 0, 0, 0, {}};
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   try {
     estimate(table, {{"speed=2 kn,depth=50 m"}, {}}, diagnostics);
     FAIL();
@@ -265,4 +265,4 @@ TEST(Estimates, AreInJson) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 class ManifestTest : public testing::Scratch {
@@ -62,4 +62,4 @@ TEST_F(ManifestTest, SurvivesNonsense) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

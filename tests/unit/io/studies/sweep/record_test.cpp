@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 StudyItem two_points() {
@@ -78,4 +78,4 @@ TEST_F(FoundRecord, IsNoneWhereThereIsNoFileOrADamagedOne) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -49,4 +49,4 @@ TEST(Scope, HasNoLengthWhereBoardsNeverStandSo) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

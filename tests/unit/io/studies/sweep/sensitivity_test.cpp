@@ -9,7 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -56,14 +56,14 @@ StudyTable table_of(const std::vector<Axis>& axes, std::size_t draws,
 }
 
 StudySensitivity found(const StudyTable& table, const SensitivityRequest& request = {}) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   const auto answer = sensitivity(table, request, diagnostics);
   EXPECT_TRUE(answer) << diagnostics.render(false);
   return answer ? *answer : StudySensitivity{};
 }
 
 std::string refused(const StudyTable& table, const SensitivityRequest& request = {}) {
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   EXPECT_FALSE(sensitivity(table, request, diagnostics));
   return diagnostics.render(false);
 }
@@ -132,7 +132,7 @@ TEST(Sensitivity, LeavesOutAndCountsWhatHasNoEquilibrium) {
   EXPECT_EQ(s.left_out, 2u);
   EXPECT_NEAR(s.figures[0].variables[0].first.value, 0.9, 0.01);
   for (StudyRow& row : table.rows) row.record.status = "missing";
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   EXPECT_THROW(sensitivity(table, {}, diagnostics), StudyError);
 }
 TEST(Sensitivity, SaysOfAFigureWhyItHasNoIndices) {
@@ -166,7 +166,7 @@ TEST(Sensitivity, IsATableJsonAndBars) {
             std::string::npos);
   const auto json = nlohmann::json::parse(sensitivity_json("s", s));
   EXPECT_NEAR(json["figures"]["gear/height"]["variables"]["speed"]["first"]["value"], 0.9, 0.005);
-  const std::string svg = draw_svg(sensitivity_bars(s));
+  const std::string svg = formats::draw_svg(sensitivity_bars(s));
   EXPECT_NE(svg.find(">depth<"), std::string::npos);
   EXPECT_NE(svg.find(">first order<"), std::string::npos);
 }
@@ -177,4 +177,4 @@ TEST(Sensitivity, IsTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

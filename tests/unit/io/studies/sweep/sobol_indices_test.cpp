@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
@@ -57,4 +57,4 @@ TEST(SobolIndices, OfAConstantAreZero) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 // R: quantile(c(7, 1, 3, 10), c(0, .05, .25, .5, .9, 1)) is 1.0 1.3 2.5 5.0 9.1 10.0
@@ -28,4 +28,4 @@ TEST(Statistics, HaveMeanAndDeviation) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

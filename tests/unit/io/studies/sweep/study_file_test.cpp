@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 constexpr const char* kGood = R"(scene = "a.toml"
@@ -101,4 +101,4 @@ TEST_F(StudyFileTest, WantsOnlyInputsThatAreThere) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

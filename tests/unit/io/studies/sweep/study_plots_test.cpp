@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 StudyColumn column(const std::string& name, bool drawn) {
@@ -49,4 +49,4 @@ TEST(StudyPlots, OverWhatIsDrawnHaveAMarkerForEveryRow) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 DesignVariable listed(const std::string& name, const std::vector<double>& numbers, bool in_path) {
@@ -105,4 +105,4 @@ TEST(StudyDesign, HasHashesOfAllThatResultsFollowFrom) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

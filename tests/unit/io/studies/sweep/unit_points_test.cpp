@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 /// How many of equally many intervals of a dimension hold a point.
@@ -68,4 +68,4 @@ TEST(UnitPoints, OfSobolsSequenceIntegrateBetterThanChance) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

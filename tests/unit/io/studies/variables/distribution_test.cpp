@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 using Kind = Distribution::Kind;
@@ -44,4 +44,4 @@ TEST(Distribution, NeverLeavesItsInterval) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 using testing::Input;
@@ -111,4 +111,4 @@ TEST(Variable, OfACalibrationHasARangeOnly) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

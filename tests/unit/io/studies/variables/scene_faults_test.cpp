@@ -3,7 +3,7 @@
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 using testing::Input;
@@ -14,7 +14,7 @@ TEST(SceneFaults, AreShownAtTheVariableThatIsToBlame) {
   scene.reader.finish();
   ASSERT_EQ(scene.diagnostics.errors(), 2);
 
-  Diagnostics study;
+  formats::Diagnostics study;
   const int file = study.add_source("study.toml", "scene = \"s.toml\"\n[v]\n[w]\n");
   hand_on_faults(scene.diagnostics, {{"tow.speed", {file, 2, 1}}, {"tow.speeed", {file, 3, 1}}}, {file, 1, 9},
                  study);
@@ -29,7 +29,7 @@ TEST(SceneFaults, AreShownAtTheVariableThatIsToBlame) {
 TEST(SceneFaults, OfTheSceneItselfAreShownWithTheirPlaceThere) {
   Input scene("[tow]\nspeed = \"x\"");
   scene.reader.table("tow").real("speed", {.unit = "m/s"});
-  Diagnostics study;
+  formats::Diagnostics study;
   const int file = study.add_source("study.toml", "scene = \"s.toml\"\n");
   hand_on_faults(scene.diagnostics, {{"tow.speed", {file, 9, 9}}}, {file, 1, 9}, study);
   const auto all = study.sorted();
@@ -39,4 +39,4 @@ TEST(SceneFaults, OfTheSceneItselfAreShownWithTheirPlaceThere) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

@@ -4,7 +4,7 @@
 #include "io/formats/toml/override.hpp"
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::io {
+namespace netloft::studies {
 namespace {
 
 using testing::Input;
@@ -12,12 +12,12 @@ using testing::Input;
 /// The spelling of a value in TOML, after a check that --set reads it back as the same.
 std::string spelt(const std::string& toml) {
   Input in("v = " + toml);
-  const Value& value = in.document.root().as<Table>()->find("v")->value;
+  const formats::Value& value = in.document.root().as<formats::Table>()->find("v")->value;
   const std::string text = spell_for_set(value);
-  Value again{{}, Table{}};
-  Diagnostics diagnostics;
-  apply_override(again, "v=" + text, diagnostics);
-  const Value& back = again.as<Table>()->find("v")->value;
+  formats::Value again{{}, formats::Table{}};
+  formats::Diagnostics diagnostics;
+  formats::apply_override(again, "v=" + text, diagnostics);
+  const formats::Value& back = again.as<formats::Table>()->find("v")->value;
   EXPECT_EQ(back.kind(), value.kind()) << text;
   EXPECT_EQ(spell_for_set(back), text);
   return text;
@@ -51,4 +51,4 @@ TEST(WrittenValue, KeepsQuotesInsideArraysAndTables) {
 }
 
 }  // namespace
-}  // namespace netloft::io
+}  // namespace netloft::studies

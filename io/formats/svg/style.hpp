@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace netloft::formats {
+
+// What line plots and bar charts have in common [px].
+inline constexpr double kWidth = 340, kAxisRoom = 38, kLegendLine = 14, kText = 10;
+inline constexpr const char *kInk = "#222222", *kGrid = "#dddddd";
+
+}  // namespace netloft::formats
