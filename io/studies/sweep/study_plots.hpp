@@ -3,6 +3,8 @@
 #include "io/formats/svg/plot.hpp"
 #include "io/studies/sweep/study_table.hpp"
 
+#include <map>
+
 namespace netloft::studies {
 
 /// Which part of a table is drawn, over what.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <map>
 #include "io/studies/sweep/record.hpp"
 
 namespace netloft::studies {

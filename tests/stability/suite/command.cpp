@@ -17,7 +17,10 @@
 
 namespace netloft::hard_cases {
 
-using namespace io;
+using namespace formats;
+using namespace scenes;
+using namespace runs;
+using namespace program;
 
 namespace {
 

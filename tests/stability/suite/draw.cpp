@@ -5,7 +5,9 @@
 
 namespace netloft::hard_cases {
 
-using namespace io;
+using namespace formats;
+using namespace scenes;
+using namespace runs;
 
 namespace {
 
@@ -43,7 +45,7 @@ Drawn draw(TableReader vary, scenes::Dice& dice) {
   return drawn;
 }
 
-void fill_in(Value& value, const Drawn& drawn) {
+void fill_in(formats::Value& value, const Drawn& drawn) {
   if (auto* text = value.as<std::string>()) {
     // From behind, so that $across_aft is not taken for $across.
     for (auto d = drawn.rbegin(); d != drawn.rend(); ++d) replace_all(*text, "$" + d->first, d->second);

@@ -8,7 +8,9 @@
 
 namespace netloft::hard_cases {
 
-using namespace io;
+using namespace formats;
+using namespace scenes;
+using namespace runs;
 
 namespace {
 

@@ -5,11 +5,12 @@
 
 namespace netloft::hard_cases {
 
-using namespace io;
+using namespace formats;
+using namespace scenes;
 
 namespace {
 
-using testing::Input;
+using formats::testing::Input;
 
 constexpr const char* kVary =
     "across = { whole = [30, 33] }\n"

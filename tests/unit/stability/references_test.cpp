@@ -8,11 +8,13 @@
 
 namespace netloft::hard_cases {
 
-using namespace io;
+using namespace formats;
+using namespace scenes;
+using namespace runs;
 
 namespace {
 
-class Book : public testing::Scratch {};
+class Book : public formats::testing::Scratch {};
 
 TEST_F(Book, KeepsEveryBitOfAnAnswer) {
   const auto file = folder_ / "references.json";

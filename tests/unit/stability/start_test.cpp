@@ -8,11 +8,13 @@
 
 namespace netloft::hard_cases {
 
-using namespace io;
+using namespace formats;
+using namespace scenes;
+using namespace runs;
 
 namespace {
 
-using testing::Input;
+using formats::testing::Input;
 using Point = std::array<double, 3>;
 
 /// A rope along x: node 0 held along all axes, node 1 along z, the others free.

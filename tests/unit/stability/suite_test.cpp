@@ -9,11 +9,13 @@
 
 namespace netloft::hard_cases {
 
-using namespace io;
+using namespace formats;
+using namespace scenes;
+using namespace runs;
 
 namespace {
 
-class SuiteFolder : public testing::Scratch {
+class SuiteFolder : public formats::testing::Scratch {
  protected:
   Suite read(std::uint64_t number = 1) {
     write("solvers.toml", "[[solver]]\nuse = \"newton\"\n");

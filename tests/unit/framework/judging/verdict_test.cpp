@@ -31,7 +31,7 @@ bool contains(const std::string& text, const std::string& piece) {
 }
 
 /// A bar of 1 m on a fixed foot, loaded at its head along z. Pressed as stiffly as pulled.
-Scene standing_bar(double load, double height = 1) {
+Scene bar_on_end(double load, double height = 1) {
   Sketch s;
   s.scene.water.gravity = 0;
   const auto foot = s.node(0, 0, 0, kAllAxes), head = s.node(0, 0, height);
@@ -41,7 +41,7 @@ Scene standing_bar(double load, double height = 1) {
 }
 
 TEST(Verdict, CallsABarThatIsPulledStable) {
-  const Solved s = solve_sketch(standing_bar(100));
+  const Solved s = solve_sketch(bar_on_end(100));
   EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
   EXPECT_EQ(s.solution.stability, Stability::stable);
   EXPECT_NEAR(s.position(1)[2], 1.01, 1e-10);
@@ -50,7 +50,7 @@ TEST(Verdict, CallsABarThatIsPulledStable) {
 }
 
 TEST(Verdict, CallsABarThatStandsUnderALoadUnstable) {
-  const Solved s = solve_sketch(standing_bar(-100));
+  const Solved s = solve_sketch(bar_on_end(-100));
   EXPECT_NEAR(s.position(1)[2], 0.99, 1e-9);
   EXPECT_EQ(s.solution.status, SolveStatus::unstable);
   EXPECT_EQ(s.solution.stability, Stability::unstable);
@@ -59,7 +59,7 @@ TEST(Verdict, CallsABarThatStandsUnderALoadUnstable) {
 }
 
 TEST(Verdict, CallsWhatTheClassicMethodFindsThereUnstableToo) {
-  const Solved s = solve_sketch(standing_bar(-100, 0.995), classic());
+  const Solved s = solve_sketch(bar_on_end(-100, 0.995), classic());
   EXPECT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
 }
 
@@ -97,7 +97,7 @@ Scene stiff_bar_beside_a_load() {
 
 TEST(Verdict, DoesNotTakeASolversWordThatNoStepLeadsOn) {
   for (const double off : {1e-3, 1e-5, 5e-8, 1e-9}) {  // r = 1e4 N/m off
-    const Solution s = given_up(standing_bar(100), 0.01 + off);
+    const Solution s = given_up(bar_on_end(100), 0.01 + off);
     EXPECT_EQ(s.status, SolveStatus::not_converged) << off << ": " << s.reason;
   }
 }
@@ -185,7 +185,7 @@ TEST(Verdict, NamesWhatGrowsWhereForcesHaveNoEnergy) {
 }
 
 TEST(Verdict, JudgesAPointThatNoSolverIsBehind) {
-  Assembled a(standing_bar(100));
+  Assembled a(bar_on_end(100));
   std::vector<double> u(a.plan.unknowns, 0.0);
   EXPECT_EQ(assess_static({a.scene, a.assembler, make_factorisation}, u, {}).status,
             SolveStatus::not_converged);

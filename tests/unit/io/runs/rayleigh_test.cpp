@@ -13,12 +13,12 @@ namespace netloft::runs {
 namespace {
 
 // A weight of 10 kg on a rope with EA/l = 1000 N/m, let go at the rope's own length.
-const std::string kBounce = test::source_folder() + "/io/cli/templates/integrator/my_integrator.toml";
+const std::string kRayleighBounce = test::source_folder() + "/io/cli/templates/integrator/my_integrator.toml";
 constexpr double kOmega = 10, kSag = 9.80665 / (kOmega * kOmega);  // [rad/s], [m]
 
 /// How far it has sunk after a time [m].
 double sunk(double alpha, double beta, double t, const std::string& more = "analysis.dense=false") {
-  Case one({kBounce,
+  Case one({kRayleighBounce,
             {"analysis.integrator=newmark", "analysis.mass_damping=" + std::to_string(alpha),
              "analysis.stiffness_damping=" + std::to_string(beta), "analysis.duration=" + std::to_string(t),
              "analysis.adaptive=false", "analysis.step=0.001", "analysis.tolerance=1e-9", more},

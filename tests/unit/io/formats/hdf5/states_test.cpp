@@ -8,14 +8,14 @@
 namespace netloft::formats {
 namespace {
 
-const test::Sheet kSheet{5, 3};
+const test::Sheet kStatesSheet{5, 3};
 
 class States : public test::InScratchFolder {
  protected:
   Reader written(const std::vector<double>& times) const {
     ResultFile file(in("a.hdf"));
-    test::begin(file, kSheet, times.size());
-    for (const double time : times) test::write_state(file, kSheet, time);
+    test::begin(file, kStatesSheet, times.size());
+    for (const double time : times) test::write_state(file, kStatesSheet, time);
     file.finish();
     return Reader(in("a.hdf"));
   }
@@ -26,26 +26,26 @@ TEST_F(States, ComeBackInTheOrderOfTime) {
   const Reader reader = written(times);
   EXPECT_EQ(reader.times(), times);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    EXPECT_EQ(reader.points(i), kSheet.points(times[i]));
-    EXPECT_EQ(reader.field(Location::kPoint, "height", i), kSheet.heights(times[i]));
-    EXPECT_EQ(reader.field(Location::kPoint, "velocity", i), kSheet.points(times[i]));
-    EXPECT_EQ(reader.field(Location::kCell, "strain", i), kSheet.strains(times[i]));
-    EXPECT_EQ(reader.field(Location::kPoint, "part", i), kSheet.parts());
+    EXPECT_EQ(reader.points(i), kStatesSheet.points(times[i]));
+    EXPECT_EQ(reader.field(Location::kPoint, "height", i), kStatesSheet.heights(times[i]));
+    EXPECT_EQ(reader.field(Location::kPoint, "velocity", i), kStatesSheet.points(times[i]));
+    EXPECT_EQ(reader.field(Location::kCell, "strain", i), kStatesSheet.strains(times[i]));
+    EXPECT_EQ(reader.field(Location::kPoint, "part", i), kStatesSheet.parts());
   }
 }
 
 TEST_F(States, TheNewestComesFirstInTheFileAndHistoryBehindIt) {
   const Reader reader = written({0.0, 0.5, 1.0});
-  const auto n = static_cast<std::int64_t>(kSheet.mesh().n_points);
+  const auto n = static_cast<std::int64_t>(kStatesSheet.mesh().n_points);
   EXPECT_EQ(reader.integers("/VTKHDF/Steps/PointOffsets"), (std::vector<std::int64_t>{n, 2 * n, 0}));
   std::vector<double> first = reader.reals("/VTKHDF/Points");
   first.resize(static_cast<std::size_t>(3 * n));
-  EXPECT_EQ(first, kSheet.points(1.0));
+  EXPECT_EQ(first, kStatesSheet.points(1.0));
 }
 
 TEST_F(States, OneStateNeedsNoHistory) {
   const Reader reader = written({2.0});
-  EXPECT_EQ(reader.shape("/VTKHDF/Points"), (std::vector<std::size_t>{kSheet.mesh().n_points, 3}));
+  EXPECT_EQ(reader.shape("/VTKHDF/Points"), (std::vector<std::size_t>{kStatesSheet.mesh().n_points, 3}));
   EXPECT_EQ(reader.integers("/VTKHDF/Steps/PointOffsets"), (std::vector<std::int64_t>{0}));
 }
 
@@ -55,19 +55,19 @@ TEST_F(States, AreAsManyAsWereAnnouncedAndMoreThanOneBlock) {
   const Reader reader = written(times);
   EXPECT_EQ(reader.times(), times);
   for (std::size_t i = 0; i < times.size(); i += 13)
-    ASSERT_EQ(reader.points(i), kSheet.points(times[i])) << i;
-  EXPECT_EQ(reader.points(1999), kSheet.points(times[1999]));
+    ASSERT_EQ(reader.points(i), kStatesSheet.points(times[i])) << i;
+  EXPECT_EQ(reader.points(1999), kStatesSheet.points(times[1999]));
 }
 
 TEST_F(States, MoreOrFewerThanAnnouncedAreRefused) {
   ResultFile file(in("a.hdf"));
-  test::begin(file, kSheet, 2);
-  test::write_state(file, kSheet, 0);
+  test::begin(file, kStatesSheet, 2);
+  test::write_state(file, kStatesSheet, 0);
   EXPECT_THROW(file.finish(), std::invalid_argument);
   ResultFile other(in("b.hdf"));
-  test::begin(other, kSheet, 1);
-  test::write_state(other, kSheet, 0);
-  EXPECT_THROW(test::write_state(other, kSheet, 1), std::invalid_argument);
+  test::begin(other, kStatesSheet, 1);
+  test::write_state(other, kStatesSheet, 0);
+  EXPECT_THROW(test::write_state(other, kStatesSheet, 1), std::invalid_argument);
 }
 
 TEST_F(States, ArraysCarryUnitAndDoc) {
@@ -79,7 +79,7 @@ TEST_F(States, ArraysCarryUnitAndDoc) {
 
 TEST_F(States, AStaticFieldIsStoredOnceAndAsIntegersIfAsked) {
   const Reader reader = written({0.0, 1.0});
-  EXPECT_EQ(reader.shape("/VTKHDF/PointData/part"), (std::vector<std::size_t>{kSheet.mesh().n_points}));
+  EXPECT_EQ(reader.shape("/VTKHDF/PointData/part"), (std::vector<std::size_t>{kStatesSheet.mesh().n_points}));
   EXPECT_NO_THROW(reader.integers("/VTKHDF/PointData/part"));
 }
 
@@ -95,20 +95,20 @@ TEST_F(States, AMeshWithoutCellsOrPointsIsAllowed) {
 
 TEST_F(States, AStateOfTheWrongSizeIsRefusedAndLeavesTheFileAsItWas) {
   ResultFile file(in("a.hdf"));
-  EXPECT_THROW(test::write_state(file, kSheet, 0), std::invalid_argument);  // begin() is missing
-  test::begin(file, kSheet, 2);
-  test::write_state(file, kSheet, 0);
+  EXPECT_THROW(test::write_state(file, kStatesSheet, 0), std::invalid_argument);  // begin() is missing
+  test::begin(file, kStatesSheet, 2);
+  test::write_state(file, kStatesSheet, 0);
   EXPECT_THROW(test::write_state(file, test::Sheet{6, 3}, 1), std::invalid_argument);
-  EXPECT_THROW(file.write_state(1, kSheet.points(1), {}), std::invalid_argument);
-  EXPECT_THROW(test::begin(file, kSheet), std::invalid_argument);
-  test::write_state(file, kSheet, 2);
+  EXPECT_THROW(file.write_state(1, kStatesSheet.points(1), {}), std::invalid_argument);
+  EXPECT_THROW(test::begin(file, kStatesSheet), std::invalid_argument);
+  test::write_state(file, kStatesSheet, 2);
   file.finish();
   EXPECT_EQ(Reader(in("a.hdf")).times(), (std::vector<double>{0, 2}));
 }
 
 TEST_F(States, AMeshThatContradictsItselfIsRefused) {
   const auto begin_with = [&](auto&& change) {
-    Mesh mesh = kSheet.mesh();
+    Mesh mesh = kStatesSheet.mesh();
     change(mesh);
     ResultFile(in("a.hdf")).begin(mesh, {}, {});
   };
@@ -124,7 +124,7 @@ TEST_F(States, AMeshThatContradictsItselfIsRefused) {
 
 TEST_F(States, AFieldThatCannotBeNamedOrFilledIsRefused) {
   const auto begin_with = [&](std::vector<FieldSpec> changing, std::vector<StaticField> fixed) {
-    ResultFile(in("a.hdf")).begin(kSheet.mesh(), std::move(changing), fixed);
+    ResultFile(in("a.hdf")).begin(kStatesSheet.mesh(), std::move(changing), fixed);
   };
   EXPECT_THROW(begin_with({{"a/b", "1", ""}}, {}), std::invalid_argument);
   EXPECT_THROW(begin_with({{"", "1", ""}}, {}), std::invalid_argument);

@@ -22,8 +22,8 @@ const std::string kMesh =
     "0 2\n"                   // 13
     "[end]\n";
 
-struct Read {
-  explicit Read(const std::string& text)
+struct ReadMesh {
+  explicit ReadMesh(const std::string& text)
       : file(diagnostics.add_source("gear.mesh", text)), mesh(read_mesh(text, file, diagnostics)) {}
   Diagnostics diagnostics;
   int file;
@@ -31,7 +31,7 @@ struct Read {
 };
 
 TEST(Mesh, IsReadWithItsRegionsAndSets) {
-  const Read read(kMesh);
+  const ReadMesh read(kMesh);
   ASSERT_EQ(read.diagnostics.errors(), 0) << read.diagnostics.render(false);
   EXPECT_EQ(read.mesh.node_count(), 3u);
   EXPECT_EQ(read.mesh.positions[8], -0.5);
@@ -44,9 +44,9 @@ TEST(Mesh, IsReadWithItsRegionsAndSets) {
 }
 
 TEST(Mesh, IsTheSameWhenWrittenAndReadAgain) {
-  const InputMesh first = Read(kMesh).mesh;
+  const InputMesh first = ReadMesh(kMesh).mesh;
   const std::string text = mesh_text(first, "a source\nof two lines");
-  const Read again(text);
+  const ReadMesh again(text);
   ASSERT_EQ(again.diagnostics.errors(), 0) << again.diagnostics.render(false);
   EXPECT_EQ(again.mesh.positions, first.positions);
   for (const auto& region : first.regions) {
@@ -57,18 +57,18 @@ TEST(Mesh, IsTheSameWhenWrittenAndReadAgain) {
   EXPECT_EQ(again.mesh.sets.at(0).nodes, first.sets.at(0).nodes);
 }
 
-struct Wrong {
+struct WrongFile {
   const char *name, *old, *fresh, *where, *says;
 };
 
-class WrongMesh : public testing::TestWithParam<Wrong> {};
+class WrongMesh : public testing::TestWithParam<WrongFile> {};
 
 TEST_P(WrongMesh, IsAnsweredWithItsPlace) {
   std::string text = kMesh;
   const auto at = text.find(GetParam().old);
   ASSERT_NE(at, std::string::npos);
   text.replace(at, std::string(GetParam().old).size(), GetParam().fresh);
-  const Read read(text);
+  const ReadMesh read(text);
   ASSERT_EQ(read.diagnostics.errors(), 1) << read.diagnostics.render(false);
   const Diagnostic error = read.diagnostics.sorted().at(0);
   EXPECT_EQ(read.diagnostics.where(error.place), std::string("gear.mesh:") + GetParam().where);
@@ -77,24 +77,24 @@ TEST_P(WrongMesh, IsAnsweredWithItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, WrongMesh,
-    testing::Values(Wrong{"NoMesh", "netloft mesh 1", "hello", "1:1", "this is no mesh"},
-                    Wrong{"Newer", "mesh 1", "mesh 2", "1:14", "of version 2"},
-                    Wrong{"CutOff", "[end]\n", "", "13:1", "cut off"},
-                    Wrong{"UnknownSection", "[bars line]", "[beams line]", "8:1", "no section \"beams\""},
-                    Wrong{"RegionWithoutName", "[bars line]", "[bars]", "8:1", "without a name"},
-                    Wrong{"NoBracket", "[bars line]", "[bars line", "8:1", "in brackets"},
-                    Wrong{"NameTwice", "[bars line]", "[bars belly]", "8:7", "already"},
-                    Wrong{"NodeOfTwoNumbers", "1 0 0\n", "1 0\n", "4:1", "2 numbers stand here"},
-                    Wrong{"NoNumber", "0 1 -0.5", "0 one -0.5", "5:3", "\"one\" is no number"},
-                    Wrong{"NaN", "0 1 -0.5", "0 nan -0.5", "5:3", "\"nan\" is no number"},
-                    Wrong{"FarAway", "0 1 -0.5", "0 1e9 -0.5", "5:3", "beyond a million"},
-                    Wrong{"NoSuchNode", "0 1 2  0 0", "0 1 3  0 0", "7:1", "there is no node 3"},
-                    Wrong{"NegativeNode", "0 1 2  0 0", "0 1 -2  0 0", "7:5", "is no number of a node"},
-                    Wrong{"NodeTwice", "0 1 2  0 0", "0 1 1  0 0", "7:1", "stands here twice"},
-                    Wrong{"NoNetting", "10 0 10 5", "10 0 20 0", "7:8", "on one line in meshes"},
-                    Wrong{"SharesBackwards", "0 0.25", "0.25 0.25", "9:6", "shares of a rope grow"},
-                    Wrong{"NoTwines", "5 3", "5 0", "11:6", "above zero"},
-                    Wrong{"SetOfNoNode", "0 2\n", "0 7\n", "13:3", "there is no node 7"}),
+    testing::Values(WrongFile{"NoMesh", "netloft mesh 1", "hello", "1:1", "this is no mesh"},
+                    WrongFile{"Newer", "mesh 1", "mesh 2", "1:14", "of version 2"},
+                    WrongFile{"CutOff", "[end]\n", "", "13:1", "cut off"},
+                    WrongFile{"UnknownSection", "[bars line]", "[beams line]", "8:1", "no section \"beams\""},
+                    WrongFile{"RegionWithoutName", "[bars line]", "[bars]", "8:1", "without a name"},
+                    WrongFile{"NoBracket", "[bars line]", "[bars line", "8:1", "in brackets"},
+                    WrongFile{"NameTwice", "[bars line]", "[bars belly]", "8:7", "already"},
+                    WrongFile{"NodeOfTwoNumbers", "1 0 0\n", "1 0\n", "4:1", "2 numbers stand here"},
+                    WrongFile{"NoNumber", "0 1 -0.5", "0 one -0.5", "5:3", "\"one\" is no number"},
+                    WrongFile{"NaN", "0 1 -0.5", "0 nan -0.5", "5:3", "\"nan\" is no number"},
+                    WrongFile{"FarAway", "0 1 -0.5", "0 1e9 -0.5", "5:3", "beyond a million"},
+                    WrongFile{"NoSuchNode", "0 1 2  0 0", "0 1 3  0 0", "7:1", "there is no node 3"},
+                    WrongFile{"NegativeNode", "0 1 2  0 0", "0 1 -2  0 0", "7:5", "is no number of a node"},
+                    WrongFile{"NodeTwice", "0 1 2  0 0", "0 1 1  0 0", "7:1", "stands here twice"},
+                    WrongFile{"NoNetting", "10 0 10 5", "10 0 20 0", "7:8", "on one line in meshes"},
+                    WrongFile{"SharesBackwards", "0 0.25", "0.25 0.25", "9:6", "shares of a rope grow"},
+                    WrongFile{"NoTwines", "5 3", "5 0", "11:6", "above zero"},
+                    WrongFile{"SetOfNoNode", "0 2\n", "0 7\n", "13:3", "there is no node 7"}),
     [](const auto& wrong) { return wrong.param.name; });
 
 }  // namespace

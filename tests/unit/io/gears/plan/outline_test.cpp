@@ -18,7 +18,7 @@ const OutlineEdge& edge(const Outline& outline, const std::string& name) {
   return outline.edges.front();
 }
 
-void expect_closed(const Outline& outline) {
+void expect_closed_outline(const Outline& outline) {
   for (std::size_t i = 0; i < outline.edges.size(); ++i) {
     const auto &end = outline.edges[i].to, &next = outline.edges[(i + 1) % outline.edges.size()].from;
     EXPECT_NEAR(end.x, next.x, 1e-9);
@@ -29,7 +29,7 @@ void expect_closed(const Outline& outline) {
 TEST(Outline, OfAPairBeginsAtItsInnerSide) {
   const auto checked = check_text(kGoodPlan);
   const Outline outline = outline_of(*checked.plan.find_panel("wing"));
-  expect_closed(outline);
+  expect_closed_outline(outline);
   ASSERT_EQ(outline.edges.size(), 4u);
   EXPECT_DOUBLE_EQ(edge(outline, "outer").to.x, 10);
   EXPECT_DOUBLE_EQ(edge(outline, "outer").to.y, 20);
@@ -39,7 +39,7 @@ TEST(Outline, OfAPairBeginsAtItsInnerSide) {
 TEST(Outline, OfAMiddlePanelIsItsStarboardHalf) {
   const auto checked = check_text(kGoodPlan);
   const Outline outline = outline_of(*checked.plan.find_panel("body"));
-  expect_closed(outline);
+  expect_closed_outline(outline);
   EXPECT_DOUBLE_EQ(edge(outline, "bosom").to.x, 10);  // half of 20
   EXPECT_DOUBLE_EQ(edge(outline, "wing").to.x, 40);
   EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 10);  // 40 less 42·2.5/3.5
@@ -57,7 +57,7 @@ TEST(Outline, OfATriangleHasThreeCorners) {
 TEST(Outline, KeepsTheCountsWhereCuttingsDiffer) {
   const auto checked = check_text(library_text("83-112-eastern.toml"));
   const Outline outline = outline_of(*checked.plan.find_panel("top-wing"));
-  expect_closed(outline);
+  expect_closed_outline(outline);
   const auto& aft = edge(outline, "aft");
   EXPECT_NEAR(std::abs(aft.to.x - aft.from.x), 127.5, 1e-9);
   EXPECT_NEAR(edge(outline, "inner").stretched, 95.5 / 2.5 * 3.5, 1e-9);
@@ -92,7 +92,7 @@ selvedge = 3
 TEST(Selvedge, TakesItsMeshesOfThePanel) {
   const auto checked = check_text(laced_plan());
   const Outline outline = outline_of(*checked.plan.find_panel("cover"));
-  expect_closed(outline);
+  expect_closed_outline(outline);
   EXPECT_DOUBLE_EQ(edge(outline, "fore").meshes, 7);
   EXPECT_DOUBLE_EQ(edge(outline, "sides").from.x, 7);
   EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 7);

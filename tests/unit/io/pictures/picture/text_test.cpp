@@ -6,11 +6,11 @@
 namespace netloft::pictures {
 namespace {
 
-constexpr Colour kBlack{0, 0, 0}, kWhite{1, 1, 1};
+constexpr Colour kBlack{0, 0, 0}, kPaper{1, 1, 1};
 
 /// Sum of darkness over an image, in pixels.
 double ink_of(const std::string& text, double size, double x = 10) {
-  Image image(200, 60, kWhite);
+  Image image(200, 60, kPaper);
   write_text(image, x, 40, text, size, kBlack);
   double ink = 0;
   for (const auto byte : image.bytes) ink += (255 - byte) / 765.0;

@@ -162,8 +162,8 @@ TEST(GearGround, IsTouchedByAShareOfTheFootrope) {
 
 double tension_error(int bars) {
   const std::string cells = "parts.rope.cells=" + std::to_string(bars);
-  HandMade rope(test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {{}, {"rope"}, {}, "", ""},
-                {cells});
+  HandMade rope(netloft::test::source_folder() + "/gear-library/scenes/hanging-rope.toml",
+                {{}, {"rope"}, {}, "", ""}, {cells});
   const auto gear = rope.solved().gear;
   EXPECT_NEAR(value(gear, "ropes/rope/tension_start"), value(gear, "ropes/rope/tension_end"), 1e-7);
   return value(gear, "ropes/rope/tension_end") - 5.82945518;  // exact (Irvine), as the scene says
@@ -182,7 +182,8 @@ const std::vector<std::string> kPanels = {"upper1", "upper2", "upper3", "upper4"
 HandMade small_trawl(const std::string& model) {
   HandMade::Parts parts{kPanels, {"headline", "footrope", "starboard-upper-bridle"}, {"floats", "weights"}};
   parts.times = model == "whole" ? 1 : 2;
-  return {test::source_folder() + "/gear-library/scenes/validation/small-trawl/" + model + ".toml", parts};
+  return {netloft::test::source_folder() + "/gear-library/scenes/validation/small-trawl/" + model + ".toml",
+          parts};
 }
 
 /// Whether a figure is the same for both models. Sums over the port bridles, which the half model lacks, and
@@ -228,8 +229,8 @@ TEST(GearFigures, AddUp) {
 }
 
 TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
-  runs::Case plain({test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
-                   test::shipped_plugins());
+  runs::Case plain({netloft::test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
+                   netloft::test::shipped_plugins());
   ASSERT_EQ(plain.open(), runs::Case::State::ready);
   const auto& scene = plain.loaded().scene;
   EXPECT_TRUE(collect_gear(plain.loaded(), plain.assembler(),
@@ -239,7 +240,8 @@ TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
 
 // Tensions of members are in balance over a part; its loads are what else acts on it.
 TEST(PartForces, AreLoadsAndNotTheTensionsOfMembers) {
-  runs::Case taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1}, test::shipped_plugins());
+  runs::Case taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1},
+                  netloft::test::shipped_plugins());
   ASSERT_EQ(taut.open(), runs::Case::State::ready);
   Assembler& assembler = taut.assembler();
   const auto forces = ask_elements(taut.loaded().scene, assembler, assembler.start()).forces;

@@ -24,7 +24,7 @@ class HandMade {
 
   HandMade(const std::filesystem::path& file, const Parts& parts,
            const std::vector<std::string>& overrides = {})
-      : case_({file, overrides, 1}, test::shipped_plugins()) {
+      : case_({file, overrides, 1}, netloft::test::shipped_plugins()) {
     if (case_.open([&](scenes::LoadedScene& loaded) { loaded.gear = name_parts(loaded, parts); }) !=
         runs::Case::State::ready)
       throw std::invalid_argument(case_.diagnostics().render(false));

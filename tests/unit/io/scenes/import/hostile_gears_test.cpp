@@ -9,7 +9,8 @@
 namespace netloft::scenes::femnet {
 namespace {
 
-const std::string kGear = sample("03_node_force_symmetry.don"), kMesh = sample("03_node_force_symmetry.mdg");
+const std::string kHostileGear = sample("03_node_force_symmetry.don"),
+                  kHostileMesh = sample("03_node_force_symmetry.mdg");
 
 /// Where the first part ends: what is cut off behind it is notes.
 std::size_t end_of_values(const std::string& gear) { return gear.find("Speed display: 0"); }
@@ -17,7 +18,8 @@ std::size_t end_of_values(const std::string& gear) { return gear.find("Speed dis
 class CutGear : public testing::TestWithParam<int> {};
 
 TEST_P(CutGear, IsSaidToEndTooEarly) {
-  const ReadGear read(kGear.substr(0, end_of_values(kGear) * static_cast<std::size_t>(GetParam()) / 16));
+  const ReadGear read(
+      kHostileGear.substr(0, end_of_values(kHostileGear) * static_cast<std::size_t>(GetParam()) / 16));
   ASSERT_EQ(read.diagnostics.errors(), 1) << read.diagnostics.render(false);
   EXPECT_GT(read.diagnostics.sorted().back().place.line, 0);
 }
@@ -27,8 +29,9 @@ INSTANTIATE_TEST_SUITE_P(Each, CutGear, testing::Range(0, 16));
 class CutMesh : public testing::TestWithParam<int> {};
 
 TEST_P(CutMesh, IsSaidToEndTooEarly) {
-  const std::size_t end = kMesh.find("Nombre de surfaces hexagonales");
-  const ImportedSample read(kGear, kMesh.substr(0, (end - 40) * static_cast<std::size_t>(GetParam()) / 14));
+  const std::size_t end = kHostileMesh.find("Nombre de surfaces hexagonales");
+  const ImportedSample read(kHostileGear,
+                            kHostileMesh.substr(0, (end - 40) * static_cast<std::size_t>(GetParam()) / 14));
   EXPECT_EQ(read.read.diagnostics.errors(), 1) << read.read.diagnostics.render(false);
   EXPECT_TRUE(read.imported.scene.empty());
 }
@@ -44,7 +47,7 @@ std::ostream& operator<<(std::ostream& out, const Broken& b) { return out << b.n
 class BrokenGear : public testing::TestWithParam<Broken> {};
 
 TEST_P(BrokenGear, IsAnsweredWithItsPlace) {
-  const ImportedSample read(changed(kGear, GetParam().old, GetParam().fresh), kMesh);
+  const ImportedSample read(changed(kHostileGear, GetParam().old, GetParam().fresh), kHostileMesh);
   const formats::Diagnostics& said = read.read.diagnostics;
   ASSERT_GE(said.errors(), 1);
   EXPECT_NE(said.render(false).find(GetParam().says), std::string::npos) << said.render(false);
@@ -92,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
 class BrokenMesh : public testing::TestWithParam<Broken> {};
 
 TEST_P(BrokenMesh, IsAnsweredWithItsPlace) {
-  const ImportedSample read(kGear, changed(kMesh, GetParam().old, GetParam().fresh));
+  const ImportedSample read(kHostileGear, changed(kHostileMesh, GetParam().old, GetParam().fresh));
   const formats::Diagnostics& said = read.read.diagnostics;
   ASSERT_EQ(said.errors(), 1) << said.render(false);
   EXPECT_NE(said.render(false).find(GetParam().says), std::string::npos) << said.render(false);
@@ -135,7 +138,7 @@ TEST(MutatedGears, DoNotCrash) {
   std::mt19937 random(20240607);
   const std::string letters = "0123456789.-+eE:# \n\tinputxyz\xC3";
   for (int round = 0; round < 600; ++round) {
-    std::string texts[2] = {kGear, kMesh};
+    std::string texts[2] = {kHostileGear, kHostileMesh};
     for (int change = static_cast<int>(random() % 6); change >= 0; --change) {
       std::string& text = texts[random() % 2];
       const std::size_t at = random() % text.size();

@@ -76,7 +76,9 @@ TEST(FemnetScene, SaysWhatItLeavesOut) {
 
 const std::string kWavy = changed(sample("09_hauling.don"), "Wave height (m): 0", "Wave height (m): 2");
 
-ImportedSample moving(const std::string& gear) { return {gear, sample("09_hauling.mdg"), Sought::motion}; }
+ImportedSample moving_sample(const std::string& gear) {
+  return {gear, sample("09_hauling.mdg"), Sought::motion};
+}
 
 TEST(FemnetMotion, IsOfNoInterestAtRestAndSaid) {
   const ImportedSample gear(kWavy, sample("09_hauling.mdg"));
@@ -88,7 +90,7 @@ TEST(FemnetMotion, IsOfNoInterestAtRestAndSaid) {
 }
 
 TEST(FemnetMotion, HasTheWavesOfTheFile) {
-  const auto gear = moving(changed(kWavy, "Wave direction (deg.): 0", "Wave direction (deg.): 450"));
+  const auto gear = moving_sample(changed(kWavy, "Wave direction (deg.): 0", "Wave direction (deg.): 450"));
   EXPECT_TRUE(
       gear.holds("waves = { height = 2, period = 10, direction = 1.5707963267948966, depth = 100, ramp = 10, "
                  "stretching = \"none\" }"))
@@ -101,30 +103,33 @@ TEST(FemnetMotion, HasTheWavesOfTheFile) {
 TEST(FemnetMotion, LeavesOutWavesThatAreNotLinear) {
   for (const auto& [height, why] :
        {std::pair{"25", "they would break at"}, {"-1", "their height is not within"}}) {
-    const auto gear = moving(changed(kWavy, "Wave height (m): 2", std::string("Wave height (m): ") + height));
+    const auto gear =
+        moving_sample(changed(kWavy, "Wave height (m): 2", std::string("Wave height (m): ") + height));
     EXPECT_TRUE(gear.holds("# left out, line 74, waves: " + std::string(why))) << gear.imported.scene;
     EXPECT_FALSE(gear.holds("waves ="));
   }
-  EXPECT_TRUE(moving(changed(kWavy, "Depth (m): 100", "Depth (m): 1.5")).holds("waves: they would break"));
+  EXPECT_TRUE(
+      moving_sample(changed(kWavy, "Depth (m): 100", "Depth (m): 1.5")).holds("waves: they would break"));
 }
 
 /// a²k(3 − t²)/(4t³), a = 1 m, in 100 m of water: k = 0.04044 1/m, t = 0.99939.
 TEST(FemnetMotion, SaysHowMuchWavesOfHigherOrderAreHigher) {
-  EXPECT_TRUE(moving(kWavy + "\ninput wave_model 2\n").holds("their crests would rise by 0.0202 m more"))
-      << moving(kWavy + "\ninput wave_model 2\n").imported.scene;
+  EXPECT_TRUE(
+      moving_sample(kWavy + "\ninput wave_model 2\n").holds("their crests would rise by 0.0202 m more"))
+      << moving_sample(kWavy + "\ninput wave_model 2\n").imported.scene;
 }
 
 TEST(FemnetMotion, HasDragWhereWaterAndGearMove) {
   const auto still = changed(sample("09_hauling.don"), "Current speed (m/s): 0.5", "Current speed (m/s): 0");
   EXPECT_FALSE(ImportedSample(still, sample("09_hauling.mdg")).holds("drag"));
-  EXPECT_TRUE(moving(still).holds("drag = { law = \"hydro/morison\", normal = 1.2"));
+  EXPECT_TRUE(moving_sample(still).holds("drag = { law = \"hydro/morison\", normal = 1.2"));
 }
 
 TEST(FemnetMotion, LeavesOutWhatMovesInAnUnknownManner) {
   const std::string wound = sample("09_hauling.don") + "\ninput winch_speed 1\n";
-  EXPECT_TRUE(
-      moving(wound).holds("# left out, line 108, keyword winch_speed: motion of this kind is not known here"))
-      << moving(wound).imported.scene;
+  EXPECT_TRUE(moving_sample(wound).holds(
+      "# left out, line 108, keyword winch_speed: motion of this kind is not known here"))
+      << moving_sample(wound).imported.scene;
   EXPECT_TRUE(ImportedSample(wound, sample("09_hauling.mdg"))
                   .holds("# note, line 108, keyword winch_speed: is of motion; the scene is at rest"));
 }

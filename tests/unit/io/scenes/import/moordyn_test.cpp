@@ -67,16 +67,16 @@ Line     LineType  UnstrLen  NumSegs   NodeAnch  NodeFair  Flags/Outputs
 0.001    dtM          - time step
 )";
 
-struct Read {
-  explicit Read(const std::string& text)
+struct ReadMooring {
+  explicit ReadMooring(const std::string& text)
       : mooring(read_moordyn(text, diagnostics.add_source("lines.txt", text), diagnostics)) {}
   std::string said() const { return diagnostics.render(false); }
-  Diagnostics diagnostics;
+  formats::Diagnostics diagnostics;
   MooringFile mooring;
 };
 
 TEST(MoorDyn, IsReadAsPointsAndLines) {
-  const Read read(kMooring);
+  const ReadMooring read(kMooring);
   ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
   const BarTable& table = read.mooring.table;
   EXPECT_EQ(table.nodes.size(), 4u + 19 + 9 + 3);
@@ -102,7 +102,7 @@ TEST(MoorDyn, IsReadAsPointsAndLines) {
 }
 
 TEST(MoorDyn, IsReadInItsFirstVersion) {
-  const Read read(kOldMooring);
+  const ReadMooring read(kOldMooring);
   ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
   const BarTable& table = read.mooring.table;
   ASSERT_EQ(table.ropes.size(), 2u);
@@ -117,7 +117,7 @@ TEST(MoorDyn, IsReadInItsFirstVersion) {
 }
 
 TEST(MoorDyn, BecomesPartsOnABed) {
-  const auto made = scene_of(Read(kMooring).mooring.table, {}, "gear.mesh");
+  const auto made = scene_of(ReadMooring(kMooring).mooring.table, {}, "gear.mesh");
   const auto holds = [&](const std::string& words) { return made.scene.find(words) != std::string::npos; };
   EXPECT_TRUE(
       holds("on = [\"line-1\", \"line-2\", \"line-3\"]\nseabed = { depth = 100, stiffness = 2e+05, softness "
@@ -128,7 +128,7 @@ TEST(MoorDyn, BecomesPartsOnABed) {
 }
 
 TEST(MoorDyn, SaysWhatItLeavesOut) {
-  const Read read(changed(
+  const ReadMooring read(changed(
       changed(kMooring, "9.8       g\n", "1  Currents\nbed.txt SeafloorFile\n"),
       "---------------------- POINTS",
       "---- RODS ----\nID RodType\n(#) (name)\n1 Can Body1 0 0 2 0 0 15 8 p\n---------------------- POINTS"));
@@ -140,7 +140,7 @@ TEST(MoorDyn, SaysWhatItLeavesOut) {
 
 TEST(MoorDyn, AsksWhetherAFileWithoutAnEndIsWhole) {
   const std::string cut = kMooring.substr(0, kMooring.find("9.8       g"));
-  const Read read(cut);
+  const ReadMooring read(cut);
   ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
   ASSERT_EQ(read.mooring.findings.size(), 2u);  // and point 4 is coupled
   EXPECT_NE(read.mooring.findings.back().text.find("is it whole?"), std::string::npos);
@@ -173,7 +173,7 @@ TEST(MoorDyn, AnswersWhatIsWrongWithItsPlace) {
       {"- LINES -", "- LIES -", "there are no lines"},
       {"100       WtrDpth", "-7        WtrDpth", "the depth of the water = -7 is outside"}};
   for (const auto& w : wrong) {
-    const Read read(changed(kMooring, w.old, w.fresh));
+    const ReadMooring read(changed(kMooring, w.old, w.fresh));
     EXPECT_GE(read.diagnostics.errors(), 1) << w.fresh;
     EXPECT_NE(read.said().find(w.says), std::string::npos) << w.fresh << "\n" << read.said();
     for (const auto& d : read.diagnostics.sorted()) EXPECT_GT(d.place.line, 0) << d.message;
@@ -182,7 +182,7 @@ TEST(MoorDyn, AnswersWhatIsWrongWithItsPlace) {
 
 TEST(MoorDyn, IsAnsweredWhereverItIsCutOff) {
   for (std::size_t end = 0; end < kMooring.find("- OPTIONS"); end += 11) {
-    const Read read(kMooring.substr(0, end));
+    const ReadMooring read(kMooring.substr(0, end));
     EXPECT_TRUE(read.diagnostics.errors() > 0 || !read.mooring.table.ropes.empty()) << end;
   }
 }

@@ -6,7 +6,7 @@
 namespace netloft::scenes {
 namespace {
 
-using testing::Input;
+using formats::testing::Input;
 
 /// Five nodes of a rope at x = 0 … 4.
 class Holding : public ::testing::Test {

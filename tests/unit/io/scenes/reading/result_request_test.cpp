@@ -6,7 +6,7 @@
 namespace netloft::scenes {
 namespace {
 
-using testing::Input;
+using formats::testing::Input;
 using Source = ResultRequest::Source;
 
 /// What `take` of a part, or of an edge, is understood to be.

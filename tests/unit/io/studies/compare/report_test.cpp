@@ -9,7 +9,7 @@
 namespace netloft::studies {
 namespace {
 
-bool contains(const std::string& text, const std::string& piece) {
+bool has_text(const std::string& text, const std::string& piece) {
   return text.find(piece) != std::string::npos;
 }
 
@@ -45,12 +45,12 @@ Comparison sample() {
 
 TEST(ComparisonText, SaysWhoJudgedWhomAndWhatIsNoError) {
   const std::string text = comparison_text(sample());
-  EXPECT_TRUE(contains(text, "the reference is ptc, converged to 1e-09")) << text;
+  EXPECT_TRUE(has_text(text, "the reference is ptc, converged to 1e-09")) << text;
   EXPECT_TRUE(
-      contains(text, "lbfgs: found another equilibrium than ptc, up to 1.5 m away, its energy -0.25 J"))
+      has_text(text, "lbfgs: found another equilibrium than ptc, up to 1.5 m away, its energy -0.25 J"))
       << text;
-  EXPECT_TRUE(contains(text, "lbfgs: not converged at 1e-06: because")) << text;
-  EXPECT_TRUE(contains(text, "order 1.10 observed")) << text;
+  EXPECT_TRUE(has_text(text, "lbfgs: not converged at 1e-06: because")) << text;
+  EXPECT_TRUE(has_text(text, "order 1.10 observed")) << text;
 }
 
 TEST(ComparisonCsv, HasAsManyCellsInEveryRow) {
@@ -61,13 +61,13 @@ TEST(ComparisonCsv, HasAsManyCellsInEveryRow) {
     bool quoted = false;
     for (const char c : line) quoted ^= c == '"', commas += c == ',' && !quoted;
     EXPECT_EQ(commas, 17u) << line;
-    EXPECT_FALSE(contains(line, "nan")) << line;
+    EXPECT_FALSE(has_text(line, "nan")) << line;
   }
   EXPECT_EQ(rows, 1u + 4 + 2);
 }
 
 TEST(ComparisonCsv, CountsWorkInFactorisations) {
-  EXPECT_TRUE(contains(comparison_csv(sample()), ",0.5,,0.02,2,")) << comparison_csv(sample());
+  EXPECT_TRUE(has_text(comparison_csv(sample()), ",0.5,,0.02,2,")) << comparison_csv(sample());
 }
 
 TEST(ComparisonPlot, DrawsAnErrorOfZeroAtTheRoundOffOfTheGear) {
@@ -99,8 +99,8 @@ Comparison motions() {
 
 TEST(ComparisonOfMotions, NamesTheLostInTableAndPlot) {
   const std::string text = comparison_text(motions());
-  EXPECT_TRUE(contains(text, "energy-momentum: lost at 1e-06: because")) << text;
-  EXPECT_TRUE(contains(text, "newmark: the reference is energy-momentum at an accuracy of 1e-09")) << text;
+  EXPECT_TRUE(has_text(text, "energy-momentum: lost at 1e-06: because")) << text;
+  EXPECT_TRUE(has_text(text, "newmark: the reference is energy-momentum at an accuracy of 1e-09")) << text;
   const formats::LinePlot plot = comparison_plot(motions());
   EXPECT_EQ(plot.series[1].name, "energy-momentum (lost at 1e-06)");
   ASSERT_EQ(plot.series[1].points.size(), 1u);
@@ -108,16 +108,16 @@ TEST(ComparisonOfMotions, NamesTheLostInTableAndPlot) {
 }
 
 TEST(ComparisonOfMotions, CountsStepsInCsvAndJson) {
-  EXPECT_TRUE(contains(comparison_csv(motions()), "motion,integrator newmark,0.01,,216,finished,0.5,,0.02,,"))
+  EXPECT_TRUE(has_text(comparison_csv(motions()), "motion,integrator newmark,0.01,,216,finished,0.5,,0.02,,"))
       << comparison_csv(motions());
-  EXPECT_TRUE(contains(comparison_csv(motions()), ",7,2\n"));
-  EXPECT_TRUE(contains(comparison_json(motions()), "\"steps\": 7")) << comparison_json(motions());
+  EXPECT_TRUE(has_text(comparison_csv(motions()), ",7,2\n"));
+  EXPECT_TRUE(has_text(comparison_json(motions()), "\"steps\": 7")) << comparison_json(motions());
 }
 
 TEST(ComparisonJson, HasNullForWhatIsNotKnown) {
   const std::string json = comparison_json(sample());
-  EXPECT_TRUE(contains(json, "\"error\": null")) << json;
-  EXPECT_TRUE(contains(json, "\"distance\": 1.5")) << json;
+  EXPECT_TRUE(has_text(json, "\"error\": null")) << json;
+  EXPECT_TRUE(has_text(json, "\"distance\": 1.5")) << json;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 NumbersOnMesh mesh_of(int bars) {
   NumbersOnMesh mesh;
   mesh.mesh = {bars, 1.0 / bars, "bars"};
-  RopeTensions rope{"headrope", {}, std::vector<double>(static_cast<std::size_t>(bars), 4.0 / bars)};
+  results::RopeTensions rope{"headrope", {}, std::vector<double>(static_cast<std::size_t>(bars), 4.0 / bars)};
   for (int bar = 0; bar < bars; ++bar) rope.tension.push_back(100 / std::sqrt(4 - (bar + 0.5) * 4 / bars));
   mesh.ropes.push_back(rope);
   return mesh;

@@ -6,7 +6,7 @@
 namespace netloft::studies {
 namespace {
 
-class ManifestTest : public testing::Scratch {
+class ManifestTest : public formats::testing::Scratch {
  protected:
   static Study sample() {
     StudyFile file;

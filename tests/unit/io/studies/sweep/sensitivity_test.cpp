@@ -62,7 +62,7 @@ StudySensitivity found(const StudyTable& table, const SensitivityRequest& reques
   return answer ? *answer : StudySensitivity{};
 }
 
-std::string refused(const StudyTable& table, const SensitivityRequest& request = {}) {
+std::string refused_table(const StudyTable& table, const SensitivityRequest& request = {}) {
   formats::Diagnostics diagnostics;
   EXPECT_FALSE(sensitivity(table, request, diagnostics));
   return diagnostics.render(false);
@@ -143,22 +143,23 @@ TEST(Sensitivity, SaysOfAFigureWhyItHasNoIndices) {
 }
 TEST(Sensitivity, IsRefusedWhereVariablesDoNotVaryByThemselves) {
   StudyTable table = table_of(kSpeedAndDepth, 0, headline);
-  EXPECT_NE(refused(table, {{"sped=2 kn"}, {"gear/heigt"}}).find("did you mean \"speed\"?"),
+  EXPECT_NE(refused_table(table, {{"sped=2 kn"}, {"gear/heigt"}}).find("did you mean \"speed\"?"),
             std::string::npos);
-  EXPECT_NE(refused(table, {{"sped=2 kn"}, {"gear/heigt"}}).find("did you mean \"gear/height\"?"),
+  EXPECT_NE(refused_table(table, {{"sped=2 kn"}, {"gear/heigt"}}).find("did you mean \"gear/height\"?"),
             std::string::npos);
-  EXPECT_NE(refused(table, {{"speed=2 kn,depth=50 m"}, {}}).find("no variable varies"), std::string::npos);
-  EXPECT_NE(refused(table_of({{"speed", "kn", 2, 4, 2}, {"depth", "m", 50, 150, 6}}, 0, headline))
+  EXPECT_NE(refused_table(table, {{"speed=2 kn,depth=50 m"}, {}}).find("no variable varies"),
+            std::string::npos);
+  EXPECT_NE(refused_table(table_of({{"speed", "kn", 2, 4, 2}, {"depth", "m", 50, 150, 6}}, 0, headline))
                 .find("speed has two values"),
             std::string::npos);
   StudyTable list = table;
   std::erase_if(list.rows, [](const StudyRow& row) { return row.point % 6 != 1; });
-  EXPECT_NE(refused(list).find("one by one"), std::string::npos);
+  EXPECT_NE(refused_table(list).find("one by one"), std::string::npos);
   StudyColumn gears;
   gears.variable.name = "gear", gears.is_number = false;
   table.columns.push_back(gears);
   for (std::size_t r = 0; r < table.rows.size(); ++r) table.rows[r].values.push_back({r % 2 ? "a" : "b", {}});
-  EXPECT_NE(refused(table).find("gear has values that are no numbers"), std::string::npos);
+  EXPECT_NE(refused_table(table).find("gear has values that are no numbers"), std::string::npos);
 }
 TEST(Sensitivity, IsATableJsonAndBars) {
   const StudySensitivity s = found(table_of(kSpeedAndDepth, 0, headline));

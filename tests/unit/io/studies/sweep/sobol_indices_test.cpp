@@ -8,13 +8,13 @@
 namespace netloft::studies {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
+constexpr double kSobolPi = 3.141592653589793;
 
 /// T. Ishigami, T. Homma, First International Symposium on Uncertainty Modeling and Analysis, 1990, with a =
 /// 7 and b = 0.1 over −π to π. With V₁ = (1 + b π⁴/5)²/2, V₂ = a²/8, V₁₃ = 8 b² π⁸/225 and V their sum,
 ///   S = (V₁, V₂, 0)/V,   T = (V₁ + V₁₃, V₂, V₁₃)/V                                          (1)
 double ishigami(const std::vector<double>& u) {
-  const auto x = [&](std::size_t i) { return kPi * (2 * u[i] - 1); };
+  const auto x = [&](std::size_t i) { return kSobolPi * (2 * u[i] - 1); };
   return std::sin(x(0)) + 7 * std::pow(std::sin(x(1)), 2) + 0.1 * std::pow(x(2), 4) * std::sin(x(0));
 }
 constexpr double kFirst[] = {0.3139, 0.4424, 0}, kTotal[] = {0.5576, 0.4424, 0.2437};
@@ -22,8 +22,8 @@ constexpr double kFirst[] = {0.3139, 0.4424, 0}, kTotal[] = {0.5576, 0.4424, 0.2
 TEST(SobolIndices, AreThoseOfIshigamisFunction) {
   const SobolIndices found = sobol_indices(ishigami, 3);
   EXPECT_NEAR(found.mean, 3.5, 0.01);  // a/2
-  EXPECT_NEAR(found.deviation, std::sqrt(0.5 + 49.0 / 8 + 0.02 * std::pow(kPi, 4) + std::pow(kPi, 8) / 1800),
-              0.01);
+  EXPECT_NEAR(found.deviation,
+              std::sqrt(0.5 + 49.0 / 8 + 0.02 * std::pow(kSobolPi, 4) + std::pow(kSobolPi, 8) / 1800), 0.01);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& [first, total] = found.variables[i];
     EXPECT_NEAR(first.value, kFirst[i], std::max(first.error, 1e-4)) << i;

@@ -21,7 +21,7 @@ key = "mass"
 range = ["1 kg", "2 kg"]
 )";
 
-class StudyFileTest : public testing::Scratch {
+class StudyFileTest : public formats::testing::Scratch {
  protected:
   StudyFile read(const std::string& text) { return read_study_file(write("s.toml", text), diagnostics_); }
   /// The first error as "line:column: message".

@@ -6,7 +6,7 @@
 namespace netloft::studies {
 namespace {
 
-using testing::Input;
+using formats::testing::Input;
 using Words = std::vector<std::string>;
 
 struct Read {

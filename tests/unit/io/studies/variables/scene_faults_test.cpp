@@ -6,7 +6,7 @@
 namespace netloft::studies {
 namespace {
 
-using testing::Input;
+using formats::testing::Input;
 
 TEST(SceneFaults, AreShownAtTheVariableThatIsToBlame) {
   Input scene("[tow]\nspeed = 1", {"tow.speed=3 kg", "tow.speeed=3 m/s"});

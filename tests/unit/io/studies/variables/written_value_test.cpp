@@ -7,7 +7,7 @@
 namespace netloft::studies {
 namespace {
 
-using testing::Input;
+using formats::testing::Input;
 
 /// The spelling of a value in TOML, after a check that --set reads it back as the same.
 std::string spelt(const std::string& toml) {

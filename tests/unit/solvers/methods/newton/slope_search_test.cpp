@@ -7,7 +7,7 @@ namespace netloft::newton {
 namespace {
 
 constexpr Refinement kRefinement{.margin = 0.1, .most = 4};
-constexpr SlopeSearch kSearch{.flatness = 0.1, .refinement = kRefinement};
+constexpr SlopeSearch kSlopeSearch{.flatness = 0.1, .refinement = kRefinement};
 
 /// Falls as (1 − t)², until at `kink` something stiff becomes taut; beside so much energy that neither shows.
 struct Kinked {
@@ -22,7 +22,7 @@ struct Kinked {
 TEST(SlopeSearch, EndsBehindTheKinkWhereTheSlopeHasNearlyGone) {
   for (const double stiffness : {1e2, 1e4, 1e6}) {
     const Kinked m{0.3, stiffness};
-    const auto found = kSearch(m, *m(0));
+    const auto found = kSlopeSearch(m, *m(0));
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->t, 0.3 + 0.7 / stiffness, 0.11 * 0.7 / stiffness + 0.11 * 1 / stiffness);
     EXPECT_LE(std::abs(found->slope), 0.1 * 2e-12);
@@ -32,7 +32,7 @@ TEST(SlopeSearch, EndsBehindTheKinkWhereTheSlopeHasNearlyGone) {
 
 TEST(SlopeSearch, TakesAWholeStepThatLeadsDownhillAllTheWay) {
   const Kinked m{2, 1};
-  const auto found = kSearch(m, *m(0));
+  const auto found = kSlopeSearch(m, *m(0));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->t, 1);
 }
@@ -43,7 +43,7 @@ TEST(SlopeSearch, TakesAWholeStepBehindWhichTheSlopeHasNearlyGone) {
     ++asked;
     return std::optional<Sample>({t, 0, -1 + 1.001 * t});
   };
-  const auto found = kSearch(m, {0, 0, -1});
+  const auto found = kSlopeSearch(m, {0, 0, -1});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->t, 1);
   EXPECT_EQ(asked, 1);
@@ -55,7 +55,7 @@ TEST(SlopeSearch, CrossesNoHillThatRoundingDoesNotExplain) {
   const auto hill = [](double t) {
     return std::optional<Sample>({t, t > 0.2 ? 5.0 : 0.0, t > 0.2 ? -1e-3 : t - 0.1});
   };
-  SlopeSearch search = kSearch;
+  SlopeSearch search = kSlopeSearch;
   search.noise = 1e-6;
   const auto found = search(hill, {0, 0, -0.1});
   ASSERT_TRUE(found);
@@ -67,8 +67,8 @@ TEST(SlopeSearch, CrossesNoHillThatRoundingDoesNotExplain) {
 TEST(SlopeSearch, FindsNothingWhereThereAreNoForcesOrNoEndOfThem) {
   const auto nowhere = [](double) { return std::optional<Sample>(); };
   const auto jump = [](double t) { return std::optional<Sample>({t, 0, t < 0.3 ? -1.0 : 1.0}); };
-  EXPECT_FALSE(kSearch(nowhere, {0, 0, -1}));
-  EXPECT_FALSE(kSearch(jump, {0, 0, -1}));
+  EXPECT_FALSE(kSlopeSearch(nowhere, {0, 0, -1}));
+  EXPECT_FALSE(kSlopeSearch(jump, {0, 0, -1}));
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 namespace netloft::tension {
 namespace {
 
-using Ending = MixedNewton::Ending;
+using StageEnding = MixedNewton::Ending;
 
 /// Solved in stages, and by newton from the sketch: the same place, with little left for newton to do.
 void expect_same_place(const Scene& scene, double size) {
   TakenAsMembers taken(scene);
-  EXPECT_EQ(Stages(defaults<FromSoft>(), taken.problem.interface()).solve(taken.u), Ending::converged);
+  EXPECT_EQ(Stages(defaults<FromSoft>(), taken.problem.interface()).solve(taken.u), StageEnding::converged);
   Scene there = scene;
   there.positions = taken.positions();
   const test::Solved confirmed = test::solve(there, {{}, {.tolerance = 1e-8}}), direct = test::solve(scene);
@@ -34,7 +34,7 @@ TEST(TensionStages, LeadAPanelThatStartsSlackToWhereItHangs) {
 
 TEST(TensionStages, EndWhereTheHostGivesUp) {
   TakenAsMembers taken(sample::hanging_panel(8, 30), {.iterations = 4});
-  EXPECT_EQ(Stages(defaults<FromSoft>(), taken.problem.interface()).solve(taken.u), Ending::called_off);
+  EXPECT_EQ(Stages(defaults<FromSoft>(), taken.problem.interface()).solve(taken.u), StageEnding::called_off);
   EXPECT_EQ(taken.problem.statistics().iterations, 4);
   EXPECT_EQ(taken.problem.stop(), Stop::iterations);
 }
