@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a visitor waits for: the README's two commands in a fresh clone without a compiler cache.
+
+  cold_start.py [--commit REVISION] [--second] [--folder FOLDER]
+
+Prints processor time and time on the clock of the first command, and with --second of the second one after it. Packages
+should be there already; the machine should have nothing else to do.
+"""
+import argparse
+import os
+import pathlib
+import subprocess
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+COMMANDS = {"first": ["run", "gear-library/scenes/83-112-flume-3.0kn.toml"], "second": ["test"]}
+
+
+def measure(clone, words):
+    """Exit status, processor time and time on the clock [s] of one command of ./bootstrap."""
+    environment = os.environ | {"CCACHE_DISABLE": "1"}
+    begin = time.monotonic()
+    process = subprocess.Popen(["./bootstrap", *words], cwd=clone, env=environment,
+                               stdout=open(clone / f"{words[0]}.log", "w"), stderr=subprocess.STDOUT)
+    _, status, usage = os.wait4(process.pid, 0)
+    return os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime, time.monotonic() - begin
+
+
+def minutes(seconds):
+    return f"{seconds / 60:.1f} min"
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--commit", default="HEAD")
+    options.add_argument("--second", action="store_true")
+    options.add_argument("--folder", help="where the clone goes and stays (default: a temporary folder)")
+    chosen = options.parse_args()
+    folder = pathlib.Path(chosen.folder or tempfile.mkdtemp(prefix="netloft-cold-"))
+    clone = folder / "netloft"
+    subprocess.run(["git", "clone", "-q", ROOT, clone], check=True)
+    subprocess.run(["git", "checkout", "-q", chosen.commit], cwd=clone, check=True)
+    print(f"{'command':<8} {'exit':>4} {'processor':>10} {'clock':>10}   in {clone}")
+    for name in ["first", "second"] if chosen.second else ["first"]:
+        status, processor, clock = measure(clone, COMMANDS[name])
+        print(f"{name:<8} {status:>4} {minutes(processor):>10} {minutes(clock):>10}", flush=True)
+
+
+main()
