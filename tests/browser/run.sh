@@ -47,7 +47,7 @@ install_packages() {
 
 # The committed libraries are what their sums say, and what their sources give again.
 check_libraries() {
-  local libraries=$root/io/view/libraries again=$work/libraries
+  local libraries=$root/io/pictures/view/libraries again=$work/libraries
   (cd "$libraries" && sha256sum --check --quiet SHA256SUMS) || exit 1
   mkdir -p "$again"
   cp "$libraries"/{package.json,package-lock.json,entry.js,build.mjs} "$again"

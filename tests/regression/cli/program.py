@@ -87,7 +87,7 @@ class InFreshFolder(unittest.TestCase):
 
     def command(self, *words):
         """Of netloft, or where the first word is hard_cases, of that program beside it."""
-        return [HARD_CASES, *words[1:]] if words[0] == "hard_cases" else [PROGRAM, *words]
+        return [HARD_CASES, *words[1:]] if words[:1] == ("hard_cases",) else [PROGRAM, *words]
 
     def environment(self, **more):
         return {**{k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "NETLOFT_PLUGINS")}, **more}

@@ -86,7 +86,7 @@ class Imports(InFreshFolder):
         self.imported("table", "gear.csv")
         depth = -self.solved('z = { of = "rope.node-1", take = "z" }\n')["z"]
         # 5 kg hang on two ropes that weigh nothing in water: 2 T depth/l = 5 g, T = EA (l/l0 - 1)
-        pull = lambda d: 2 * 60000 * (math.hypot(2, d) / 2.1 - 1) * d / math.hypot(2, d) - 5 * 9.81
+        pull = lambda d: 2 * 60000 * (math.hypot(2, d) / 2.1 - 1) * d / math.hypot(2, d) - 5 * 9.80665
         low, high = 0.5, 1.0
         for _ in range(100):
             middle = (low + high) / 2

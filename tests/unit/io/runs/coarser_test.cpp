@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(OfBoth, CrossedCells,
 std::size_t nodes_of(const Scene& scene) { return scene.positions.size() / 3; }
 
 TEST(CoarserMeshes, LeaveOddNumbersWhereHalfOfThemDoesNotFit) {
-  const CaseSource source{test::source_folder() + "/tests/unit/io/case/odd-panels.toml", {}, 1};
+  const CaseSource source{test::source_folder() + "/tests/unit/io/runs/odd-panels.toml", {}, 1};
   Case finest(source, test::shipped_plugins());
   ASSERT_EQ(finest.open(), Case::State::ready) << finest.diagnostics().render(false);
   Registry& registry = test::shipped_plugins();

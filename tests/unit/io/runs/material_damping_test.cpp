@@ -14,7 +14,7 @@ namespace netloft::runs {
 namespace {
 
 // A weight of 10 kg on a rope of 10 m, let go at the rope's own length.
-const std::string kBounce = test::source_folder() + "/io/cli/templates/integrator/my_integrator.toml";
+const std::string kBounce = test::source_folder() + "/io/program/templates/integrator/my_integrator.toml";
 
 constexpr double kGravity =
     100;  // [m/s²], so that strains are large against the one at which damping sets in

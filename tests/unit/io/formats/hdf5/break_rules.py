@@ -9,7 +9,7 @@ import tempfile
 import h5py
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "support"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[4] / "support"))
 import check_vtkhdf  # noqa: E402
 
 

@@ -149,7 +149,7 @@ TEST(CsvRows, TakesQuotesBlanksAndLines) {
 
 /// The page has every column with its unit.
 TEST(BarTable, IsDescribedOnItsPage) {
-  std::ifstream in(test::source_folder() + "/io/import/TABLE.md");
+  std::ifstream in(test::source_folder() + "/io/scenes/import/TABLE.md");
   std::ostringstream page;
   page << in.rdbuf();
   for (const char* head : {"node,nonsense", "bar,nonsense"}) {
