@@ -13,7 +13,8 @@ namespace netloft::runs {
 namespace {
 
 // A weight of 10 kg on a rope with EA/l = 1000 N/m, let go at the rope's own length.
-const std::string kRayleighBounce = test::source_folder() + "/io/program/templates/integrator/my_integrator.toml";
+const std::string kRayleighBounce =
+    test::source_folder() + "/io/program/templates/integrator/my_integrator.toml";
 constexpr double kOmega = 10, kSag = 9.80665 / (kOmega * kOmega);  // [rad/s], [m]
 
 /// How far it has sunk after a time [m].
