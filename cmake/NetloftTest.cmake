@@ -42,7 +42,7 @@ function(netloft_test name)
   endif()
   if(NETLOFT_TEST_PROGRAMS)
     add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS ${label} ENVIRONMENT "OMP_THREAD_LIMIT=1"
+    set_tests_properties(${name} PROPERTIES TIMEOUT 1800 LABELS ${label} ENVIRONMENT "OMP_THREAD_LIMIT=1"
                          ENVIRONMENT_MODIFICATION "OPENBLAS_CORETYPE=set:Haswell")
     return()
   endif()
