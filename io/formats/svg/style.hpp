@@ -3,7 +3,7 @@
 
 namespace netloft::formats {
 
-// What line plots and bar charts have in common [px].
+// Line plots and bar charts share these sizes [px] and colours.
 inline constexpr double kWidth = 340, kAxisRoom = 38, kLegendLine = 14, kText = 10;
 inline constexpr const char *kInk = "#222222", *kGrid = "#dddddd";
 

@@ -4,7 +4,7 @@
 
 namespace netloft::results {
 
-/// Where a field or a table has no number.
+/// Stands for a number that a field or a table does not have.
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace netloft::results
