@@ -23,7 +23,7 @@ bool is_idle(const Scene& scene, const FamilyPlan& family) {
 
 /// Makes the families that have active terms, in the order of the plan. Nodes for their shared unknowns are
 /// numbered after those of the scene and the rotations of its bodies.
-std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const Plan& plan) {
+std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const ScenePlan& plan) {
   std::vector<std::unique_ptr<ElementFamily>> families;
   std::size_t nodes = scene.node_count() + scene.bodies.size();
   for (const auto& family : plan.families) {
@@ -76,19 +76,19 @@ Memory make_memory(const ElementFamily& family, std::size_t tiles, bool ground_p
 
 }  // namespace
 
-Assembler::Assembler(const Scene& scene, const Plan& plan, int threads)
+Assembler::Assembler(const Scene& scene, const ScenePlan& plan, int threads)
     : Assembler(scene, plan, threads, make_families(scene, plan)) {}
 
-Assembler::Assembler(const Scene& scene, const Plan& plan, int threads,
+Assembler::Assembler(const Scene& scene, const ScenePlan& plan, int threads,
                      std::vector<std::unique_ptr<ElementFamily>> families)
     : Assembler(scene, with_global_nodes(scene, families), plan, threads, std::move(families)) {}
 
-Assembler::Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
+Assembler::Assembler(const Scene& scene, const Scene& nodes, const ScenePlan& plan, int threads,
                      std::vector<std::unique_ptr<ElementFamily>>&& families)
     : Assembler(scene, nodes, make_blocks(families, nodes, plan.symmetric), plan, threads,
                 std::move(families)) {}
 
-Assembler::Assembler(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, const Plan& plan,
+Assembler::Assembler(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, const ScenePlan& plan,
                      int threads, std::vector<std::unique_ptr<ElementFamily>>&& families)
     : Placement(scene, nodes, blocks, plan.symmetric),
       water_(scene.water),

@@ -47,7 +47,7 @@ struct ElementFault {
 /// `numbering()`. Evaluation allocates nothing.
 class Assembler : public Placement {
  public:
-  Assembler(const Scene& scene, const Plan& plan, int threads);
+  Assembler(const Scene& scene, const ScenePlan& plan, int threads);
   ~Assembler();
   Assembler(const Assembler&) = delete;
   Assembler& operator=(const Assembler&) = delete;
@@ -119,13 +119,13 @@ class Assembler : public Placement {
 
  private:
   struct Workspace;
-  Assembler(const Scene& scene, const Plan& plan, int threads,
+  Assembler(const Scene& scene, const ScenePlan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>> families);
   /// `nodes` are those of the scene and of the families' shared unknowns.
-  Assembler(const Scene& scene, const Scene& nodes, const Plan& plan, int threads,
+  Assembler(const Scene& scene, const Scene& nodes, const ScenePlan& plan, int threads,
             std::vector<std::unique_ptr<ElementFamily>>&& families);
-  Assembler(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, const Plan& plan, int threads,
-            std::vector<std::unique_ptr<ElementFamily>>&& families);
+  Assembler(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, const ScenePlan& plan,
+            int threads, std::vector<std::unique_ptr<ElementFamily>>&& families);
   void make_memories(bool between);
   bool run_group(const FamilyGroup& group, std::span<const double> x, const Request& request);
   void run_tile(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Request& request,

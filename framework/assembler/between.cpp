@@ -11,7 +11,7 @@ namespace netloft {
 
 namespace {
 
-using Vector = Eigen::Vector3d;
+using SpaceVector = Eigen::Vector3d;
 
 double stiffness_at(const netloft_member& m, double l) {
   return (l >= m.rest_length ? m.EA : m.EA_compression) / m.rest_length;
@@ -54,7 +54,7 @@ struct Chord {
     l = middle.norm();
   }
   bool has_length() const { return l0 + l1 > 0 && l1 > 0 && l > 0; }
-  Vector before = Vector::Zero(), after = Vector::Zero(), middle = Vector::Zero();
+  SpaceVector before = SpaceVector::Zero(), after = SpaceVector::Zero(), middle = SpaceVector::Zero();
   double l0, l1, l;
 };
 
@@ -92,7 +92,7 @@ MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
 
 /// What is added to the force in the middle and to its slope there, of one member.
 struct Correction {
-  Vector force;
+  SpaceVector force;
   Eigen::Matrix3d slope;
 };
 
@@ -107,7 +107,7 @@ Correction correct(const MemberOfStep& step, const Chord& w, const StepEnds& end
     mean.slope += half * (s.k * of.way_slope + s.slope * late);  // (4)
   }
   const double sum = w.l0 + w.l1, T = tension_at(m, w.l), over = T / w.l;
-  const Vector d = (w.before + w.after) / sum, t1 = w.after / w.l1, t = w.middle / w.l;
+  const SpaceVector d = (w.before + w.after) / sum, t1 = w.after / w.l1, t = w.middle / w.l;
   Correction c{mean.T * d - T * t, 2 * (mean.slope - mean.T / sum) * d * t1.transpose()};  // (1), (3)
   c.slope.diagonal().array() += 2 * mean.T / sum - over;
   c.slope -= (stiffness_at(m, w.l) - over) * t * t.transpose();
@@ -119,19 +119,19 @@ void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   using Nodes = Eigen::Matrix<double, 3, Eigen::Dynamic>;
   const Eigen::Map<const Nodes> places(x, 3, static_cast<Eigen::Index>(nodes));
   Eigen::Map<Nodes> all(moves, 3, static_cast<Eigen::Index>(nodes));
-  const Vector centre = places.rowwise().mean(), mean = all.rowwise().mean();
+  const SpaceVector centre = places.rowwise().mean(), mean = all.rowwise().mean();
   all.colwise() -= mean;
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  Vector turn = Vector::Zero();
+  SpaceVector turn = SpaceVector::Zero();
   for (Eigen::Index p = 0; p < places.cols(); ++p) {
-    const Vector r = places.col(p) - centre, move = all.col(p);
+    const SpaceVector r = places.col(p) - centre, move = all.col(p);
     inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
     turn += r.cross(move);
   }
   if (!(inertia.trace() > 0)) return;
-  const Vector omega = inertia.completeOrthogonalDecomposition().solve(turn);
+  const SpaceVector omega = inertia.completeOrthogonalDecomposition().solve(turn);
   for (Eigen::Index p = 0; p < places.cols(); ++p) {
-    const Vector r = places.col(p) - centre;
+    const SpaceVector r = places.col(p) - centre;
     all.col(p) -= omega.cross(r);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/assembler/law_watch.hpp"
-#include "framework/scene/plan.hpp"
+#include "framework/scene/scene_plan.hpp"
 
 #include <array>
 #include <memory>

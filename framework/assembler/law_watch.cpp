@@ -43,7 +43,8 @@ bool holds(const LawType& law, const ParameterBlock& block, const netloft_validi
 
 }  // namespace
 
-double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_flow& f, std::size_t lane) {
+double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_law_tile& f,
+                     std::size_t lane) {
   const Vector3 W = row(f.flow, lane), d = row(f.direction, lane);
   const double reynolds_of_unit = f.diameter[lane] / f.water_viscosity;
   switch (quantity) {
@@ -86,14 +87,14 @@ LawUse LawWatch::end() {
   return seen;
 }
 
-int LawWatch::pass_on(const void* watch, const netloft_flow* flow) {
+int LawWatch::pass_on(const void* watch, const netloft_law_tile* flow) {
   const LawWatch& self = *static_cast<const LawWatch*>(watch);
   if (self.watches_) const_cast<LawWatch&>(self).note(*flow);  // the boundary hands on what is constant
   return self.law_.law.evaluate(self.parameters_, flow);
 }
 
-void LawWatch::note(const netloft_flow& f) {
-  const bool is_told = f.size >= offsetof(netloft_flow, extent) + sizeof f.extent && f.extent;
+void LawWatch::note(const netloft_law_tile& f) {
+  const bool is_told = f.size >= offsetof(netloft_law_tile, extent) + sizeof f.extent && f.extent;
   for (auto& use : use_.ranges)
     for (std::size_t lane = 0; lane < f.count; ++lane) {
       const double value = flow_quantity(law_.law.kind, use.range->quantity, f, lane);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/parameters/parameters.hpp"
+#include "framework/parameters/parameter_values.hpp"
 #include "framework/registry/descriptors.hpp"
 
 #include <limits>
@@ -39,8 +39,8 @@ class LawWatch {
   LawUse end();
 
  private:
-  static int pass_on(const void* watch, const netloft_flow* flow);
-  void note(const netloft_flow& flow);
+  static int pass_on(const void* watch, const netloft_law_tile* flow);
+  void note(const netloft_law_tile& flow);
 
   const LawType& law_;
   const void* parameters_;
@@ -49,7 +49,8 @@ class LawWatch {
 };
 
 /// The quantity of a lane of a flow that a range of a law of this kind is about.
-double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_flow& flow, std::size_t lane);
+double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_law_tile& flow,
+                     std::size_t lane);
 
 /// "solidity", "Reynolds number across" …
 const char* name_of_quantity(std::uint32_t quantity);

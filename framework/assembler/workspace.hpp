@@ -14,7 +14,7 @@ inline std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
 
 /// One worker's tile: inputs, sums, and a square for unpacked tangents, in rows of 64 doubles.
 struct Assembler::Workspace {
-  Workspace(std::size_t dofs, const Plan& plan, bool flows, bool swings)
+  Workspace(std::size_t dofs, const ScenePlan& plan, bool flows, bool swings)
       : current(flows ? dofs * kLanes : 0),
         current_dz(flows ? dofs * kLanes : 0),
         bed(2 * dofs * kLanes),

@@ -58,13 +58,13 @@ std::span<const double> Matrices::shifted(int matrix, double shift) {
   return sum_;
 }
 
-std::span<const double> Matrices::between(double share, double shift) {
+std::span<const double> Matrices::between(double blend, double shift) {
   if (exact_.empty() || convex_.empty()) return {};
   need_metric();
   const std::size_t entries = assembler_.pattern().value_slots();
   sum_.resize(entries);
   for (std::size_t i = 0; i < entries; ++i)
-    sum_[i] = exact_[i] + share * (convex_[i] - exact_[i]) + shift * metric_[i];  // (2)
+    sum_[i] = exact_[i] + blend * (convex_[i] - exact_[i]) + shift * metric_[i];  // (2)
   return sum_;
 }
 

@@ -25,7 +25,7 @@ class Matrices {
   /// evaluation has kept A.
   std::span<const double> shifted(int matrix, double shift);
   /// (2), likewise.
-  std::span<const double> between(double share, double shift);
+  std::span<const double> between(double blend, double shift);
   /// y = (1) x over the unknowns. False: there is no such matrix.
   bool multiply(int matrix, double shift, const double* x, double* y);
   /// y[i] = sum of the absolute values in row i of (1), likewise.

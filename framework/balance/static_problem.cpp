@@ -171,8 +171,8 @@ int StaticProblem::factorise(int matrix, double shift) {
   return factorise_sum(matrices_.shifted(matrix & ~NETLOFT_INDEFINITE, shift), matrix & NETLOFT_INDEFINITE);
 }
 
-int StaticProblem::factorise_between(double share, double shift) {
-  return factorise_sum(matrices_.between(share, shift), false);
+int StaticProblem::factorise_between(double blend, double shift) {
+  return factorise_sum(matrices_.between(blend, shift), false);
 }
 
 netloft_factor StaticProblem::factorise_sum(std::span<const double> sum, bool may_be_indefinite) {

@@ -101,7 +101,7 @@ class StaticProblem {
   int evaluate(std::uint32_t want, const double* u, double* energy, double* residual);
   int evaluate_both(const double* u, double* energy, double* residual, double* gradient);
   int factorise(int matrix, double shift);
-  int factorise_between(double share, double shift);
+  int factorise_between(double blend, double shift);
   int solve(const double* rhs, double* x);
   int multiply(int matrix, double shift, const double* x, double* y);
   int row_sums(int matrix, double shift, double* y);

@@ -54,7 +54,7 @@ ConformanceReport check_solver(const SolverType& type, const ConformanceOptions&
 /// The same of an integrator, which is given a motion that is known; see practice_motion.hpp.
 ConformanceReport check_integrator(const IntegratorType& type, const ConformanceOptions& options = {});
 
-/// The same of a strategy, which is given studies of small scenes; see practice_study.hpp.
+/// The same of a strategy, which is given searches of small scenes; see practice_search.hpp.
 ConformanceReport check_strategy(const StrategyType& type, const ConformanceOptions& options = {});
 
 /// The same of the file that a plugin came from.

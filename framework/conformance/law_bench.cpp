@@ -69,7 +69,7 @@ Flows LawBench::sample() {
   return f;
 }
 
-bool LawBench::call(std::size_t part, const netloft_flow& flow, std::string& thrown) const {
+bool LawBench::call(std::size_t part, const netloft_law_tile& flow, std::string& thrown) const {
   try {
     return type.law.evaluate(parameters[part].data(), &flow) == NETLOFT_OK;
   } catch (const std::exception& e) {
@@ -83,7 +83,7 @@ bool LawBench::call(std::size_t part, const netloft_flow& flow, std::string& thr
 LawAnswer LawBench::evaluate(std::size_t part, const Flows& flows, bool derivatives) const {
   LawAnswer a;
   a.force.assign(3 * kLanes, not_written());
-  netloft_flow f{};
+  netloft_law_tile f{};
   f.size = sizeof f;
   f.count = flows.count;
   f.water_density = 1025;

@@ -25,7 +25,7 @@ struct LawBench {
 
   LawAnswer evaluate(std::size_t part, const Flows& flows, bool derivatives) const;
   /// The plain call, into arrays of the caller. False: it failed or threw.
-  bool call(std::size_t part, const netloft_flow& flow, std::string& thrown) const;
+  bool call(std::size_t part, const netloft_law_tile& flow, std::string& thrown) const;
   /// "parameters 3, flow 12 (along the direction)"
   std::string place(std::size_t part, std::size_t lane) const;
   /// Speed over which a flow is varied [m/s], and the largest force at that speed.

@@ -209,7 +209,7 @@ const std::vector<Check<LawBench>>& law_table() {
 double nanoseconds(const LawBench& b, bool derivatives) {
   LawAnswer a = b.evaluate(0, b.tiles[0], true);
   const Flows& flows = b.tiles[0];
-  netloft_flow f{};
+  netloft_law_tile f{};
   f.size = sizeof f;
   f.count = flows.count;
   f.water_density = 1025;

@@ -11,7 +11,7 @@ namespace netloft::conformance {
 
 /// What a practice motion is like.
 struct PracticeSwing {
-  double damping = 0;          // ζ, share of the critical one
+  double damping = 0;          // ζ, fraction of the critical one
   double push = 0;             // f [m/s²], grows in proportion to time
   int fails = NETLOFT_OK;      // what every function of the host answers
   std::uint32_t unknowns = 3;  // with ω = 1, 1.5, 2 … rad/s, and u = 1, ½, ⅓ … m at the start

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/conformance/test_laws.hpp"
-#include "framework/parameters/parameters.hpp"
+#include "framework/parameters/parameter_values.hpp"
 #include "framework/registry/element_data.hpp"
 
 #include <stdexcept>

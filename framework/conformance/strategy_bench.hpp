@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/conformance/method_bench.hpp"
-#include "framework/conformance/practice_study.hpp"
+#include "framework/conformance/practice_search.hpp"
 
 #include <vector>
 
 namespace netloft::conformance {
 
-/// A strategy with its defaults, run on studies of practice scenes.
+/// A strategy with its defaults, run on searches of practice scenes.
 struct StrategyBench : MethodBench {
   StrategyBench(const StrategyType& t, const ConformanceOptions& o)
       : MethodBench(t.parameters, t.strategy.parameter_bytes, o), type(t), seed(o.seed) {}
 
-  int run(PracticeStudy& study) { return run(study, parameters.data()); }
-  int run(PracticeStudy& study, const void* with) {
-    return guarded("run", NETLOFT_ERROR, [&] { return type.strategy.run(with, &study.interface()); });
+  int run(PracticeSearch& search) { return run(search, parameters.data()); }
+  int run(PracticeSearch& search, const void* with) {
+    return guarded("run", NETLOFT_ERROR, [&] { return type.strategy.run(with, &search.interface()); });
   }
-  int explain(PracticeStudy& study, char* text, std::uint32_t size) {
+  int explain(PracticeSearch& search, char* text, std::uint32_t size) {
     return guarded("explain", NETLOFT_ERROR,
-                   [&] { return type.strategy.explain(parameters.data(), &study.interface(), text, size); });
+                   [&] { return type.strategy.explain(parameters.data(), &search.interface(), text, size); });
   }
-  bool takes(const PracticeStudy& study) const { return (type.strategy.needs & ~study.traits()) == 0; }
+  bool takes(const PracticeSearch& search) const { return (type.strategy.needs & ~search.traits()) == 0; }
 
   const StrategyType& type;
   std::uint64_t seed;

@@ -14,31 +14,31 @@ namespace netloft {
 namespace conformance {
 namespace {
 
-/// What a scene may be said to have without having it: nothing in the study depends on these.
+/// What a scene may be said to have without having it: nothing in the search depends on these.
 constexpr std::uint32_t kMayBeClaimed =
-    NETLOFT_STUDY_REMEMBERS | NETLOFT_STUDY_FLOWS | NETLOFT_STUDY_COMPRESSION;
+    NETLOFT_SEARCH_REMEMBERS | NETLOFT_SEARCH_FLOWS | NETLOFT_SEARCH_COMPRESSION;
 
-const char* const kNoScene = "it needs traits that no practice study has";
+const char* const kNoScene = "it needs traits that no practice search has";
 
-/// Runs the strategy on every scene that it takes; `fault_of(study, status)` says what was wrong.
+/// Runs the strategy on every scene that it takes; `fault_of(search, status)` says what was wrong.
 Finding over(StrategyBench& b, const std::vector<NamedScene>& scenes,
-             const std::function<std::string(const PracticeStudy&, int)>& fault_of) {
+             const std::function<std::string(const PracticeSearch&, int)>& fault_of) {
   bool any = false;
   for (auto [name, scene] : scenes) {
     scene.claims = b.type.strategy.needs & kMayBeClaimed;
     scene.by = b.type.type;
-    PracticeStudy study(scene);
-    if (!b.takes(study)) continue;
+    PracticeSearch search(scene);
+    if (!b.takes(search)) continue;
     any = true;
-    const int status = b.run(study);
-    if (const std::string fault = fault_of(study, status); !fault.empty())
+    const int status = b.run(search);
+    if (const std::string fault = fault_of(search, status); !fault.empty())
       return failed(fault + ", on " + name);
   }
   return any ? Finding{} : nothing_to_ask(kNoScene);
 }
 
 Finding never(StrategyBench& b, Slip slip) {
-  return over(b, all_scenes(), [slip](const PracticeStudy& study, int) { return study.slip(slip); });
+  return over(b, all_scenes(), [slip](const PracticeSearch& search, int) { return search.slip(slip); });
 }
 
 Finding strategy_lets_no_exception_escape(StrategyBench& b) {
@@ -47,32 +47,32 @@ Finding strategy_lets_no_exception_escape(StrategyBench& b) {
     all.push_back({name, scene});
     all.back().scene.breaks = true;
   }
-  return over(b, all, [&b](const PracticeStudy&, int) { return b.thrown; });
+  return over(b, all, [&b](const PracticeSearch&, int) { return b.thrown; });
 }
 
 // ---------------------------------------------------------------- answers
 
-constexpr double kBalancedStudy = 1e-7;  // ten times the tolerance of the study
+constexpr double kBalancedSearch = 1e-7;  // ten times the tolerance of the search
 
 /// Skipped where the strategy asks for nothing: it has no use of a scene without a current, or so small.
 Finding is_answered(StrategyBench& b, PracticeScene scene) {
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
-  PracticeStudy study(scene);
-  if (!b.takes(study)) return nothing_to_ask(kNoScene);
-  const int status = b.run(study);
-  if (status == NETLOFT_OK && study.stages == 0 && study.answers().empty())
+  PracticeSearch search(scene);
+  if (!b.takes(search)) return nothing_to_ask(kNoScene);
+  const int status = b.run(search);
+  if (status == NETLOFT_OK && search.stages == 0 && search.answers().empty())
     return nothing_to_ask("it asks for no stage of such a scene");
   Finding f;
-  f.figure = study.imbalance();
-  f.limit = kBalancedStudy;
+  f.figure = search.imbalance();
+  f.limit = kBalancedSearch;
   f.passed = f.figure <= f.limit;
-  f.detail = "imbalance of the best of " + std::to_string(study.answers().size()) + " answers after " +
-             std::to_string(study.stages) + " stages; `run` returned " + std::to_string(status);
+  f.detail = "imbalance of the best of " + std::to_string(search.answers().size()) + " answers after " +
+             std::to_string(search.stages) + " stages; `run` returned " + std::to_string(status);
   return f;
 }
 
 /// A strategy may have no use for some of these scenes, but must have one for at least one.
-Finding answers_easy_studies(StrategyBench& b) {
+Finding answers_easy_searches(StrategyBench& b) {
   Finding worst = nothing_to_ask(kNoScene);
   bool takes_any = false;
   for (const auto& [name, scene] : easy_scenes()) {
@@ -87,7 +87,7 @@ Finding answers_easy_studies(StrategyBench& b) {
 
 /// The equilibrium of a chain with a grip, by stages with ten times the stiffness each, and 1e-4 away.
 std::vector<double> near_the_answer(const PracticeScene& scene) {
-  PracticeStudy study(scene);
+  PracticeSearch search(scene);
   std::vector<double> u(scene.like.unknowns, 0.0);
   netloft_stage stage{};
   stage.size = sizeof stage;
@@ -95,7 +95,7 @@ std::vector<double> near_the_answer(const PracticeScene& scene) {
   stage.u = u.data();
   for (const double cap : {10.0, 100.0, 1000.0, 0.0}) {
     stage.variant.stiffness_cap = cap;
-    study.interface().solve(&study, &stage);
+    search.interface().solve(&search, &stage);
   }
   for (double& displacement : u) displacement *= 1 + 1e-4;
   return u;
@@ -112,14 +112,14 @@ Finding answers_with_numbers(StrategyBench& b) { return never(b, Slip::answer_no
 Finding answers_the_scene_itself(StrategyBench& b) { return never(b, Slip::answer_of_variant); }
 
 Finding hands_back_what_it_found(StrategyBench& b) {
-  return over(b, scenes(), [](const PracticeStudy& study, int) -> std::string {
-    return study.has_kept_an_equilibrium() ? "met a better equilibrium than any of its answers" : "";
+  return over(b, scenes(), [](const PracticeSearch& search, int) -> std::string {
+    return search.has_kept_an_equilibrium() ? "met a better equilibrium than any of its answers" : "";
   });
 }
 
 Finding answers_nothing(StrategyBench& b) {
   const NamedScene nothing{"a scene without unknowns", {.like = {.unknowns = 0}}};
-  return over(b, {nothing}, [](const PracticeStudy&, int status) -> std::string {
+  return over(b, {nothing}, [](const PracticeSearch&, int status) -> std::string {
     return status == NETLOFT_OK ? "" : "returned " + std::to_string(status);
   });
 }
@@ -128,7 +128,7 @@ Finding answers_nothing(StrategyBench& b) {
 
 Finding no_equilibrium_is_no_error(StrategyBench& b) {
   return over(b, {{"a chain without an equilibrium", kRunaway}},
-              [](const PracticeStudy&, int status) -> std::string {
+              [](const PracticeSearch&, int status) -> std::string {
                 return status == NETLOFT_OK ? "" : "returned " + std::to_string(status);
               });
 }
@@ -139,18 +139,18 @@ Finding comes_to_an_end(StrategyBench& b) {
   idle.scene.others_decline = true;
   auto all = all_scenes();
   all.push_back(idle);
-  return over(b, all, [](const PracticeStudy& study, int) -> std::string {
-    if (study.stages >= PracticeStudy::kMostStages)
+  return over(b, all, [](const PracticeSearch& search, int) -> std::string {
+    if (search.stages >= PracticeSearch::kMostStages)
       return "asks for stage after stage without using any work";
-    return study.slip(Slip::calls_itself);
+    return search.slip(Slip::calls_itself);
   });
 }
 
 Finding stops_at_an_error(StrategyBench& b) {
   auto broken = easy_scenes();
   for (NamedScene& one : broken) one.scene.breaks = true;
-  return over(b, broken, [](const PracticeStudy& study, int status) -> std::string {
-    return study.stages == 0 || status == NETLOFT_ERROR
+  return over(b, broken, [](const PracticeSearch& search, int status) -> std::string {
+    return search.stages == 0 || status == NETLOFT_ERROR
                ? ""
                : "returned " + std::to_string(status) + " after an error of the host";
   });
@@ -167,23 +167,23 @@ Finding asks_for_what_there_is(StrategyBench& b) { return never(b, Slip::out_of_
 Finding keeps_within_its_work(StrategyBench& b) { return never(b, Slip::over_budget); }
 Finding starts_from_numbers(StrategyBench& b) { return never(b, Slip::start_no_number); }
 
-Finding leaves_the_study_alone(StrategyBench& b) {
+Finding leaves_the_search_alone(StrategyBench& b) {
   auto all = all_scenes();
   all.push_back({"a chain with a start", kLinear});
   all.back().scene.start.assign(kLinear.like.unknowns, 0.1);
-  return over(b, all, [](const PracticeStudy& study, int) -> std::string {
-    return study.is_left_alone()
+  return over(b, all, [](const PracticeSearch& search, int) -> std::string {
+    return search.is_left_alone()
                ? ""
-               : "the start, the struct of the study or what lies behind the message has changed";
+               : "the start, the struct of the search or what lies behind the message has changed";
   });
 }
 
 Finding strategy_has_no_hidden_state(StrategyBench& b) {
-  return over(b, all_scenes(), [&b](const PracticeStudy& first, int) -> std::string {
-    PracticeStudy other(kTwoMeshes), again(first.scene());
+  return over(b, all_scenes(), [&b](const PracticeSearch& first, int) -> std::string {
+    PracticeSearch other(kTwoMeshes), again(first.scene());
     if (b.takes(other)) b.run(other);
     b.run(again);
-    return first.trace() == again.trace() ? "" : "the same study twice, stages or answers differ";
+    return first.trace() == again.trace() ? "" : "the same search twice, stages or answers differ";
   });
 }
 
@@ -215,10 +215,10 @@ std::string fault_at(StrategyBench& b, const Setting& setting) {
   for (PracticeScene scene : {kLinear, kGripped, kTwoMeshes, kBuckling}) {
     scene.claims = b.type.strategy.needs & kMayBeClaimed;
     scene.budget = 200;
-    PracticeStudy study(scene);
-    if (!faults.empty() || !b.takes(study)) continue;
-    if (b.run(study, block.data()) != NETLOFT_OK) return "`run` ends in an error";
-    if (!study.any_slip().empty()) return study.any_slip();
+    PracticeSearch search(scene);
+    if (!faults.empty() || !b.takes(search)) continue;
+    if (b.run(search, block.data()) != NETLOFT_OK) return "`run` ends in an error";
+    if (!search.any_slip().empty()) return search.any_slip();
   }
   return "";
 }
@@ -239,11 +239,11 @@ constexpr std::size_t kExplainGuard = 64;
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
-  PracticeStudy study(scene);
-  if (!b.takes(study)) return "";
+  PracticeSearch search(scene);
+  if (!b.takes(search)) return "";
   std::vector<char> text(room + kExplainGuard, kUntouched);
-  const int status = b.explain(study, text.data(), room);
-  if (asks) return study.stages == 0 && study.answers().empty() ? "" : "asks for a stage, or answers";
+  const int status = b.explain(search, text.data(), room);
+  if (asks) return search.stages == 0 && search.answers().empty() ? "" : "asks for a stage, or answers";
   if (status != NETLOFT_OK) return "returned " + std::to_string(status);
   const bool is_guard_whole =
       std::all_of(text.begin() + room, text.end(), [](char c) { return c == kUntouched; });
@@ -280,25 +280,25 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
        fills_its_stages,
        {"no-exception-escapes"},
        "a stage and its variant begin with their own sizes, and bring displacements of their level"},
-      {"answers-easy-studies",
-       answers_easy_studies,
+      {"answers-easy-searches",
+       answers_easy_searches,
        {"no-exception-escapes"},
        "one stage of the scene itself solves each; hand where it ended to `answer`"},
       {"answers-from-a-start",
        answers_from_a_start,
-       {"answers-easy-studies"},
-       "begin at `study.start()`: the user may have given displacements that are nearly right"},
+       {"answers-easy-searches"},
+       "begin at `search.start()`: the user may have given displacements that are nearly right"},
       {"answers-with-numbers",
        answers_with_numbers,
        {"no-exception-escapes"},
        "where a stage has not converged, look at what it left before you hand it on"},
       {"answers-the-scene-itself",
        answers_the_scene_itself,
-       {"answers-easy-studies"},
+       {"answers-easy-searches"},
        "the equilibrium of an easier variant is a start for the scene, not an answer"},
       {"hands-back-what-it-found",
        hands_back_what_it_found,
-       {"answers-easy-studies"},
+       {"answers-easy-searches"},
        "hand every equilibrium of the scene to `answer` as soon as you have it, also before you return "
        "early"},
       {"no-equilibrium-is-no-error",
@@ -338,15 +338,15 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"starts-from-numbers",
        starts_from_numbers,
        {"no-exception-escapes"},
-       "is a stage's `growing` still valid? The next call of the study ends it. Did you divide by zero?"},
-      {"leaves-the-study-alone",
-       leaves_the_study_alone,
+       "is a stage's `growing` still valid? The next call of the search ends it. Did you divide by zero?"},
+      {"leaves-the-search-alone",
+       leaves_the_search_alone,
        {"no-exception-escapes"},
-       "the start and the study are the host's; copy the start, and write no more than `message_size`"},
+       "the start and the search are the host's; copy the start, and write no more than `message_size`"},
       {"no-hidden-state",
        strategy_has_no_hidden_state,
        {"no-exception-escapes"},
-       "no static or mutable variables, no clock: the same study has the same stages, bit for bit"},
+       "no static or mutable variables, no clock: the same search has the same stages, bit for bit"},
       {"answers-nothing", answers_nothing, {"no-exception-escapes"}, "a scene may have no unknowns at all"},
       {"survives-its-bounds",
        survives_its_bounds,

@@ -11,7 +11,7 @@ namespace netloft::conformance {
 
 namespace {
 
-void write_lane(const netloft_flow& f, std::size_t i, double half) {
+void write_lane(const netloft_law_tile& f, std::size_t i, double half) {
   const auto at = [i](std::size_t row) { return row * kLanes + i; };
   const double W[3] = {f.flow[at(0)], f.flow[at(1)], f.flow[at(2)]};
   const double t[3] = {f.direction[at(0)], f.direction[at(1)], f.direction[at(2)]};
@@ -31,20 +31,20 @@ void write_lane(const netloft_flow& f, std::size_t i, double half) {
   }
 }
 
-void count(const void* law, const netloft_flow& f) {
-  if (!law || f.size < offsetof(netloft_flow, extent) + sizeof f.extent || !f.extent) return;
+void count(const void* law, const netloft_law_tile& f) {
+  if (!law || f.size < offsetof(netloft_law_tile, extent) + sizeof f.extent || !f.extent) return;
   AskedLanes& asked = *static_cast<AskedLanes*>(const_cast<void*>(law));
   asked.told += f.count;
   for (std::size_t i = 0; i < f.count; ++i) asked.wrong += !(f.extent[i] > 0 && std::isfinite(f.extent[i]));
 }
 
-int twine(const void* law, const netloft_flow* f) {
+int twine(const void* law, const netloft_law_tile* f) {
   count(law, *f);
   for (std::size_t i = 0; i < f->count; ++i) write_lane(*f, i, 0.5 * f->water_density * f->diameter[i]);
   return NETLOFT_OK;
 }
 
-int screen(const void* law, const netloft_flow* f) {
+int screen(const void* law, const netloft_law_tile* f) {
   count(law, *f);
   for (std::size_t i = 0; i < f->count; ++i) write_lane(*f, i, 0.5 * f->water_density);
   return NETLOFT_OK;

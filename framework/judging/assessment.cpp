@@ -206,7 +206,7 @@ RestPlace rest_place(const Assessment& a, double gear_size) {
           .x_low = a.x_low,
           .after = a.correction.x,
           .after_low = a.correction.x_low,
-          .share = a.correction.length > reach ? reach / a.correction.length : 1};
+          .fraction = a.correction.length > reach ? reach / a.correction.length : 1};
 }
 
 Assessment assess_static(const AssembledScene& scene, std::span<const double> u, const Limits& limits) {

@@ -105,8 +105,8 @@ std::vector<double> between(std::span<const double> a, std::span<const double> b
 std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& at,
                                         const std::vector<double>& K) {
   if (at.after.empty()) return {};
-  const std::vector<double> x = between(at.x, at.after, at.share),
-                            low = between(at.x_low, at.after_low, at.share);
+  const std::vector<double> x = between(at.x, at.after, at.fraction),
+                            low = between(at.x_low, at.after_low, at.fraction);
   std::vector<double> change(assembler.value_slots());
   const Kinematics motion{.cu = 1, .x_low = low.empty() ? nullptr : low.data()};
   if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = change.data(), .motion = motion}))
@@ -118,7 +118,7 @@ std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& a
 
 }  // namespace
 
-double fastest_growth(const SparsePattern& p, const LinearMotion& m, double share) {
+double fastest_growth(const SparsePattern& p, const LinearMotion& m, double fraction) {
   std::vector<double> N(m.K);
   for (std::size_t i = 0; i < N.size(); ++i) N[i] -= m.convex[i];
   const auto n = largest_by_column(p, N), K = largest_by_column(p, m.K), C = largest_by_column(p, m.C),
@@ -126,7 +126,7 @@ double fastest_growth(const SparsePattern& p, const LinearMotion& m, double shar
   double fastest = 0;
   for (std::int32_t i = 0; i < p.size; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double mass = share * m.M[find_slot(p, i, i)];
+    const double mass = fraction * m.M[find_slot(p, i, i)];
     const double alone = mass > 0    ? drives[at] / mass + std::sqrt(n[at] / mass)
                          : C[at] > 0 ? K[at] / C[at]
                                      : 0;

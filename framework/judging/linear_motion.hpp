@@ -21,7 +21,7 @@ struct RestPlace {
   std::span<const double> x_low = {};  // what x rounds off; empty: not known
   std::span<const double> after = {};  // x after the Newton step that is left; empty: not known
   std::span<const double> after_low = {};
-  double share = 1;  // of that step, at most as far as one place reaches
+  double fraction = 1;  // of that step, at most as far as one place reaches
 };
 
 /// The matrices there. False: see the assembler's fault.
@@ -38,9 +38,9 @@ inline constexpr double kRoundingOfMatrix = 1e-9;
 bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion,
                          const MakeFactorisation& make, Statistics& cost);
 
-/// The largest |s| of (6c) with Re s/|s| of at least `share`, by every unknown alone [1/s]; zero: nothing can
-/// grow so.
-double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double share);
+/// The largest |s| of (6c) with Re s/|s| of at least `fraction`, by every unknown alone [1/s]; zero: nothing
+/// can grow so.
+double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double fraction);
 
 /// Calls visit(row, column, value) for every entry, those above the diagonal of a symmetric one included.
 template <class Visit>

@@ -14,7 +14,7 @@ struct OtherShape {
 };
 
 /// What was found by looking for other shapes, and by which rule the solution was chosen among them
-/// (framework/study/shapes.hpp).
+/// (framework/search/shapes.hpp).
 struct Shapes {
   bool by_energy = false;       // the least; else the first that was found
   int restarts = 0, times = 1;  // that the solution was found, the first time included

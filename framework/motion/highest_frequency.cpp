@@ -13,7 +13,7 @@ namespace netloft {
 
 namespace {
 
-constexpr int kMostSteps = 60;
+constexpr int kMostLanczosSteps = 60;
 /// A mode that is orthogonal to the known one begins as a part of kOthers/√n, and has to outgrow it: with
 /// fewer steps than these its residual could be small before it is seen.
 constexpr int kLeastSteps = 12;
@@ -110,7 +110,7 @@ void scale(const Pencil& pencil, std::vector<double>& x, double to) {
 /// The steps are made twice, so that their vectors need not be kept.
 HighestMode find_highest_mode(const Pencil& pencil) {
   Lanczos first(pencil, noise(pencil.size));
-  for (int k = 0; k < kMostSteps && !first.has_ended(); ++k) first.step();
+  for (int k = 0; k < kMostLanczosSteps && !first.has_ended(); ++k) first.step();
   const Lanczos::Ritz ritz = first.largest();
   HighestMode mode{frequency(ritz), std::vector<double>(pencil.size, 0.0)};
   Lanczos again(pencil, noise(pencil.size));
@@ -129,7 +129,7 @@ double highest_frequency_near(const Pencil& pencil, std::span<const double> shap
   for (std::size_t i = 0; i < start.size(); ++i) start[i] += others[i];
   Lanczos lanczos(pencil, std::move(start));
   Lanczos::Ritz ritz;
-  for (int k = 1; k <= kMostSteps && !lanczos.has_ended(); ++k) {
+  for (int k = 1; k <= kMostLanczosSteps && !lanczos.has_ended(); ++k) {
     lanczos.step();
     if (k < kLeastSteps && !lanczos.has_ended()) continue;
     ritz = lanczos.largest();

@@ -60,7 +60,7 @@ Scene bare_bodies(const Scene& scene) {
   return bare;
 }
 
-void add_bodies(const Scene& scene, const Plan& plan, std::vector<MissingInertia>& missing) {
+void add_bodies(const Scene& scene, const ScenePlan& plan, std::vector<MissingInertia>& missing) {
   if (scene.bodies.empty()) return;
   const Scene bare = bare_bodies(scene);
   Assembler assembler(bare, plan, 1);
@@ -83,8 +83,8 @@ bool MissingInertia::is_on(const Part& part) const {
   return std::find(part.nodes.begin(), part.nodes.end(), node) != part.nodes.end();
 }
 
-std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const Plan& plan, Assembler& assembler,
-                                                 bool with_nodes) {
+std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const ScenePlan& plan,
+                                                 Assembler& assembler, bool with_nodes) {
   std::vector<MissingInertia> missing;
   add_bodies(scene, plan, missing);
   NodeMasses masses(assembler);

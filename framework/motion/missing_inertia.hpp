@@ -18,7 +18,7 @@ struct MissingInertia {
 /// points gives a little, and with it turns of any speed, which steps in time would follow. Nodes are looked
 /// at only `with_nodes`: explicit schemes divide by their masses; implicit ones take those without for always
 /// in equilibrium. At the start; none if masses cannot be evaluated there, see the assembler's fault().
-std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const Plan& plan, Assembler& assembler,
-                                                 bool with_nodes);
+std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const ScenePlan& plan,
+                                                 Assembler& assembler, bool with_nodes);
 
 }  // namespace netloft

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/descriptors.hpp"
 
-#include "framework/parameters/parameters.hpp"
+#include "framework/parameters/parameter_values.hpp"
 #include "framework/parameters/whole_number.hpp"
 #include "framework/registry/element_data.hpp"
 

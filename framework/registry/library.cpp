@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/library.hpp"
 
-#include "framework/registry/trial.hpp"
-#include "framework/registry/whole_file.hpp"
+#include "framework/registry/trial_opening.hpp"
+#include "framework/registry/elf_length.hpp"
 
 #include <dlfcn.h>
 

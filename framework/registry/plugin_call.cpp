@@ -23,9 +23,9 @@ struct ThreadCalls {
 constinit ThreadCalls all_calls[kThreads];
 
 /// Takes a place for this thread, and gives it back when the thread ends.
-class Place {
+class ThreadPlace {
  public:
-  Place() noexcept {
+  ThreadPlace() noexcept {
     for (auto& place : all_calls) {
       if (place.is_taken.exchange(true)) continue;
       mine_ = &place;
@@ -34,13 +34,13 @@ class Place {
       return;
     }
   }
-  ~Place() {
+  ~ThreadPlace() {
     if (!mine_) return;
     if (has_signal_stack_) remove_signal_stack();
     mine_->is_taken = false;
   }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+  ThreadPlace(const ThreadPlace&) = delete;
+  ThreadPlace& operator=(const ThreadPlace&) = delete;
   CallStack& calls() { return mine_ ? mine_->calls : all_calls[kThreads - 1].calls; }
 
  private:
@@ -115,7 +115,7 @@ std::optional<CallFrame> CallStack::innermost_plugin() const {
 
 CallStack& calls_of_this_thread() noexcept {
   if (known) return *known;
-  static thread_local Place place;
+  static thread_local ThreadPlace place;
   return *(known = &place.calls());
 }
 

@@ -63,14 +63,14 @@ namespace {
 
 /// The position of t between two neighbouring samples: the index of the first and the fraction of the
 /// interval.
-struct Place {
+struct SampleInterval {
   std::size_t first;
   double fraction;
 };
 
 /// Finds t among samples with increasing t; beyond the ends it is at the nearest sample.
 template <class Samples>
-Place find_place(const Samples& samples, double t) {
+SampleInterval find_interval(const Samples& samples, double t) {
   std::size_t after = 0;
   while (after < samples.size() && samples[after].t < t) ++after;
   if (after == 0 || after == samples.size()) return {after ? after - 1 : 0, 0};
@@ -78,13 +78,13 @@ Place find_place(const Samples& samples, double t) {
 }
 
 double factor_at(const std::vector<Current::Factor>& factors, double t) {
-  const auto [i, fraction] = find_place(factors, t);
+  const auto [i, fraction] = find_interval(factors, t);
   return fraction == 0 ? factors[i].value
                        : factors[i].value + fraction * (factors[i + 1].value - factors[i].value);
 }
 
 std::array<double, 3> drift_at(const std::vector<Current::Drift>& drifts, double t) {
-  const auto [i, fraction] = find_place(drifts, t);
+  const auto [i, fraction] = find_interval(drifts, t);
   std::array<double, 3> velocity = drifts[i].velocity;
   for (std::size_t k = 0; k < 3 && fraction != 0; ++k)
     velocity[k] += fraction * (drifts[i + 1].velocity[k] - velocity[k]);

@@ -4,7 +4,7 @@
 #include "framework/balance/work.hpp"
 #include "framework/judging/correction.hpp"
 #include "framework/motion/settling.hpp"
-#include "framework/study/settings.hpp"
+#include "framework/search/settings.hpp"
 #include "io/runs/diagnosis.hpp"
 #include "io/runs/idle_choices.hpp"
 #include "io/runs/inertia.hpp"
@@ -14,8 +14,8 @@
 #include "io/scenes/reading/halves.hpp"
 #include "io/scenes/reading/keys.hpp"
 #include "io/scenes/reading/read_scene.hpp"
-#include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -29,7 +29,7 @@ namespace netloft::runs {
 namespace {
 
 /// Throws SceneError for what a motion cannot move.
-void require_inertia(const scenes::LoadedScene& loaded, const Plan& plan, Registry& registry,
+void require_inertia(const scenes::LoadedScene& loaded, const ScenePlan& plan, Registry& registry,
                      Assembler& assembler) {
   const bool is_explicit = registry.integrator(loaded.analysis.dynamics.integrator).is_explicit();
   auto faults = find_missing_inertia(loaded.scene, plan, registry, assembler, is_explicit);
@@ -69,8 +69,8 @@ Case::State Case::assemble() {
     if (moves && analysis.dynamics.stiffness_damping > 0)
       damp_stretch(loaded_.scene, registry_, analysis.dynamics.stiffness_damping);
     material_damping_ = choose_material_damping(loaded_.scene, analysis, registry_);
-    plan_ = make_plan(loaded_.scene, registry_, analysis.tangent,
-                      moves ? AnalysisKind::dynamics : AnalysisKind::statics);
+    plan_ = make_scene_plan(loaded_.scene, registry_, analysis.tangent,
+                            moves ? AnalysisKind::dynamics : AnalysisKind::statics);
     if (!moves && plan_.conservative) take_out_losses(loaded_.scene, registry_);
     if (moves && registry_.integrator(analysis.dynamics.integrator).asks_mean_forces())
       ask_mean_forces(plan_, analysis.dynamics.integrator);
@@ -124,7 +124,7 @@ Solution Case::solve(const Watch& watch, const std::vector<double>& from) {
   const AllowedTime allowed(watch, loaded_.analysis.limits.seconds);
   Solution s = loaded_.analysis.settles
                    ? settle(watch, from)
-                   : netloft::find_equilibrium(sites(), study_options(loaded_.analysis.limits, watch),
+                   : netloft::find_equilibrium(variants(), search_options(loaded_.analysis.limits, watch),
                                                strategy(), from);
   adopt(s);
   object_to_crossings(loaded_, *assembler_, s);
@@ -138,7 +138,7 @@ Solution Case::continue_from(const std::vector<double>& u, int iterations, const
   Limits limits = loaded_.analysis.limits;
   limits.iterations = std::min(limits.iterations, iterations);
   const StrategyUse alone{&registry_.strategy(scenes::kStrategyOfNamedSolver), {}};
-  Solution s = netloft::find_equilibrium(sites(), study_options(limits, watch), alone, u);
+  Solution s = netloft::find_equilibrium(variants(), search_options(limits, watch), alone, u);
   adopt(s);
   object_to_crossings(loaded_, *assembler_, s);
   return s;
@@ -222,16 +222,16 @@ std::optional<std::string> Case::why_unfit() {
 
 std::string Case::explain_strategy() {
   if (loaded_.analysis.settles) return "";
-  return netloft::explain_strategy(sites(), study_options(loaded_.analysis.limits, {}), strategy());
+  return netloft::explain_strategy(variants(), search_options(loaded_.analysis.limits, {}), strategy());
 }
 
-SiteSource Case::sites() {
+VariantSource Case::variants() {
   return {&loaded_.scene, assembler_.get(),         &registry_,     meshes_.get(),
           make_,          loaded_.analysis.tangent, source_.threads};
 }
 
-StudyOptions Case::study_options(const Limits& limits, const Watch& watch) {
-  StudyOptions options;
+SearchOptions Case::search_options(const Limits& limits, const Watch& watch) {
+  SearchOptions options;
   options.solver = {&registry_.solver(loaded_.analysis.solver), loaded_.analysis.solver_parameters};
   options.limits = limits;
   options.limits.interrupt = watch.interrupt;
@@ -338,17 +338,17 @@ MarchResult Case::march(const MarchWatch& watch, const Watch& who, const MarchSt
 /// As a static analysis of the same scene: forces, tangent, tolerance, solver. A motion may leave out parts
 /// of the tangent and still swing about what statics find with all of it. Both number their unknowns alike.
 std::vector<double> Case::find_start(const Watch& who, Solution& found) {
-  const Plan plan = make_plan(loaded_.scene, registry_);
+  const ScenePlan plan = make_scene_plan(loaded_.scene, registry_);
   Assembler assembler(loaded_.scene, plan, source_.threads);
   assert(assembler.pattern().size == assembler_->pattern().size);
-  SiteSource source = sites();
+  VariantSource source = variants();
   source.assembler = &assembler;
   source.tangent = TangentChoice::exact;
   Limits limits;
   limits.seconds = loaded_.analysis.limits.seconds;
   limits.judging.accept_swinging = loaded_.analysis.limits.judging.accept_swinging;
-  StudyOptions options =
-      study_options(limits, {.interrupt = who.interrupt, .on_iteration = who.on_iteration});
+  SearchOptions options =
+      search_options(limits, {.interrupt = who.interrupt, .on_iteration = who.on_iteration});
   options.solver = {&registry_.solver(scenes::kSolver), {}};
   found = netloft::find_equilibrium(source, options, strategy());
   object_to_crossings(loaded_, assembler, found);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/motion/time_march.hpp"
-#include "framework/scene/plan.hpp"
-#include "framework/study/study.hpp"
+#include "framework/scene/scene_plan.hpp"
+#include "framework/search/search.hpp"
 #include "io/formats/toml/diagnostics.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
@@ -103,7 +103,7 @@ class Case {
   scenes::LoadedScene& loaded() { return loaded_; }
   const scenes::LoadedScene& loaded() const { return loaded_; }
   const CaseSource& source() const { return source_; }
-  const Plan& plan() const { return plan_; }
+  const ScenePlan& plan() const { return plan_; }
   Assembler& assembler() { return *assembler_; }
   Registry& registry() { return registry_; }
   int threads() const { return source_.threads; }
@@ -118,8 +118,8 @@ class Case {
   void adopt(const Solution& solution);
   void note_length(const Setting& setting);
   Solution settle(const Watch& watch, const std::vector<double>& from);
-  SiteSource sites();
-  StudyOptions study_options(const Limits& limits, const Watch& watch);
+  VariantSource variants();
+  SearchOptions search_options(const Limits& limits, const Watch& watch);
   StrategyUse strategy();
   /// Displacements of the equilibrium that a motion starts from.
   std::vector<double> find_start(const Watch& who, Solution& found);
@@ -128,7 +128,7 @@ class Case {
   Registry& registry_;
   formats::Diagnostics diagnostics_;
   scenes::LoadedScene loaded_;
-  Plan plan_;
+  ScenePlan plan_;
   std::string material_damping_;
   std::unique_ptr<Assembler> assembler_;
   std::unique_ptr<Meshes> meshes_;

@@ -37,7 +37,7 @@ std::string why_idle(const FamilyPlan& family, const std::string& parameter, boo
 
 class IdleChoices {
  public:
-  explicit IdleChoices(const Plan& plan) : motion_is_asked_for_(!plan.conservative) {}
+  explicit IdleChoices(const ScenePlan& plan) : motion_is_asked_for_(!plan.conservative) {}
 
   void look_at(const FamilyPlan& family, const Part& part) {
     for (const auto& [name, value] : part.parameters)
@@ -73,7 +73,7 @@ std::string first_of(const std::vector<std::string>& parts) {
 
 }  // namespace
 
-void warn_of_idle_choices(const scenes::LoadedScene& loaded, const Plan& plan,
+void warn_of_idle_choices(const scenes::LoadedScene& loaded, const ScenePlan& plan,
                           formats::Diagnostics& diagnostics) {
   IdleChoices choices(plan);
   for (const FamilyPlan& family : plan.families)

@@ -45,7 +45,7 @@ std::string sentence(const Scene& scene, Registry& registry, const MissingInerti
 
 }  // namespace
 
-std::vector<SceneFault> find_missing_inertia(const Scene& scene, const Plan& plan, Registry& registry,
+std::vector<SceneFault> find_missing_inertia(const Scene& scene, const ScenePlan& plan, Registry& registry,
                                              Assembler& assembler, bool is_explicit) {
   std::vector<SceneFault> faults;
   std::set<std::string> parts;  // of nodes, one of each part is enough

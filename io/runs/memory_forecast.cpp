@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/runs/memory_forecast.hpp"
 
-#include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/foreseen_memory.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/study/levels.hpp"
+#include "framework/search/levels.hpp"
 #include "io/runs/case.hpp"
 
 #include <memory>

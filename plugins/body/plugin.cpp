@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/body/solid.hpp"
+#include "plugins/body/solid_element.hpp"
 
 using namespace netloft;
 using bodies::BodySolid;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/catch/pressure.hpp"
 
-#include "plugins/catch/growth.hpp"
+#include "plugins/catch/front_growth.hpp"
 
 #include <algorithm>
 #include <cmath>

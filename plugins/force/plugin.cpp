@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/force/body.hpp"
+#include "plugins/force/body_force.hpp"
 #include "plugins/force/constant.hpp"
 
 using netloft::forces::Constant;

@@ -43,7 +43,7 @@ Vec3<T> cross_flow_force(const CrossFlow& c, const Flow<T>& f, Across&& across) 
 
 /// (1)–(5) in one lane. `across(s)` returns a Resistance.
 template <bool Derivatives, class Across>
-inline void cross_flow_lane(const CrossFlow& c, const netloft_flow& f, std::size_t i, Across&& across) {
+inline void cross_flow_lane(const CrossFlow& c, const netloft_law_tile& f, std::size_t i, Across&& across) {
   const auto row = [i](const double* a, std::size_t r) { return a[r * kLanes + i]; };
   const double U[3] = {c.shielding * row(f.flow, 0), c.shielding * row(f.flow, 1),
                        c.shielding * row(f.flow, 2)};
@@ -72,15 +72,16 @@ inline void cross_flow_lane(const CrossFlow& c, const netloft_flow& f, std::size
 /// The same for all lanes. The arrays do not overlap; `__restrict` tells the compiler so, which then computes
 /// several lanes at once.
 template <bool Derivatives, class Across>
-[[gnu::flatten]] void cross_flow_all_lanes(const CrossFlow& c, const netloft_flow& flow, Across&& across) {
+[[gnu::flatten]] void cross_flow_all_lanes(const CrossFlow& c, const netloft_law_tile& flow,
+                                           Across&& across) {
   const CrossFlow flows = c;
-  const netloft_flow f = flow;
+  const netloft_law_tile f = flow;
 #pragma GCC ivdep
   for (std::size_t i = 0; i < f.count; ++i) cross_flow_lane<Derivatives>(flows, f, i, across);
 }
 
 template <class Across>
-void cross_flow_lanes(const CrossFlow& c, const netloft_flow& f, Across&& across) {
+void cross_flow_lanes(const CrossFlow& c, const netloft_law_tile& f, Across&& across) {
   if (f.d_flow)
     cross_flow_all_lanes<true>(c, f, across);
   else

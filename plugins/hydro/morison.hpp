@@ -20,7 +20,7 @@ struct Morison {
     return cross_flow_force(CrossFlow{p.shielding, p.tangential}, f,
                             [half](const T& s) { return T(half) * s; });
   }
-  static void lanes(const Parameters& p, const netloft_flow& f);
+  static void lanes(const Parameters& p, const netloft_law_tile& f);
 };
 
 }  // namespace netloft::hydro

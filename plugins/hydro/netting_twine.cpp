@@ -13,7 +13,7 @@ struct Factors {
 
 /// (1) in one lane.
 struct Motion {
-  Motion(double shielding, const netloft_flow& f, std::size_t i) {
+  Motion(double shielding, const netloft_law_tile& f, std::size_t i) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto row = static_cast<std::size_t>(axis) * kLanes + i;
       U[axis] = shielding * f.flow[row];
@@ -30,7 +30,7 @@ struct Motion {
 };
 
 template <class Phi>
-Factors factors(const NettingTwine::Parameters& p, const netloft_flow& f, const Phi& phi, std::size_t i,
+Factors factors(const NettingTwine::Parameters& p, const netloft_law_tile& f, const Phi& phi, std::size_t i,
                 const Motion& m) {
   const auto Re = [per_speed = f.diameter[i] / f.water_viscosity](double speed) {
     return LaneNumber::variable(speed * per_speed);
@@ -40,13 +40,13 @@ Factors factors(const NettingTwine::Parameters& p, const netloft_flow& f, const 
           half * p.knots / p.knot_diameter * sphere_phi(Re(m.u * p.knot_diameter))};  // (3), (4), (5)
 }
 
-void write_force(const netloft_flow& f, std::size_t i, const Motion& m, const Factors& c) {
+void write_force(const netloft_law_tile& f, std::size_t i, const Motion& m, const Factors& c) {
   const Vec3<double> F = c.across.value * m.U_n + (c.along.value * m.tau) * m.t + c.knots.value * m.U;  // (2)
   for (int axis = 0; axis < 3; ++axis) f.force[static_cast<std::size_t>(axis) * kLanes + i] = F[axis];
 }
 
 /// (6) to (8), what multiplies t from the left gathered: one row of it is t_p times a vector.
-void write_derivatives(double shielding, const netloft_flow& f, std::size_t i, const Motion& m,
+void write_derivatives(double shielding, const netloft_law_tile& f, std::size_t i, const Motion& m,
                        const Factors& c) {
   const double squared = NettingTwine::kAlong * NettingTwine::kAlong, k = c.across.value, a = c.along.value;
   const Vec3<double> n = (1 / std::max(m.s, kStillSpeed)) * m.U_n, e = (1 / std::max(m.u, kStillSpeed)) * m.U;
@@ -68,10 +68,10 @@ void write_derivatives(double shielding, const netloft_flow& f, std::size_t i, c
 
 /// The arrays do not overlap, so that several lanes are computed at once.
 template <bool derivatives, class Phi>
-[[gnu::flatten]] void all_lanes(const NettingTwine::Parameters& parameters, const netloft_flow& flow,
+[[gnu::flatten]] void all_lanes(const NettingTwine::Parameters& parameters, const netloft_law_tile& flow,
                                 const Phi& phi) {
   const NettingTwine::Parameters p = parameters;
-  const netloft_flow f = flow;
+  const netloft_law_tile f = flow;
 #pragma GCC ivdep
   for (std::size_t i = 0; i < f.count; ++i) {
     const Motion motion(p.shielding, f, i);
@@ -83,7 +83,7 @@ template <bool derivatives, class Phi>
 
 }  // namespace
 
-void NettingTwine::lanes(const Parameters& p, const netloft_flow& f) {
+void NettingTwine::lanes(const Parameters& p, const netloft_law_tile& f) {
   if (!(f.water_viscosity > 0))
     throw std::runtime_error("a Reynolds number needs a viscosity of the water above zero");
   with_cylinder_phi(p.cylinder, [&](const auto& phi) {

@@ -53,7 +53,7 @@ struct NettingTwine {
     const T m = (half * p.knots / p.knot_diameter) * sphere_phi(norm(U) * (per_speed * p.knot_diameter));
     return k * U_n + (friction(f.density, f.viscosity, e * per_speed) * tau) * f.direction + m * U;
   }
-  static void lanes(const Parameters& p, const netloft_flow& f);
+  static void lanes(const Parameters& p, const netloft_law_tile& f);
 };
 
 }  // namespace netloft::hydro

@@ -7,7 +7,7 @@ namespace {
 
 /// (4) for φ of a Reynolds number.
 template <class Phi>
-void lanes_with(const MorisonReynolds::Parameters& p, const netloft_flow& f, const Phi& phi) {
+void lanes_with(const MorisonReynolds::Parameters& p, const netloft_law_tile& f, const Phi& phi) {
   const double half = 0.5 * f.water_density * f.water_viscosity, per_viscosity = 1 / f.water_viscosity;
   const double* diameter = f.diameter;
   cross_flow_lanes({p.shielding, p.tangential}, f, [=](std::size_t i, double s) {
@@ -18,7 +18,7 @@ void lanes_with(const MorisonReynolds::Parameters& p, const netloft_flow& f, con
 
 }  // namespace
 
-void MorisonReynolds::lanes(const Parameters& p, const netloft_flow& f) {
+void MorisonReynolds::lanes(const Parameters& p, const netloft_law_tile& f) {
   if (!(f.water_viscosity > 0))
     throw std::runtime_error("a Reynolds number needs a viscosity of the water above zero");
   with_phi(p, [&](const auto& phi) { lanes_with(p, f, phi); });

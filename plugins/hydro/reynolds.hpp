@@ -148,7 +148,7 @@ struct MorisonReynolds {
       return (0.5 * f.density * f.viscosity) * phi(p, s * (f.diameter / f.viscosity));
     });
   }
-  static void lanes(const Parameters& p, const netloft_flow& f);
+  static void lanes(const Parameters& p, const netloft_law_tile& f);
 };
 
 }  // namespace netloft::hydro

@@ -45,8 +45,8 @@ struct Incidence {
   Vec3<double> e{};
 };
 
-void write_derivatives(const netloft_flow& f, std::size_t i, const Incidence& s, const Shape& k, double Re,
-                       double r, double r_S) {
+void write_derivatives(const netloft_law_tile& f, std::size_t i, const Incidence& s, const Shape& k,
+                       double Re, double r, double r_S) {
   const double half = 0.5 * f.water_density;
   const Vec3<double> W = row(f.flow, i), turn = s.n - s.c * s.e;
   const Vec3<double> grad_alpha = k.alpha_c * turn + (k.alpha_Re * Re) * s.e;
@@ -75,7 +75,7 @@ void write_derivatives(const netloft_flow& f, std::size_t i, const Incidence& s,
 }  // namespace
 
 template <class Model>
-void Screen<Model>::lanes(const Parameters& p, const netloft_flow& f) {
+void Screen<Model>::lanes(const Parameters& p, const netloft_law_tile& f) {
   if (!(f.water_viscosity > 0))
     throw std::runtime_error("a screen needs a viscosity of the water above zero");
   for (std::size_t i = 0; i < f.count; ++i) {

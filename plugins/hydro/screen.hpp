@@ -207,7 +207,7 @@ struct Screen {
     const auto C = scaled<Model>(p, c, f.solidity, u * (f.diameter / f.viscosity));
     return (0.5 * f.density * u) * ((C.drag - C.lift * c * c) * U + (C.lift * q) * n);
   }
-  static void lanes(const Parameters& p, const netloft_flow& f);
+  static void lanes(const Parameters& p, const netloft_law_tile& f);
 };
 
 using Loland = Screen<LolandModel>;

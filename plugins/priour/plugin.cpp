@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/priour/bending.hpp"
 #include "plugins/priour/drag.hpp"
 #include "plugins/priour/knot_contact.hpp"
-#include "plugins/priour/motion.hpp"
+#include "plugins/priour/netting_bending.hpp"
+#include "plugins/priour/netting_motion.hpp"
 #include "plugins/priour/opening.hpp"
 #include "plugins/priour/slowed.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/clamp.hpp"
 
-#include "plugins/rope/bending.hpp"
+#include "plugins/rope/rope_bending.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/rope/bar.hpp"
-#include "plugins/rope/bending.hpp"
 #include "plugins/rope/clamp.hpp"
 #include "plugins/rope/mirror.hpp"
+#include "plugins/rope/rope_bending.hpp"
 #include "plugins/rope/sag.hpp"
 
 using netloft::rope::Bar;

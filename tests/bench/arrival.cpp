@@ -18,7 +18,7 @@
 
 #include "io/formats/toml/diagnostics.hpp"
 #include "io/runs/case.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"
 
 namespace netloft {

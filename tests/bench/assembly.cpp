@@ -4,7 +4,7 @@
 // scatter included; and its share of one Newton step (assembly, factorisation, solve) at growing size.
 // Best of repeats, one thread; compare rows of one run only, the machine may be shared.
 #include "framework/judging/verdict.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 
@@ -27,7 +27,7 @@ double best_seconds(int repeats, const std::function<void()>& work) {
 }
 
 void time_elements(const char* what, const Scene& scene, Registry& registry, double limit) {
-  const Plan plan = make_plan(scene, registry);
+  const ScenePlan plan = make_scene_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
   std::vector<double> residual(assembler.numbering().dofs()), values(assembler.value_slots());
   double energy = 0;
@@ -48,7 +48,7 @@ void time_elements(const char* what, const Scene& scene, Registry& registry, dou
 
 void time_share(int cells, int threads, Registry& registry) {
   const Scene scene = sample::hanging_panel(cells, 36.5);
-  const Plan plan = make_plan(scene, registry);
+  const ScenePlan plan = make_scene_plan(scene, registry);
   Assembler assembler(scene, plan, threads);
   const SolverType& newton = registry.solver("newton");
   std::vector<std::string> faults;

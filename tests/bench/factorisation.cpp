@@ -14,7 +14,7 @@
 
 #include "framework/assembler/assembler.hpp"
 #include "framework/registry/registry.hpp"
-#include "framework/scene/plan.hpp"
+#include "framework/scene/scene_plan.hpp"
 #include "solvers/factorisation/cholmod.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
@@ -120,7 +120,7 @@ void compare_unsymmetric(const char* what, const TestMatrix& m) {
 TestMatrix tangent_of_panel(int cells, double speed, MatrixKind kind, double shift, Registry& registry) {
   Scene scene = sample::hanging_panel(cells, 36.5);
   if (speed > 0) scene.current.samples = {{0, {0, speed, 0}}};
-  const Plan plan = make_plan(scene, registry);
+  const ScenePlan plan = make_scene_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
   TestMatrix matrix;
   matrix.pattern = assembler.pattern();

@@ -45,7 +45,7 @@ void stay_on_this_core() {
 struct Panel {
   Panel(const std::string& type, int cells, Registry& registry) : scene(sample::hanging_panel(cells, 36.5)) {
     scene.parts[0].type = type;
-    assembler = std::make_unique<Assembler>(scene, make_plan(scene, registry), 1);
+    assembler = std::make_unique<Assembler>(scene, make_scene_plan(scene, registry), 1);
     residual.resize(assembler->numbering().dofs()), values.resize(assembler->value_slots());
   }
   /// Of an evaluation of residual and tangent, on average [s].

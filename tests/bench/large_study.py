@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a study of thousands of points costs, and whether every engine makes the same table of it.
 
-    large_study.py NETLOFT STUDY.toml [--draws 50] [--nodes 300] [--set KEY=VALUE] [--jobs 2] [--engines pool,parallel,slurm] [--points-of 2]
+    large_study.py NETLOFT STUDY.toml [--samples 50] [--nodes 300] [--set KEY=VALUE] [--jobs 2] [--engines pool,parallel,slurm] [--points-of 2]
 
 Prints, for every engine, points, wall clock, the sum of processor time over the jobs, the load of the machine before it, and
-whether table.csv and table.hdf are those of the first engine, to the bit. With --points-of N the first N draws are solved again
+whether table.csv and table.hdf are those of the first engine, to the bit. With --points-of N the first N samples are solved again
 with every point by itself: factorisations along paths against those.
 """
 import argparse
@@ -31,14 +31,14 @@ def call(*words, code=(0,), **how):
     return ended.stdout
 
 
-def write_study(options, folder, draws, alone=False):
-    """A copy of the study file with other draws and other nodes."""
+def write_study(options, folder, samples, alone=False):
+    """A copy of the study file with other samples and other nodes."""
     text = options.study.read_text()
     scene = (options.study.parent / re.search(r'^scene = "(.*)"', text, re.MULTILINE)[1]).resolve()
     sets = ", ".join(f'"{word}"' for word in [f"gear.nodes={options.nodes}", *options.set] if options.nodes)
     text = re.sub(r"^scene = .*", f'scene = "{scene}"' + ("\npath = []" if alone else ""), text, flags=re.MULTILINE)
     text = re.sub(r"^set = .*", f"set = [{sets}]", text, flags=re.MULTILINE) if sets else text
-    text = re.sub(r"^draws = .*", f'draws = {draws}\ndraw = "sobol"', text, flags=re.MULTILINE)
+    text = re.sub(r"^samples = .*", f'samples = {samples}\nsampling = "sobol"', text, flags=re.MULTILINE)
     folder.mkdir()
     (folder / "s.toml").write_text(text)
     call(options.netloft, "study", "plan", "s.toml", cwd=folder)
@@ -60,7 +60,7 @@ def by_slurm(options, folder):
     try:
         if why_not := slurm.start():
             return why_not
-        chunk = max(1, options.draws // (4 * options.jobs))
+        chunk = max(1, options.samples // (4 * options.jobs))
         call(options.netloft, "study", "submit", "s.study", "--engine", "slurm", "--chunk", str(chunk), cwd=folder)
         call(local_slurm.find("sbatch"), "slurm.sh", cwd=folder / "s.study",
              env={**os.environ, "SLURM_CONF": slurm.environment["SLURM_CONF"]})
@@ -104,7 +104,7 @@ def compare_engines(options, folder):
     print(f"{'engine':<9} {'points':>6} {'converged':>9} {'wall [s]':>8} {'CPU [s]':>8} {'items [s]':>9} {'wall·jobs/CPU':>10} {'load':>6}  table")
     first = None
     for engine in options.engines.split(","):
-        write_study(options, folder / engine, options.draws)
+        write_study(options, folder / engine, options.samples)
         table = compute(options, folder / engine, engine)
         if table:
             first = first or table
@@ -116,23 +116,23 @@ def compare_engines(options, folder):
 def factorisations_by_draw(rows):
     sums = {}
     for row in rows:
-        sums[row["draw"]] = sums.get(row["draw"], 0) + int(row["factorisations"])
+        sums[row["sample"]] = sums.get(row["sample"], 0) + int(row["factorisations"])
     return sums.values()
 
 
 def compare_points(options, folder):
-    """Factorisations along paths and of points by themselves, of the same draws."""
+    """Factorisations along paths and of points by themselves, of the same samples."""
     counts = {}
     for name, alone in (("path", False), ("points", True)):
         write_study(options, folder / name, options.points_of, alone)
         by_pool(options, folder / name)
         call(options.netloft, "study", "collect", "s.study", cwd=folder / name, code=(0, 1, 3))
         rows = rows_of(folder / name)
-        of_draws = factorisations_by_draw(rows)
-        counts[name] = sum(of_draws)
+        of_samples = factorisations_by_draw(rows)
+        counts[name] = sum(of_samples)
         print(f"{name:<9} {len(rows):>6} points, {counts[name]:>7} factorisations, {cost_of(folder / name):.1f} s of CPU, "
               f"{sum(row['status'] != 'converged' for row in rows)} without a stable equilibrium, "
-              f"{min(of_draws)} to {max(of_draws)} for a draw")
+              f"{min(of_samples)} to {max(of_samples)} for a sample")
     print(f"points over path: {counts['points'] / counts['path']:.2f}")
 
 
@@ -140,7 +140,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("netloft", type=lambda p: str(pathlib.Path(p).resolve()))
     parser.add_argument("study", type=pathlib.Path)
-    parser.add_argument("--draws", type=int, default=50)
+    parser.add_argument("--samples", type=int, default=50)
     parser.add_argument("--nodes", type=int, default=0, help="of the gear; 0: as the study says")
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--jobs", type=int, default=2)

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the numbers that steer a strategy are worth: each is halved and doubled over a fresh draw of the hard cases.
+"""What the numbers that steer a strategy are worth: each is halved and doubled with a fresh seed of the hard cases.
 
-    sensitivity.py NETLOFT SUITE --draw 2041 [--strategy auto] [--of auto] [--of tension/stages] [--of newton] [--size small] [--case TEXT] [--jobs 1]
+    sensitivity.py NETLOFT SUITE --seed 2041 [--strategy auto] [--of auto] [--of tension/stages] [--of newton] [--size small] [--case TEXT] [--jobs 1]
 
 prints a Markdown table: right / claimed wrong / work at half, at the default, and at double. A number whose row says
 "changes nothing" is no parameter but noise, and may go. Draws that a number was chosen by say nothing about it.
@@ -17,7 +17,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-LITTLE = 0.05  # of the work: machines and draws differ by more
+LITTLE = 0.05  # of the work: machines and seeds differ by more
 DONE, NOT_ALL_RIGHT = 0, 3
 
 
@@ -91,7 +91,7 @@ class Bench:
 
     def run(self, setting=None):
         w = self.words
-        arguments = [w.suite, "--strategy", w.strategy, "--draw", str(w.draw), "--size", w.size, "--json"]
+        arguments = [w.suite, "--strategy", w.strategy, "--seed", str(w.seed), "--size", w.size, "--json"]
         if w.case:
             arguments += ["--case", w.case]
         if w.work:
@@ -124,7 +124,7 @@ def parse(arguments):
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     p.add_argument("netloft", help="the program; hard_cases stands beside it")
     p.add_argument("suite", help="folder of the suite: tests/stability")
-    p.add_argument("--draw", type=int, required=True, help="number of a draw that nothing was chosen by")
+    p.add_argument("--seed", type=int, required=True, help="a seed that nothing was chosen by")
     p.add_argument("--of", action="append", help="component whose numbers are changed; the strategy that is run, what it calls, or its solver; may be repeated")
     p.add_argument("--strategy", default="auto", help="strategy that is run")
     p.add_argument("--size", default="small")
@@ -142,7 +142,7 @@ def main(arguments):
     bench = Bench(parse(arguments))
     numbers, others = bench.parameters()
     base = bench.run()
-    print(f"Draw {bench.words.draw}, {len(base.cells)} cases: right / claimed wrong / work\n")
+    print(f"Seed {bench.words.seed}, {len(base.cells)} cases: right / claimed wrong / work\n")
     print("| parameter | default | half | as it is | double | |\n|---|---|---|---|---|---|", flush=True)
     with ThreadPoolExecutor(bench.words.jobs) as pool:
         for row in pool.map(lambda p: bench.row(p, base), numbers):

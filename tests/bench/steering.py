@@ -22,8 +22,8 @@ solvers/methods/ptc/* solvers/adapters/common/round_off.hpp solvers/methods/rela
 framework/judging/assessment.* framework/judging/correction.* framework/judging/growth.* framework/judging/arnoldi.*
 framework/judging/cayley.* framework/judging/linear_motion.* framework/balance/static_problem.* framework/balance/limits.*
 framework/balance/work.*
-framework/study/running_study.* framework/study/study_host.*
-framework/study/known_stages.* framework/study/shapes.* framework/include/netloft/strategy.hpp
+framework/search/running_search.* framework/search/search_host.*
+framework/search/known_stages.* framework/search/shapes.* framework/include/netloft/strategy.hpp
 framework/include/netloft/imbalance.hpp framework/include/netloft/scatter.hpp""".split()
 # Methods that `auto` does not ask for, and what users ask of an analysis besides.
 NOT_ITS_OWN = {

@@ -4,7 +4,7 @@
 // across a current, with the tangent of drag whole, its symmetric part alone, or left out. Times are of one
 // run on one machine: compare rows.
 #include "framework/judging/verdict.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 
@@ -17,7 +17,7 @@ using namespace netloft;
 void run(int cells, double speed, TangentChoice tangent, const char* name, Registry& registry) {
   Scene scene = sample::hanging_panel(cells, 36.5);
   scene.current.samples = {{0, {0, speed, 0}}};
-  const Plan plan = make_plan(scene, registry, tangent);
+  const ScenePlan plan = make_scene_plan(scene, registry, tangent);
   Assembler assembler(scene, plan, 1);
   const SolverType& newton = registry.solver("newton");
   std::vector<std::string> faults;

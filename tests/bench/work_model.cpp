@@ -8,10 +8,10 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/balance/work.hpp"
 #include "framework/registry/registry.hpp"
-#include "framework/scene/plan.hpp"
+#include "framework/scene/scene_plan.hpp"
 #include "io/formats/toml/diagnostics.hpp"
 #include "io/scenes/reading/read_scene.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 
@@ -63,7 +63,7 @@ Measured measure(Assembler& assembler) {
 }
 
 void print_row(const char* name, const Scene& scene, Registry& registry) {
-  const Plan plan = make_plan(scene, registry);
+  const ScenePlan plan = make_scene_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
   const WorkModel w = make_work_model(assembler, make_factorisation);
   const Measured m = measure(assembler);

@@ -2,7 +2,7 @@
 // Nonsense for whoever reads a scene: each input is a scene file, with the shipped plugins and the gear
 // library at hand. What is read without an error is planned and assembled, if it is small.
 #include "framework/assembler/assembler.hpp"
-#include "framework/scene/plan.hpp"
+#include "framework/scene/scene_plan.hpp"
 #include "io/scenes/reading/read_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/fuzz/scratch_file.hpp"
@@ -16,7 +16,8 @@ constexpr std::size_t kMostNodes = 2000;  // that a fuzzer has time for
 void assemble(const scenes::LoadedScene& loaded, Registry& registry) {
   if (loaded.scene.node_count() > kMostNodes) return;
   try {
-    const Plan plan = make_plan(loaded.scene, registry, loaded.analysis.tangent, loaded.analysis.kind);
+    const ScenePlan plan =
+        make_scene_plan(loaded.scene, registry, loaded.analysis.tangent, loaded.analysis.kind);
     const Assembler assembler(loaded.scene, plan, 1);
     fuzz::use(assembler.numbering().dofs());
   } catch (const SceneError& e) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nonsense for whoever reads the tables of a plugin: each input says which numbers, words and nulls stand in
 // them. Pointers lead to what they should or are null: of wild ones the trial process dies, and not this one.
-#include "framework/parameters/parameters.hpp"
+#include "framework/parameters/parameter_values.hpp"
 #include "framework/registry/descriptors.hpp"
 #include "tests/fuzz/choices.hpp"
 #include "tests/fuzz/scratch_file.hpp"
@@ -101,7 +101,7 @@ class Tables {
     add_parameters(t);
     if (source_.flag()) return;
     if constexpr (requires { t.solve; }) t.solve = [](const void*, netloft_problem*) { return 0; };
-    if constexpr (requires { t.run; }) t.run = [](const void*, netloft_study*) { return 0; };
+    if constexpr (requires { t.run; }) t.run = [](const void*, netloft_search*) { return 0; };
     if constexpr (requires { t.step; }) {
       t.step = [](const void*, netloft_motion*) { return 0; };
       t.order = [](const void*) { return 1.0; };
@@ -111,7 +111,7 @@ class Tables {
   void law(netloft_law& l) {
     add_parameters(l);
     l.kind = source_.in<std::uint32_t>(0, 3);
-    if (source_.flag()) l.evaluate = [](const void*, const netloft_flow*) { return 0; };
+    if (source_.flag()) l.evaluate = [](const void*, const netloft_law_tile*) { return 0; };
   }
   template <class T>
   void named(T& t) {

@@ -163,7 +163,7 @@ check_component_names() {
 
 # Numerics belong to solvers and the framework; io hands problems on. Exempt, with the reason:
 numerics_of_io=(
-  io/gears/meshing/node_graph.cpp      # least squares for the initial shape of a net: geometry, before there is a problem
+  io/gears/meshing/knot_graph.cpp      # least squares for the initial shape of a net: geometry, before there is a problem
   io/studies/compare/polish.cpp       # brings a reference to the round-off floor, through the boundary that solvers have
   io/program/templates/solver/my_solver.cpp io/program/templates/solver/my_solver_test.cpp  # a solver to begin with
 )
@@ -274,7 +274,7 @@ tables_of_rows=(
 
 # Words that were ours alone, and what the field calls them. Only forms that are no plain English are looked for.
 private_words=(
-  '[Jj]ourney|a strategy, a study'
+  '[Jj]ourney|a strategy, a search'
   '[Dd]etour|a fallback, an attempt'
   'const Leg&|<Leg>|[.]legs\b|\blegs_|a stage'
   '\b[Ss]haken\b|perturbed'

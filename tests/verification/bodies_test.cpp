@@ -73,7 +73,7 @@ TEST(Body, LeansByAForceInItsOwnAxesOrThoseOfTheWorld) {
 
 struct Marching {
   Scene scene;
-  Plan plan = make_plan(scene, plugins(), TangentChoice::exact, AnalysisKind::dynamics);
+  ScenePlan plan = make_scene_plan(scene, plugins(), TangentChoice::exact, AnalysisKind::dynamics);
   Assembler assembler{scene, plan, 1};
   MarchSettings settings;
 

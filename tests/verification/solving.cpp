@@ -2,7 +2,7 @@
 #include "tests/verification/solving.hpp"
 #include "tests/folders.hpp"
 
-#include "framework/study/study.hpp"
+#include "framework/search/search.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ ParameterBlock parameters_of(const SolverType& solver, const Values& values) {
 
 Solution find_by_strategy(const Solved& s, const Solving& how) {
   Registry& registry = shipped_plugins();
-  StudyOptions options;
+  SearchOptions options;
   options.solver = {&registry.solver(how.solver), how.solver_parameters};
   options.limits = how.limits, options.work = how.work, options.given = how.given;
   return find_equilibrium({&s.scene, s.assembler.get(), &registry, nullptr, keep_analyses(how.make),
@@ -51,7 +51,7 @@ Solved solve(Scene scene, const Solving& how) {
   const SolverType& solver = shipped_plugins().solver(how.solver);
   const ParameterBlock parameters = parameters_of(solver, how.solver_parameters);
   Solved s{std::move(scene), {}, nullptr, {}};
-  s.plan = make_plan(s.scene, shipped_plugins());
+  s.plan = make_scene_plan(s.scene, shipped_plugins());
   s.assembler = std::make_unique<Assembler>(s.scene, s.plan, how.threads);
   if (how.strategy.empty())
     s.solution = solve_static({s.scene, *s.assembler, how.make}, {&solver, parameters.data()}, how.limits);
@@ -68,7 +68,7 @@ netloft_outcome solve_problem(netloft_problem& problem, const std::string& solve
 double elastic_energy(const Solved& solved) {
   Scene scene = solved.scene;
   scene.water.gravity = 0;
-  const Plan plan = make_plan(scene, shipped_plugins());
+  const ScenePlan plan = make_scene_plan(scene, shipped_plugins());
   Assembler assembler(scene, plan, 1);
   double energy = 0;
   if (!assembler.evaluate(solved.solution.x, {.energy = &energy}))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/judging/verdict.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 
 #include <array>
 #include <map>
@@ -28,7 +28,7 @@ struct Solving {
 /// A scene with its assembler and the result of the solver.
 struct Solved {
   Scene scene;
-  Plan plan;
+  ScenePlan plan;
   std::unique_ptr<Assembler> assembler;
   Solution solution;
 

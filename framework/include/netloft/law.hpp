@@ -5,7 +5,7 @@
 // (`kind`), and one of two functions, the first quicker to write, the second faster to run:
 //
 //   template <class T> static Vec3<T> force(const Parameters&, const Flow<T>&);
-//   static void lanes(const Parameters&, const netloft_flow&);
+//   static void lanes(const Parameters&, const netloft_law_tile&);
 //
 // `force` is differentiated; `lanes` fills 64 at a time, with derivatives if these are requested.
 #pragma once
@@ -32,7 +32,7 @@ struct FlowLanes {
   /// that each lane stands for, by which reports weigh.
   void call(const netloft_bound_law& law, const netloft_tile& t, bool derivatives,
             const double* extent = nullptr) {
-    netloft_flow f{};
+    netloft_law_tile f{};
     f.size = sizeof f;
     f.count = t.count;
     f.water_density = t.water_density;
@@ -56,7 +56,7 @@ struct FlowLanes {
 namespace detail {
 
 template <class L>
-void differentiate_law(const typename L::Parameters& p, const netloft_flow& f) {
+void differentiate_law(const typename L::Parameters& p, const netloft_law_tile& f) {
   using T = Dual<7, 1>;
   for (std::size_t i = 0; i < f.count; ++i) {
     Flow<T> in;
@@ -83,7 +83,7 @@ void differentiate_law(const typename L::Parameters& p, const netloft_flow& f) {
 }
 
 template <class L>
-int evaluate_law(const void* parameters, const netloft_flow* flow) noexcept {
+int evaluate_law(const void* parameters, const netloft_law_tile* flow) noexcept {
   return guarded(nullptr, 0, [&] {
     const typename L::Parameters p = OwnParameters<L>::from(parameters);
     if constexpr (requires { L::lanes(p, *flow); })

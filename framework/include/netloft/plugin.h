@@ -239,7 +239,7 @@ enum netloft_law_kind {
 
 /* Up to 64 twines or screens in a flow. Arrays are [component][64]. The law ADDS nothing: it writes its
  * outputs, in lanes below `count`. Derivatives are null when not wanted. */
-typedef struct netloft_flow {
+typedef struct netloft_law_tile {
   uint32_t size;
   uint32_t count;
   double water_density;    /* [kg/m3] */
@@ -254,10 +254,10 @@ typedef struct netloft_flow {
   double* d_solidity;      /* [3][64] */
   const double* extent; /* [64] metres of twine, square metres of netting that a lane stands for, for reports
                            of how much of a gear is where; null: not told. No force depends on it */
-} netloft_flow;
+} netloft_law_tile;
 
 /* Quantities of a flow in which a law may be valid over a range only. */
-enum netloft_flow_quantity {
+enum netloft_law_quantity {
   NETLOFT_REYNOLDS = 0,        /* |flow| D/viscosity */
   NETLOFT_REYNOLDS_ACROSS = 1, /* the same of the flow across a twine */
   NETLOFT_REYNOLDS_IN_MESHES =
@@ -285,7 +285,7 @@ typedef struct netloft_law {
   uint32_t parameter_bytes;
   uint32_t parameter_count;
   const netloft_parameter* parameters;
-  int (*evaluate)(const void* parameters, const netloft_flow* flow);
+  int (*evaluate)(const void* parameters, const netloft_law_tile* flow);
   const netloft_validity* validity;
   uint32_t validity_count;
   uint32_t reserved;
@@ -304,7 +304,7 @@ typedef struct netloft_bound_law {
   uint32_t kind;
   uint32_t reserved;
   const void* parameters;
-  int (*evaluate)(const void* parameters, const netloft_flow* flow);
+  int (*evaluate)(const void* parameters, const netloft_law_tile* flow);
 } netloft_bound_law;
 
 /* ---------------------------------------------------------------- creation */
@@ -508,12 +508,12 @@ typedef struct netloft_variant {
   double current;     /* factor on the current, in [0, 1] */
 } netloft_variant;
 
-/* What a study knows of its scene, beside NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC. */
-enum netloft_study_trait {
-  NETLOFT_STUDY_REMEMBERS = 1 << 20,   /* elements remember (dry friction) */
-  NETLOFT_STUDY_FLOWS = 1 << 21,       /* there is a current */
-  NETLOFT_STUDY_COMPRESSION = 1 << 22, /* some stiffness of what is slack differs from zero */
-  NETLOFT_STUDY_MEMBERS =
+/* What a search knows of its scene, beside NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC. */
+enum netloft_search_trait {
+  NETLOFT_SEARCH_REMEMBERS = 1 << 20,   /* elements remember (dry friction) */
+  NETLOFT_SEARCH_FLOWS = 1 << 21,       /* there is a current */
+  NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of what is slack differs from zero */
+  NETLOFT_SEARCH_MEMBERS =
       1 << 23 /* `members` works: tension is borne by members, on nodes that move freely */
 };
 
@@ -550,7 +550,7 @@ typedef struct netloft_stage {
   const char* solver;     /* "ptc"; null: that of the analysis, with its parameters */
   const char* parameters; /* "method=classic,damping=1"; null: none but those */
   double tolerance;       /* largest residual over the largest load; 0: that of the analysis */
-  double work;            /* budget; 0: whatever the study has left */
+  double work;            /* budget; 0: whatever the search has left */
   double path;            /* most that nodes may move in all, over the gear's size; 0: any */
   uint32_t iterations;    /* limit; 0: that of the analysis */
   uint32_t reserved;
@@ -577,7 +577,7 @@ typedef struct netloft_members {
   uint32_t unknowns, dofs;      /* lengths of u, of a residual */
   uint32_t parts;               /* parts of the scene */
   uint32_t traits;              /* NETLOFT_SYMMETRIC: the tangent of the other forces is */
-  void* host;                   /* valid until the study is asked for anything else */
+  void* host;                   /* valid until the search is asked for anything else */
   const netloft_member* member; /* [count] */
   const uint32_t* part;         /* [count] part of the scene that a member belongs to */
   double largest_coordinate;    /* [m] at the start, for the worth of rounding */
@@ -606,11 +606,11 @@ typedef struct netloft_members {
 /* What a strategy sees: a scene and its easier variants, solved stage by stage within a budget of work. The
  * host counts, judges and keeps the statistics; a strategy never says of itself that it has converged.
  * Functions take `host` first and return NETLOFT_OK, or NETLOFT_ERROR with a sentence in `message`. */
-typedef struct netloft_study {
+typedef struct netloft_search {
   uint32_t size;
   uint32_t unknowns;
   uint32_t levels; /* meshes there may be, at least one; `size_of` says which there are */
-  uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC, netloft_study_trait */
+  uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC, netloft_search_trait */
   void* host;
   const double* start; /* displacements to start from, `unknowns` long; null: from the sketch */
   double gear_size;    /* largest distance of nodes at the start [m] */
@@ -633,28 +633,28 @@ typedef struct netloft_study {
   int (*assess)(void* host, netloft_stage* stage);
   /* r(u) = 0 of a variant, with stage.u as its u and within stage.work, for a strategy with a method of its
    * own. `problem->size` says how much room there is, and afterwards how much of it the host has filled. Ends
-   * with the next call of another function of the study; then `assess` tells what it is worth. */
+   * with the next call of another function of the search; then `assess` tells what it is worth. */
   int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
-  /* Likewise, where the study has NETLOFT_STUDY_MEMBERS. */
+  /* Likewise, where the search has NETLOFT_SEARCH_MEMBERS. */
   int (*members)(void* host, netloft_stage* stage, netloft_members* members);
   /* Budget that is left; never negative. Zero, also where the user interrupts: return. */
   double (*work_left)(void* host);
   /* An equilibrium of the scene itself. May be called again, for another shape; the host judges each and
    * chooses: converged before anything else, then the least energy where forces have one, then the first. */
   int (*answer)(void* host, const double* u);
-} netloft_study;
+} netloft_search;
 
 typedef struct netloft_strategy {
   uint32_t size;
-  uint32_t needs; /* traits of the study without which it cannot work */
+  uint32_t needs; /* traits of the search without which it cannot work */
   const char *name, *doc;
   uint32_t parameter_bytes;
   uint32_t parameter_count;
   const netloft_parameter* parameters;
   /* Returns NETLOFT_OK, whether or not there is an answer, or NETLOFT_ERROR with a sentence. */
-  int (*run)(const void* parameters, netloft_study* study);
+  int (*run)(const void* parameters, netloft_search* search);
   /* Writes what it would try, in which order and why, a line each, without solving anything. May be null. */
-  int (*explain)(const void* parameters, netloft_study* study, char* text, uint32_t text_size);
+  int (*explain)(const void* parameters, netloft_search* search, char* text, uint32_t text_size);
 } netloft_strategy;
 
 /* ---------------------------------------------------------------- the plugin */

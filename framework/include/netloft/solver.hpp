@@ -85,10 +85,10 @@ class Problem {
   Factor factorise_indefinite(Matrix matrix, double shift) {
     return checked_factor(p_.factorise(p_.host, static_cast<int>(matrix) | NETLOFT_INDEFINITE, shift));
   }
-  /// Factorises K + share (K₊ − K) + shift x metric, of the tangent K and its convex part K₊, both kept by
+  /// Factorises K + blend (K₊ − K) + shift x metric, of the tangent K and its convex part K₊, both kept by
   /// evaluations at the same point: as much of the convex part as is needed.
-  Factor factorise_between(double share, double shift) {
-    return checked_factor(p_.factorise_between(p_.host, share, shift));
+  Factor factorise_between(double blend, double shift) {
+    return checked_factor(p_.factorise_between(p_.host, blend, shift));
   }
   void solve(std::span<const double> rhs, std::span<double> x) {
     check(p_.solve(p_.host, rhs.data(), x.data()));

@@ -109,7 +109,7 @@ class Family {
   };
   using Whole = typename WholeOf<E>::type;
 
-  /// The law in a slot, in the order the slots were declared. Its arrays are those of netloft_flow.
+  /// The law in a slot, in the order the slots were declared. Its arrays are those of netloft_law_tile.
   const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
 
   std::vector<Parameters> parameters_;  // per part

@@ -2,14 +2,14 @@
 //
 // What the author of a strategy includes. A strategy is a struct with `Parameters` and one function,
 //
-//   static void run(const Parameters&, Study&);
+//   static void run(const Parameters&, Search&);
 //
 // that brings a scene to equilibrium with solvers: at once, over easier variants, from coarser meshes, from
-// elsewhere again. It hands every equilibrium of the scene itself to `study.answer`. The host counts the
+// elsewhere again. It hands every equilibrium of the scene itself to `search.answer`. The host counts the
 // work, judges every stage and chooses among the answers; a strategy has nothing to say about convergence.
 // With
 //
-//   static std::string explain(const Parameters&, Study&);
+//   static std::string explain(const Parameters&, Search&);
 //
 // it also says, before anything is solved, what it would try in which order and why, a line each.
 #pragma once
@@ -80,7 +80,7 @@ enum class Ending {
 
 /// A solver or a strategy and its parameters in one word, as a user writes it: "auto:restarts=0;slice=100".
 struct Specification {
-  std::string name, parameters;  // the latter as Ask::parameters and Study::call take them
+  std::string name, parameters;  // the latter as Ask::parameters and Search::call take them
 };
 
 inline Specification specification_of(const std::string& word) {
@@ -119,18 +119,18 @@ struct Stage {
 };
 
 /// A scene and its easier variants as a strategy sees them.
-class Study {
+class Search {
  public:
-  explicit Study(netloft_study& s) : s_(s) {}
+  explicit Search(netloft_search& s) : s_(s) {}
 
   std::size_t size(unsigned level = 0) const { return s_.size_of(s_.host, level); }
   unsigned levels() const { return s_.levels; }
   bool conservative() const { return s_.traits & NETLOFT_CONSERVATIVE; }
   bool symmetric() const { return s_.traits & NETLOFT_SYMMETRIC; }
-  bool remembers() const { return s_.traits & NETLOFT_STUDY_REMEMBERS; }
-  bool flows() const { return s_.traits & NETLOFT_STUDY_FLOWS; }
-  bool resists_compression() const { return s_.traits & NETLOFT_STUDY_COMPRESSION; }
-  bool has_members() const { return s_.traits & NETLOFT_STUDY_MEMBERS; }
+  bool remembers() const { return s_.traits & NETLOFT_SEARCH_REMEMBERS; }
+  bool flows() const { return s_.traits & NETLOFT_SEARCH_FLOWS; }
+  bool resists_compression() const { return s_.traits & NETLOFT_SEARCH_COMPRESSION; }
+  bool has_members() const { return s_.traits & NETLOFT_SEARCH_MEMBERS; }
   std::size_t members() const { return s_.member_count; }
   double gear_size() const { return s_.gear_size; }        // [m]
   double element_size() const { return s_.element_size; }  // [m]
@@ -246,27 +246,28 @@ class Study {
     if (status != NETLOFT_OK) throw std::runtime_error("");  // the host knows what went wrong
   }
 
-  netloft_study& s_;
+  netloft_search& s_;
 };
 
 namespace detail {
 template <class S>
-int run_strategy(const void* parameters, netloft_study* study) noexcept {
+int run_strategy(const void* parameters, netloft_search* search) noexcept {
   try {
-    Study s(*study);
+    Search s(*search);
     S::run(OwnParameters<S>::from(parameters), s);
     return NETLOFT_OK;
   } catch (const std::exception& e) {
-    if (study->message && e.what()[0]) std::snprintf(study->message, study->message_size, "%s", e.what());
+    if (search->message && e.what()[0]) std::snprintf(search->message, search->message_size, "%s", e.what());
   } catch (...) {
   }
   return NETLOFT_ERROR;
 }
 
 template <class S>
-int explain_strategy(const void* parameters, netloft_study* study, char* text, std::uint32_t size) noexcept {
+int explain_strategy(const void* parameters, netloft_search* search, char* text,
+                     std::uint32_t size) noexcept {
   try {
-    Study s(*study);
+    Search s(*search);
     const std::string words = S::explain(OwnParameters<S>::from(parameters), s);
     std::snprintf(text, size, "%s", words.c_str());
     return NETLOFT_OK;
@@ -276,7 +277,7 @@ int explain_strategy(const void* parameters, netloft_study* study, char* text, s
 }
 }  // namespace detail
 
-/// Describes one strategy to the host. `needs` are traits the study must have.
+/// Describes one strategy to the host. `needs` are traits the search must have.
 ///
 /// A text that is said to name a strategy or a solver takes a Specification; the host refuses one that is not
 /// there, or whose parameters are wrong, before anything is solved. To C it is a text whose `unit` is
@@ -319,7 +320,7 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
     s.parameter_count = static_cast<std::uint32_t>(rows_.size());
     s.parameters = rows_.data();
     s.run = &detail::run_strategy<S>;
-    if constexpr (requires(const typename S::Parameters& p, Study& study) { S::explain(p, study); })
+    if constexpr (requires(const typename S::Parameters& p, Search& search) { S::explain(p, search); })
       s.explain = &detail::explain_strategy<S>;
     return s;
   }

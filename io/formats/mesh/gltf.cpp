@@ -25,7 +25,7 @@ using Vector = std::array<double, 3>;
 // Numbers of glTF.
 constexpr int kPoints = 0, kLines = 1, kLineLoop = 2, kLineStrip = 3, kTriangles = 4;
 constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
-constexpr std::size_t kHeader = 12, kChunkHeader = 8, kDeepest = 64;
+constexpr std::size_t kGltfHeader = 12, kChunkHeader = 8, kDeepest = 64;
 
 /// Something that the file does not say as it should; the message goes to the user.
 struct Fault : std::runtime_error {
@@ -159,9 +159,9 @@ class GltfReader {
       document_ = Json::parse(bytes_);
       return;
     }
-    if (bytes_.size() < kHeader + kChunkHeader || word_at(bytes_, 4) != 2)
+    if (bytes_.size() < kGltfHeader + kChunkHeader || word_at(bytes_, 4) != 2)
       throw Fault("it is not of version 2");
-    std::size_t at = kHeader;
+    std::size_t at = kGltfHeader;
     document_ = Json::parse(chunk(at, "JSON"));
     if (at + kChunkHeader <= bytes_.size()) binary_ = chunk(at, std::string_view("BIN\0", 4));
   }

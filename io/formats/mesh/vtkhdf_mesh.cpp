@@ -16,7 +16,7 @@ namespace netloft::formats {
 
 namespace {
 
-const std::string kGrid = "/VTKHDF";
+const std::string kGridGroup = "/VTKHDF";
 
 /// Reads one file; members are steps in the order they happen. FileError says what HDF5 finds.
 class VtkHdfMesh {
@@ -26,52 +26,53 @@ class VtkHdfMesh {
 
   InputMesh read() {
     require_grid();
-    is_transient_ = reader_.has(kGrid + "/Steps");
+    is_transient_ = reader_.has(kGridGroup + "/Steps");
     states_ = is_transient_ ? reader_.times().size() : 1;
     if (states_ == 0) throw FileError("it has no state");
     for (const double x : points()) builder_.add_coordinate(in_range(x), place_);
     read_cells();
     read_arrays();
-    if (!reader_.has(kGrid + "/CellData/region") && reader_.has("/netloft/parts/name")) take_parts();
+    if (!reader_.has(kGridGroup + "/CellData/region") && reader_.has("/netloft/parts/name")) take_parts();
     if (builder_.errors() == 0) add_vtk_cells(cells_, place_, builder_);
     return builder_.finish(place_);
   }
 
  private:
   void require_grid() {
-    if (!reader_.is_group(kGrid)) throw FileError("it has no group VTKHDF: it is not a file of VTKHDF");
+    if (!reader_.is_group(kGridGroup)) throw FileError("it has no group VTKHDF: it is not a file of VTKHDF");
     const std::string type =
-        reader_.has_attribute(kGrid, "Type") ? reader_.text_attribute(kGrid, "Type") : "";
+        reader_.has_attribute(kGridGroup, "Type") ? reader_.text_attribute(kGridGroup, "Type") : "";
     if (type != "UnstructuredGrid")
       throw FileError("its data set is " + in_quotes(type) + ", and an UnstructuredGrid is read");
     for (const char* count : {"/NumberOfPoints", "/NumberOfCells"})
-      if (const auto pieces = reader_.integers(kGrid + count);
-          !reader_.has(kGrid + "/Steps") && pieces.size() != 1)
+      if (const auto pieces = reader_.integers(kGridGroup + count);
+          !reader_.has(kGridGroup + "/Steps") && pieces.size() != 1)
         throw FileError("it is in " + std::to_string(pieces.size()) +
                         " pieces, and one of a single piece is read");
   }
 
   /// The numbers of the last state.
   std::vector<double> points() const {
-    return is_transient_ ? reader_.points(states_ - 1) : reader_.reals(kGrid + "/Points");
+    return is_transient_ ? reader_.points(states_ - 1) : reader_.reals(kGridGroup + "/Points");
   }
   std::vector<double> array(const std::string& name) const {
     return is_transient_ ? reader_.field(Location::kCell, name, states_ - 1)
-                         : reader_.reals(kGrid + "/CellData/" + name);
+                         : reader_.reals(kGridGroup + "/CellData/" + name);
   }
 
   double in_range(double x) {
     if (std::abs(x) <= kFarthest) return x;
     if (builder_.goes_on())
-      builder_.error(place_, kGrid + "/Points: " + spell_number(x) + " is no number below a million");
+      builder_.error(place_, kGridGroup + "/Points: " + spell_number(x) + " is no number below a million");
     return 0;
   }
 
   /// Grids that change their cells from state to state are read as the first has them.
   void read_cells() {
-    const auto counts = reader_.integers(kGrid + "/NumberOfPoints");
-    const auto connectivity = reader_.integers(kGrid + "/Connectivity"),
-               offsets = reader_.integers(kGrid + "/Offsets"), types = reader_.integers(kGrid + "/Types");
+    const auto counts = reader_.integers(kGridGroup + "/NumberOfPoints");
+    const auto connectivity = reader_.integers(kGridGroup + "/Connectivity"),
+               offsets = reader_.integers(kGridGroup + "/Offsets"),
+               types = reader_.integers(kGridGroup + "/Types");
     const auto known = std::min<std::int64_t>(counts.empty() ? 0 : counts[0],
                                               static_cast<std::int64_t>(points().size() / 3));
     if (types.size() > kMostElements || connectivity.size() > 8 * kMostElements)
@@ -101,7 +102,7 @@ class VtkHdfMesh {
                                            {"panel_corners", 6},
                                            {"shares", 2},
                                            {"twines", 2}}) {
-      const std::string path = kGrid + "/CellData/" + name;
+      const std::string path = kGridGroup + "/CellData/" + name;
       if (!reader_.has(path)) continue;
       const auto shape = reader_.shape(path);
       if ((shape.size() < 2 ? 1 : shape[1]) != components ||
@@ -110,8 +111,8 @@ class VtkHdfMesh {
                         std::to_string(cells_.types.size()) + " cells");
       cells_.arrays[name] = {components, array(name)};
     }
-    if (reader_.has(kGrid + "/FieldData/region_names"))
-      cells_.names = reader_.strings(kGrid + "/FieldData/region_names");
+    if (reader_.has(kGridGroup + "/FieldData/region_names"))
+      cells_.names = reader_.strings(kGridGroup + "/FieldData/region_names");
   }
 
   /// Of a result of Netloft: regions are its parts. Netting without a place on a panel, bars of several
@@ -136,7 +137,7 @@ class VtkHdfMesh {
   }
 
   std::vector<double> field(const std::string& name, double otherwise) const {
-    auto values = reader_.has(kGrid + "/CellData/" + name) ? array(name) : std::vector<double>();
+    auto values = reader_.has(kGridGroup + "/CellData/" + name) ? array(name) : std::vector<double>();
     values.resize(cells_.types.size(), otherwise);
     return values;
   }

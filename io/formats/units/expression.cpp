@@ -24,9 +24,9 @@ Unit product(Unit a, const Unit& b) {
   return {std::move(a.dimension), a.scale * b.scale, 0};
 }
 
-class Reader {
+class ExpressionReader {
  public:
-  Reader(const UnitSystem& system, std::string_view text) : system_(system), rest_(text) {}
+  ExpressionReader(const UnitSystem& system, std::string_view text) : system_(system), rest_(text) {}
 
   ParsedUnit read() {
     std::optional<Unit> unit = read_product(0);
@@ -100,6 +100,8 @@ class Reader {
 
 }  // namespace
 
-ParsedUnit parse_unit(const UnitSystem& system, std::string_view text) { return Reader(system, text).read(); }
+ParsedUnit parse_unit(const UnitSystem& system, std::string_view text) {
+  return ExpressionReader(system, text).read();
+}
 
 }  // namespace netloft::formats

@@ -3,7 +3,7 @@
 
 #include "io/formats/svg/svg.hpp"
 #include "io/formats/units/degrees.hpp"
-#include "io/gears/drawing/layout.hpp"
+#include "io/gears/drawing/plan_layout.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/names.hpp"
 

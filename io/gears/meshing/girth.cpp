@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/girth.hpp"
 
-#include "io/gears/meshing/node_graph.hpp"
+#include "io/gears/meshing/knot_graph.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace netloft::gears {
 namespace {
 
 const double kTowedHalfAngle = std::numbers::pi / 8;  // β of (1), (2): an opening of 0.38
-constexpr double kRope = 1e-4;                        // weight of a bar against a side of a triangle
+constexpr double kRopeWeight = 1e-4;                  // weight of a bar against a side of a triangle
 
 bool is_lateral(EdgeKind kind) { return kind == EdgeKind::outer || kind == EdgeKind::inner; }
 
@@ -125,8 +125,8 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   }
   for (const auto& rope : mesh.ropes)
     for (std::size_t i = 1; i < rope.nodes.size(); ++i) {
-      aft.push_back({rope.nodes[i - 1], rope.nodes[i], 0, kRope});
-      around.push_back({rope.nodes[i - 1], rope.nodes[i], 0, kRope});
+      aft.push_back({rope.nodes[i - 1], rope.nodes[i], 0, kRopeWeight});
+      around.push_back({rope.nodes[i - 1], rope.nodes[i], 0, kRopeWeight});
     }
   aft_ = by_gains(mesh.nodes, aft, start);
   around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);

@@ -2,7 +2,7 @@
 #include "io/gears/meshing/start_shape.hpp"
 
 #include "io/gears/meshing/girth.hpp"
-#include "io/gears/meshing/node_graph.hpp"
+#include "io/gears/meshing/knot_graph.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/plan/plan.hpp"
+#include "io/gears/plan/net_plan.hpp"
 
 namespace netloft::gears {
 

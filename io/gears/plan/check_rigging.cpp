@@ -15,7 +15,7 @@ namespace netloft::gears {
 namespace {
 
 /// The edges in a row on one side of a join, counted over the whole gear.
-struct Row {
+struct EdgeRow {
   std::string name;      // "bottom-wing.side + bottom-body.side"
   double meshes = 0;     // to port and to starboard
   double stretched = 0;  // [m]
@@ -24,9 +24,9 @@ struct Row {
   bool is_side = false, is_one_mesh_size = true, is_sound = true;
 };
 
-Row read_row(const NetPlan& plan, const std::vector<std::string>& names, const formats::Place& place,
-             const std::string& path, formats::Diagnostics& diagnostics) {
-  Row row;
+EdgeRow read_edge_row(const NetPlan& plan, const std::vector<std::string>& names, const formats::Place& place,
+                      const std::string& path, formats::Diagnostics& diagnostics) {
+  EdgeRow row;
   for (const auto& name : names) {
     const EdgeSet set = find_edge(plan, name, place, path, diagnostics);
     if (set.edges.empty()) {
@@ -49,16 +49,16 @@ Row read_row(const NetPlan& plan, const std::vector<std::string>& names, const f
 
 /// Joins are compared by mesh counts if possible; a join with a side edge, or of edges with other meshes, by
 /// length.
-bool is_counted(const Row& a, const Row& b) {
+bool is_counted(const EdgeRow& a, const EdgeRow& b) {
   if (a.is_side != b.is_side) return false;
   return !a.is_side || (a.is_one_mesh_size && b.is_one_mesh_size && a.mesh == b.mesh);
 }
 
-void say_mismatch(const Join& join, const std::string& path, const Row& a, const Row& b, double ratio,
+void say_mismatch(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b, double ratio,
                   const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const int times = a.times == b.times ? a.times : 1;
   const bool counted = is_counted(a, b);
-  const auto measure = [&](const Row& row) {
+  const auto measure = [&](const EdgeRow& row) {
     return counted ? in_meshes(row.meshes / times) + " meshes"
                    : in_metres(row.stretched / times) + " m of twine";
   };
@@ -74,7 +74,7 @@ void say_mismatch(const Join& join, const std::string& path, const Row& a, const
     diagnostics.warning(join.places[1], message, cure);
 }
 
-void check_match(const Join& join, const std::string& path, const Row& a, const Row& b,
+void check_match(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b,
                  const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const bool counted = is_counted(a, b);
   const double first = counted ? a.meshes : a.stretched, second = counted ? b.meshes : b.stretched;
@@ -87,7 +87,7 @@ void check_match(const Join& join, const std::string& path, const Row& a, const 
 }
 
 /// Warns about edges sewn mesh to mesh whose mesh sizes differ so much that the wider meshes can hardly open.
-void check_widths(const Join& join, const std::string& path, const Row& a, const Row& b,
+void check_widths(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b,
                   const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double narrow = std::min(a.stretched, b.stretched), wide = std::max(a.stretched, b.stretched);
   if (!is_counted(a, b) || narrow <= 0 || narrow >= limits.bunching * wide) return;
@@ -124,7 +124,7 @@ class Ledger {
 };
 
 /// An edge that is sewn to itself must exist to port and to starboard.
-void check_sewn_to_itself(const Join& join, const std::string& path, const Row& row,
+void check_sewn_to_itself(const Join& join, const std::string& path, const EdgeRow& row,
                           formats::Diagnostics& diagnostics) {
   if (row.times != 2)
     diagnostics.error(join.places[1],
@@ -305,8 +305,9 @@ void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
   for (std::size_t i = 0; i < plan.joins.size(); ++i) {
     const Join& join = plan.joins[i];
     const std::string path = indexed("join", i);
-    const Row a = read_row(plan, join.edges[0], join.places[0], path, diagnostics);
-    const Row b = join.is_to_itself() ? a : read_row(plan, join.edges[1], join.places[1], path, diagnostics);
+    const EdgeRow a = read_edge_row(plan, join.edges[0], join.places[0], path, diagnostics);
+    const EdgeRow b =
+        join.is_to_itself() ? a : read_edge_row(plan, join.edges[1], join.places[1], path, diagnostics);
     for (std::size_t k = 0; k < (join.is_to_itself() ? 1 : 2); ++k)
       for (const auto& edge : join.edges[k])
         sewn.enter(find_edge(plan, edge, {}, "", silent), join.places[k], path, diagnostics);

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/formats/toml/table_reader.hpp"
 #include "io/gears/catalogue/catalogue.hpp"
-#include "io/gears/plan/plan.hpp"
+#include "io/gears/plan/net_plan.hpp"
 
 namespace netloft::gears {
 

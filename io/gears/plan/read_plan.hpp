@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/gears/catalogue/catalogue.hpp"
-#include "io/gears/plan/plan.hpp"
+#include "io/gears/plan/net_plan.hpp"
 
 #include <filesystem>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/pictures/picture/colour_map.hpp"
-#include "io/pictures/picture/projection.hpp"
+#include "io/pictures/picture/view_projection.hpp"
 #include "io/results/file/body_plates.hpp"
 #include "io/results/file/catch_body.hpp"
 #include "io/results/file/field_scale.hpp"

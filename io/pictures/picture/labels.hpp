@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/pictures/picture/projection.hpp"
+#include "io/pictures/picture/view_projection.hpp"
 
 #include <vector>
 

@@ -10,7 +10,7 @@ namespace netloft::pictures {
 namespace {
 
 using Rgb = Palette::Rgb;
-constexpr std::size_t kMost = 256;
+constexpr std::size_t kMostColours = 256;
 
 /// A colour of the picture, and how many pixels have it.
 struct Counted {
@@ -73,7 +73,7 @@ Rgb mean_of(Box box) {
 
 std::vector<Box> divide(std::vector<Counted>& colours) {
   std::vector<std::pair<double, Box>> boxes{{worth(colours), colours}};
-  while (boxes.size() < kMost) {
+  while (boxes.size() < kMostColours) {
     const auto most = std::max_element(boxes.begin(), boxes.end(),
                                        [](const auto& a, const auto& b) { return a.first < b.first; });
     if (most->first <= 0) break;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pictures/picture/png.hpp"
 
-#include "io/pictures/picture/bytes.hpp"
+#include "io/pictures/picture/base64.hpp"
 #include "io/pictures/picture/palette.hpp"
 
 #include <zlib.h>

@@ -2,11 +2,11 @@
 #include "io/pictures/picture/sheet.hpp"
 
 #include "io/formats/svg/svg.hpp"
-#include "io/pictures/picture/bytes.hpp"
+#include "io/pictures/picture/base64.hpp"
+#include "io/pictures/picture/drawn_text.hpp"
 #include "io/pictures/picture/gear_painter.hpp"
-#include "io/pictures/picture/layout.hpp"
 #include "io/pictures/picture/png.hpp"
-#include "io/pictures/picture/text.hpp"
+#include "io/pictures/picture/sheet_layout.hpp"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@ namespace netloft::pictures {
 
 namespace {
 
-constexpr std::size_t kMost = 9;
+constexpr std::size_t kMostKeyFigures = 9;
 
 /// A figure and what people call it.
 struct KeyFigure {
@@ -46,7 +46,7 @@ std::vector<KeyFigure> key_figures_of(const results::StoredResult& result) {
       keys.push_back({words, figure});
   add_group(result, "rigging", "tension_start", "{} pull", keys);
   for (const auto& scalar : result.scalars) keys.push_back({spoken(scalar.name), &scalar});
-  if (keys.size() > kMost) keys.resize(kMost);
+  if (keys.size() > kMostKeyFigures) keys.resize(kMostKeyFigures);
   return keys;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pictures/view/packed_array.hpp"
 
-#include "io/pictures/picture/bytes.hpp"
+#include "io/pictures/picture/base64.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "io/pictures/view/result_json.hpp"
 
 #include "io/pictures/picture/colour_map.hpp"
-#include "io/pictures/picture/projection.hpp"
+#include "io/pictures/picture/view_projection.hpp"
 #include "io/pictures/view/ground_json.hpp"
 #include "io/pictures/view/packed_array.hpp"
 #include "io/pictures/view/sweep.hpp"

@@ -79,18 +79,19 @@ void add_show_action(CLI::App& study, Options& o) {
 void add_estimate_action(CLI::App& study, Options& o) {
   auto* estimate = add_action_in_folder(
       study, o, "estimate", "say figures between the points that were computed, with their errors");
-  as_words(estimate->add_option(
-               "--at", o.study.at,
-               "the place: every variable; those that are drawn all, or none for medians and bands over the "
-               "draws; may be repeated, or with commas between"),
-           "NAME=VALUE")
+  as_words(
+      estimate->add_option(
+          "--at", o.study.at,
+          "the place: every variable; those that are sampled all, or none for medians and bands over the "
+          "samples; may be repeated, or with commas between"),
+      "NAME=VALUE")
       ->required();
   as_words(estimate->add_option("--figure", o.study.figures, kFigureDoc), "NAME");
 }
 
-void add_sensitivity_action(CLI::App& study, Options& o) {
+void add_sobol_action(CLI::App& study, Options& o) {
   auto* action = add_action_in_folder(
-      study, o, "sensitivity", "say which variables figures follow from: Sobol indices, with their errors");
+      study, o, "sobol", "say which variables figures follow from: Sobol indices, with their errors");
   as_words(action->add_option("--figure", o.study.figures, kFigureDoc), "NAME");
   as_words(
       action->add_option("--at", o.study.at,
@@ -111,7 +112,7 @@ void add_study_command(CLI::App& app, Options& o) {
   add_action_in_folder(*study, o, "collect", "put the results of all items into one table");
   add_show_action(*study, o);
   add_estimate_action(*study, o);
-  add_sensitivity_action(*study, o);
+  add_sobol_action(*study, o);
 }
 
 void add_calibrate_command(CLI::App& app, Options& o) {

@@ -4,7 +4,7 @@
 #include <netloft/interpolation.hpp>
 #include <netloft/parameters.hpp>
 
-#include "framework/parameters/parameters.hpp"
+#include "framework/parameters/parameter_values.hpp"
 #include "io/formats/svg/plot.hpp"
 #include "io/formats/toml/document.hpp"
 #include "io/formats/units/degrees.hpp"

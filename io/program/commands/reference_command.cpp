@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/files/whole_file.hpp"
-#include "io/program/commands/page.hpp"
+#include "io/program/commands/reference_page.hpp"
 #include "io/program/session/commands.hpp"
 #include "io/program/session/components.hpp"
 #include "io/scenes/reading/keys.hpp"

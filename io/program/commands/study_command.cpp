@@ -10,7 +10,7 @@
 #include "io/studies/sweep/check_study.hpp"
 #include "io/studies/sweep/engine_script.hpp"
 #include "io/studies/sweep/estimate.hpp"
-#include "io/studies/sweep/sensitivity.hpp"
+#include "io/studies/sweep/figure_indices.hpp"
 #include "io/studies/sweep/study_plots.hpp"
 #include "io/studies/sweep/study_table.hpp"
 
@@ -56,7 +56,7 @@ void check_size(const studies::StudyFile& file, formats::Diagnostics& diagnostic
     diagnostics.error(
         {0, 0, 0},
         fmt::format("the design has {:.3g} points; {:.3g} are the most", points, studies::kMostPoints),
-        "fewer values, fewer draws, or combine = \"list\"");
+        "fewer values, fewer samples, or combine = \"list\"");
 }
 
 /// Makes the folder, the manifest last: who reads it finds the rest.
@@ -263,13 +263,13 @@ int estimate_study(const Options& o) {
   return kDone;
 }
 
-// ---- sensitivity
+// ---- sobol
 
 /// A picture is for a page.
 constexpr std::size_t kMostBarGroups = 12;
 
-void write_bars(const Options& o, const studies::StudySensitivity& found) {
-  const formats::BarChart bars = studies::sensitivity_bars(found);
+void write_bars(const Options& o, const studies::StudyIndices& found) {
+  const formats::BarChart bars = studies::indices_bars(found);
   if (bars.groups.empty()) throw UsageError{"-o " + o.output + ": there is nothing to draw"};
   if (bars.groups.size() > kMostBarGroups)
     throw UsageError{
@@ -278,16 +278,16 @@ void write_bars(const Options& o, const studies::StudySensitivity& found) {
   formats::write_whole(o.output, formats::draw_svg(bars));
 }
 
-int analyse_sensitivity(const Options& o) {
+int print_indices(const Options& o) {
   Terminal terminal(o.color, o.json);
   const studies::Study study = read_study(o.target);
   if (!o.output.empty() && fs::path(o.output).extension() != ".svg")
     throw UsageError{"-o " + o.output + ": bars are drawn as .svg"};
   formats::Diagnostics diagnostics;
-  std::optional<studies::StudySensitivity> found;
+  std::optional<studies::StudyIndices> found;
   try {
-    found = studies::sensitivity(studies::collect_table(study, o.target), {o.study.at, o.study.figures},
-                                 diagnostics);
+    found = studies::study_indices(studies::collect_table(study, o.target), {o.study.at, o.study.figures},
+                                   diagnostics);
   } catch (const studies::StudyError& e) {
     throw UsageError{e.what()};
   }
@@ -295,9 +295,8 @@ int analyse_sensitivity(const Options& o) {
   if (!o.output.empty()) write_bars(o, *found);
   if (const std::string changed = what_changed(study, o.target); !changed.empty())
     terminal.say("netloft: " + changed + "; indices are of what was planned");
-  std::puts(
-      (o.json ? studies::sensitivity_json(study.name, *found) : studies::sensitivity_text(study.name, *found))
-          .c_str());
+  std::puts((o.json ? studies::indices_json(study.name, *found) : studies::indices_text(study.name, *found))
+                .c_str());
   return kDone;
 }
 
@@ -309,7 +308,7 @@ int study_command(const Options& o) {
   if (o.study.action == "missing") return list_missing(o);
   if (o.study.action == "show") return show_study(o);
   if (o.study.action == "estimate") return estimate_study(o);
-  if (o.study.action == "sensitivity") return analyse_sensitivity(o);
+  if (o.study.action == "sobol") return print_indices(o);
   if (o.study.action == "submit") return write_script(o);
   return collect_study(o);
 }

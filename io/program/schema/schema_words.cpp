@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/schema/schema_words.hpp"
 
-#include "framework/parameters/parameters.hpp"
+#include "framework/parameters/parameter_values.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/session/components.hpp"
 
-#include "framework/parameters/parameters.hpp"
-#include "framework/scene/plan.hpp"
+#include "framework/parameters/parameter_values.hpp"
+#include "framework/scene/scene_plan.hpp"
 #include "io/results/figures/law_range.hpp"
 #include "io/scenes/reading/analysis.hpp"
 #include "io/scenes/reading/geometry.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/program/session/commands.hpp"
 #include "io/program/session/terminal.hpp"
-#include "io/results/text/text.hpp"
+#include "io/results/text/run_text.hpp"
 #include "io/runs/case.hpp"
 
 namespace netloft::program {
@@ -18,7 +18,7 @@ class Session {
 
   runs::Case& the_case() { return case_; }
   scenes::LoadedScene& loaded() { return case_.loaded(); }
-  const Plan& plan() const { return case_.plan(); }
+  const ScenePlan& plan() const { return case_.plan(); }
   Assembler& assembler() { return case_.assembler(); }
   Registry& registry() { return registry_; }
   Terminal& terminal() { return terminal_; }

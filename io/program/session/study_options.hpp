@@ -7,7 +7,7 @@ namespace netloft::program {
 
 /// Options of the command `study` alone.
 struct StudyCommandOptions {
-  std::string action;                    // plan, run, missing, submit, collect, show, estimate, sensitivity
+  std::string action;                    // plan, run, missing, submit, collect, show, estimate, sobol
   std::string items;                     // --items 1-10,15
   std::string engine;                    // --engine parallel, slurm
   std::vector<std::string> figures, at;  // --figure, --at NAME=VALUE

@@ -2,12 +2,12 @@
 #include "io/results/diff/result_summary.hpp"
 
 #include "io/formats/hdf5/read.hpp"
+#include "io/results/file/groups.hpp"
 
 namespace netloft::results {
 
 namespace {
 
-const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/";
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
 /// Reads one file; each member function reads one group of it.

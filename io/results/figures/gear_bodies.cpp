@@ -11,7 +11,7 @@ namespace netloft::results {
 
 namespace {
 
-void add_place(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+void add_place(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                std::size_t b, const std::string& own, std::vector<Figure>& figures) {
   const RigidBody& body = loaded.scene.bodies[b];
   const auto psi = assembler.rotation(b, answer.x);
@@ -29,7 +29,7 @@ void add_place(const scenes::LoadedScene& loaded, const Assembler& assembler, co
 }
 
 /// What its own element says of itself: the attack of a board. A doubt is a warning, not a figure.
-void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                  std::size_t b, const std::string& own, std::vector<Figure>& figures) {
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
     const ElementFamily& family = *assembler.families()[f];
@@ -76,7 +76,7 @@ std::string source_of(const scenes::LoadedScene& loaded, const Assembler& assemb
   return reads_ground || rests_on_ground(assembler, force.part) ? "ground" : part.name;
 }
 
-void add_budget(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+void add_budget(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                 std::size_t b, std::vector<Figure>& figures) {
   const RigidBody& body = loaded.scene.bodies[b];
   std::vector<std::pair<std::string, Vector>> sums;
@@ -97,7 +97,7 @@ void add_budget(const scenes::LoadedScene& loaded, const Assembler& assembler, c
 
 }  // namespace
 
-void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                       std::vector<Figure>& figures) {
   for (std::size_t b = 0; b < loaded.scene.bodies.size(); ++b) {
     const std::string own = "bodies/" + loaded.scene.bodies[b].name + "/";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/figures/answer.hpp"
+#include "io/results/figures/response.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
 namespace netloft::results {
@@ -32,6 +32,6 @@ struct Figure {
 /// Figures of parts that the gear does not have are left out. A scene without a net plan has those of its
 /// rigid bodies alone: where their origins are, and their attitude by netloft/attitude.hpp.
 std::vector<Figure> find_gear_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                      const Answer& answer);
+                                      const Response& answer);
 
 }  // namespace netloft::results

@@ -78,7 +78,7 @@ Vector whole_of(const Vector& modelled, double times) {
 }
 
 std::vector<Figure> find_gear_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                      const Answer& answer) {
+                                      const Response& answer) {
   std::vector<Figure> figures;
   add_body_figures(loaded, assembler, answer, figures);
   if (!loaded.gear) return figures;

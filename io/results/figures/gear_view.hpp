@@ -14,13 +14,13 @@ using Vector = Vec3<double>;
 /// Access to an answer by the names of the gear: positions along a rope, outputs of a panel.
 class GearView {
  public:
-  GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer)
+  GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer)
       : loaded_(loaded), assembler_(assembler), answer_(answer) {}
 
   const scenes::LoadedScene& loaded() const { return loaded_; }
   const scenes::GearInScene& gear() const { return *loaded_.gear; }
   const Assembler& assembler() const { return assembler_; }
-  const Answer& answer() const { return answer_; }
+  const Response& answer() const { return answer_; }
   double times() const { return gear().times; }
   bool is_half() const { return gear().times == 2; }
 
@@ -55,7 +55,7 @@ class GearView {
 
   const scenes::LoadedScene& loaded_;
   const Assembler& assembler_;
-  const Answer& answer_;
+  const Response& answer_;
 };
 
 /// The value for the whole gear from a sum over the modelled half or whole.
@@ -70,7 +70,7 @@ void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);
 /// Of any scene with rigid bodies, whether or not a net plan is in it.
-void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Answer& answer,
+void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                       std::vector<Figure>& figures);
 
 }  // namespace netloft::results

@@ -16,7 +16,7 @@ namespace {
 
 /// The largest tension of each part of a scene [N]; 0 where its elements have none.
 std::vector<double> largest_tensions(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                     const Answer& answer) {
+                                     const Response& answer) {
   std::vector<double> largest(loaded.scene.parts.size(), 0.0);
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
     const ElementFamily& family = *assembler.families()[f];
@@ -31,7 +31,7 @@ std::vector<double> largest_tensions(const scenes::LoadedScene& loaded, const As
 }  // namespace
 
 std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                           const Answer& answer) {
+                                           const Response& answer) {
   std::vector<std::string> warnings;
   const auto largest = largest_tensions(loaded, assembler, answer);
   for (std::size_t p = 0; p < largest.size(); ++p) {
@@ -45,7 +45,7 @@ std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, co
 }
 
 std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                        const Answer& answer) {
+                                        const Response& answer) {
   std::vector<std::string> warnings;
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
     const ElementFamily& family = *assembler.families()[f];

@@ -21,7 +21,7 @@ RopeTensions RopeTensions::turned_round() const {
 }
 
 std::vector<RopeTensions> find_rope_tensions(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                             const Answer& answer) {
+                                             const Response& answer) {
   std::vector<RopeTensions> all;
   if (!loaded.gear) return all;
   const GearView gear(loaded, assembler, answer);

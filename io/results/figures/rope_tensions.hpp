@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/figures/answer.hpp"
+#include "io/results/figures/response.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
 namespace netloft::results {
@@ -18,6 +18,6 @@ struct RopeTensions {
 
 /// None if the scene has no gear.
 std::vector<RopeTensions> find_rope_tensions(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                             const Answer& answer);
+                                             const Response& answer);
 
 }  // namespace netloft::results

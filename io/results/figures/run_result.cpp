@@ -84,7 +84,7 @@ std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& 
   const Kinematics motion = at_rest(there);
   if (there.x.empty() || !assembler.evaluate(there.x, {.residual = there.residual.data(), .motion = motion}))
     return {};
-  const Answer answer = ask_elements(loaded.scene, assembler, there.x, motion);
+  const Response answer = ask_elements(loaded.scene, assembler, there.x, motion);
   return Numbers{collect_scalars(loaded, assembler, there, answer.outputs),
                  collect_gear(loaded, assembler, answer)};
 }
@@ -176,7 +176,7 @@ const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const st
 }
 
 std::vector<NamedScalar> collect_gear(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                      const Answer& answer) {
+                                      const Response& answer) {
   std::vector<NamedScalar> gear;
   for (auto& figure : find_gear_figures(loaded, assembler, answer))
     gear.push_back({figure.name, figure.unit, figure.doc, figure.value});
@@ -184,7 +184,7 @@ std::vector<NamedScalar> collect_gear(const scenes::LoadedScene& loaded, const A
 }
 
 void collect(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult& result) {
-  Answer answer = ask_elements(loaded.scene, assembler, result.solution.x, at_rest(result.solution));
+  Response answer = ask_elements(loaded.scene, assembler, result.solution.x, at_rest(result.solution));
   result.scalars = collect_scalars(loaded, assembler, result.solution, answer.outputs);
   result.gear = collect_gear(loaded, assembler, answer);
   result.ropes = find_rope_tensions(loaded, assembler, answer);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/judging/verdict.hpp"
-#include "framework/scene/plan.hpp"
-#include "io/results/figures/answer.hpp"
+#include "framework/scene/scene_plan.hpp"
+#include "io/results/figures/response.hpp"
 #include "io/results/figures/rope_tensions.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
@@ -67,7 +67,7 @@ struct RunResult {
 
 /// The figures of a scene's gear at an answer, without errors; none if it has no net plan.
 std::vector<NamedScalar> collect_gear(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                      const Answer& answer);
+                                      const Response& answer);
 
 /// Sums, outputs and named scalars at the solution's last point, with the solver's errors.
 void collect(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult& result);

@@ -2,7 +2,7 @@
 #pragma once
 #include "framework/assembler/assembler.hpp"
 #include "io/formats/hdf5/vtkhdf.hpp"
-#include "io/results/figures/answer.hpp"
+#include "io/results/figures/response.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
 #include <optional>

@@ -11,17 +11,17 @@ namespace netloft::results {
 namespace {
 
 /// Own number -> node, of every part.
-using Numbers = std::map<std::uint32_t, std::uint32_t>;
+using PartNumbers = std::map<std::uint32_t, std::uint32_t>;
 
-std::vector<Numbers> numbers_of(const StoredResult& result) {
-  std::vector<Numbers> all(result.parts.size());
+std::vector<PartNumbers> numbers_of(const StoredResult& result) {
+  std::vector<PartNumbers> all(result.parts.size());
   for (std::uint32_t n = 0; n < result.mesh.n_points; ++n)
     all[result.mesh.node_part[n]].emplace(result.mesh.node_number[n], n);
   return all;
 }
 
-std::vector<Numbers> numbers_of(const scenes::LoadedScene& loaded) {
-  std::vector<Numbers> all(loaded.scene.parts.size());
+std::vector<PartNumbers> numbers_of(const scenes::LoadedScene& loaded) {
+  std::vector<PartNumbers> all(loaded.scene.parts.size());
   for (std::uint32_t n = 0; n < loaded.scene.node_count(); ++n) {
     const NodeLabel label = loaded.scene.labels[n];
     all[label.part].emplace(label.id, n);
@@ -29,7 +29,7 @@ std::vector<Numbers> numbers_of(const scenes::LoadedScene& loaded) {
   return all;
 }
 
-bool are_alike(const Numbers& a, const Numbers& b) {
+bool are_alike(const PartNumbers& a, const PartNumbers& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const auto& p, const auto& q) { return p.first == q.first; });
 }
@@ -90,7 +90,7 @@ class Carrier {
   }
   bool is_divided(std::size_t part) const { return is_rope(part) || !loaded_.parts[part].panel.empty(); }
 
-  void copy(const Numbers& there, const Numbers& here, const std::vector<double>& x) {
+  void copy(const PartNumbers& there, const PartNumbers& here, const std::vector<double>& x) {
     for (auto from = there.begin(), to = here.begin(); to != here.end(); ++from, ++to)
       std::copy_n(x.begin() + 3 * std::ptrdiff_t{from->second}, 3,
                   positions_.begin() + 3 * std::ptrdiff_t{to->second});

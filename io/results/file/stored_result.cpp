@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/stored_result.hpp"
+
+#include "io/results/file/groups.hpp"
 #include "io/results/file/no_number.hpp"
 
 #include <algorithm>
@@ -11,8 +13,6 @@ namespace netloft::results {
 
 namespace {
 
-const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/",
-                  kSwing = "/netloft/swing/";
 constexpr std::ptrdiff_t kDeepest = 16;  // of groups within groups: one that holds itself has no end
 StoredPart nameless_part() {
   StoredPart part;

@@ -103,7 +103,7 @@ nlohmann::ordered_json start_json(const StartBalance& s) {
 
 }  // namespace
 
-std::string motion_text(const scenes::LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
+std::string motion_text(const scenes::LoadedScene& loaded, const ScenePlan& plan, const MotionResult& r) {
   std::string text;
   const auto out = std::back_inserter(text);
   const Statistics& b = r.march.statistics;
@@ -128,7 +128,7 @@ std::string motion_text(const scenes::LoadedScene& loaded, const Plan& plan, con
   return text;
 }
 
-std::string motion_json(const scenes::LoadedScene& loaded, const Plan& plan, const MotionResult& r) {
+std::string motion_json(const scenes::LoadedScene& loaded, const ScenePlan& plan, const MotionResult& r) {
   using Json = nlohmann::ordered_json;
   const Statistics& b = r.march.statistics;
   Json results = Json::object(), units = Json::object(), energies = Json::object();

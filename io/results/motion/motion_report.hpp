@@ -5,8 +5,8 @@
 namespace netloft::results {
 
 /// The result of a motion, for people and for programs (one JSON object).
-std::string motion_text(const scenes::LoadedScene& loaded, const Plan& plan, const MotionResult& result);
-std::string motion_json(const scenes::LoadedScene& loaded, const Plan& plan, const MotionResult& result);
+std::string motion_text(const scenes::LoadedScene& loaded, const ScenePlan& plan, const MotionResult& result);
+std::string motion_json(const scenes::LoadedScene& loaded, const ScenePlan& plan, const MotionResult& result);
 
 /// Simulated time divided by wall time: above 1 the simulation is faster than real time.
 double real_time_factor(const MotionResult& result);

@@ -209,7 +209,7 @@ class MotionRun {
     Solution solution;
     solution.x.assign(at.x.begin(), at.x.end());
     solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
-    const Answer& answer = answer_at(at.forces, solution.x);
+    const Response& answer = answer_at(at.forces, solution.x);
     formats::SeriesState state;
     layout_.changing.clear();
     layout_.columns.clear();
@@ -235,7 +235,7 @@ class MotionRun {
 
   /// What elements say where forces are known, which is the same for all outputs within a step, and positions
   /// of the output.
-  const Answer& answer_at(const ForceMoment& forces, std::span<const double> x) {
+  const Response& answer_at(const ForceMoment& forces, std::span<const double> x) {
     if (!answered_at_ || *answered_at_ != forces.t) {
       answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion, has_figures());
       answered_at_ = forces.t;
@@ -291,7 +291,7 @@ class MotionRun {
   }
 
   /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
-  void add_gear(const Snapshot& at, const Answer& answer, formats::SeriesState& state) {
+  void add_gear(const Snapshot& at, const Response& answer, formats::SeriesState& state) {
     result_.gear = collect_gear(loaded_, case_.assembler(), answer);
     add_warp_figures(loaded_, case_.assembler(), at, result_.gear);
     if (!gear_columns_)
@@ -363,7 +363,7 @@ class MotionRun {
   std::optional<OutputFields> fields_;
   formats::SeriesLayout layout_;
   std::optional<std::vector<formats::SeriesColumn>> gear_columns_;  // known from the first output on
-  Answer answer_;                                                   // of answered_at_ [s]
+  Response answer_;                                                 // of answered_at_ [s]
   std::optional<double> answered_at_;
   std::optional<MarchState> from_;
   std::optional<formats::SeriesJournal> journal_;

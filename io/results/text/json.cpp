@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/text/gear_json.hpp"
+#include "io/results/text/run_text.hpp"
 #include "io/results/text/spread.hpp"
 #include "io/results/text/swing.hpp"
-#include "io/results/text/text.hpp"
 
 namespace netloft::results {
 
@@ -31,7 +31,7 @@ Json family_json(const Scene& scene, const FamilyPlan& family) {
           {"globals", globals}};
 }
 
-Json terms_json(const Scene& scene, const Plan& plan) {
+Json terms_json(const Scene& scene, const ScenePlan& plan) {
   Json families = Json::array();
   for (const auto& family : plan.families) families.push_back(family_json(scene, family));
   return families;
@@ -125,7 +125,7 @@ double judging_seconds(const Statistics& s) { return s.total_cpu_seconds - s.sol
 
 }  // namespace
 
-std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& extras) {
+std::string plan_json(const Scene& scene, const ScenePlan& plan, const PlanExtras& extras) {
   return dump({{"scene", scene.name},
                {"families", terms_json(scene, plan)},
                {"not_loaded", plan.not_loaded},
@@ -148,7 +148,7 @@ std::string plan_json(const Scene& scene, const Plan& plan, const PlanExtras& ex
                {"threads", {{"given", extras.threads_given}, {"used", extras.threads_used}}}});
 }
 
-std::string run_json(const scenes::LoadedScene& loaded, const Plan& plan, const RunResult& r) {
+std::string run_json(const scenes::LoadedScene& loaded, const ScenePlan& plan, const RunResult& r) {
   const Solution& s = r.solution;
   return dump({{"scene", loaded.scene.name},
                {"status", name_of(s.status)},

@@ -2,7 +2,7 @@
 #include "io/scenes/import/scene_draft.hpp"
 
 #include "io/formats/units/degrees.hpp"
-#include "io/scenes/import/motion.hpp"
+#include "io/scenes/import/imported_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

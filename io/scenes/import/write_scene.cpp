@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/units/degrees.hpp"
-#include "io/scenes/import/motion.hpp"
+#include "io/scenes/import/imported_motion.hpp"
 #include "io/scenes/import/scene_draft.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/analysis.hpp"
 
-#include "framework/study/named_component.hpp"
+#include "framework/search/named_component.hpp"
 #include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/keys.hpp"
 #include "io/scenes/reading/parameter_reader.hpp"

@@ -54,10 +54,10 @@ ParameterTable<DynamicsKeys> make_table() {
   return t;
 }
 
-constexpr formats::Range kTimes{-1e9, 1e9, false, false};
+constexpr formats::Range kTimeRange{-1e9, 1e9, false, false};
 
 std::vector<double> read_times(formats::TableReader& table) {
-  const auto t = table.reals("t", {.unit = "s", .doc = "times", .range = kTimes, .count = {.least = 1}});
+  const auto t = table.reals("t", {.unit = "s", .doc = "times", .range = kTimeRange, .count = {.least = 1}});
   for (std::size_t i = 1; i < t.size(); ++i)
     if (!(t[i] > t[i - 1])) {
       table.error("t", "does not ascend: each time must be later than the one before");

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/formats/toml/table_reader.hpp"
 #include "io/gears/meshing/start_shape.hpp"
-#include "io/gears/plan/plan.hpp"
+#include "io/gears/plan/net_plan.hpp"
 
 #include <optional>
 #include <string>

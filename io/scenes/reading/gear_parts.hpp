@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/gears/meshing/start_shape.hpp"
-#include "io/gears/plan/plan.hpp"
-#include "io/scenes/reading/bodies.hpp"
+#include "io/gears/plan/net_plan.hpp"
 #include "io/scenes/reading/draft.hpp"
 #include "io/scenes/reading/plan_elements.hpp"
+#include "io/scenes/reading/read_bodies.hpp"
 
 #include <optional>
 #include <set>

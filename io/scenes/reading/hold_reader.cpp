@@ -2,7 +2,7 @@
 #include "io/scenes/reading/hold_reader.hpp"
 
 #include "io/formats/units/in_quotes.hpp"
-#include "io/scenes/reading/bodies.hpp"
+#include "io/scenes/reading/read_bodies.hpp"
 #include "io/scenes/reading/tow.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "io/scenes/reading/inventory.hpp"
 
 #include "io/formats/units/units.hpp"
-#include "io/gears/drawing/layout.hpp"
+#include "io/gears/drawing/plan_layout.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -32,7 +32,7 @@ std::span<const netloft_parameter> water_keys() {
 std::span<const netloft_parameter> wave_keys() {
   static const auto table = [] {
     ParameterTable<WaveKeys> t;
-    t.choice("spectrum", &WaveKeys::spectrum, "regular: one wave; jonswap: a sea drawn from that spectrum",
+    t.choice("spectrum", &WaveKeys::spectrum, "regular: one wave; jonswap: a sea of that spectrum",
              {"regular", "jonswap"});
     t.real("height", &WaveKeys::height, "m", "from trough to crest; of a spectrum, the significant height",
            {.lo = 1e-9, .hi = 40});
@@ -53,8 +53,8 @@ std::span<const netloft_parameter> wave_keys() {
     t.real("peakedness", &WaveKeys::peakedness, "1",
            "of the spectrum, its gamma; 1 is that of Pierson and Moskowitz",
            {.lo = 1, .hi = 10, .fallback = 3.3});
-    t.integer("components", &WaveKeys::components, "waves that a spectrum is drawn as", 1, 2000, 100);
-    t.integer("seed", &WaveKeys::seed, "draws another sea of the same spectrum", 0, 4294967295, 1);
+    t.integer("components", &WaveKeys::components, "waves that a spectrum is made of", 1, 2000, 100);
+    t.integer("seed", &WaveKeys::seed, "another one is another sea of the same spectrum", 0, 4294967295, 1);
     return t;
   }();
   return table.rows();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/balance/static_problem.hpp"
-#include "framework/scene/plan.hpp"
 #include "framework/scene/scene.hpp"
+#include "framework/scene/scene_plan.hpp"
 #include "io/formats/toml/document.hpp"
 #include "io/scenes/reading/dynamics.hpp"
 

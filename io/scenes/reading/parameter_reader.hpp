@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/parameters/parameters.hpp"
+#include "framework/parameters/parameter_values.hpp"
 #include "io/formats/toml/table_reader.hpp"
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/scenes/reading/bodies.hpp"
+#include "io/scenes/reading/read_bodies.hpp"
 #include "io/scenes/reading/scene_reading.hpp"
 
 namespace netloft::scenes {

@@ -4,15 +4,15 @@
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
 #include "io/scenes/reading/analysis.hpp"
-#include "io/scenes/reading/bodies.hpp"
 #include "io/scenes/reading/catalogue_parts.hpp"
 #include "io/scenes/reading/hold_reader.hpp"
 #include "io/scenes/reading/join_reader.hpp"
 #include "io/scenes/reading/part_reader.hpp"
+#include "io/scenes/reading/read_bodies.hpp"
+#include "io/scenes/reading/read_winches.hpp"
 #include "io/scenes/reading/result_reader.hpp"
 #include "io/scenes/reading/rider_reader.hpp"
 #include "io/scenes/reading/scene_checks.hpp"
-#include "io/scenes/reading/winches.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -4,7 +4,7 @@
 #include "framework/scene/pairs.hpp"
 #include "io/scenes/reading/keys.hpp"
 #include "io/scenes/reading/part_reader.hpp"
-#include "io/scenes/reading/riders.hpp"
+#include "io/scenes/reading/standing_riders.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/scene/course.hpp"
-#include "io/gears/plan/plan.hpp"
+#include "io/gears/plan/net_plan.hpp"
 
 namespace netloft::scenes {
 

@@ -2,7 +2,7 @@
 #include "io/scenes/reading/tow.hpp"
 
 #include "framework/registry/descriptors.hpp"
-#include "framework/scene/plan.hpp"
+#include "framework/scene/scene_plan.hpp"
 #include "io/scenes/reading/keys.hpp"
 #include "io/scenes/reading/parameter_reader.hpp"
 

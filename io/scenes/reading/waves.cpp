@@ -55,7 +55,7 @@ void check_depth(double k, double depth, bool is_own, formats::TableReader& wave
 AiryWaves::Sea sea_of(const WaveKeys& keys, double depth) {
   AiryWaves::Sea sea{{}, keys.direction, depth, keys.ramp, keys.stretching == 0};
   if (is_drawn(keys))
-    sea.components = draw({keys.height, keys.period, keys.peakedness, keys.components, keys.seed});
+    sea.components = sample({keys.height, keys.period, keys.peakedness, keys.components, keys.seed});
   else
     sea.components = {{keys.height / 2, 2 * std::numbers::pi / keys.period, keys.phase}};
   return sea;

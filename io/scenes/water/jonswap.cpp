@@ -43,7 +43,7 @@ double Jonswap::shape(double ratio, double peakedness) {
          std::pow(peakedness, std::exp(-0.5 * off * off));  // (1)
 }
 
-std::vector<AiryWaves::Component> draw(const Jonswap& spectrum) {
+std::vector<AiryWaves::Component> sample(const Jonswap& spectrum) {
   const auto sums = energy_below(spectrum.peakedness);
   const auto count = static_cast<double>(spectrum.components);
   const double amplitude = spectrum.height / std::sqrt(8 * count);  // Σ a²/2 = H_s²/16, (2)

@@ -22,8 +22,8 @@ struct Jonswap {
 };
 
 /// Waves of equal energy: (1) between 0.4 and 5 f_p, but for 0.2 % of its energy all of it, is cut into as
-/// many bands, each one wave of a frequency drawn in it, so that the sea does not repeat, and of any phase.
-/// Drawn by a generator of our own: a seed is the same sea on every machine. (2) holds as it stands.
-std::vector<AiryWaves::Component> draw(const Jonswap& spectrum);
+/// many bands, each one wave of a random frequency in it, so that the sea does not repeat, and of any phase.
+/// Sampled by a generator of our own: a seed is the same sea on every machine. (2) holds as it stands.
+std::vector<AiryWaves::Component> sample(const Jonswap& spectrum);
 
 }  // namespace netloft::scenes

@@ -13,10 +13,10 @@ namespace netloft::studies {
 namespace {
 
 /// Opens one scene after the other.
-class Inspection {
+class CalibrationInspection {
  public:
-  Inspection(const CalibrationFile& file, const std::filesystem::path& folder, Registry& registry,
-             formats::Diagnostics& diagnostics, const std::function<void(double)>& on_budget)
+  CalibrationInspection(const CalibrationFile& file, const std::filesystem::path& folder, Registry& registry,
+                        formats::Diagnostics& diagnostics, const std::function<void(double)>& on_budget)
       : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics), on_budget_(on_budget) {
     checked_.measured.resize(file.measured.size());
     checked_.units.resize(file.measured.size());
@@ -118,7 +118,7 @@ class Inspection {
 CheckedCalibration check_calibration(const CalibrationFile& file, const std::filesystem::path& folder,
                                      Registry& registry, formats::Diagnostics& diagnostics,
                                      const std::function<void(double)>& on_budget) {
-  return Inspection(file, folder, registry, diagnostics, on_budget).inspect();
+  return CalibrationInspection(file, folder, registry, diagnostics, on_budget).inspect();
 }
 
 }  // namespace netloft::studies

@@ -18,7 +18,7 @@ namespace {
 // kSame times the size of the gear, or kDoubt times the uncertainty of both answers.
 constexpr double kSame = 1e-6, kDoubt = 10;
 
-double size_of(const Scene& scene) {
+double diagonal_of(const Scene& scene) {
   double square = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = scene.positions[axis], high = low;
@@ -72,7 +72,7 @@ class Comparing {
     out_.mesh = mesh_of(own_.loaded());
     out_.unknowns = own_.plan().unknowns;
     out_.repeats = task_.repeats;
-    out_.size = size_of(own_.loaded().scene);
+    out_.size = diagonal_of(own_.loaded().scene);
     out_.is_of_motions = task_.is_of_motions;
   }
 

@@ -3,7 +3,7 @@
 #include "io/studies/compare/division.hpp"
 #include "io/studies/compare/places.hpp"
 #include "io/studies/compare/richardson.hpp"
-#include "io/studies/compare/trial.hpp"
+#include "io/studies/compare/timed_trial.hpp"
 
 namespace netloft::studies {
 

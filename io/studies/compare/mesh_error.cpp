@@ -13,7 +13,7 @@ namespace netloft::studies {
 namespace {
 
 /// Sets the errors of numbers; adds a sentence for every end of a rope where there is none.
-void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, Numbers numbers,
+void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, NumberGroup numbers,
            std::vector<results::NamedScalar>& judged, std::string& note) {
   for (auto& scalar : judged) {
     const Trend trend = find_trend_of(scalar.name, numbers, meshes, own);

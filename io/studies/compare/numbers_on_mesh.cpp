@@ -40,7 +40,7 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSo
   return numbers_of(one, result);
 }
 
-Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<NumbersOnMesh>& meshes,
+Trend find_trend_of(const std::string& name, NumberGroup numbers, const std::vector<NumbersOnMesh>& meshes,
                     std::size_t asked) {
   std::vector<double> values, widths;
   for (const auto& mesh : meshes) {

@@ -23,7 +23,7 @@ struct NumbersOnMesh {
 NumbersOnMesh numbers_of(const runs::Case& solved, const results::RunResult& result);
 
 /// Selects one of the two lists of numbers.
-using Numbers = std::vector<results::NamedScalar> NumbersOnMesh::*;
+using NumberGroup = std::vector<results::NamedScalar> NumbersOnMesh::*;
 
 /// Solves a scene on another mesh. Returns nothing unless forces balance there, `why_not` then says why. An
 /// equilibrium that is not stable will do: its figures go with the mesh like those of a stable one.
@@ -32,7 +32,7 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSo
 
 /// The limit of a number on finer and finer meshes, and its distance from that limit on mesh `asked`. Unknown
 /// if the number is missing on some mesh.
-Trend find_trend_of(const std::string& name, Numbers numbers, const std::vector<NumbersOnMesh>& meshes,
+Trend find_trend_of(const std::string& name, NumberGroup numbers, const std::vector<NumbersOnMesh>& meshes,
                     std::size_t asked);
 
 }  // namespace netloft::studies

@@ -2,7 +2,7 @@
 #include "io/studies/compare/polish.hpp"
 
 #include "framework/judging/correction.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 
 #include <algorithm>
 #include <cmath>

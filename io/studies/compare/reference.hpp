@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/studies/compare/polish.hpp"
-#include "io/studies/compare/trial.hpp"
+#include "io/studies/compare/timed_trial.hpp"
 
 namespace netloft::studies {
 

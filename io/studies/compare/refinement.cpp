@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kResults = "results/", kGear = "gear/";
 constexpr double kRoundOff = 1e-12;  // relative to the value: a smaller difference counts as no change
 
-void add_trends(const Refinement& refinement, std::string_view group, Numbers numbers,
+void add_trends(const Refinement& refinement, std::string_view group, NumberGroup numbers,
                 std::vector<RefinedNumber>& all) {
   const auto& meshes = refinement.meshes;
   for (const auto& finest : meshes.back().*numbers) {

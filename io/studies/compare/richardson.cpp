@@ -8,7 +8,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoOrder = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastOrder = 0.5, kMostOrder = 2.5, kSteady = 0.5, kHighestOrder = 20;
 constexpr double kSafety = 1.25;        // of (4)
 constexpr double kSafetyOfScatter = 2;  // of (5)
@@ -55,8 +55,8 @@ void observe(Trend& trend, const std::vector<double>& values, const std::vector<
 double observed_order(double coarse_difference, double fine_difference, double h3, double h2, double h1) {
   const double wanted = coarse_difference / fine_difference;
   double low = 1e-6, high = kHighestOrder;
-  if (!(coarse_difference > 0 && fine_difference > 0) || !std::isfinite(wanted)) return kNone;
-  if (wanted <= ratio_of(low, h3, h2, h1) || wanted >= ratio_of(high, h3, h2, h1)) return kNone;
+  if (!(coarse_difference > 0 && fine_difference > 0) || !std::isfinite(wanted)) return kNoOrder;
+  if (wanted <= ratio_of(low, h3, h2, h1) || wanted >= ratio_of(high, h3, h2, h1)) return kNoOrder;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
     (ratio_of(middle, h3, h2, h1) < wanted ? low : high) = middle;

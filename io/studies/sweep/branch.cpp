@@ -65,7 +65,7 @@ std::string name_of(const Solved& solved, const Move& move) {
 }
 
 /// Largest distance between coordinates of a scene as it is sketched [m].
-double size_of(const Scene& scene) {
+double extent_of(const Scene& scene) {
   double size = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = scene.positions[axis], high = low;
@@ -108,7 +108,7 @@ Reached Branch::reach(std::shared_ptr<runs::Case> the_case, const Values& values
 
 /// The last point, and the one before it if both lead to the next; else one before on the tangent. What the
 /// same variable moved in the row of points before would cost no tangent, and leads worse: on the 83-112 at
-/// sea with 300 nodes, 16 draws, points took 4.9 factorisations on average instead of 4.2 to 4.6.
+/// sea with 300 nodes, 16 samples, points took 4.9 factorisations on average instead of 4.2 to 4.6.
 Branch::Way Branch::known_places(const Values& values) {
   if (trail_.size() == 2)
     if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)
@@ -187,7 +187,7 @@ bool Branch::may_have_jumped(const Way& way, std::size_t place) const {
 }
 
 bool Branch::is_noticed(double distance, const runs::Case& of) const {
-  return distance > options_.noticed * size_of(of.loaded().scene);
+  return distance > options_.noticed * extent_of(of.loaded().scene);
 }
 
 /// The scene a part t of the way from one point to another, and its values.

@@ -23,10 +23,10 @@ std::vector<VariableValue> tried(const Variable& variable) {
 std::string path_of(const std::string& word) { return word.substr(0, word.find('=')); }
 
 /// Opens one scene after the other.
-class Inspection {
+class StudyInspection {
  public:
-  Inspection(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
-             formats::Diagnostics& diagnostics)
+  StudyInspection(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
+                  formats::Diagnostics& diagnostics)
       : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics) {
     for (std::size_t v = 0; v < file.variables.size(); ++v) {
       if (!file.variables[v].is_sound) continue;
@@ -123,7 +123,7 @@ class Inspection {
 
 CheckedScenes check_scenes(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
                            formats::Diagnostics& diagnostics) {
-  return Inspection(file, folder, registry, diagnostics).inspect();
+  return StudyInspection(file, folder, registry, diagnostics).inspect();
 }
 
 }  // namespace netloft::studies

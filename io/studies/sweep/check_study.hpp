@@ -13,7 +13,7 @@ struct CheckedScenes {
 };
 
 /// Reads the scene with every value of every variable once, the other variables at their first value, those
-/// that are drawn at both ends. What is wrong is shown in the study file: at the variable that is to blame,
+/// that are sampled at both ends. What is wrong is shown in the study file: at the variable that is to blame,
 /// or at `scene`. Figures that the scene does not report are an error, too. Variables that were not read
 /// without errors are left out, and so are, once they are reported, those that are to blame for a scene that
 /// cannot be read: what else is wrong is reported with them.

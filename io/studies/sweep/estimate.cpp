@@ -3,8 +3,8 @@
 
 #include "framework/parameters/nearest.hpp"
 #include "io/studies/sweep/site.hpp"
-#include "io/studies/sweep/statistics.hpp"
 #include "io/studies/sweep/study_plots.hpp"
+#include "io/studies/sweep/study_statistics.hpp"
 #include "solvers/fitting/kriging/hull.hpp"
 #include "solvers/fitting/kriging/kriging.hpp"
 
@@ -28,7 +28,7 @@ using Numbers = std::vector<double>;
 /// The values of one figure where all that count are known: a row per point, coordinates from zero to one.
 struct Known {
   std::vector<Numbers> points;
-  std::vector<Numbers> samples;  // at each; one number, or one for every draw
+  std::vector<Numbers> samples;  // at each; one number, or one for every sample
 };
 
 double squared_distance(const Numbers& a, const Numbers& b) {
@@ -40,7 +40,7 @@ double squared_distance(const Numbers& a, const Numbers& b) {
 /// Estimates one number at a place, with the error (1).
 class NumberEstimate {
  public:
-  /// Of the coordinates the first `listed` are of variables with listed values; the others are drawn.
+  /// Of the coordinates the first `listed` are of variables with listed values; the others are sampled.
   NumberEstimate(const std::vector<Numbers>& points, const Numbers& values, const Numbers& place,
                  std::size_t listed, const KrigingScales* scales = nullptr)
       : points_(points), place_(place), listed_(listed), kriging_(points, values, scales) {}
@@ -54,7 +54,7 @@ class NumberEstimate {
         worst = std::max(worst, error_without(points_with(j, j + 1, {level})));
       left_out += worst;
     }
-    left_out += error_without_draws();
+    left_out += error_without_samples();
     return {found.value,
             std::max({2 * found.deviation, left_out, kSolveError * std::abs(found.value)})};  // (1)
   }
@@ -62,11 +62,11 @@ class NumberEstimate {
  private:
   using Group = std::vector<std::size_t>;  // places of points
 
-  double error_without_draws() const {
-    const std::size_t drawn = place_.size() - listed_;
+  double error_without_samples() const {
+    const std::size_t sampled = place_.size() - listed_;
     double worst = 0;
-    for (const Numbers& draw : nearest_draws(drawn ? drawn + 1 : 0))
-      worst = std::max(worst, error_without(points_with(listed_, place_.size(), draw)));
+    for (const Numbers& sample : nearest_samples(sampled ? sampled + 1 : 0))
+      worst = std::max(worst, error_without(points_with(listed_, place_.size(), sample)));
     return worst;
   }
 
@@ -83,16 +83,16 @@ class NumberEstimate {
     return inner;
   }
 
-  std::vector<Numbers> nearest_draws(std::size_t most) const {
+  std::vector<Numbers> nearest_samples(std::size_t most) const {
     std::set<Numbers> all;
     for (const Numbers& point : points_) all.insert(coordinates(point, listed_, point.size()));
-    std::vector<Numbers> draws(all.begin(), all.end());
+    std::vector<Numbers> samples(all.begin(), all.end());
     const Numbers here = coordinates(place_, listed_, place_.size());
-    std::stable_sort(draws.begin(), draws.end(), [&](const Numbers& a, const Numbers& b) {
+    std::stable_sort(samples.begin(), samples.end(), [&](const Numbers& a, const Numbers& b) {
       return squared_distance(a, here) < squared_distance(b, here);
     });
-    draws.resize(std::min(draws.size(), most));
-    return draws;
+    samples.resize(std::min(samples.size(), most));
+    return samples;
   }
 
   static Numbers coordinates(const Numbers& point, std::size_t from, std::size_t to) {
@@ -146,14 +146,14 @@ class Estimator {
   }
 
  private:
-  /// Variables that are asked for between their values; those that are drawn last.
+  /// Variables that are asked for between their values; those that are sampled last.
   void find_free() {
-    for (const bool drawn : {false, true})
+    for (const bool sampled : {false, true})
       for (std::size_t v = 0; v < site_.size(); ++v)
-        if (table_.columns[v].is_drawn == drawn && site_[v] && table_.columns[v].is_number &&
-            (drawn || !is_level(v))) {
+        if (table_.columns[v].is_sampled == sampled && site_[v] && table_.columns[v].is_number &&
+            (sampled || !is_level(v))) {
           free_.push_back(v);
-          listed_ += !drawn;
+          listed_ += !sampled;
         }
     for (const std::size_t v : free_) {
       const Numbers levels = levels_of(table_, v);
@@ -164,9 +164,9 @@ class Estimator {
       neighbours_.push_back(
           {(around.low - lows_.back()) / extents_.back(), (around.high - lows_.back()) / extents_.back()});
     }
-    is_over_draws_ = std::any_of(table_.columns.begin(), table_.columns.end(),
-                                 [](const StudyColumn& c) { return c.is_drawn; }) &&
-                     listed_ == free_.size();
+    is_over_samples_ = std::any_of(table_.columns.begin(), table_.columns.end(),
+                                   [](const StudyColumn& c) { return c.is_sampled; }) &&
+                       listed_ == free_.size();
   }
 
   bool is_level(std::size_t v) const {
@@ -176,16 +176,16 @@ class Estimator {
   }
 
   void choose_rows() {
-    std::set<std::size_t> draws;
+    std::set<std::size_t> samples;
     for (const StudyRow& row : table_.rows) {
       if (!counts(row)) continue;
       if (row.record.status == "converged") {
         rows_.push_back(&row);
-        draws.insert(row.draw);
+        samples.insert(row.sample);
       } else
         result_.left_out.push_back({row.item, row.point, row.record.status, row.record.reason});
     }
-    if (is_over_draws_) result_.draws = draws.size();
+    if (is_over_samples_) result_.samples = samples.size();
     if (!rows_.empty()) return;
     if (result_.left_out.empty()) throw StudyError("the study has no point with these values together");
     const LeftOutRow& first = result_.left_out.front();
@@ -237,27 +237,27 @@ class Estimator {
     figure.why_not = why_not(known);
     if (!figure.why_not.empty()) return figure;
     if (!lies_in_hull(known.points, place_)) result_.is_extrapolated = true;
-    if (is_over_draws_)
-      estimate_over_draws(f, known, figure);
+    if (is_over_samples_)
+      estimate_over_samples(f, known, figure);
     else
       figure.value = estimate_number(known, nullptr);
     return figure;
   }
 
-  void estimate_over_draws(std::size_t f, const Known& known, EstimatedFigure& figure) const {
+  void estimate_over_samples(std::size_t f, const Known& known, EstimatedFigure& figure) const {
     const auto scales = scales_of(known);
     Numbers found, low, high;
-    for (const auto& [draw, rows] : rows_by_draw()) {
-      const Known of_draw = known_of(f, rows);
-      if (!why_too_few(of_draw).empty()) continue;
-      const WithError number = estimate_number(of_draw, scales ? &*scales : nullptr);
+    for (const auto& [sample, rows] : rows_by_sample()) {
+      const Known of_sample = known_of(f, rows);
+      if (!why_too_few(of_sample).empty()) continue;
+      const WithError number = estimate_number(of_sample, scales ? &*scales : nullptr);
       found.push_back(number.value);
       low.push_back(number.value - number.error);
       high.push_back(number.value + number.error);
     }
-    figure.draws = found.size();
+    figure.samples = found.size();
     if (found.empty()) {
-      figure.why_not = "no draw has this figure at three values of every variable";
+      figure.why_not = "no sample has this figure at three values of every variable";
       return;
     }
     const auto at = [&](double p) {
@@ -269,13 +269,13 @@ class Estimator {
     figure.high = at(kBandHigh);
   }
 
-  std::map<std::size_t, std::vector<const StudyRow*>> rows_by_draw() const {
+  std::map<std::size_t, std::vector<const StudyRow*>> rows_by_sample() const {
     std::map<std::size_t, std::vector<const StudyRow*>> rows;
-    for (const StudyRow* row : rows_) rows[row->draw].push_back(row);
+    for (const StudyRow* row : rows_) rows[row->sample].push_back(row);
     return rows;
   }
 
-  /// Lengths of correlation of the medians over the draws.
+  /// Lengths of correlation of the medians over the samples.
   std::optional<KrigingScales> scales_of(const Known& known) const {
     if (free_.empty()) return std::nullopt;
     return Kriging(known.points, medians_of(known)).scales();
@@ -288,10 +288,10 @@ class Estimator {
   }
 
   std::string why_not(const Known& known) const {
-    const std::size_t drawn = free_.size() - listed_;
-    if (!known.points.empty() && drawn && count_draws() < drawn + 3)
-      return fmt::format("{} draws are too few for {} drawn variable{}", count_draws(), drawn,
-                         drawn > 1 ? "s" : "");
+    const std::size_t sampled = free_.size() - listed_;
+    if (!known.points.empty() && sampled && count_samples() < sampled + 3)
+      return fmt::format("{} samples are too few for {} sampled variable{}", count_samples(), sampled,
+                         sampled > 1 ? "s" : "");
     return why_too_few(known);
   }
 
@@ -308,10 +308,10 @@ class Estimator {
     return {};
   }
 
-  std::size_t count_draws() const {
-    std::set<std::size_t> draws;
-    for (const StudyRow* row : rows_) draws.insert(row->draw);
-    return draws.size();
+  std::size_t count_samples() const {
+    std::set<std::size_t> samples;
+    for (const StudyRow* row : rows_) samples.insert(row->sample);
+    return samples.size();
   }
 
   WithError estimate_number(const Known& known, const KrigingScales* scales) const {
@@ -354,7 +354,7 @@ class Estimator {
   std::size_t listed_ = 0;            // of free_, the first ones
   Numbers lows_, extents_, place_;    // of free_; the place in coordinates from zero to one
   std::vector<Interval> neighbours_;  // in coordinates, of the listed ones
-  bool is_over_draws_ = false;
+  bool is_over_samples_ = false;
   std::vector<const StudyRow*> rows_;
   StudyEstimate result_;
 };

@@ -9,7 +9,7 @@ namespace netloft::studies {
 /// Where figures are asked for.
 struct EstimateRequest {
   /// "speed=2.7 kn", or several with commas between: every variable with listed values, and of those that are
-  /// drawn all or none.
+  /// sampled all or none.
   std::vector<std::string> at;
   std::vector<std::string> figures;  // empty: all but those of single parts
 };
@@ -22,10 +22,10 @@ struct WithError {
 /// A figure at the place asked for.
 struct EstimatedFigure {
   std::string name, unit;
-  WithError value;                     // over draws: their median
-  std::optional<WithError> low, high;  // over draws: the ends of the band of study_plots.hpp
+  WithError value;                     // over samples: their median
+  std::optional<WithError> low, high;  // over samples: the ends of the band of study_plots.hpp
   std::size_t points = 0;              // it follows from so many
-  std::size_t draws = 0;               // over so many
+  std::size_t samples = 0;             // over so many
   std::string why_not;                 // there is no estimate
 };
 
@@ -38,7 +38,7 @@ struct LeftOutRow {
 /// What a table says of a place between its points.
 struct StudyEstimate {
   std::vector<std::pair<std::string, std::string>> at;  // variables and their values
-  std::size_t draws = 0;                                // over so many; 0: one place
+  std::size_t samples = 0;                              // over so many; 0: one place
   bool is_extrapolated = false;                         // it lies beyond the points that have an equilibrium
   std::vector<EstimatedFigure> figures;
   std::vector<LeftOutRow> left_out;
@@ -51,15 +51,15 @@ struct StudyEstimate {
 ///   max(2 s, Σ_v max_G |y_G − y_{−G}|, 10⁻⁹ |y|)                                                    (1)
 /// s the deviation of kriging; y_G the figures of a level G of variable v, and y_{−G} what all other points
 /// say of them, where they are nearest to the place. Levels are the two values of v that are nearest to the
-/// place and neither its first nor its last; of the drawn variables together, the draws nearest to it, one
-/// more than there are variables. Errors along variables add up, as those of a product of interpolations do.
-/// 10⁻⁹ is what solves converge to.
+/// place and neither its first nor its last; of the sampled variables together, the samples nearest to it,
+/// one more than there are variables. Errors along variables add up, as those of a product of interpolations
+/// do. 10⁻⁹ is what solves converge to.
 ///
-/// Over draws, each draw is estimated at the place, y_d ± e_d, with the lengths of correlation of the medians
-/// at all points; the median and the ends of the band are quantiles Q of these, so that they are in order,
-/// with the error
+/// Over samples, each sample is estimated at the place, y_d ± e_d, with the lengths of correlation of the
+/// medians at all points; the median and the ends of the band are quantiles Q of these, so that they are in
+/// order, with the error
 ///   max(Q(y + e) − Q(y), Q(y) − Q(y − e))                                                         (2)
-/// which is as large as errors of e_d can make it. A draw with fewer than three points along a variable is
+/// which is as large as errors of e_d can make it. A sample with fewer than three points along a variable is
 /// left out.
 ///
 /// What is wrong with the request goes to `diagnostics`, and then there is no estimate: variables that are

@@ -36,13 +36,13 @@ void head_text(const std::string& study, const StudyEstimate& e, Out out) {
   fmt::format_to(out, "{} at", study);
   for (std::size_t v = 0; v < e.at.size(); ++v)
     fmt::format_to(out, "{} {} {}", v ? "," : "", e.at[v].first, e.at[v].second);
-  if (e.draws) fmt::format_to(out, "{} over {} draws", e.at.empty() ? "" : ",", e.draws);
+  if (e.samples) fmt::format_to(out, "{} over {} samples", e.at.empty() ? "" : ",", e.samples);
   fmt::format_to(out, "\n");
 }
 
 void figures_text(const StudyEstimate& e, Out out) {
-  fmt::format_to(out, "  {:<40} {:>23}", "figure", e.draws ? "median" : "");
-  if (e.draws) fmt::format_to(out, " {:>21} % {:>21} %", 100 * kBandLow, 100 * kBandHigh);
+  fmt::format_to(out, "  {:<40} {:>23}", "figure", e.samples ? "median" : "");
+  if (e.samples) fmt::format_to(out, " {:>21} % {:>21} %", 100 * kBandLow, 100 * kBandHigh);
   fmt::format_to(out, "  unit\n");
   for (const EstimatedFigure& figure : e.figures) {
     if (!figure.why_not.empty()) {
@@ -72,7 +72,7 @@ Json figure_json(const EstimatedFigure& figure) {
   Json json = number_json(figure.value);
   json["unit"] = figure.unit;
   json["points"] = figure.points;
-  if (figure.draws) json["draws"] = figure.draws;
+  if (figure.samples) json["samples"] = figure.samples;
   if (figure.low) {
     json["low"] = number_json(*figure.low);
     json["high"] = number_json(*figure.high);
@@ -105,7 +105,7 @@ std::string estimate_json(const std::string& study, const StudyEstimate& e) {
         {{"item", row.item}, {"point", row.point}, {"status", row.status}, {"reason", row.reason}});
   const Json json = {{"study", study},
                      {"at", std::move(at)},
-                     {"draws", e.draws},
+                     {"samples", e.samples},
                      {"extrapolated", e.is_extrapolated},
                      {"figures", std::move(figures)},
                      {"events", e.events},

@@ -25,8 +25,8 @@ Json column_json(const StudyColumn& column) {
   Json keys = Json::array();
   for (const FollowingKey& key : column.variable.keys)
     keys.push_back({{"key", key.path}, {"factor", key.factor}, {"offset", key.offset}});
-  return {{"name", column.variable.name}, {"unit", column.variable.unit}, {"is_number", column.is_number},
-          {"in_path", column.is_in_path}, {"is_drawn", column.is_drawn},  {"keys", std::move(keys)}};
+  return {{"name", column.variable.name}, {"unit", column.variable.unit},    {"is_number", column.is_number},
+          {"in_path", column.is_in_path}, {"is_sampled", column.is_sampled}, {"keys", std::move(keys)}};
 }
 
 Json columns_json(const Study& study) {
@@ -41,12 +41,13 @@ Json head_json(const Study& study) {
   return {{"netloft_study", kFormat},     {"name", study.name},
           {"scene", study.scene},         {"set", study.set},
           {"figures", study.figures},     {"variables", columns_json(study)},
-          {"draw", study.drawing},        {"seed", study.seed},
+          {"sampling", study.sampling},   {"seed", study.seed},
           {"files", std::move(files)},    {"items", study.items.size()},
           {"points", study.point_count()}};
 }
 
-/// A value by its number if it has one: its text follows from it only where it was drawn, so both are there.
+/// A value by its number if it has one: its text follows from it only where it was sampled, so both are
+/// there.
 Json value_json(const VariableValue& value) {
   return value.number ? Json::array({value.text, *value.number}) : Json::array({value.text});
 }
@@ -62,8 +63,8 @@ Json item_json(const Study& study, const StudyItem& item) {
   for (const StudyPoint& point : item.points)
     points.push_back({{"set", point.set}, {"values", values_json(point.values)}});
   Json json = {{"id", item.id}};
-  if (item.draw > 0) {
-    json["draw"] = item.draw;
+  if (item.sample > 0) {
+    json["sample"] = item.sample;
     json["seed"] = study.seed;
   }
   json["set"] = item.set;
@@ -89,7 +90,7 @@ StudyColumn read_column(const Json& json) {
   json.at("unit").get_to(column.variable.unit);
   json.at("is_number").get_to(column.is_number);
   json.at("in_path").get_to(column.is_in_path);
-  json.at("is_drawn").get_to(column.is_drawn);
+  json.at("is_sampled").get_to(column.is_sampled);
   for (const Json& key : json.at("keys"))
     column.variable.keys.push_back(
         {key.at("key").get<std::string>(), key.at("factor").get<double>(), key.at("offset").get<double>()});
@@ -104,7 +105,7 @@ void read_head(const Json& json, Study& study) {
   json.at("scene").get_to(study.scene);
   json.at("set").get_to(study.set);
   json.at("figures").get_to(study.figures);
-  json.at("draw").get_to(study.drawing);
+  json.at("sampling").get_to(study.sampling);
   json.at("seed").get_to(study.seed);
   for (const Json& column : json.at("variables")) study.columns.push_back(read_column(column));
   for (const Json& file : json.at("files"))
@@ -116,7 +117,7 @@ StudyItem read_item(const Json& json, const Study& study) {
   json.at("id").get_to(item.id);
   json.at("set").get_to(item.set);
   json.at("hash").get_to(item.hash);
-  item.draw = json.value("draw", std::size_t{0});
+  item.sample = json.value("sample", std::size_t{0});
   item.values = read_values(json.at("values"));
   for (const Json& point : json.at("points"))
     item.points.push_back({point.at("set").get<std::vector<std::string>>(), read_values(point.at("values"))});

@@ -5,8 +5,8 @@
 #include "io/results/figures/run_result.hpp"
 #include "io/results/file/provenance.hpp"
 #include "io/studies/sweep/branch.hpp"
-#include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 
 #include <unistd.h>
 

@@ -10,7 +10,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr std::int64_t kMostDraws = 1'000'000;
+constexpr std::int64_t kMostSamples = 1'000'000;
 
 /// Reads one study file; members are steps in the order they happen.
 class StudyReader {
@@ -45,7 +45,7 @@ class StudyReader {
           variables.table(name, formats::Presence::required, "key, and values or range");
       DesignVariable read{read_variable(name, table), {}, false};
       check_name(read.variable);
-      if (read.is_drawn())
+      if (read.is_sampled())
         read.distribution = read_distribution(read.variable, table, {"uniform", "logarithmic", "normal"});
       read.is_sound = root_.diagnostics().errors() == errors;
       study_.variables.push_back(std::move(read));
@@ -85,37 +85,37 @@ class StudyReader {
                                   .doc = "listed values: all with all, or the first with the first",
                                   .fallback = "grid"});
     study_.combination = combine == "list" ? Combination::list : Combination::grid;
-    const std::string draw = design.choice("draw", {.allowed = {"latin-hypercube", "sobol"},
-                                                    .doc = "how draws fill the ranges",
-                                                    .fallback = "latin-hypercube"});
-    study_.drawing = draw == "sobol" ? Drawing::sobol : Drawing::latin_hypercube;
+    const std::string sampling = design.choice("sampling", {.allowed = {"latin-hypercube", "sobol"},
+                                                            .doc = "how samples fill the ranges",
+                                                            .fallback = "latin-hypercube"});
+    study_.sampling = sampling == "sobol" ? Sampling::sobol : Sampling::latin_hypercube;
     const int errors = root_.diagnostics().errors();
-    study_.draws = static_cast<std::size_t>(design.integer(
-        "draws", {.doc = "number of draws from the ranges", .lo = 0, .hi = kMostDraws, .fallback = 0}));
-    const bool draws_are_sound = root_.diagnostics().errors() == errors;
+    study_.samples = static_cast<std::size_t>(design.integer(
+        "samples", {.doc = "number of samples from the ranges", .lo = 0, .hi = kMostSamples, .fallback = 0}));
+    const bool samples_are_sound = root_.diagnostics().errors() == errors;
     study_.seed = static_cast<std::uint64_t>(
-        design.integer("seed", {.doc = "another one draws otherwise", .lo = 0, .fallback = 1}));
-    if (draws_are_sound) check_draws(design);
+        design.integer("seed", {.doc = "another one gives other samples", .lo = 0, .fallback = 1}));
+    if (samples_are_sound) check_samples(design);
     if (study_.combination == Combination::list) check_list();
   }
 
-  void check_draws(formats::TableReader& design) {
-    const bool some_are_drawn = std::any_of(study_.variables.begin(), study_.variables.end(),
-                                            [](const auto& v) { return v.is_drawn(); });
-    if (some_are_drawn && study_.draws == 0)
+  void check_samples(formats::TableReader& design) {
+    const bool some_are_sampled = std::any_of(study_.variables.begin(), study_.variables.end(),
+                                              [](const auto& v) { return v.is_sampled(); });
+    if (some_are_sampled && study_.samples == 0)
       root_.diagnostics().error(design.place(),
-                                "design.draws is missing or zero: variables with a range are drawn",
-                                "[design] draws = 50");
+                                "design.samples is missing or zero: variables with a range are sampled",
+                                "[design] samples = 50");
     const bool all_are_sound = std::all_of(study_.variables.begin(), study_.variables.end(),
                                            [](const auto& v) { return v.is_sound; });
-    if (!some_are_drawn && all_are_sound && study_.draws > 0)
-      design.error("draws", "there is no variable with a range to draw from");
+    if (!some_are_sampled && all_are_sound && study_.samples > 0)
+      design.error("samples", "there is no variable with a range to sample from");
   }
 
   void check_list() {
     const DesignVariable* first = nullptr;
     for (const DesignVariable& v : study_.variables) {
-      if (v.is_drawn()) continue;
+      if (v.is_sampled()) continue;
       if (first && v.variable.values.size() != first->variable.values.size())
         root_.diagnostics().error(v.variable.place, v.variable.name + " has " +
                                                         std::to_string(v.variable.values.size()) +
@@ -129,7 +129,7 @@ class StudyReader {
   /// Left out, the path goes through all listed numbers.
   void read_path() {
     if (!root_.has("path")) {
-      for (DesignVariable& v : study_.variables) v.is_in_path = !v.is_drawn() && v.variable.is_number();
+      for (DesignVariable& v : study_.variables) v.is_in_path = !v.is_sampled() && v.variable.is_number();
       return;
     }
     const auto names = root_.texts(
@@ -142,8 +142,8 @@ class StudyReader {
         refuse_in_path(name);
         continue;
       }
-      if (found->is_drawn())
-        root_.error("path", name + " is drawn from a range; a path goes through listed values");
+      if (found->is_sampled())
+        root_.error("path", name + " is sampled from a range; a path goes through listed values");
       if (found->is_in_path) root_.error("path", name + " is there twice");
       found->is_in_path = true;
       ordered.push_back(*found);

@@ -5,8 +5,8 @@
 #include "io/formats/units/degrees.hpp"
 #include "io/studies/sweep/branch.hpp"
 #include "io/studies/sweep/path_run.hpp"
-#include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 Variable variable_in_metres(const char* name, const char* key) {
   Variable variable;
@@ -44,11 +44,11 @@ ScopeFigureNames names_for(const scenes::LoadedScene& loaded) {
 
 double value_of(const std::vector<StudyFigure>& figures, const std::string& name) {
   const auto at = std::ranges::find(figures, name, &StudyFigure::name);
-  return at == figures.end() ? kNone : at->value;
+  return at == figures.end() ? kNoFigure : at->value;
 }
 
 ScopePoint without_numbers(double warp, std::string why_not) {
-  return {warp, kNone, kNone, kNone, kNone, kNone, std::move(why_not)};
+  return {warp, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure, std::move(why_not)};
 }
 
 ScopePoint point_of(runs::Case& the_case, const Solution& solution, double warp) {

@@ -75,20 +75,20 @@ class SiteReader {
   }
 
   void refuse_missing() {
-    const bool some_drawn = any_drawn_given();
+    const bool some_sampled = any_sampled_given();
     for (std::size_t v = 0; v < table_.columns.size(); ++v) {
-      if (given(v) || (table_.columns[v].is_drawn && !some_drawn)) continue;
+      if (given(v) || (table_.columns[v].is_sampled && !some_sampled)) continue;
       const std::string why =
-          table_.columns[v].is_drawn
-              ? "; variables that are drawn are given all, or none, which is over all draws"
+          table_.columns[v].is_sampled
+              ? "; variables that are sampled are given all, or none, which is over all samples"
               : "";
       diagnostics_.error({}, name(v) + " is missing" + why, "such as --at " + example(v));
     }
   }
 
-  bool any_drawn_given() const {
+  bool any_sampled_given() const {
     for (std::size_t v = 0; v < table_.columns.size(); ++v)
-      if (table_.columns[v].is_drawn && given(v)) return true;
+      if (table_.columns[v].is_sampled && given(v)) return true;
     return false;
   }
 
@@ -133,7 +133,7 @@ class SiteReader {
     if (!(*number > levels.front() && *number < levels.back()))
       diagnostics_.error(reader.place(name(v)), text + " is outside " + ends + ", the values of the study",
                          "what lies beyond them has to be solved: netloft run");
-    else if (!table_.columns[v].is_drawn && levels.size() < kLeastLevelsOfSite)
+    else if (!table_.columns[v].is_sampled && levels.size() < kLeastLevelsOfSite)
       diagnostics_.error(reader.place(name(v)), text + " lies between the only two values of the study",
                          "two values do not tell what lies between them; three or more do");
     return variable.value_of(*number);

@@ -6,7 +6,8 @@
 
 namespace netloft::studies {
 
-/// A place among the points of a study: a value for each column; none for drawn variables that are left open.
+/// A place among the points of a study: a value for each column; none for sampled variables that are left
+/// open.
 using Site = std::vector<std::optional<VariableValue>>;
 
 /// Whether two numbers of a variable are the same but for round-off of their units.

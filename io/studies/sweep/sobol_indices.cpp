@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/sobol_indices.hpp"
 
-#include "io/studies/sweep/statistics.hpp"
+#include "io/studies/sweep/study_statistics.hpp"
 #include "io/studies/sweep/unit_points.hpp"
 
 #include <cmath>
@@ -21,7 +21,7 @@ struct TripleOfValues {
 
 TripleOfValues evaluate(const UnitFunction& f, std::size_t d, std::size_t points, std::uint64_t seed) {
   TripleOfValues values{{}, {}, std::vector<Numbers>(d)};
-  for (const Numbers& both : unit_points(Drawing::sobol, points, 2 * d, seed)) {
+  for (const Numbers& both : unit_points(Sampling::sobol, points, 2 * d, seed)) {
     const auto middle = both.begin() + static_cast<std::ptrdiff_t>(d);
     Numbers row(both.begin(), middle);
     values.a.push_back(f(row));

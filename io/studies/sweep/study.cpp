@@ -17,7 +17,7 @@ using Choice = std::vector<std::size_t>;
 Chosen listed(const StudyFile& file, bool in_path) {
   Chosen chosen;
   for (const DesignVariable& v : file.variables)
-    if (!v.is_drawn() && v.is_in_path == in_path) chosen.push_back(&v);
+    if (!v.is_sampled() && v.is_in_path == in_path) chosen.push_back(&v);
   return chosen;
 }
 
@@ -88,19 +88,19 @@ class Maker {
   Maker(const StudyFile& file, Study& study)
       : file_(file), study_(study), of_items_(listed(file, false)), of_path_(listed(file, true)) {
     for (const DesignVariable& v : file.variables)
-      if (v.is_drawn()) drawn_.push_back(&v);
+      if (v.is_sampled()) sampled_.push_back(&v);
   }
 
   void make() {
     add_columns(of_items_, false);
-    add_columns(drawn_, false);
+    add_columns(sampled_, false);
     add_columns(of_path_, true);
-    const auto draws = unit_points(file_.drawing, file_.draws, drawn_.size(), file_.seed);
+    const auto samples = unit_points(file_.sampling, file_.samples, sampled_.size(), file_.seed);
     const auto combined = file_.combination == Combination::grid ? combine_grid(of_items_, of_path_)
                                                                  : combine_list(of_items_, of_path_);
     for (const Combined& one : combined) {
-      if (drawn_.empty()) add_item(one, 0, {});
-      for (std::size_t d = 0; d < draws.size() && !drawn_.empty(); ++d) add_item(one, d + 1, draws[d]);
+      if (sampled_.empty()) add_item(one, 0, {});
+      for (std::size_t d = 0; d < samples.size() && !sampled_.empty(); ++d) add_item(one, d + 1, samples[d]);
     }
   }
 
@@ -110,20 +110,20 @@ class Maker {
       Variable variable = v->variable;
       variable.values.clear();
       variable.interval.reset();
-      study_.columns.push_back({std::move(variable), v->variable.is_number(), in_path, v->is_drawn()});
+      study_.columns.push_back({std::move(variable), v->variable.is_number(), in_path, v->is_sampled()});
     }
   }
 
-  void add_item(const Combined& combined, std::size_t draw, const std::vector<double>& p) {
+  void add_item(const Combined& combined, std::size_t sample, const std::vector<double>& p) {
     StudyItem item;
     item.id = study_.items.size() + 1;
-    item.draw = draw;
+    item.sample = sample;
     for (std::size_t v = 0; v < of_items_.size(); ++v) {
       const Variable& variable = of_items_[v]->variable;
       put(variable, variable.values[combined.item[v]], item);
     }
     for (std::size_t v = 0; v < p.size(); ++v) {
-      const auto& [variable, distribution, in_path, sound] = *drawn_[v];
+      const auto& [variable, distribution, in_path, sound] = *sampled_[v];
       put(variable, variable.value_of(quantile(distribution, *variable.interval, p[v])), item);
     }
     for (const Choice& choice : combined.points) {
@@ -137,7 +137,7 @@ class Maker {
 
   const StudyFile& file_;
   Study& study_;
-  Chosen of_items_, of_path_, drawn_;
+  Chosen of_items_, of_path_, sampled_;
 };
 
 }  // namespace
@@ -155,9 +155,9 @@ std::vector<VariableValue> Study::values_of(const StudyItem& item, const StudyPo
 }
 
 double count_points(const StudyFile& file) {
-  double points = file.draws > 0 ? static_cast<double>(file.draws) : 1;
+  double points = file.samples > 0 ? static_cast<double>(file.samples) : 1;
   for (const DesignVariable& v : file.variables) {
-    if (v.is_drawn()) continue;
+    if (v.is_sampled()) continue;
     points *= static_cast<double>(count_of(v));
     if (file.combination == Combination::list) break;  // all have as many
   }
@@ -173,8 +173,8 @@ Study make_study(const StudyFile& file, const std::string& scene,
   study.set = file.set;
   study.figures = file.figures;
   study.files = std::move(files);
-  if (file.draws > 0) {
-    study.drawing = file.drawing == Drawing::sobol ? "sobol" : "latin-hypercube";
+  if (file.samples > 0) {
+    study.sampling = file.sampling == Sampling::sobol ? "sobol" : "latin-hypercube";
     study.seed = file.seed;
   }
   Maker(file, study).make();

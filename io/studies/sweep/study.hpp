@@ -19,7 +19,7 @@ struct StudyPoint {
 /// know nothing of one another.
 struct StudyItem {
   std::size_t id = 0;                 // from 1
-  std::size_t draw = 0;               // from 1; 0: nothing is drawn
+  std::size_t sample = 0;             // from 1; 0: nothing is sampled
   std::vector<std::string> set;       // of all its points
   std::vector<VariableValue> values;  // of the variables that are not in the path
   std::vector<StudyPoint> points;
@@ -29,7 +29,7 @@ struct StudyItem {
 /// A variable as a column of tables.
 struct StudyColumn {
   Variable variable;  // its name, unit and keys
-  bool is_number = true, is_in_path = false, is_drawn = false;
+  bool is_number = true, is_in_path = false, is_sampled = false;
 };
 
 /// A study that has been planned: what its manifest says, and all that workers need.
@@ -39,7 +39,7 @@ struct Study {
   std::vector<std::string> set;      // of all points
   std::vector<std::string> figures;  // that are kept; empty: all
   std::vector<StudyColumn> columns;  // those in the path last
-  std::string drawing;               // how draws were made; empty: nothing is drawn
+  std::string sampling;              // how samples were made; empty: nothing is sampled
   std::uint64_t seed = 0;
   std::vector<std::pair<std::string, std::string>>
       files;  // path and hash of all that the scenes are read from
@@ -56,9 +56,9 @@ inline constexpr double kMostPoints = 1e7;
 /// Number of points of a design, before there is any.
 double count_points(const StudyFile& file);
 
-/// Combines all values of a design: one item for each draw and each combination of listed values that are not
-/// in the path, in the order of the file, draws fastest. A path goes to and fro, so that from one point to
-/// the next one variable changes by one value. `files` are those that the scene is read from.
+/// Combines all values of a design: one item for each sample and each combination of listed values that are
+/// not in the path, in the order of the file, samples fastest. A path goes to and fro, so that from one point
+/// to the next one variable changes by one value. `files` are those that the scene is read from.
 Study make_study(const StudyFile& file, const std::string& scene,
                  std::vector<std::pair<std::string, std::string>> files);
 

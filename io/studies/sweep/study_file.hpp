@@ -18,7 +18,7 @@ struct DesignVariable {
   Distribution distribution;  // of a variable with an interval
   bool is_in_path = false;
   bool is_sound = true;  // it was read without errors
-  bool is_drawn() const { return variable.interval.has_value(); }
+  bool is_sampled() const { return variable.interval.has_value(); }
 };
 
 /// What a study file says (STUDY.md): which scene, what of it is varied, and how the values are combined.
@@ -30,8 +30,8 @@ struct StudyFile {
   formats::Place set_place;
   std::vector<DesignVariable> variables;  // in the order of the file
   Combination combination = Combination::grid;
-  Drawing drawing = Drawing::latin_hypercube;
-  std::size_t draws = 0;
+  Sampling sampling = Sampling::latin_hypercube;
+  std::size_t samples = 0;
   std::uint64_t seed = 1;
   std::vector<std::string> figures;  // that are kept; empty: all
   std::vector<formats::Place> figure_places;

@@ -2,7 +2,7 @@
 #include "io/studies/sweep/study_plots.hpp"
 
 #include "framework/parameters/nearest.hpp"
-#include "io/studies/sweep/statistics.hpp"
+#include "io/studies/sweep/study_statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ class Plotter {
 
  private:
   const std::string& name(std::size_t v) const { return table_.columns[v].variable.name; }
-  bool is_listed(std::size_t v) const { return !table_.columns[v].is_drawn; }
+  bool is_listed(std::size_t v) const { return !table_.columns[v].is_sampled; }
 
   std::size_t column(const std::string& wanted) const {
     std::vector<std::string> names;
@@ -78,7 +78,7 @@ class Plotter {
     if (!wanted.empty()) {
       const std::size_t v = column(wanted);
       if (v == over_) throw StudyError(wanted + " is the axis; --by names another variable");
-      if (!is_listed(v)) throw StudyError(wanted + " is drawn; lines are of listed values");
+      if (!is_listed(v)) throw StudyError(wanted + " is sampled; lines are of listed values");
       if (values_of(v).size() > kMostLines)
         throw StudyError(
             fmt::format("{} has {} values; {} lines are the most", wanted, values_of(v).size(), kMostLines));
@@ -91,7 +91,7 @@ class Plotter {
   }
 
   void hold(std::size_t v, const std::string& value) {
-    if (!is_listed(v)) throw StudyError(name(v) + " is drawn; only listed values can be held");
+    if (!is_listed(v)) throw StudyError(name(v) + " is sampled; only listed values can be held");
     std::string known;
     for (const auto& one : values_of(v)) {
       if (one.text == value) held_[v] = value;
@@ -146,7 +146,7 @@ class Plotter {
                            {},
                            formats::AxisScale::linear,
                            formats::AxisScale::linear,
-                           "some of the draws have no stable equilibrium here"};
+                           "some of the samples have no stable equilibrium here"};
     if (by_ == table_.columns.size()) {
       plot.series.push_back(series("", figure.name, f));
     } else {
@@ -168,11 +168,11 @@ class Plotter {
   }
 
   /// How many points of one line there are at every x, with an equilibrium or without.
-  std::map<double, std::size_t> draws_of(const std::string& value) const {
-    std::map<double, std::size_t> draws;
+  std::map<double, std::size_t> samples_of(const std::string& value) const {
+    std::map<double, std::size_t> samples;
     for (const StudyRow& row : table_.rows)
-      if (is_wanted(row) && is_of_line(row, value)) ++draws[row.values[over_].number.value_or(NAN)];
-    return draws;
+      if (is_wanted(row) && is_of_line(row, value)) ++samples[row.values[over_].number.value_or(NAN)];
+    return samples;
   }
 
   /// Rows of one line.
@@ -183,13 +183,13 @@ class Plotter {
       if (is_of_line(*row, value) && std::isfinite(row->figures[f]))
         samples[row->values[over_].number.value_or(NAN)].push_back(row->figures[f]);
     series.is_line = is_listed(over_);
-    const std::map<double, std::size_t> drawn = draws_of(value);
+    const std::map<double, std::size_t> asked = samples_of(value);
     for (const auto& [x, sample] : samples) {
       if (!series.is_line) {
         for (const double y : sample) series.points.push_back({x, y});
         continue;
       }
-      series.points.push_back({x, quantile_of(sample, 0.5), sample.size() < drawn.at(x)});
+      series.points.push_back({x, quantile_of(sample, 0.5), sample.size() < asked.at(x)});
       if (sample.size() > 1)
         series.band.push_back({x, quantile_of(sample, kBandLow), quantile_of(sample, kBandHigh)});
     }

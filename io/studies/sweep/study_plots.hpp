@@ -15,13 +15,13 @@ struct PlotRequest {
   std::map<std::string, std::string> at;  // values of other listed variables, as the table has them
 };
 
-/// The ends of the bands over draws: nine tenths of them lie between.
+/// The ends of the bands over samples: nine tenths of them lie between.
 inline constexpr double kBandLow = 0.05, kBandHigh = 0.95;
 
-/// A plot of each figure: lines are medians over the draws, bands have nine tenths of them. Over a variable
-/// that is drawn there is a marker for every row. Listed variables that are neither on the axis nor told
+/// A plot of each figure: lines are medians over the samples, bands have nine tenths of them. Over a variable
+/// that is sampled there is a marker for every row. Listed variables that are neither on the axis nor told
 /// apart by lines are held at one value, which the title says. Points without a stable equilibrium are left
-/// out; where some of the draws have none, the marker is hollow. Throws StudyError with a sentence where a
+/// out; where some of the samples have none, the marker is hollow. Throws StudyError with a sentence where a
 /// name is wrong or there is nothing to draw.
 std::vector<formats::LinePlot> plots_of(const StudyTable& table, const PlotRequest& request);
 

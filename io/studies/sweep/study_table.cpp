@@ -43,7 +43,7 @@ class Collector {
     if (record) ++programs_[record->program];
     if (!record) fault = why_missing(item, fault);
     for (std::size_t p = 0; p < item.points.size(); ++p) {
-      StudyRow row{item.id, item.draw, p + 1, study_.values_of(item, item.points[p]), {}, {}};
+      StudyRow row{item.id, item.sample, p + 1, study_.values_of(item, item.points[p]), {}, {}};
       if (record)
         row.record = std::move(record->points[p]);
       else {

@@ -7,10 +7,10 @@ namespace netloft::studies {
 
 /// One row of the table: a point, and what came out.
 struct StudyRow {
-  std::size_t item = 0, draw = 0, point = 0;  // items and points from 1; draw 0: nothing was drawn
-  std::vector<VariableValue> values;          // of the columns of the study
-  PointRecord record;                         // of a missing item: the status "missing"
-  std::vector<double> figures;                // in the order of StudyTable::figures; NaN: none
+  std::size_t item = 0, sample = 0, point = 0;  // items and points from 1; sample 0: nothing was sampled
+  std::vector<VariableValue> values;            // of the columns of the study
+  PointRecord record;                           // of a missing item: the status "missing"
+  std::vector<double> figures;                  // in the order of StudyTable::figures; NaN: none
 };
 
 /// All points of a study with what came out, in the order of the manifest.

@@ -53,10 +53,10 @@ Points sobol(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
 
 }  // namespace
 
-Points unit_points(Drawing drawing, std::size_t count, std::size_t dimensions, std::uint64_t seed) {
+Points unit_points(Sampling sampling, std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   if (dimensions == 0) return Points(count);
-  return drawing == Drawing::sobol ? sobol(count, dimensions, seed)
-                                   : latin_hypercube(count, dimensions, seed);
+  return sampling == Sampling::sobol ? sobol(count, dimensions, seed)
+                                     : latin_hypercube(count, dimensions, seed);
 }
 
 }  // namespace netloft::studies

@@ -6,8 +6,8 @@
 
 namespace netloft::studies {
 
-/// How draws fill the space of their variables.
-enum class Drawing { latin_hypercube, sobol };
+/// How samples fill the space of their variables.
+enum class Sampling { latin_hypercube, sobol };
 
 /// Variables for which there are numbers of Sobol's sequence.
 inline constexpr std::size_t kMostSobolVariables = 3667;
@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostSobolVariables = 3667;
 ///   sobol             Sobol's sequence with the direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30,
 ///                     2008), every dimension shifted digit by digit by a random number, so that points keep
 ///                     their distribution and differ between seeds; counts that are powers of two fill evenly
-std::vector<std::vector<double>> unit_points(Drawing drawing, std::size_t count, std::size_t dimensions,
+std::vector<std::vector<double>> unit_points(Sampling sampling, std::size_t count, std::size_t dimensions,
                                              std::uint64_t seed);
 
 }  // namespace netloft::studies

@@ -27,7 +27,7 @@ std::string value_field(const StudyColumn& column, const VariableValue& value) {
 
 std::string row_csv(const StudyTable& table, const StudyRow& row) {
   std::string text =
-      std::to_string(row.item) + "," + std::to_string(row.draw) + "," + std::to_string(row.point);
+      std::to_string(row.item) + "," + std::to_string(row.sample) + "," + std::to_string(row.point);
   for (std::size_t v = 0; v < row.values.size(); ++v)
     text += "," + value_field(table.columns[v], row.values[v]);
   const PointRecord& r = row.record;
@@ -103,7 +103,7 @@ void write_outcomes(Columns& columns) {
 }  // namespace
 
 std::string study_csv(const StudyTable& table) {
-  std::string text = "item,draw,point";
+  std::string text = "item,sample,point";
   for (const StudyColumn& c : table.columns) text += "," + csv_heading(c.variable.name, c.variable.unit);
   text += ",status,reason,start,events,iterations,factorisations";
   for (const StudyFigure& f : table.figures) text += "," + csv_heading(f.name, f.unit);
@@ -120,8 +120,8 @@ std::string study_hdf5(const Study& study, const StudyTable& table) {
     Columns columns(tree, table);
     columns.write_ints("/study/item", "item of the manifest, from 1",
                        [](const StudyRow& r) { return r.item; });
-    columns.write_ints("/study/draw", "draw, from 1; 0: nothing was drawn",
-                       [](const StudyRow& r) { return r.draw; });
+    columns.write_ints("/study/sample", "sample, from 1; 0: nothing was sampled",
+                       [](const StudyRow& r) { return r.sample; });
     columns.write_ints("/study/point", "point of the item, from 1",
                        [](const StudyRow& r) { return r.point; });
     write_variables(columns, table);

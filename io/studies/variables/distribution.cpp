@@ -41,7 +41,7 @@ Distribution read_distribution(const Variable& variable, formats::TableReader& t
   static const std::vector<std::string> kNames = {"uniform", "logarithmic", "normal"};
   Distribution read;
   const std::string kind = table.choice(
-      "distribution", {.allowed = kinds, .doc = "how draws lie in the range", .fallback = kinds.front()});
+      "distribution", {.allowed = kinds, .doc = "how samples lie in the range", .fallback = kinds.front()});
   read.kind = static_cast<Distribution::Kind>(std::find(kNames.begin(), kNames.end(), kind) - kNames.begin());
   if (read.kind == Distribution::Kind::logarithmic && !(variable.interval->low > 0))
     table.error("range", "must be above zero to be divided by its logarithm");

@@ -5,7 +5,7 @@
 
 namespace netloft::studies {
 
-/// How the draws of a variable lie in its interval. With p in (0, 1) for equally likely draws and F the
+/// How the samples of a variable lie in its interval. With p in (0, 1) for equally likely samples and F the
 /// standard normal distribution,
 ///   uniform       low + p (high − low)                                                     (1)
 ///   logarithmic   low (high/low)^p, low > 0                                                (2)
@@ -20,10 +20,10 @@ struct Distribution {
 /// F⁻¹ of (3), the quantile of the standard normal distribution; 0 < q < 1.
 double normal_quantile(double q);
 
-/// The number below which a fraction p of all draws lies.
+/// The number below which a fraction p of all samples lies.
 double quantile(const Distribution& distribution, const Interval& interval, double p);
 
-/// Reads how the draws of `variable`, which has an interval, lie in it, out of the same table:
+/// Reads how the samples of `variable`, which has an interval, lie in it, out of the same table:
 ///   distribution = "normal"   or one of the other `kinds`, the first of which is the default
 ///   mean, deviation           of a normal one, numbers like those of the range
 Distribution read_distribution(const Variable& variable, formats::TableReader& table,

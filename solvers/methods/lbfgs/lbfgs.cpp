@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "solvers/adapters/common/round_off.hpp"
-#include "solvers/methods/lbfgs/line_search.hpp"
-#include "solvers/methods/lbfgs/memory.hpp"
+#include "solvers/methods/lbfgs/history.hpp"
+#include "solvers/methods/lbfgs/wolfe_search.hpp"
 
 namespace netloft::lbfgs {
 

@@ -67,8 +67,10 @@ Direction Directions::find_partly_convex(Iterate& iterate, double damping) {
 /// K + θ (K₊ − K), with half the θ of the last time, or twice as much until it will do. A θ
 /// below kMatters adds no stiffness that matters.
 Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
-  for (convex_share_ = std::max(0.5 * convex_share_, kMatters); convex_share_ < 1; convex_share_ *= 2)
-    if (const Factor factor = problem.factorise_between(convex_share_, shift); factor != Factor::not_positive)
+  for (convex_fraction_ = std::max(0.5 * convex_fraction_, kMatters); convex_fraction_ < 1;
+       convex_fraction_ *= 2)
+    if (const Factor factor = problem.factorise_between(convex_fraction_, shift);
+        factor != Factor::not_positive)
       return factor;
   Factor factor = problem.factorise(Matrix::convex, shift);
   while (factor == Factor::not_positive && shift < range_.most)  // by rounding alone

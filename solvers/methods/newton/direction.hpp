@@ -44,7 +44,7 @@ class Directions {
   const DampingRange& range_;
   NearlyDefinite& nearly_definite_;
   std::vector<double> s_;
-  double convex_share_ = 1;          // θ of the last time
+  double convex_fraction_ = 1;       // θ of the last time
   bool tests_near_definite_ = true;  // K + μ M was positive definite the last time, or K nearly so
 };
 

@@ -40,7 +40,7 @@ namespace netloft::newton {
 ///
 /// Globalisation. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
 /// decrease. (5) lets an iterate cross the kinks between slack and taut by a relaxed test as in the watchdog
-/// technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point
+/// technique (Chamberlain et al. 1982, Math. Programming Search 16), but without its return to the point
 /// before: m is as low as the sum of what all steps by (4) to (6) and (8) have lowered it by, and after a
 /// step that raised m no other may raise it until that sum is what it was before. Where every other step
 /// might go uphill, from wherever it stood, netting on a bed with friction made a thousand steps about its

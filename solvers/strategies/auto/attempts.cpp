@@ -14,11 +14,11 @@ struct Kind {
   bool sticks, has_loaded_members, has_meshes;
 };
 
-Kind kind_of(const Study& study) {
+Kind kind_of(const Search& search) {
   Kind kind{};
-  kind.sticks = study.remembers();
-  kind.has_loaded_members = study.has_members() && study.load() > 0;
-  kind.has_meshes = study.levels() > 1;
+  kind.sticks = search.remembers();
+  kind.has_loaded_members = search.has_members() && search.load() > 0;
+  kind.has_meshes = search.levels() > 1;
   return kind;
 }
 
@@ -78,8 +78,8 @@ bool is_left_out(const Options& options, const std::string& part) {
   return contains(left_out(options), part);
 }
 
-std::vector<Attempt> attempts_for(const Study& study, const Options& options) {
-  const Kind kind = kind_of(study);
+std::vector<Attempt> attempts_for(const Search& search, const Options& options) {
+  const Kind kind = kind_of(search);
   std::vector<Attempt> attempts;
   for (const Row& row : kTable)
     if (row.suits(kind) && !is_left_out(options, row.attempt.name)) attempts.push_back(row.attempt);

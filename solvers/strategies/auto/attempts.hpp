@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "solvers/strategies/auto/options.hpp"
+#include "solvers/strategies/auto/auto_options.hpp"
 
 #include <netloft/strategy.hpp>
 
@@ -18,7 +18,7 @@ struct Attempt {
 };
 
 /// The attempts that suit a scene, in the order in which they are tried.
-std::vector<Attempt> attempts_for(const Study& study, const Options& options);
+std::vector<Attempt> attempts_for(const Search& search, const Options& options);
 
 /// All parts that a user may leave out.
 std::vector<const char*> parts();

@@ -6,19 +6,19 @@
 
 namespace netloft::automatic {
 
-void Auto::run(const Options& options, Study& study) {
-  if (attempts_for(study, options).empty()) return study.decline("every attempt is left out");
-  const Stage best = Race(study, options).run();
+void Auto::run(const Options& options, Search& search) {
+  if (attempts_for(search, options).empty()) return search.decline("every attempt is left out");
+  const Stage best = Race(search, options).run();
   if (!best.is_stationary()) return;
-  study.answer(best.u);
-  if (best.has_converged()) restart(study, options, best);
+  search.answer(best.u);
+  if (best.has_converged()) restart(search, options, best);
 }
 
-std::string Auto::explain(const Options& options, Study& study) {
+std::string Auto::explain(const Options& options, Search& search) {
   std::string text;
-  for (const Attempt& attempt : attempts_for(study, options))
+  for (const Attempt& attempt : attempts_for(search, options))
     text += std::string(attempt.name) + ": " + attempt.because + "\n";
-  if (may_restart(study, options))
+  if (may_restart(search, options))
     text += "restarts: " + std::to_string(options.restarts) + " from elsewhere after the first equilibrium" +
             (options.everywhere ? "" : ", if it bears a load by compression") +
             ": there may be other shapes\n";

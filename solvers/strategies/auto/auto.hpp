@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "solvers/strategies/auto/options.hpp"
+#include "solvers/strategies/auto/auto_options.hpp"
 
 #include <netloft/strategy.hpp>
 
@@ -10,8 +10,8 @@ namespace netloft::automatic {
 /// others from elsewhere, where there may be several. README.md says what happens when attempts fail.
 struct Auto {
   using Parameters = Options;
-  static void run(const Options& options, Study& study);
-  static std::string explain(const Options& options, Study& study);
+  static void run(const Options& options, Search& search);
+  static std::string explain(const Options& options, Search& search);
 };
 
 }  // namespace netloft::automatic

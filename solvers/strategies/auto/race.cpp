@@ -19,20 +19,20 @@ constexpr double kGrowth = 2;
 /// whole warp, and by one it would be another start.
 constexpr double kBeside = 1e-3;
 
-double little(const Study& study) { return kBeside * study.element_size(); }
+double little(const Search& search) { return kBeside * search.element_size(); }
 
-bool is_one_place(const Study& study, const Displacements& a, const Displacements& b) {
+bool is_one_place(const Search& search, const Displacements& a, const Displacements& b) {
   double apart = 0;
   for (std::size_t i = 0; i < a.size(); ++i) apart = std::max(apart, std::abs(a[i] - b[i]));
-  return apart <= little(study);
+  return apart <= little(search);
 }
 
-/// The start of the study; a little beside it where elements have no force there, which a solver cannot
+/// The start of the search; a little beside it where elements have no force there, which a solver cannot
 /// leave.
-Displacements start_with_forces(Study& study) {
-  const Stage start = study.assess({.name = "the start"}, study.start());
-  if (start.has_forces() || start.is_stationary()) return study.start();
-  return perturbed(study.start(), little(study));
+Displacements start_with_forces(Search& search) {
+  const Stage start = search.assess({.name = "the start"}, search.start());
+  if (start.has_forces() || start.is_stationary()) return search.start();
+  return perturbed(search.start(), little(search));
 }
 
 /// The saddle displaced by t y along what grows there, to side 0 or side 1, so that no coordinate changes by
@@ -40,11 +40,11 @@ Displacements start_with_forces(Study& study) {
 ///   t y·r(u + t y) < 0                                                                    (2)
 /// with the largest such t among halves of an element: what leaves a saddle comes to rest near where (2)
 /// ends. Where it is not known what grows, two different perturbations.
-Displacements beside(Study& study, const Stage& saddle, const Ask& ask, int side) {
+Displacements beside(Search& search, const Stage& saddle, const Ask& ask, int side) {
   const double largest = largest_of(saddle.growing);
-  if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, little(study), side);
-  const double element = (side == 0 ? 1 : -1) * study.element_size() / largest;
-  return study.with_problem(ask, saddle.u, [&](Problem& problem) {
+  if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, little(search), side);
+  const double element = (side == 0 ? 1 : -1) * search.element_size() / largest;
+  return search.with_problem(ask, saddle.u, [&](Problem& problem) {
     std::vector<double> r(problem.size());
     double energy = 0;
     const auto is_driven_on = [&](double t) {
@@ -58,11 +58,11 @@ Displacements beside(Study& study, const Stage& saddle, const Ask& ask, int side
 
 }  // namespace
 
-Race::Race(Study& study, const Options& options)
-    : study_(study), options_(options), budget_(study), start_(start_with_forces(study)) {}
+Race::Race(Search& search, const Options& options)
+    : search_(search), options_(options), budget_(search), start_(start_with_forces(search)) {}
 
 Stage Race::run() {
-  for (const Attempt& attempt : attempts_for(study_, options_)) runners_.push_back({attempt});
+  for (const Attempt& attempt : attempts_for(search_, options_)) runners_.push_back({attempt});
   const auto is_out = [](const Runner& r) { return r.fate == Fate::out; };
   for (double slice = options_.slice; !is_decided() && !std::all_of(runners_.begin(), runners_.end(), is_out);
        slice *= kGrowth)
@@ -85,7 +85,7 @@ void Race::run_slice(Runner& runner, double slice) {
   const double work = std::min(slice, budget_.left());
   const Attempt& attempt = runner.attempt;
   Stage stage =
-      study_.call(attempt.strategy, attempt.parameters, {.name = attempt.name, .work = work}, start_);
+      search_.call(attempt.strategy, attempt.parameters, {.name = attempt.name, .work = work}, start_);
   const bool is_near = stage.was_cut_off() && stage.has_forces() && stage.imbalance() <= kOnlyAStart;
   const Budget beyond = budget_.split(work);
   stage = off_saddle(std::move(stage), beyond);
@@ -105,13 +105,13 @@ Stage Race::off_saddle(Stage saddle, const Budget& budget) {
   std::vector<Displacements> met{saddle.u};
   for (int side = 0; side < 2 && saddle.ending == Ending::unstable && !saddle.flutters(); ++side) {
     if (budget.is_used_up()) break;
-    const Displacements start = beside(study_, saddle, ask(), side);
+    const Displacements start = beside(search_, saddle, ask(), side);
     if (budget.is_used_up()) break;
-    Stage next = study_.call("direct", "", ask(), start);
+    Stage next = search_.call("direct", "", ask(), start);
     if (next.has_converged()) return next;
     const bool is_another = next.ending == Ending::unstable &&
                             std::none_of(met.begin(), met.end(), [&](const Displacements& one) {
-                              return is_one_place(study_, one, next.u);
+                              return is_one_place(search_, one, next.u);
                             });
     if (is_another) {
       saddle = std::move(next);
@@ -127,9 +127,9 @@ Stage Race::off_saddle(Stage saddle, const Budget& budget) {
 Stage Race::with_compensated_positions(Stage stage) {
   const bool is_rounded =
       stage.has_forces() && stage.residual <= stage.rounding && stage.ending != Ending::unstable;
-  if (!is_rounded || study_.remembers() || study_.work_left() == 0 || is_left_out(options_, "compensated"))
+  if (!is_rounded || search_.remembers() || search_.work_left() == 0 || is_left_out(options_, "compensated"))
     return stage;
-  Stage next = study_.solve({.name = "with compensated positions", .compensated = true}, stage.u);
+  Stage next = search_.solve({.name = "with compensated positions", .compensated = true}, stage.u);
   return next.has_converged() && next.residual <= stage.residual ? std::move(next) : std::move(stage);
 }
 

@@ -7,23 +7,23 @@
 
 namespace netloft::automatic {
 
-/// Work of a study, or a part of it, from now on.
+/// Work of a search, or a part of it, from now on.
 class Budget {
  public:
-  explicit Budget(Study& study, double end = 0) : study_(study), begun_(study.work_left()), end_(end) {}
+  explicit Budget(Search& search, double end = 0) : search_(search), begun_(search.work_left()), end_(end) {}
 
-  double spent() const { return begun_ - study_.work_left(); }
-  double left() const { return study_.work_left() - end_; }
+  double spent() const { return begun_ - search_.work_left(); }
+  double left() const { return search_.work_left() - end_; }
   bool is_used_up() const { return left() <= 0; }
   /// At most so much of what is left.
-  Budget split(double work) const { return Budget(study_, std::max(end_, study_.work_left() - work)); }
+  Budget split(double work) const { return Budget(search_, std::max(end_, search_.work_left() - work)); }
   /// Ends after so much more work, unless it has been given an end before.
   void end_after(double work) {
-    if (end_ == 0) end_ = std::max(0.0, study_.work_left() - work);
+    if (end_ == 0) end_ = std::max(0.0, search_.work_left() - work);
   }
 
  private:
-  Study& study_;
+  Search& search_;
   double begun_, end_;  // work left when it began, and at which it is used up
 };
 
@@ -36,7 +36,7 @@ class Budget {
 /// speedup of Las Vegas algorithms, Inf. Process. Lett. 47, 1993). README.md tells the rules.
 class Race {
  public:
-  Race(Study& study, const Options& options);
+  Race(Search& search, const Options& options);
 
   /// The first stage that converged; else an unstable equilibrium, of several the one that balances best;
   /// else an empty stage.
@@ -57,7 +57,7 @@ class Race {
   void keep_better(Stage stage);
   bool is_decided() const;
 
-  Study& study_;
+  Search& search_;
   const Options& options_;
   Budget budget_;
   Displacements start_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "solvers/strategies/auto/options.hpp"
+#include "solvers/strategies/auto/auto_options.hpp"
 
 #include <netloft/strategy.hpp>
 
@@ -12,7 +12,7 @@ namespace netloft::automatic {
 /// the host chooses among them. Each may cost a slice.
 ///
 /// What of this is known before anything is solved: whether it may come to it.
-bool may_restart(const Study& study, const Options& options);
-void restart(Study& study, const Options& options, const Stage& first);
+bool may_restart(const Search& search, const Options& options);
+void restart(Search& search, const Options& options, const Stage& first);
 
 }  // namespace netloft::automatic

@@ -19,28 +19,28 @@ struct CoarseToFine {
     const char *by = nullptr, *then = nullptr;
   };
 
-  static void run(const Parameters& p, Study& study) {
-    if (!has_coarser(study)) return study.decline("there is no coarser mesh");
+  static void run(const Parameters& p, Search& search) {
+    if (!has_coarser(search)) return search.decline("there is no coarser mesh");
     const Specification by = specification_of(p.by);
-    const Stage coarse = study.call(by.name.c_str(), by.parameters.c_str(),
-                                    {.name = "on a coarser mesh",
-                                     .variant = {.level = 1},
-                                     .tolerance = kOnlyAStart,
-                                     .work = kMostOfCoarser * study.work_left()},
-                                    study.transfer(0, study.start(), 1));
+    const Stage coarse = search.call(by.name.c_str(), by.parameters.c_str(),
+                                     {.name = "on a coarser mesh",
+                                      .variant = {.level = 1},
+                                      .tolerance = kOnlyAStart,
+                                      .work = kMostOfCoarser * search.work_left()},
+                                     search.transfer(0, search.start(), 1));
     if (!coarse.has_converged())
-      return study.decline(coarse.was_cut_off() ? "a coarser mesh did not converge with half of the work"
-                                                : "a coarser mesh was not solved");
-    const Displacements start = study.transfer(1, coarse.u, 0);
-    Stage fine = *p.then ? called_from(start, p, study) : study.solve({.name = kFromCoarser}, start);
-    if (fine.is_stationary()) study.answer(fine.u);
+      return search.decline(coarse.was_cut_off() ? "a coarser mesh did not converge with half of the work"
+                                                 : "a coarser mesh was not solved");
+    const Displacements start = search.transfer(1, coarse.u, 0);
+    Stage fine = *p.then ? called_from(start, p, search) : search.solve({.name = kFromCoarser}, start);
+    if (fine.is_stationary()) search.answer(fine.u);
   }
 
-  static std::string explain(const Parameters& p, Study& study) {
-    return has_coarser(study) ? std::string("half as many cells along a side by ") + p.by +
-                                    ", then the scene itself from there" +
-                                    (*p.then ? std::string(" by ") + p.then : "") + "\n"
-                              : "nothing: no coarser mesh\n";
+  static std::string explain(const Parameters& p, Search& search) {
+    return has_coarser(search) ? std::string("half as many cells along a side by ") + p.by +
+                                     ", then the scene itself from there" +
+                                     (*p.then ? std::string(" by ") + p.then : "") + "\n"
+                               : "nothing: no coarser mesh\n";
   }
 
  private:
@@ -50,15 +50,15 @@ struct CoarseToFine {
   static constexpr double kMostOfCoarser = 0.5;
 
   /// The start is assessed first, so that a strategy that is cut off before it has solved anything has that.
-  static Stage called_from(const Displacements& start, const Parameters& p, Study& study) {
-    Stage fine = study.assess({.name = kFromCoarser}, start);
+  static Stage called_from(const Displacements& start, const Parameters& p, Search& search) {
+    Stage fine = search.assess({.name = kFromCoarser}, start);
     const Specification then = specification_of(p.then);
     if (!fine.is_stationary())
-      fine = study.call(then.name.c_str(), then.parameters.c_str(), {.name = kFromCoarser}, start);
-    return fine.is_stationary() || study.work_left() == 0 ? std::move(fine)
-                                                          : study.solve({.name = kFromCoarser}, start);
+      fine = search.call(then.name.c_str(), then.parameters.c_str(), {.name = kFromCoarser}, start);
+    return fine.is_stationary() || search.work_left() == 0 ? std::move(fine)
+                                                           : search.solve({.name = kFromCoarser}, start);
   }
-  static bool has_coarser(Study& study) { return study.levels() > 1 && study.size(1) > 0; }
+  static bool has_coarser(Search& search) { return search.levels() > 1 && search.size(1) > 0; }
 };
 
 }  // namespace

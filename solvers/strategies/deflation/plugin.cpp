@@ -26,38 +26,38 @@ struct Deflation {
     std::int64_t searches = 0, iterations = 0;
   };
 
-  static void run(const Parameters& p, Study& study) {
+  static void run(const Parameters& p, Search& search) {
     const Specification by = specification_of(p.by);
     const Stage first =
-        study.call(by.name.c_str(), by.parameters.c_str(), {.name = "the first shape"}, study.start());
+        search.call(by.name.c_str(), by.parameters.c_str(), {.name = "the first shape"}, search.start());
     if (!first.is_stationary()) return;
-    study.answer(first.u);
+    search.answer(first.u);
     std::vector<Displacements> known{first.u};
-    for (int search = 0; search < p.searches && study.work_left() > 0; ++search) {
-      const Stage next = search_from(start_of(search, first, study), known, p, study);
+    for (int number = 0; number < p.searches && search.work_left() > 0; ++number) {
+      const Stage next = search_from(start_of(number, first, search), known, p, search);
       if (!next.is_stationary()) continue;
-      study.answer(next.u);
+      search.answer(next.u);
       known.push_back(next.u);
     }
   }
 
-  static std::string explain(const Parameters& p, Study&) {
+  static std::string explain(const Parameters& p, Search&) {
     return std::string("one shape by ") + p.by +
            ", then others by Newton's method, with those that are known divided out\n";
   }
 
  private:
-  /// The start of the study; then perturbations of the first shape.
-  static Displacements start_of(int search, const Stage& first, const Study& study) {
-    return search == 0 ? study.start() : perturbed(first.u, study.element_size(), search);
+  /// The start of the search; then perturbations of the first shape.
+  static Displacements start_of(int number, const Stage& first, const Search& search) {
+    return number == 0 ? search.start() : perturbed(first.u, search.element_size(), number);
   }
 
   static Stage search_from(Displacements from, const std::vector<Displacements>& known, const Parameters& p,
-                           Study& study) {
+                           Search& search) {
     const Ask ask{.name = "deflated", .iterations = static_cast<unsigned>(p.iterations)};
-    auto u = study.with_problem(ask, std::move(from),
-                                [&](Problem& problem) { solve(problem, known, study.element_size()); });
-    return study.assess({.name = "deflated"}, std::move(u));
+    auto u = search.with_problem(ask, std::move(from),
+                                 [&](Problem& problem) { solve(problem, known, search.element_size()); });
+    return search.assess({.name = "deflated"}, std::move(u));
   }
 
   /// To a root of r, or to where a limit or a matrix without a factor ends it.

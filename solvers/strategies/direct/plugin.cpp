@@ -9,12 +9,12 @@ using namespace netloft;
 struct Direct {
   struct Parameters {};
 
-  static void run(const Parameters&, Study& study) {
-    const Stage stage = study.solve({.name = "as it is"}, study.start());
-    if (stage.is_stationary()) study.answer(stage.u);
+  static void run(const Parameters&, Search& search) {
+    const Stage stage = search.solve({.name = "as it is"}, search.start());
+    if (stage.is_stationary()) search.answer(stage.u);
   }
 
-  static std::string explain(const Parameters&, Study&) { return "the scene itself from its start, once\n"; }
+  static std::string explain(const Parameters&, Search&) { return "the scene itself from its start, once\n"; }
 };
 
 }  // namespace

@@ -12,32 +12,32 @@ struct LoadSteps {
     double step = 0, shortest = 0;
   };
 
-  static void run(const Parameters& p, Study& study) {
-    if (!study.flows()) return study.decline("there is no current");
-    Displacements u = solve_at(study, 0, study.start()).u;
+  static void run(const Parameters& p, Search& search) {
+    if (!search.flows()) return search.decline("there is no current");
+    Displacements u = solve_at(search, 0, search.start()).u;
     double fraction = 0;
-    for (double step = p.step; fraction + step < 1 && study.work_left() > 0;) {
-      Stage stage = solve_at(study, fraction + step, u);
+    for (double step = p.step; fraction + step < 1 && search.work_left() > 0;) {
+      Stage stage = solve_at(search, fraction + step, u);
       if (stage.is_stationary()) {
         fraction += step;
         u = std::move(stage.u);
         step *= 2;
       } else if ((step *= 0.5) < p.shortest)
-        return study.decline("steps of the current became too short");
+        return search.decline("steps of the current became too short");
     }
-    if (study.work_left() == 0) return;
-    const Stage stage = study.solve({.name = "from slow to fast"}, u);
-    if (stage.is_stationary()) study.answer(stage.u);
+    if (search.work_left() == 0) return;
+    const Stage stage = search.solve({.name = "from slow to fast"}, u);
+    if (stage.is_stationary()) search.answer(stage.u);
   }
 
-  static std::string explain(const Parameters&, Study& study) {
-    return study.flows() ? "still water, then more and more of the current\n"
-                         : "nothing: there is no current\n";
+  static std::string explain(const Parameters&, Search& search) {
+    return search.flows() ? "still water, then more and more of the current\n"
+                          : "nothing: there is no current\n";
   }
 
  private:
-  static Stage solve_at(Study& study, double fraction, const Displacements& u) {
-    return study.solve({.name = "slower", .variant = {.current = fraction}, .tolerance = kOnlyAStart}, u);
+  static Stage solve_at(Search& search, double fraction, const Displacements& u) {
+    return search.solve({.name = "slower", .variant = {.current = fraction}, .tolerance = kOnlyAStart}, u);
   }
 };
 

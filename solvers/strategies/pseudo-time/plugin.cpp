@@ -18,20 +18,20 @@ struct PseudoTime {
     double path = 0;
   };
 
-  static void run(const Parameters& p, Study& study) {
+  static void run(const Parameters& p, Search& search) {
     const Specification by = specification_of(p.solver);
-    const Stage motion = study.solve({.name = "motion",
-                                      .solver = by.name.c_str(),
-                                      .parameters = by.parameters.c_str(),
-                                      .path = p.path,
-                                      .iterations = kAsManyAsItTakes},
-                                     study.start());
-    if (motion.ending == Ending::unsettled || study.work_left() == 0) return;
-    const Stage stage = study.solve({.name = "from where it comes to rest"}, motion.u);
-    if (stage.is_stationary()) study.answer(stage.u);
+    const Stage motion = search.solve({.name = "motion",
+                                       .solver = by.name.c_str(),
+                                       .parameters = by.parameters.c_str(),
+                                       .path = p.path,
+                                       .iterations = kAsManyAsItTakes},
+                                      search.start());
+    if (motion.ending == Ending::unsettled || search.work_left() == 0) return;
+    const Stage stage = search.solve({.name = "from where it comes to rest"}, motion.u);
+    if (stage.is_stationary()) search.answer(stage.u);
   }
 
-  static std::string explain(const Parameters& p, Study&) {
+  static std::string explain(const Parameters& p, Search&) {
     return std::string("the motion that its linear stiffness resists, by ") + p.solver +
            ", to where it comes to rest\n";
   }

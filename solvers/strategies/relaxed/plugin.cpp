@@ -18,24 +18,24 @@ struct Relaxed {
     const char* solver = nullptr;
   };
 
-  static void run(const Parameters& p, Study& study) {
+  static void run(const Parameters& p, Search& search) {
     const Specification by = specification_of(p.solver);
     const auto relax = [&](const char* name, double tolerance, Displacements u) {
-      return study.solve({.name = name,
-                          .solver = by.name.c_str(),
-                          .parameters = by.parameters.c_str(),
-                          .tolerance = tolerance,
-                          .iterations = kAsManyAsItTakes},
-                         std::move(u));
+      return search.solve({.name = name,
+                           .solver = by.name.c_str(),
+                           .parameters = by.parameters.c_str(),
+                           .tolerance = tolerance,
+                           .iterations = kAsManyAsItTakes},
+                          std::move(u));
     };
-    const Stage near = relax("relaxation", kOnlyAStart, study.start());
-    if (study.work_left() == 0) return;
-    Stage stage = study.solve({.name = "from a relaxed shape"}, near.u);
-    if (!stage.is_stationary() && study.work_left() > 0) stage = relax("by relaxation", 0, near.u);
-    if (stage.is_stationary()) study.answer(stage.u);
+    const Stage near = relax("relaxation", kOnlyAStart, search.start());
+    if (search.work_left() == 0) return;
+    Stage stage = search.solve({.name = "from a relaxed shape"}, near.u);
+    if (!stage.is_stationary() && search.work_left() > 0) stage = relax("by relaxation", 0, near.u);
+    if (stage.is_stationary()) search.answer(stage.u);
   }
 
-  static std::string explain(const Parameters& p, Study&) {
+  static std::string explain(const Parameters& p, Search&) {
     return std::string("near by ") + p.solver +
            ", which needs no tangent, then the scene itself from there\n";
   }

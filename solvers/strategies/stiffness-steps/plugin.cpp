@@ -21,32 +21,32 @@ struct StiffnessSteps {
     double factor = 0;
   };
 
-  static void run(const Parameters& p, Study& study) {
-    const double first = first_cap(p, study);
-    if (!(first > 0) || first >= study.stiffness()) return study.decline("it is soft for its load");
-    const auto u = stiffened(p, study, first);
-    if (study.work_left() == 0) return;
-    const Stage stage = study.solve({.name = "from soft to stiff"}, u);
-    if (stage.is_stationary()) study.answer(stage.u);
+  static void run(const Parameters& p, Search& search) {
+    const double first = first_cap(p, search);
+    if (!(first > 0) || first >= search.stiffness()) return search.decline("it is soft for its load");
+    const auto u = stiffened(p, search, first);
+    if (search.work_left() == 0) return;
+    const Stage stage = search.solve({.name = "from soft to stiff"}, u);
+    if (stage.is_stationary()) search.answer(stage.u);
   }
 
-  static std::string explain(const Parameters& p, Study& study) {
+  static std::string explain(const Parameters& p, Search& search) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "stiffnesses up to %.3g N at first, then %.3g times as much, up to %.3g N\n",
-                  first_cap(p, study), p.factor, study.stiffness());
-    const bool has_steps = first_cap(p, study) > 0 && first_cap(p, study) < study.stiffness();
+                  first_cap(p, search), p.factor, search.stiffness());
+    const bool has_steps = first_cap(p, search) > 0 && first_cap(p, search) < search.stiffness();
     return has_steps ? text : "nothing: it is soft for its load\n";
   }
 
  private:
-  static double first_cap(const Parameters& p, Study& study) { return p.factor * study.largest_load(); }
+  static double first_cap(const Parameters& p, Search& search) { return p.factor * search.largest_load(); }
 
   /// Where the caps of (1) lead, or the first that failed has ended.
-  static Displacements stiffened(const Parameters& p, Study& study, double cap) {
-    Displacements u = study.start();
-    for (; cap < study.stiffness() && study.work_left() > 0; cap *= p.factor) {
-      const Stage stage = study.solve({.name = "softer", .variant = {.stiffness_cap = cap}}, u);
+  static Displacements stiffened(const Parameters& p, Search& search, double cap) {
+    Displacements u = search.start();
+    for (; cap < search.stiffness() && search.work_left() > 0; cap *= p.factor) {
+      const Stage stage = search.solve({.name = "softer", .variant = {.stiffness_cap = cap}}, u);
       u = stage.u;
       if (!stage.is_stationary()) break;
     }

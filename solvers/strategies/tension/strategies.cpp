@@ -8,9 +8,9 @@ namespace netloft::tension {
 namespace {
 
 /// Solves the scene as it is; an equilibrium is an answer.
-void solve_from(Study& study, Displacements u) {
-  const Stage stage = study.solve({.name = "as it is, from there"}, std::move(u));
-  if (stage.is_stationary()) study.answer(stage.u);
+void solve_from(Search& search, Displacements u) {
+  const Stage stage = search.solve({.name = "as it is, from there"}, std::move(u));
+  if (stage.is_stationary()) search.answer(stage.u);
 }
 
 std::string counted(std::size_t members) {
@@ -23,39 +23,39 @@ bool some_can_be_slack(const netloft_members& members) {
                      [](const netloft_member& m) { return m.EA_compression < m.EA; });
 }
 
-const char* beginning(const Study& study) {
-  return study.starts_from_sketch() ? "from the sketch" : "from the given start";
+const char* beginning(const Search& search) {
+  return search.starts_from_sketch() ? "from the sketch" : "from the given start";
 }
 
 }  // namespace
 
 void Only::describe(StrategyTable<Only>& t) {
-  t.needs(NETLOFT_STUDY_MEMBERS);
+  t.needs(NETLOFT_SEARCH_MEMBERS);
   t.real("to_boundary", &Parameters::to_boundary, "1",
          "part of the way to the boundary of the cone that a step takes; the rest is the strain by which "
          "members start inside it, and a step that is shorter ends the method",
          {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
 }
 
-void Only::run(const Parameters& parameters, Study& study) {
-  if (!(study.load() > 0)) return study.decline("nothing drives the gear");
+void Only::run(const Parameters& parameters, Search& search) {
+  if (!(search.load() > 0)) return search.decline("nothing drives the gear");
   bool has_converged = false;
   const char* why_not = "its interior point did not converge";
-  Displacements u = study.with_members(
-      {.name = "tension only"}, study.start(), [&](netloft_members& members, std::span<double> there) {
+  Displacements u = search.with_members(
+      {.name = "tension only"}, search.start(), [&](netloft_members& members, std::span<double> there) {
         if (!some_can_be_slack(members)) {
           why_not = "its members resist compression as they do tension";
           return;
         }
         InteriorPoint method(parameters, members);
-        has_converged = method.solve(there, study.load()) == InteriorPoint::Ending::converged;
+        has_converged = method.solve(there, search.load()) == InteriorPoint::Ending::converged;
       });
-  if (!has_converged) return study.decline(why_not);
-  solve_from(study, std::move(u));
+  if (!has_converged) return search.decline(why_not);
+  solve_from(search, std::move(u));
 }
 
-std::string Only::explain(const Parameters&, Study& study) {
-  return "interior point, " + counted(study.members()) + " bearing tension only, " + beginning(study) +
+std::string Only::explain(const Parameters&, Search& search) {
+  return "interior point, " + counted(search.members()) + " bearing tension only, " + beginning(search) +
          ": no step has to guess which are slack\nthe analysis' solver from there: with all forces as they "
          "are";
 }
@@ -64,7 +64,7 @@ std::string Only::explain(const Parameters&, Study& study) {
 // thousands of random sets and a grid: tests/validation/README.md, "How sure it is".
 void FromSoft::describe(StrategyTable<FromSoft>& t) {
   using P = Parameters;
-  t.needs(NETLOFT_STUDY_MEMBERS);
+  t.needs(NETLOFT_SEARCH_MEMBERS);
   t.integer("iterations", &P::iterations,
             "limit of every stage: of 150 first stages that converged on a draw of hard cases two took more",
             1, 10000, 40);
@@ -93,16 +93,16 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
       kLeastGrowth);
 }
 
-void FromSoft::run(const Parameters& parameters, Study& study) {
-  Displacements u = study.with_members(
-      {.name = "from soft to stiff, tensions as unknowns"}, study.start(),
+void FromSoft::run(const Parameters& parameters, Search& search) {
+  Displacements u = search.with_members(
+      {.name = "from soft to stiff, tensions as unknowns"}, search.start(),
       [&](netloft_members& members, std::span<double> there) { Stages(parameters, members).solve(there); });
-  if (all_finite(u)) solve_from(study, std::move(u));
+  if (all_finite(u)) solve_from(search, std::move(u));
 }
 
-std::string FromSoft::explain(const Parameters&, Study& study) {
-  return "stages from soft to stiff, the tensions of " + counted(study.members()) + " as unknowns, " +
-         beginning(study) +
+std::string FromSoft::explain(const Parameters&, Search& search) {
+  return "stages from soft to stiff, the tensions of " + counted(search.members()) + " as unknowns, " +
+         beginning(search) +
          ": stiff ropes turn without being stretched\nthe analysis' solver from there: with all forces as "
          "they are";
 }

@@ -9,16 +9,16 @@ namespace netloft::tension {
 struct Only {
   using Parameters = InteriorPoint::Parameters;
   static void describe(StrategyTable<Only>& table);
-  static void run(const Parameters& parameters, Study& study);
-  static std::string explain(const Parameters& parameters, Study& study);
+  static void run(const Parameters& parameters, Search& search);
+  static std::string explain(const Parameters& parameters, Search& search);
 };
 
 /// From soft to stiff with tensions as unknowns, then the analysis' solver on the scene from there.
 struct FromSoft {
   using Parameters = Stages::Parameters;
   static void describe(StrategyTable<FromSoft>& table);
-  static void run(const Parameters& parameters, Study& study);
-  static std::string explain(const Parameters& parameters, Study& study);
+  static void run(const Parameters& parameters, Search& search);
+  static std::string explain(const Parameters& parameters, Search& search);
 };
 
 }  // namespace netloft::tension

@@ -178,7 +178,7 @@ ALL = [
         ("hard_cases $suite --size small --case pressure-x-100 --strategy auto --work 1", 3, "late … right 0 of"),
         ("hard_cases $suite --update-references --set parts.rope.rope.EA=1e3", 2,
          "--update-references keeps answers of the cases as they are written; --set changes them"),
-        ("hard_cases $suite --draw -1", 2, "--draw: Value -1 not in range 0 to"),
+        ("hard_cases $suite --seed -1", 2, "--seed: Value -1 not in range 0 to"),
         ("hard_cases $suite --seconds-per-case nan", 2, "--seconds-per-case: Value nan not in range 0.001 to 1000000"),
         ("hard_cases $suite --html nowhere/x.html", 2, "nowhere/x.html: there is no folder nowhere"),
         ("netloft reference /proc/here", 1, "/proc/here cannot be made: No such file or directory"),

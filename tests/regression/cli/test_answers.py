@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command of answers.py is answered in its words, and io/program/ANSWERS.md shows them; --write writes that page."""
+"""Every command of answers.py is answered in its words, and io/program/MESSAGES.md shows them; --write writes that page."""
 import os
 import re
 import subprocess
@@ -9,7 +9,7 @@ import unittest
 from answers import ALL, PRELUDE
 from program import PROGRAM, SOURCE, InFreshFolder
 
-PAGE = SOURCE / "io" / "program" / "ANSWERS.md"
+PAGE = SOURCE / "io" / "program" / "MESSAGES.md"
 HEAD = """\
 # What is asked wrongly or goes wrong, and what is answered
 

@@ -84,7 +84,7 @@ class Interrupted(InFreshFolder):
         self.assertIn("right", out)
 
     def test_a_study_says_how_to_go_on(self):
-        self.write("s.toml", f'scene = "{PANEL}"\nset = ["parts.net.cells=[60,60]"]\n{VARIABLE}[design]\ndraws = 50\n')
+        self.write("s.toml", f'scene = "{PANEL}"\nset = ["parts.net.cells=[60,60]"]\n{VARIABLE}[design]\nsamples = 50\n')
         self.assertEqual(self.netloft("study", "plan", "s.toml").code, 0)
         out, err = self.interrupted("study", "run", "s.study", "--jobs", "1", "--json")
         done = json.loads(out)["computed"]
@@ -92,7 +92,7 @@ class Interrupted(InFreshFolder):
 
     def test_an_item_alone_says_so_too(self):
         self.write("s.toml", f'scene = "{PANEL}"\nset = ["parts.net.cells=[200,200]", "analysis.tolerance=1e-16"]\n{VARIABLE}'
-                   '[design]\ndraws = 2\n')
+                   '[design]\nsamples = 2\n')
         self.assertEqual(self.netloft("study", "plan", "s.toml").code, 0)
         process = subprocess.Popen(self.command("study", "run", "s.study", "--items", "1"), cwd=self.folder, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=self.environment())

@@ -45,7 +45,7 @@ class Progress(InFreshFolder):
         self.assertEqual(event["event"], "progress")
 
     def test_a_study_counts_its_items(self):
-        self.write("s.toml", f'scene = "{PANEL}"\n{VARIABLE}[design]\ndraws = 200\n')
+        self.write("s.toml", f'scene = "{PANEL}"\n{VARIABLE}[design]\nsamples = 200\n')
         self.assertEqual(self.netloft("study", "plan", "s.toml").code, 0)
         event = json.loads(self.first_line("study", "run", "s.study", "--jobs", "1", "--json"))
         self.assertEqual((event["event"], event["of"]), ("progress", 200))

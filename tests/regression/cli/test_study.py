@@ -29,7 +29,7 @@ values = ["2000 kg/m3", "3000 kg/m3", "4000 kg/m3"]
 key = "parts.net.twine.EA"
 range = ["8 kN", "12 kN"]
 [design]
-draws = 6
+samples = 6
 """
 ITEMS, POINTS = 6, 6 * 12
 
@@ -89,7 +89,7 @@ class WholeStudies(Studies):
         self.assertEqual((planned["items"], planned["points"], planned["computed_before"]), (ITEMS, POINTS, 0))
         lines = [json.loads(line) for line in (self.folder / "s.study/manifest.jsonl").read_text().splitlines()]
         self.assertEqual(len(lines), 1 + ITEMS)
-        for key in ("id", "draw", "seed", "set", "points", "hash"):
+        for key in ("id", "sample", "seed", "set", "points", "hash"):
             self.assertIn(key, lines[1])
         ran = self.study("run", "s.study", "--json").json()
         self.assertEqual(ran, {"items": ITEMS, "computed": ITEMS, "computed_before": 0, "failed": 0})
@@ -99,7 +99,7 @@ class WholeStudies(Studies):
         self.assertEqual(len(rows), POINTS)
         self.assertEqual({row["status"] for row in rows}, {"converged"})
         self.assertEqual(sum(row["start"] == "anew" for row in rows), ITEMS)
-        self.assertEqual(len({(row["draw"], row["water"], row["rope [kg/m3]"]) for row in rows}), POINTS)
+        self.assertEqual(len({(row["sample"], row["water"], row["rope [kg/m3]"]) for row in rows}), POINTS)
 
     def test_a_row_says_what_a_run_says(self):
         self.whole_study()
@@ -140,9 +140,9 @@ class WholeStudies(Studies):
         self.assertEqual(*tables)
 
     def test_a_larger_study_goes_on_with_what_has_been_computed(self):
-        self.write("s.toml", STUDY + 'draw = "sobol"\n')
+        self.write("s.toml", STUDY + 'sampling = "sobol"\n')
         before = self.whole_study()
-        self.write("s.toml", "# more\n" + STUDY.replace("draws = 6", "draws = 8") + 'draw = "sobol"\n')
+        self.write("s.toml", "# more\n" + STUDY.replace("samples = 6", "samples = 8") + 'sampling = "sobol"\n')
         self.assertEqual(self.study("plan", "s.toml", "--json").json()["computed_before"], ITEMS)
         self.assertEqual(self.study("run", "s.study", "--json").json()["computed"], 2)
         after = self.make_table()
@@ -190,8 +190,8 @@ class ShownStudies(Studies):
         points = [[float(x) for x in pair.split(",")] for pair in svg.split("<polyline points=\"")[1].split("\"")[0].split()]
         rows = [r for r in self.rows() if r["water"] == "1000"]
         medians = [np.median([float(r["results/pull [N]"]) for r in rows if r["rope [kg/m3]"] == rope]) for rope in ("2000", "3000", "4000")]
-        drawn = [(points[0][1] - p[1]) / (points[0][1] - points[2][1]) for p in points]
-        for got, wanted in zip(drawn, medians):
+        sampled = [(points[0][1] - p[1]) / (points[0][1] - points[2][1]) for p in points]
+        for got, wanted in zip(sampled, medians):
             self.assertAlmostEqual(got, (wanted - medians[0]) / (medians[2] - medians[0]), delta=1e-3)
 
     def test_what_is_neither_axis_nor_line_is_held_and_said(self):
@@ -206,7 +206,7 @@ class ShownStudies(Studies):
 
     def test_wrong_names_are_answered(self):
         for words, answer in ((["--figure", "results/pul"], 'did you mean "results/pull"?'), (["--over", "wter"], 'did you mean "water"?'),
-                              (["--by", "twine"], "twine is drawn"), (["--at", "rope=1"], "rope is nowhere 1; there are 2000 kg/m3"),
+                              (["--by", "twine"], "twine is sampled"), (["--at", "rope=1"], "rope is nowhere 1; there are 2000 kg/m3"),
                               (["--at", "rope"], "--at NAME=VALUE"), (["-o", "a.png"], ".svg or .html"), (["-o", "a.svg"], "name one with --figure"),
                               (["--over", "water", "--by", "water"], "water is the axis")):
             self.assertIn(answer, self.study("show", "s.study", *words, code=2).err, words)
@@ -248,7 +248,7 @@ class EstimatedStudies(Studies):
 
     def test_without_what_is_drawn_it_is_over_the_draws(self):
         said = self.study("estimate", "s.study", "--at", "water=1005,rope=2500 kg/m3", "--figure", "results/lowest_z").out
-        self.assertIn(f"s at water 1005, rope 2500 kg/m3, over {ITEMS} draws", said)
+        self.assertIn(f"s at water 1005, rope 2500 kg/m3, over {ITEMS} samples", said)
         self.assertEqual(said.count("±"), 3)
         at_a_point = self.estimated("water=1010,rope=3000 kg/m3")["figures"]["results/pull"]
         rows = [float(r["results/pull [N]"]) for r in self.rows() if r["water"] == "1010" and r["rope [kg/m3]"] == "3000"]
@@ -257,7 +257,7 @@ class EstimatedStudies(Studies):
     def test_items_that_are_missing_are_left_out_and_named(self):
         self.records()[0].unlink()
         said = self.estimated("water=1005,rope=2500 kg/m3")
-        self.assertEqual(said["draws"], ITEMS - 1)
+        self.assertEqual(said["samples"], ITEMS - 1)
         self.assertEqual(len(said["left_out"]), 12)
         self.assertIn("it has not been computed", said["left_out"][0]["reason"])
 
@@ -285,13 +285,13 @@ class SensitiveStudies(Studies):
         self.whole_study()
 
     def indices(self, *words):
-        return self.study("sensitivity", "s.study", "--json", *words).json()["figures"]
+        return self.study("sobol", "s.study", "--json", *words).json()["figures"]
 
     def test_a_weight_in_water_follows_from_densities_and_not_from_stiffness(self):
         pull = self.indices("--figure", "results/pull")["results/pull"]["variables"]
         self.assertEqual(list(pull), ["twine", "water", "rope"])
         # The pull is linear in both densities, so that squares of its slopes over the ranges tell.
-        rows = {(r["water"], r["rope [kg/m3]"]): float(r["results/pull [N]"]) for r in self.rows() if r["draw"] == "1"}
+        rows = {(r["water"], r["rope [kg/m3]"]): float(r["results/pull [N]"]) for r in self.rows() if r["sample"] == "1"}
         water, rope = (rows["1030", "2000"] - rows["1000", "2000"]) ** 2, (rows["1000", "4000"] - rows["1000", "2000"]) ** 2
         for name, square in (("water", water), ("rope", rope), ("twine", 0)):
             for order in ("first", "total"):
@@ -300,13 +300,13 @@ class SensitiveStudies(Studies):
                 self.assertLess(index["error"], 0.05)
 
     def test_what_is_held_does_not_count(self):
-        said = self.study("sensitivity", "s.study", "--at", "water=1010,rope=3000 kg/m3", "--figure", "results/lowest_z").out
+        said = self.study("sobol", "s.study", "--at", "water=1010,rope=3000 kg/m3", "--figure", "results/lowest_z").out
         self.assertIn("s: Sobol indices over twine", said)
         self.assertIn("at water 1010, at rope 3000 kg/m3", said)
         self.assertIn("results/lowest_z [m]: mean", said)
 
     def test_bars_are_drawn(self):
-        self.study("sensitivity", "s.study", "-o", "bars.svg", "--figure", "results/pull", "--figure", "results/lowest_z")
+        self.study("sobol", "s.study", "-o", "bars.svg", "--figure", "results/pull", "--figure", "results/lowest_z")
         svg = (self.folder / "bars.svg").read_text()
         self.assertEqual(svg.count("fill-opacity"), 2 * 3 * 2 + 2)  # figures, variables, first order and total; legend
         for word in (">results/pull<", ">twine<", ">total<", ">part of the variance<"):
@@ -317,13 +317,13 @@ class SensitiveStudies(Studies):
                                (["--at", "rope=2500 kg"], ["--at rope", "is a mass"]), (["--at", "water=1500"], ["is outside [1000, 1030]"]),
                                (["--at", "water=1010,rope=3000 kg/m3,twine=10 kN"], ["no variable varies"]),
                                (["-o", "bars.png"], ["bars are drawn as .svg"])):
-            said = self.study("sensitivity", "s.study", *words, code=2).err
+            said = self.study("sobol", "s.study", *words, code=2).err
             for answer in answers:
                 self.assertIn(answer, said)
         for record in self.records():
             record.unlink()
-        self.assertIn("no point of this study has been computed", self.study("sensitivity", "s.study", code=2).err)
-        self.assertIn("plan STUDY.toml", self.study("sensitivity", "nowhere", code=2).err)
+        self.assertIn("no point of this study has been computed", self.study("sobol", "s.study", code=2).err)
+        self.assertIn("plan STUDY.toml", self.study("sobol", "nowhere", code=2).err)
 
 
 class LostStudies(Studies):
@@ -474,9 +474,9 @@ class WrongStudies(Studies):
                 (('"4000 kg/m3"', '"-4000 kg/m3"'), "s.toml:5:1", "is outside"),
                 (("scene.toml", "scen.toml"), "s.toml:1:9", "scen.toml"),
                 (('"12 kN"', '"12 kg"'), "s.toml:10:18", "is a mass"),
-                (("draws = 6", "draws = -6"), "s.toml:12:9", "design.draws"),
-                (("draws = 6", "draws = 6\ndrwas = 7"), "s.toml:13:1", 'unknown key "drwas"'),
-                (("draws = 6", "draws = 1000000"), "s.toml", "points"),
+                (("samples = 6", "samples = -6"), "s.toml:12:9", "design.samples"),
+                (("samples = 6", "samples = 6\ndrwas = 7"), "s.toml:13:1", 'unknown key "drwas"'),
+                (("samples = 6", "samples = 1000000"), "s.toml", "points"),
                 (("[variables.water]", 'figures = ["results/pul"]\n[variables.water]'), "s.toml:2:12", "results/pul")):
             said = self.errors(changed(STUDY, change))
             self.assertIn(where, said)
@@ -496,15 +496,15 @@ values = ["2000 kg/m3", "-4000 kg/m3"]
 key = "parts.net.twine.EA"
 range = ["8 kN", "12 kg"]
 [design]
-draws = -6
+samples = -6
 sed = 2
 """)
         for answer in ("s.toml:2:12", 'did you mean "results/pull"?', "s.toml:3:1", 'unknown key "densty"', "s.toml:6:1", "is outside",
-                       "s.toml:11:18", "is a mass", "s.toml:13:9", "design.draws", "s.toml:14:1", 'unknown key "sed"'):
+                       "s.toml:11:18", "is a mass", "s.toml:13:9", "design.samples", "s.toml:14:1", 'unknown key "sed"'):
             self.assertIn(answer, said)
         self.assertEqual(said.count(": error: "), 6, said)
-        said = self.errors('scene = "scene.toml"\n[variables.water]\nkey = "water.densty"\nvalues = [1000, 1010]\n[design]\ndraws = 3\n')
-        self.assertIn("there is no variable with a range to draw from", said)
+        said = self.errors('scene = "scene.toml"\n[variables.water]\nkey = "water.densty"\nvalues = [1000, 1010]\n[design]\nsamples = 3\n')
+        self.assertIn("there is no variable with a range to sample from", said)
         self.assertIn('unknown key "densty"', said)
 
     def test_an_empty_design_is_located(self):

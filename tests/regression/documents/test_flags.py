@@ -56,7 +56,7 @@ COMMANDS = (
     (f"netloft scope {AT_SEA} {COMMON} --set gear.nodes=600 --threads 1 --scene-plugins --strategy auto --solver newton --depth 65:67:2 "
      "--warp 3.3:3.4:2 --heel -40:40 --spread 1:200 -o scope.svg; ls scope.svg", "scope.svg"),
     (f"netloft scope {AT_SEA} --set gear.nodes=600 --depth 65:67:2 --warp 3.3:3.4:2 --heel -40:40 --output scope.html", "headline"),
-    (f"hard_cases tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --draw 2 --work 1000 "
+    (f"hard_cases tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --seed 2 --work 1000 "
      f"--seconds-per-case 5 --threads 1 --html matrix.html {COMMON}", '"newton"'),
     ("hard_cases tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
     ("netloft import femnet gears/01_two_bars.don --mesh gears/01_two_bars.mdg --json -o bars.toml; ls bars.toml bars.mesh", "bars.mesh"),

@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM, SOURCE = Path(os.environ["NETLOFT_PROGRAM"]), Path(os.environ["NETLOFT_SOURCE_DIR"])
-ELSEWHERE = ("README.md", "framework/guides/", "io/program/templates/", "io/program/ANSWERS.md", "build/")
+ELSEWHERE = ("README.md", "framework/guides/", "io/program/templates/", "io/program/MESSAGES.md", "build/")
 BLOCK = re.compile(r"^```[^\n]*\n(.*?)^```", re.DOTALL | re.MULTILINE)
 FILE = re.compile(r"^```toml (\S+)\n(.*?)^```", re.DOTALL | re.MULTILINE)  # a page's own file, of that name
 STANDS_FOR = (

@@ -84,8 +84,8 @@ struct Own {
   struct Parameters {
     std::int64_t steps = 0;
   };
-  static void run(const Parameters& p, Study& study) {
-    const Displacements u = study.with_problem({.name = "own"}, study.start(), [&](Problem& problem) {
+  static void run(const Parameters& p, Search& search) {
+    const Displacements u = search.with_problem({.name = "own"}, search.start(), [&](Problem& problem) {
       std::vector<double> r(problem.size()), s(problem.size());
       double energy = 0;
       for (std::int64_t i = 0; i < p.steps; ++i) {
@@ -97,9 +97,9 @@ struct Own {
         for (std::size_t k = 0; k < r.size(); ++k) problem.u()[k] -= s[k];
       }
     });
-    if (study.work_left() == 0) return;
-    const Stage stage = study.solve({.name = "from there"}, u);
-    if (stage.is_stationary()) study.answer(stage.u);
+    if (search.work_left() == 0) return;
+    const Stage stage = search.solve({.name = "from there"}, u);
+    if (stage.is_stationary()) search.answer(stage.u);
   }
 };
 

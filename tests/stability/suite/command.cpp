@@ -154,7 +154,7 @@ int run_hard_cases(const SuiteOptions& o) {
   program::require_ending("--html", o.html, {".html", ".htm"});
   program::require_place(o.html, {});
   const std::filesystem::path folder = o.suite;
-  const Suite suite = read_suite(folder, o.draw, diagnostics);
+  const Suite suite = read_suite(folder, o.seed, diagnostics);
   if (diagnostics.errors()) {
     terminal.say(diagnostics.render(terminal.color()));
     if (o.shared.json) std::puts(program::errors_json(diagnostics, program::kWrongInput).c_str());
@@ -163,7 +163,7 @@ int run_hard_cases(const SuiteOptions& o) {
   const auto columns = find_columns(suite, o, registry, terminal);
   References references(suite.folder / "references.json");
   program::catch_interrupts();
-  const MatrixTitle title{folder.string(), o.draw};
+  const MatrixTitle title{folder.string(), o.seed};
   MatrixSoFar matrix(title, o, terminal);
   program::Watchdog watchdog([&](const program::Overdue& overdue) { return matrix.end(overdue); });
   const auto rows = run_suite(suite, columns, references, registry, run_options(o, matrix, watchdog));

@@ -25,7 +25,7 @@ std::vector<KindTally> tally_by_kind(const std::vector<Row>& rows);
 /// The matrix of cases and solvers: for a terminal, for a program, and as a page of its own.
 struct MatrixTitle {
   std::string folder;
-  std::uint64_t draw = 1;
+  std::uint64_t seed = 1;
 };
 std::string row_text(const Row& row);
 std::string matrix_text(const MatrixTitle& title, const std::vector<Row>& rows);

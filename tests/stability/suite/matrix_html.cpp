@@ -57,10 +57,10 @@ std::string cell_html(const Cell& c) {
 std::string row_html(const Row& row) {
   std::size_t unknowns = 0;
   for (const auto& cell : row.cells) unknowns = std::max(unknowns, cell.unknowns);
-  std::string html =
-      fmt::format("<tr><th scope=\"row\" title=\"{}\">{}{}</th><td>{}</td><td class=\"number\">{}</td>",
-                  escaped(row.about->about), escaped(row.about->name),
-                  row.about->drawn ? " <small>drawn</small>" : "", name_of(row.about->expected), unknowns);
+  std::string html = fmt::format(
+      "<tr><th scope=\"row\" title=\"{}\">{}{}</th><td>{}</td><td class=\"number\">{}</td>",
+      escaped(row.about->about), escaped(row.about->name),
+      row.about->is_random ? " <small>random</small>" : "", name_of(row.about->expected), unknowns);
   for (const auto& cell : row.cells) html += cell_html(cell);
   return html + fmt::format("<td class=\"number\">{}</td></tr>\n", row.shapes);
 }
@@ -142,8 +142,8 @@ std::string matrix_html(const MatrixTitle& title, const std::vector<Row>& rows) 
       "<meta name=\"viewport\" content=\"width=device-width\"><title>Netloft: stability</title><style>";
   html += kStyle;
   html +=
-      fmt::format("</style></head><body>\n<h1>Stability of solvers on hard cases</h1>\n<p>{}, draw {}</p>\n",
-                  escaped(title.folder), title.draw);
+      fmt::format("</style></head><body>\n<h1>Stability of solvers on hard cases</h1>\n<p>{}, seed {}</p>\n",
+                  escaped(title.folder), title.seed);
   html += tally_html(rows) + kinds_html(rows) + kLegend;
   for (const auto& size : kSizes) html += table_html(size, rows);
   return html + "</body></html>\n";

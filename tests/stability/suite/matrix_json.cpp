@@ -92,7 +92,7 @@ Json cell_json(const Cell& c, const Row& row) {
           {"claimed_wrong", is_claimed_wrong(c.verdict.where)},
           {"confirmed", c.confirmed},
           {"expected", name_of(c.expected)},
-          {"drawn", row.about->drawn},
+          {"random", row.about->is_random},
           {"stable_shapes", row.shapes},
           {"iterations", c.iterations},
           {"factorisations", c.factorisations},
@@ -131,7 +131,7 @@ std::string matrix_json(const MatrixTitle& title, const std::vector<Row>& rows) 
       kinds.back().update(tally_json(t));
     }
   const Json all = {{"suite", title.folder},
-                    {"draw", title.draw},
+                    {"seed", title.seed},
                     {"solvers", solvers},
                     {"kinds", kinds},
                     {"cases", cases}};

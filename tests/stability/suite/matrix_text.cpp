@@ -21,7 +21,7 @@ std::string cell_text(const Cell& cell) {
 }
 
 std::string label(const Row& row) {
-  return row.about->name + (row.about->drawn ? " *" : "") +
+  return row.about->name + (row.about->is_random ? " *" : "") +
          (row.about->expected == Expected::none ? " (none)" : "");
 }
 
@@ -106,8 +106,8 @@ std::string row_text(const Row& row) {
 }
 
 std::string matrix_text(const MatrixTitle& title, const std::vector<Row>& rows) {
-  std::string text = fmt::format("{}, draw {}; * drawn; where / iterations / factorisations / CPU seconds\n",
-                                 title.folder, title.draw);
+  std::string text = fmt::format("{}, seed {}; * random; where / iterations / factorisations / CPU seconds\n",
+                                 title.folder, title.seed);
   std::size_t width = 6;
   for (const auto& row : rows) width = std::max(width, label(row).size());
   std::string size;

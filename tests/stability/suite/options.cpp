@@ -27,7 +27,7 @@ void add_cases(CLI::App& app, SuiteOptions& s) {
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--case", s.pattern, "only cases whose name contains this")->type_name("TEXT");
-  app.add_option("--draw", s.draw, "number of the draw: another one changes all drawn cases")
+  app.add_option("--seed", s.seed, "seed of the random numbers: another one changes all random cases")
       ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
 }
 

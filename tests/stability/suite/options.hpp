@@ -20,7 +20,7 @@ struct SuiteOptions {
   std::vector<std::string> sizes;       // --size
   std::string pattern;                  // --case
   std::string html;                     // --html FILE
-  std::uint64_t draw = 1;               // --draw
+  std::uint64_t seed = 1;               // --seed
   double seconds = 0;                   // --seconds-per-case; 0: the default of the size
   double work = 0;                      // --work; 0: any
   bool update_references = false;       // --update-references

@@ -131,8 +131,8 @@ class SuiteRun {
     return all.empty() ? "" : diagnostics.where(all[0].place) + ": " + all[0].message;
   }
 
-  /// The known answer, or the best of this run; that of a drawn case also from its sketch, by as many solvers
-  /// as it takes until two agree that there is one.
+  /// The known answer, or the best of this run; that of a random case also from its sketch, by as many
+  /// solvers as it takes until two agree that there is one.
   Answers find_answers(const HardCase& c, const std::string& size, const std::vector<Attempt>& attempts) {
     Answers all;
     if (c.expected == Expected::none) return all;
@@ -144,8 +144,8 @@ class SuiteRun {
         all.solvers.insert(columns_[i].head());
       }
     for (const char* solver : {"ptc", "relaxation"})
-      if (c.drawn && all.solvers.size() < 2) add(all, sketch_attempt(c, size, solver, {}), solver);
-    if (options_.update && !c.drawn) renew(c, size, all, attempts);
+      if (c.is_random && all.solvers.size() < 2) add(all, sketch_attempt(c, size, solver, {}), solver);
+    if (options_.update && !c.is_random) renew(c, size, all, attempts);
     return all;
   }
 
@@ -165,7 +165,7 @@ class SuiteRun {
 
   /// While references are renewed, only what this run has written counts, and may be bettered.
   bool add_known(Answers& all, const HardCase& c, const std::string& size) const {
-    if (c.drawn || (options_.update && !renewed_.contains({c.reference, size}))) return false;
+    if (c.is_random || (options_.update && !renewed_.contains({c.reference, size}))) return false;
     all.best = references_.find(c.reference, size);
     if (all.best) all.solvers.insert(solver_of(all.best->found_by));
     return all.best && !options_.update;

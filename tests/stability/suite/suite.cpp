@@ -2,7 +2,7 @@
 #include "tests/stability/suite/suite.hpp"
 
 #include "io/formats/toml/document.hpp"
-#include "tests/stability/suite/draw.hpp"
+#include "tests/stability/suite/random_case.hpp"
 
 #include <algorithm>
 #include <set>
@@ -55,22 +55,22 @@ class GroupReader {
     table.finish();
   }
 
-  /// A [[case]], or as many as `count` says if it is drawn.
+  /// A [[case]], or as many as `count` says if it is random.
   void read_entry(const formats::Value& entry) {
     TableReader plain(entry, diagnostics_, "case");
     if (!plain.has("vary")) return read_case(entry, "", 1, false);
-    const auto count = plain.integer("count", {.doc = "cases that are drawn", .lo = 1, .hi = 1000});
+    const auto count = plain.integer("count", {.doc = "random cases", .lo = 1, .hi = 1000});
     const std::string name = plain.text("name", {.doc = "of the case"});
     for (std::int64_t k = 1; k <= count; ++k) {
       const std::string suffix = "-" + std::to_string(k);
       scenes::Dice dice(file_.stem().string() + "/" + name + suffix, number_);
       formats::Value filled = entry;
-      fill_in(filled, draw(plain.table("vary"), dice));
+      fill_in(filled, random_texts(plain.table("vary"), dice));
       read_case(filled, suffix, dice.next() >> 16, true);
     }
   }
 
-  void read_case(const formats::Value& value, const std::string& suffix, std::uint64_t seed, bool drawn) {
+  void read_case(const formats::Value& value, const std::string& suffix, std::uint64_t seed, bool is_random) {
     TableReader table(value, diagnostics_, "case");
     for (const char* key : {"vary", "count"}) table.raw(key);
     HardCase c = group_;
@@ -87,7 +87,7 @@ class GroupReader {
                  : expected == "none" ? Expected::none
                                       : Expected::stable;
     c.neutral = table.boolean("neutral", {.doc = "something may move without force", .fallback = false});
-    c.drawn = drawn;
+    c.is_random = is_random;
     c.reference = table.text("reference", {.doc = "name of its answer", .fallback = c.name});
     table.finish();
     if (std::any_of(out_.begin(), out_.end(), [&](const auto& other) { return other.name == c.name; }))

@@ -23,9 +23,9 @@ struct HardCase {
   std::map<std::string, std::vector<std::string>> sizes;  // "small" -> overrides
   std::vector<StartStep> start;
   Expected expected = Expected::stable;
-  bool neutral = false;   // something may move without force: only the energy is compared
-  bool drawn = false;     // made of random numbers: its reference is the best answer of the run
-  std::string reference;  // cases that share one answer share this name
+  bool neutral = false;    // something may move without force: only the energy is compared
+  bool is_random = false;  // made of random numbers: its reference is the best answer of the run
+  std::string reference;   // cases that share one answer share this name
 };
 
 struct Suite {
@@ -37,8 +37,8 @@ struct Suite {
 /// Sizes in the order they are run.
 inline const std::vector<std::string> kSizes{"small", "medium", "large"};
 
-/// Reads solvers.toml and every other TOML file of the folder. `number` is that of the draw: another one
-/// changes all random numbers of drawn cases. Use what is returned only if there are no errors.
+/// Reads solvers.toml and every other TOML file of the folder. `number` is the seed: another one
+/// changes all random numbers of random cases. Use what is returned only if there are no errors.
 Suite read_suite(const std::filesystem::path& folder, std::uint64_t number,
                  formats::Diagnostics& diagnostics);
 

@@ -29,7 +29,7 @@ __attribute__((constructor)) void start_up() {
   }
 }
 
-int evaluate(const void*, const netloft_flow*) { return NETLOFT_OK; }
+int evaluate(const void*, const netloft_law_tile*) { return NETLOFT_OK; }
 
 }  // namespace
 

@@ -96,8 +96,8 @@ struct Asks {
 /// Asks for the same stage for ever, however often it is told that the time is over.
 struct Insists {
   struct Parameters {};
-  static void run(const Parameters&, Study& study) {
-    for (;;) study.solve({.name = "once more"}, study.start());
+  static void run(const Parameters&, Search& search) {
+    for (;;) search.solve({.name = "once more"}, search.start());
   }
 };
 

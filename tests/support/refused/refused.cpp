@@ -80,7 +80,7 @@ int evaluate(const void*, netloft_tile* t) {
   for (std::uint32_t i = 0; t->force && i < t->count; ++i) t->force[i] += 1;
   return NETLOFT_OK;
 }
-int run(const void*, netloft_study*) { return NETLOFT_OK; }
+int run(const void*, netloft_search*) { return NETLOFT_OK; }
 int create(netloft_create*, void** self) {
   static int family;
   *self = &family;
@@ -160,7 +160,7 @@ const netloft_element* elements() {
   return rows.data();
 }
 
-int push(const void*, const netloft_flow*) { return NETLOFT_OK; }
+int push(const void*, const netloft_law_tile*) { return NETLOFT_OK; }
 
 const netloft_validity* validity() {
   netloft_validity v{};

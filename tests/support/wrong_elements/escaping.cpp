@@ -69,7 +69,7 @@ netloft_element element_with_number() {
 }
 
 /// Along the flow in proportion to it.
-int push_in_proportion(const void* parameters, const netloft_flow* f) {
+int push_in_proportion(const void* parameters, const netloft_law_tile* f) {
   const auto& p = *static_cast<const Parameters*>(parameters);
   const double k = p.coefficient * (p.number + 1);
   for (std::uint32_t i = 0; i < f->count; ++i)
@@ -93,7 +93,7 @@ netloft_law law_with_number() {
   return l;
 }
 
-int push(const void*, const netloft_flow*) { throw std::runtime_error("nobody catches me"); }
+int push(const void*, const netloft_law_tile*) { throw std::runtime_error("nobody catches me"); }
 
 netloft_law law() {
   netloft_law l{};

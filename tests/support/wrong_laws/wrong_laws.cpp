@@ -100,7 +100,7 @@ struct Fails : Law<> {
 /// The right answer, changed afterwards by Change::lane(flow, lane).
 template <class Change>
 struct Changed : Law<> {
-  static void lanes(const Parameters& p, const netloft_flow& f) {
+  static void lanes(const Parameters& p, const netloft_law_tile& f) {
     detail::differentiate_law<Right>(p, f);
     for (std::size_t i = 0; i < f.count; ++i) Change::lane(f, i);
   }
@@ -110,37 +110,39 @@ void scale(double* values, std::size_t rows, std::size_t lane, double factor) {
   for (std::size_t r = 0; values && r < rows; ++r) values[r * kLanes + lane] *= factor;
 }
 struct DFlowDoubled {
-  static void lane(const netloft_flow& f, std::size_t i) { scale(f.d_flow, 9, i, 2); }
+  static void lane(const netloft_law_tile& f, std::size_t i) { scale(f.d_flow, 9, i, 2); }
 };
 struct DDirectionForgotten {
-  static void lane(const netloft_flow& f, std::size_t i) { scale(f.d_direction, 9, i, 0); }
+  static void lane(const netloft_law_tile& f, std::size_t i) { scale(f.d_direction, 9, i, 0); }
 };
 struct DSolidityForgotten {
-  static void lane(const netloft_flow& f, std::size_t i) { scale(f.d_solidity, 3, i, 0); }
+  static void lane(const netloft_law_tile& f, std::size_t i) { scale(f.d_solidity, 3, i, 0); }
 };
 struct KnowsLane {
-  static void lane(const netloft_flow& f, std::size_t i) {
+  static void lane(const netloft_law_tile& f, std::size_t i) {
     scale(f.force, 3, i, 1 + 1e-12 * static_cast<double>(i));
   }
 };
 struct ForceFromDerivatives {
-  static void lane(const netloft_flow& f, std::size_t i) { scale(f.force, 3, i, f.d_flow ? 1 + 1e-14 : 1); }
+  static void lane(const netloft_law_tile& f, std::size_t i) {
+    scale(f.force, 3, i, f.d_flow ? 1 + 1e-14 : 1);
+  }
 };
 struct CountsCalls {
-  static void lane(const netloft_flow& f, std::size_t i) {
+  static void lane(const netloft_law_tile& f, std::size_t i) {
     static int calls = 0;
     scale(f.force, 3, i, 1 + 1e-9 * (++calls % 1000));
   }
 };
 struct WritesPastCount : Law<> {
-  static void lanes(const Parameters& p, const netloft_flow& f) {
+  static void lanes(const Parameters& p, const netloft_law_tile& f) {
     detail::differentiate_law<Right>(p, f);
     for (std::size_t i = f.count; i < kLanes; ++i) f.force[i] = 0;
   }
 };
 struct ForgetsAnOutput : Law<> {
-  static void lanes(const Parameters& p, const netloft_flow& f) {
-    netloft_flow partly = f;
+  static void lanes(const Parameters& p, const netloft_law_tile& f) {
+    netloft_law_tile partly = f;
     double unseen[3 * kLanes];
     if (f.d_solidity) partly.d_solidity = unseen;
     detail::differentiate_law<Right>(p, partly);

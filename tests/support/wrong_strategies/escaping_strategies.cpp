@@ -13,27 +13,27 @@ namespace {
 
 enum class Flaw { escapes, unsized, scribbles, overflows };
 
-int run_at_once(netloft_study* study, bool sized) {
-  std::vector<double> u(study->unknowns, 0.0);
-  if (study->start) std::copy_n(study->start, u.size(), u.begin());
+int run_at_once(netloft_search* search, bool sized) {
+  std::vector<double> u(search->unknowns, 0.0);
+  if (search->start) std::copy_n(search->start, u.size(), u.begin());
   netloft_stage stage{};
   stage.variant.compression = stage.variant.current = 1;
   stage.name = "at once", stage.u = u.data();
   if (sized) stage.size = sizeof stage, stage.variant.size = sizeof stage.variant;
-  if (study->solve(study->host, &stage) != NETLOFT_OK) return NETLOFT_ERROR;
+  if (search->solve(search->host, &stage) != NETLOFT_OK) return NETLOFT_ERROR;
   const bool balanced = stage.ending == NETLOFT_ENDED_CONVERGED || stage.ending == NETLOFT_ENDED_UNSTABLE;
-  return balanced ? study->answer(study->host, u.data()) : NETLOFT_OK;
+  return balanced ? search->answer(search->host, u.data()) : NETLOFT_OK;
 }
 
 template <Flaw F>
-int run(const void*, netloft_study* study) {
+int run(const void*, netloft_search* search) {
   if (F == Flaw::escapes) throw std::runtime_error("out");
-  const int status = run_at_once(study, F != Flaw::unsized);
-  if (F == Flaw::scribbles && study->start) const_cast<double*>(study->start)[0] += 1;
+  const int status = run_at_once(search, F != Flaw::unsized);
+  if (F == Flaw::scribbles && search->start) const_cast<double*>(search->start)[0] += 1;
   return status;
 }
 
-int explain(const void*, netloft_study*, char* text, uint32_t) {
+int explain(const void*, netloft_search*, char* text, uint32_t) {
   std::strcpy(text, "solves the scene as it is written");
   return NETLOFT_OK;
 }
@@ -52,7 +52,7 @@ extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   static const netloft_strategy strategies[] = {
       strategy<Flaw::escapes>("escaping", "no-exception-escapes"),
       strategy<Flaw::unsized>("unsized", "fills-its-stages"),
-      strategy<Flaw::scribbles>("scribbles", "leaves-the-study-alone"),
+      strategy<Flaw::scribbles>("scribbles", "leaves-the-search-alone"),
       strategy<Flaw::overflows>("overflows", "explains-within-its-room")};
   static netloft_plugin plugin{};
   plugin.size = sizeof plugin, plugin.abi_major = NETLOFT_ABI_MAJOR, plugin.abi_minor = NETLOFT_ABI_MINOR;

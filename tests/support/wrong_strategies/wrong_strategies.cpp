@@ -47,97 +47,97 @@ struct Wrong {
   };
   static constexpr bool has(Flaw flaw) { return F == flaw; }
 
-  static void run(const Parameters& p, Study& study) {
-    prepare(p, study);
+  static void run(const Parameters& p, Search& search) {
+    prepare(p, search);
     try {
-      seek(p, study);
+      seek(p, search);
     } catch (const std::exception&) {
       if (!has(Flaw::swallows_errors)) throw;
     }
   }
 
-  static std::string explain(const Parameters&, Study& study) {
-    if (has(Flaw::solves_to_explain)) solve(study, "to see", {}, study.start());
+  static std::string explain(const Parameters&, Search& search) {
+    if (has(Flaw::solves_to_explain)) solve(search, "to see", {}, search.start());
     return "at once, else from soft to stiff";
   }
 
-  static void prepare(const Parameters& p, Study& study) {
-    if (has(Flaw::needs_unknowns) && study.size() == 0) throw std::invalid_argument("nothing to solve");
+  static void prepare(const Parameters& p, Search& search) {
+    if (has(Flaw::needs_unknowns) && search.size() == 0) throw std::invalid_argument("nothing to solve");
     if (has(Flaw::throws_at_a_bound) && p.stages == 0) throw std::invalid_argument("no stages");
     if (has(Flaw::keeps_threads))
       std::thread([] { std::this_thread::sleep_for(std::chrono::minutes(1)); }).detach();
   }
 
-  static void seek(const Parameters& p, Study& study) {
-    Stage stage = at_once(study);
-    if (!stage.is_stationary() && !is_over(study, stage) && !has(Flaw::ignores_start))
-      stage = soft_to_stiff(p, study, stage);
-    while (has(Flaw::waits_for_others) && !stage.is_stationary() && !is_over(study, stage))
-      stage = study.call("direct", "", {.name = "by another"}, stage.u);
-    if (has(Flaw::calls_itself) && !stage.is_stationary() && !is_over(study, stage))
-      stage = study.call("wrong_strategies/calls_itself", "", {.name = "once more"}, study.start());
-    if (stage.is_stationary()) answer(study, stage.u);
+  static void seek(const Parameters& p, Search& search) {
+    Stage stage = at_once(search);
+    if (!stage.is_stationary() && !is_over(search, stage) && !has(Flaw::ignores_start))
+      stage = soft_to_stiff(p, search, stage);
+    while (has(Flaw::waits_for_others) && !stage.is_stationary() && !is_over(search, stage))
+      stage = search.call("direct", "", {.name = "by another"}, stage.u);
+    if (has(Flaw::calls_itself) && !stage.is_stationary() && !is_over(search, stage))
+      stage = search.call("wrong_strategies/calls_itself", "", {.name = "once more"}, search.start());
+    if (stage.is_stationary()) answer(search, stage.u);
     if (!stage.is_stationary() && has(Flaw::throws_when_lost)) throw std::runtime_error("no equilibrium");
-    if (!is_over(study, stage)) go_on_from(study, stage);
+    if (!is_over(search, stage)) go_on_from(search, stage);
   }
 
   /// From a coarser mesh if there is one; the stage of the scene, or of the mesh where it had to stop.
-  static Stage at_once(Study& study) {
-    Displacements u = has(Flaw::ignores_start) ? Displacements(study.size(), 0.0) : study.start();
-    if (study.levels() > 1) {
-      const Stage coarse = solve(study, "coarse", {.level = 1}, study.transfer(0, u, 1));
-      if (is_over(study, coarse)) return {};
-      u = study.transfer(1, coarse.u, 0);
+  static Stage at_once(Search& search) {
+    Displacements u = has(Flaw::ignores_start) ? Displacements(search.size(), 0.0) : search.start();
+    if (search.levels() > 1) {
+      const Stage coarse = solve(search, "coarse", {.level = 1}, search.transfer(0, u, 1));
+      if (is_over(search, coarse)) return {};
+      u = search.transfer(1, coarse.u, 0);
     }
-    return solve(study, "at once", {}, std::move(u));
+    return solve(search, "at once", {}, std::move(u));
   }
 
-  static Stage soft_to_stiff(const Parameters& p, Study& study, Stage stage) {
+  static Stage soft_to_stiff(const Parameters& p, Search& search, Stage stage) {
     const double ratio = std::pow(p.softest, 1.0 / double(std::max<std::int64_t>(p.stages, 1)));
-    stage.u = study.start();
-    for (std::int64_t i = p.stages; i >= 0 && !is_over(study, stage); --i) {
-      const double cap = i == 0 ? 0 : study.stiffness() * std::pow(ratio, double(i));
-      stage = solve(study, "softer", {.stiffness_cap = cap}, std::move(stage.u));
-      if (has(Flaw::answers_variant) && stage.is_stationary()) study.answer(stage.u);
+    stage.u = search.start();
+    for (std::int64_t i = p.stages; i >= 0 && !is_over(search, stage); --i) {
+      const double cap = i == 0 ? 0 : search.stiffness() * std::pow(ratio, double(i));
+      stage = solve(search, "softer", {.stiffness_cap = cap}, std::move(stage.u));
+      if (has(Flaw::answers_variant) && stage.is_stationary()) search.answer(stage.u);
       if (i > 0) stage.ending = stage.is_stationary() ? Ending::not_converged : stage.ending;
     }
     return stage;
   }
 
-  static void go_on_from(Study& study, const Stage& stage) {
+  static void go_on_from(Search& search, const Stage& stage) {
     if (has(Flaw::starts_nowhere)) {
-      solve(study, "from nowhere", {}, Displacements(study.size(), std::nan("")));
+      solve(search, "from nowhere", {}, Displacements(search.size(), std::nan("")));
       return;
     }
     if (stage.growing.empty()) return;
     Displacements u = stage.u;
     for (std::size_t i = 0; i < u.size(); ++i) u[i] += 0.01 * stage.growing[i];
-    const Stage second = solve(study, "beside", {}, std::move(u));
-    if (second.is_stationary() && !has(Flaw::forgets_the_second)) answer(study, second.u);
+    const Stage second = solve(search, "beside", {}, std::move(u));
+    if (second.is_stationary() && !has(Flaw::forgets_the_second)) answer(search, second.u);
   }
 
-  static Stage solve(Study& study, const char* name, Variant variant, Displacements u) {
+  static Stage solve(Search& search, const char* name, Variant variant, Displacements u) {
     static int calls = 0;
     if (has(Flaw::asks_wrongly)) variant.compression = -1;
     Ask ask{.name = has(Flaw::nameless) ? "" : name, .variant = variant};
     if (has(Flaw::overspends)) ask.work = 1e9;
     if (has(Flaw::counts_calls) && !u.empty()) u[0] += 1e-12 * (++calls % 101);
-    const Stage stage = study.solve(ask, std::move(u));
+    const Stage stage = search.solve(ask, std::move(u));
     const bool goes_on =
         has(Flaw::ignores_interrupt)
             ? stage.ending == Ending::interrupted
-            : has(Flaw::ignores_budget) && stage.ending != Ending::interrupted && study.work_left() <= 0;
-    return goes_on ? study.solve(ask, stage.u) : stage;
+            : has(Flaw::ignores_budget) && stage.ending != Ending::interrupted && search.work_left() <= 0;
+    return goes_on ? search.solve(ask, stage.u) : stage;
   }
 
-  static void answer(Study& study, const Displacements& u) {
+  static void answer(Search& search, const Displacements& u) {
     if (has(Flaw::keeps_quiet)) return;
-    study.answer(u);
-    if (has(Flaw::answers_nonsense)) study.answer(Displacements(u.size(), std::nan("")));
+    search.answer(u);
+    if (has(Flaw::answers_nonsense)) search.answer(Displacements(u.size(), std::nan("")));
   }
 
-  static bool is_over(Study& study, const Stage& stage) {
-    return stage.ending == Ending::interrupted || study.work_left() <= 0;
+  static bool is_over(Search& search, const Stage& stage) {
+    return stage.ending == Ending::interrupted || search.work_left() <= 0;
   }
 };
 
@@ -155,7 +155,7 @@ void add(Plugin& plugin, const char* name, const char* found_by, double softest 
 NETLOFT_PLUGIN("wrong_strategies", "1", "Strategies that are wrong in one place each") {
   add<Flaw::none>(plugin, "right", "nothing");
   add<Flaw::none>(plugin, "bad_default", "defaults-are-allowed", 2);
-  add<Flaw::keeps_quiet>(plugin, "keeps_quiet", "answers-easy-studies");
+  add<Flaw::keeps_quiet>(plugin, "keeps_quiet", "answers-easy-searches");
   add<Flaw::ignores_start>(plugin, "ignores_start", "answers-from-a-start");
   add<Flaw::answers_nonsense>(plugin, "answers_nonsense", "answers-with-numbers");
   add<Flaw::answers_variant>(plugin, "answers_variant", "answers-the-scene-itself");

@@ -2,7 +2,7 @@
 #include "framework/judging/growth.hpp"
 
 #include "io/runs/case.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 

@@ -15,7 +15,7 @@ class Matrix : public ::testing::Test {
  protected:
   Matrix() {
     panel.name = "panel/<slack>", panel.about = "slack & \"cold\"";
-    none.name = "rope/loose", none.expected = Expected::none, none.drawn = true;
+    none.name = "rope/loose", none.expected = Expected::none, none.is_random = true;
     none.scene = "rope.toml", none.overrides = {"parts.rope.EA=1e9"};
     none.start = {{.amplitude = 2.5, .seed = 7}, {.kind = StartStep::Kind::turn, .angle = 0.5, .axis = 2}};
     none.sizes["small"] = {"parts.rope.cells=67"}, none.sizes["large"] = {"parts.rope.cells=4000"};
@@ -61,7 +61,7 @@ TEST_F(Matrix, CountsEachKindByItself) {
 
 TEST_F(Matrix, TheTableNamesCasesAndMarksWhatIsClaimedWrong) {
   const std::string text = matrix_text({"suite", 3}, rows);
-  EXPECT_NE(text.find("draw 3"), std::string::npos);
+  EXPECT_NE(text.find("seed 3"), std::string::npos);
   EXPECT_NE(text.find("reference 12/13/0.25"), std::string::npos);
   EXPECT_NE(text.find("rope/loose * (none)"), std::string::npos);
   EXPECT_NE(text.find("!! lied 12/13/0.25"), std::string::npos);

@@ -14,7 +14,7 @@ using namespace runs;
 
 namespace {
 
-class Book : public formats::testing::Scratch {};
+class Book : public formats::test::Scratch {};
 
 TEST_F(Book, KeepsEveryBitOfAnAnswer) {
   const auto file = folder_ / "references.json";
@@ -58,7 +58,7 @@ TEST_F(Book, SaysWhichFileCannotBeRead) {
 // Energies of the two panels of the paper, from a program of its own (residuals in 80 bits, to 1e-13 N), on
 // the same meshes; the other tests of these panels (tests/verification) have their positions from there.
 TEST(TheBook, AgreesWithAnIndependentProgramAboutThePanelsOfThePaper) {
-  const References answers(test::source_folder() + "/tests/stability/references.json");
+  const References answers(netloft::test::source_folder() + "/tests/stability/references.json");
   const auto expect = [&](const std::string& name, const std::string& size, double energy) {
     const auto known = answers.find(name, size);
     ASSERT_TRUE(known) << name;

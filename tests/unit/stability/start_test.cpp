@@ -14,7 +14,7 @@ using namespace runs;
 
 namespace {
 
-using formats::testing::Input;
+using formats::test::Input;
 using Point = std::array<double, 3>;
 
 /// A rope along x: node 0 held along all axes, node 1 along z, the others free.

@@ -15,7 +15,7 @@ using namespace runs;
 
 namespace {
 
-class SuiteFolder : public formats::testing::Scratch {
+class SuiteFolder : public formats::test::Scratch {
  protected:
   Suite read(std::uint64_t number = 1) {
     write("solvers.toml", "[[solver]]\nuse = \"newton\"\n");
@@ -37,7 +37,7 @@ TEST_F(SuiteFolder, ACaseTakesWhatItsFileSaysAndAddsItsOwn) {
   EXPECT_EQ(c.overrides, (std::vector<std::string>{"a=1", "b=2"}));
   EXPECT_EQ(c.sizes.at("small"), std::vector<std::string>{"n=2"});
   EXPECT_EQ(c.scene, folder_ / "rope.toml");
-  EXPECT_TRUE(c.expected == Expected::unique && c.neutral && !c.drawn);
+  EXPECT_TRUE(c.expected == Expected::unique && c.neutral && !c.is_random);
   EXPECT_EQ(suite.columns[0].solver, "newton");
 }
 
@@ -70,20 +70,20 @@ TEST_F(SuiteFolder, AColumnIsAStrategyOrASolverOrBoth) {
   EXPECT_EQ(columns[2].solver, "ptc");
 }
 
-TEST_F(SuiteFolder, ADrawnCaseIsManyAndAnotherNumberChangesAllOfThem) {
+TEST_F(SuiteFolder, ARandomCaseIsManyAndAnotherNumberChangesAllOfThem) {
   write("rope.toml",
         std::string(kHead) +
-            "[[case]]\nname = \"drawn\"\ncount = 3\nset = [\"length=$L\"]\nexpected = \"stable\"\n"
+            "[[case]]\nname = \"random\"\ncount = 3\nset = [\"length=$L\"]\nexpected = \"stable\"\n"
             "start = [{ noise = \"$L m\" }]\n[case.vary]\nL = { from = 1, to = 2 }\n");
   const auto one = read(1), two = read(2);
   ASSERT_EQ(errors(), "");
   ASSERT_EQ(one.cases.size(), 3u);
-  EXPECT_EQ(one.cases[2].name, "rope/drawn-3");
+  EXPECT_EQ(one.cases[2].name, "rope/random-3");
   std::set<std::string> lengths;
   std::set<std::uint64_t> seeds;
   for (const auto* suite : {&one, &two})
     for (const auto& c : suite->cases) {
-      EXPECT_TRUE(c.drawn);
+      EXPECT_TRUE(c.is_random);
       lengths.insert(c.overrides.at(1)), seeds.insert(c.start.at(0).seed);
     }
   EXPECT_EQ(lengths.size(), 6u);
@@ -106,15 +106,15 @@ TEST_F(SuiteFolder, AFolderWithoutCasesIsNoSuite) {
   EXPECT_NE(errors().find("holds no suite"), std::string::npos) << errors();
 }
 
-TEST(TheSuite, HasItsHardCasesAndAThirdOfThemDrawnWhateverTheNumber) {
+TEST(TheSuite, HasItsHardCasesAndAThirdOfThemRandomWhateverTheNumber) {
   for (std::uint64_t number = 1; number <= 10; ++number) {
     formats::Diagnostics diagnostics;
-    const auto suite = read_suite(test::source_folder() + "/tests/stability", number, diagnostics);
+    const auto suite = read_suite(netloft::test::source_folder() + "/tests/stability", number, diagnostics);
     ASSERT_EQ(diagnostics.errors(), 0) << diagnostics.render(false);
     const auto count = [&](auto&& is) { return std::count_if(suite.cases.begin(), suite.cases.end(), is); };
-    const auto drawn = count([](const auto& c) { return c.drawn; });
-    EXPECT_GE(static_cast<std::size_t>(drawn) * 3, suite.cases.size());
-    EXPECT_GE(static_cast<std::size_t>(suite.cases.size()) - static_cast<std::size_t>(drawn), 33u);
+    const auto random = count([](const auto& c) { return c.is_random; });
+    EXPECT_GE(static_cast<std::size_t>(random) * 3, suite.cases.size());
+    EXPECT_GE(static_cast<std::size_t>(suite.cases.size()) - static_cast<std::size_t>(random), 33u);
     EXPECT_GE(count([](const auto& c) { return c.expected == Expected::none; }), 5);
     for (const auto& c : suite.cases) {
       EXPECT_TRUE(std::filesystem::exists(c.scene)) << c.name;

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "framework/study/study.hpp"
+#include "framework/search/search.hpp"
 #include "tests/validation/real_gears/perturbed.hpp"
 
 namespace {

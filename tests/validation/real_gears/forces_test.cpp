@@ -12,13 +12,15 @@ namespace {
 /// A gear where FEMNET has it.
 struct Standing {
   Standing(const NeutralCase& gear, const Modelling& modelling)
-      : scene(make_scene(gear, modelling)), plan(make_plan(scene, plugins())), assembler(scene, plan, 1) {
+      : scene(make_scene(gear, modelling)),
+        plan(make_scene_plan(scene, plugins())),
+        assembler(scene, plan, 1) {
     x = over_dofs(assembler, gear.reference.positions);
     residual.resize(x.size());
     EXPECT_TRUE(assembler.evaluate(x, {.residual = residual.data()})) << assembler.fault_sentence(scene);
   }
   Scene scene;
-  Plan plan;
+  ScenePlan plan;
   Assembler assembler;
   std::vector<double> x, residual;
 };

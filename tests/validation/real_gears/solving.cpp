@@ -80,7 +80,7 @@ std::vector<Vector> follow_motion(const NeutralCase& gear, const Modelling& mode
   const IntegratorType& integrator = plugins().integrator("generalized-alpha");
   const SolverType& newton = plugins().solver("newton");
   const Scene scene = scene_of(gear, modelling, start);
-  const Plan plan = make_plan(scene, plugins(), TangentChoice::exact, AnalysisKind::dynamics);
+  const ScenePlan plan = make_scene_plan(scene, plugins(), TangentChoice::exact, AnalysisKind::dynamics);
   Assembler assembler(scene, plan, 1);
   std::vector<std::string> faults;  // none: all parameters are left as they are
   const ParameterBlock scheme(integrator.parameters, integrator.integrator.parameter_bytes, {}, faults);

@@ -11,23 +11,23 @@ struct MyStrategy {
     double softest = 0, factor = 0;  // s, f
   };
 
-  static void run(const Parameters& p, netloft::Study& study) {
-    netloft::Stage stage = study.solve({.name = "at once"}, study.start());
-    if (!stage.is_stationary()) stage = soft_to_stiff(p, study);
-    if (stage.is_stationary()) study.answer(stage.u);
+  static void run(const Parameters& p, netloft::Search& search) {
+    netloft::Stage stage = search.solve({.name = "at once"}, search.start());
+    if (!stage.is_stationary()) stage = soft_to_stiff(p, search);
+    if (stage.is_stationary()) search.answer(stage.u);
   }
 
-  static std::string explain(const Parameters& p, netloft::Study& study) {
+  static std::string explain(const Parameters& p, netloft::Search& search) {
     return "at once; where that fails, with stiffnesses up to " +
-           std::to_string(p.softest * study.stiffness()) + " N at first, then stiffer and stiffer\n";
+           std::to_string(p.softest * search.stiffness()) + " N at first, then stiffer and stiffer\n";
   }
 
   /// The stage of the scene itself, or the first that failed. No work is left once the user interrupts.
-  static netloft::Stage soft_to_stiff(const Parameters& p, netloft::Study& study) {
-    netloft::Stage stage{.u = study.start()};
-    for (double cap = p.softest * study.stiffness(); study.work_left() > 0; cap *= p.factor) {  // (1)
-      if (cap >= study.stiffness()) return study.solve({.name = "as stiff as it is"}, stage.u);
-      stage = study.solve({.name = "softer", .variant = {.stiffness_cap = cap}}, stage.u);
+  static netloft::Stage soft_to_stiff(const Parameters& p, netloft::Search& search) {
+    netloft::Stage stage{.u = search.start()};
+    for (double cap = p.softest * search.stiffness(); search.work_left() > 0; cap *= p.factor) {  // (1)
+      if (cap >= search.stiffness()) return search.solve({.name = "as stiff as it is"}, stage.u);
+      stage = search.solve({.name = "softer", .variant = {.stiffness_cap = cap}}, stage.u);
       if (!stage.is_stationary()) return stage;
     }
     return {};

@@ -30,7 +30,7 @@ int take_answer(void*, const double* u) {
 }  // namespace
 
 int main() {
-  netloft_study s{};
+  netloft_search s{};
   s.size = sizeof s;
   s.unknowns = s.levels = 1;
   s.stiffness = 100;
@@ -38,8 +38,8 @@ int main() {
   s.work_left = work_left;
   s.solve = solve;
   s.answer = take_answer;
-  netloft::Study study(s);
-  MyStrategy::run(MyStrategy::Parameters{.softest = 1e-3, .factor = 10}, study);
+  netloft::Search search(s);
+  MyStrategy::run(MyStrategy::Parameters{.softest = 1e-3, .factor = 10}, search);
   const double by_hand = 0.01;  // 1 N over 100 N/m; at once, then 0.1, 1, 10 and 100 N/m
   std::printf("ends at %g m after %d stages; by hand %g m after 5\n", answer, stages, by_hand);
   return std::fabs(answer - by_hand) < 1e-12 && stages == 5 ? 0 : 1;

@@ -135,7 +135,7 @@ const std::vector<double> kAnywhere{0.1, 0.2, -0.3, 0.05, -0.1, 0.15, 0.7, -0.4,
 class BodyTangent : public testing::TestWithParam<bool> {};
 
 TEST_P(BodyTangent, IsTheDerivativeOfTheResidualAtAnyRotation) {
-  Assembled a(link_on_a_rope(), 1, [](Plan& plan) { plan.symmetric = GetParam(); });
+  Assembled a(link_on_a_rope(), 1, [](ScenePlan& plan) { plan.symmetric = GetParam(); });
   ASSERT_EQ(a.assembler.pattern().size, 9);  // the tail, the body's origin, its rotation
   expect_exact_tangent(a, kAnywhere);
 }
@@ -180,7 +180,7 @@ TEST(Bodies, GiveAResidualThatIsTheGradientOfTheEnergy) {
 class MovingVane : public testing::Test {
  protected:
   Scene scene = vane_on_a_rope();
-  Plan plan = make_plan(scene, plugins(), TangentChoice::exact, AnalysisKind::dynamics);
+  ScenePlan plan = make_scene_plan(scene, plugins(), TangentChoice::exact, AnalysisKind::dynamics);
   Assembler assembler{scene, plan, 1};
   std::size_t n = static_cast<std::size_t>(assembler.pattern().size), dofs = assembler.numbering().dofs();
   std::vector<double> u = kAnywhere, v = random_numbers(n, 3), a = random_numbers(n, 4);

@@ -50,7 +50,7 @@ TEST(Frames, KeepTheTangentTheDerivativeOfTheResidual) {
   Scene scene = sample::hanging_panel(2, 54);
   scene.frames[4] = inclined_axes(), scene.held[4] = kAxisX;
   scene.frames[5] = inclined_axes(), scene.held[5] = kAxisY | kAxisZ;
-  Plan plan = make_plan(scene, test::shipped_plugins());
+  ScenePlan plan = make_scene_plan(scene, test::shipped_plugins());
   Assembler assembler(scene, plan, 1);
   const SparsePattern& pattern = assembler.pattern();
   const auto n = static_cast<std::size_t>(pattern.size);
@@ -120,7 +120,7 @@ TEST(SymmetryPlane, MakesHalfAPanelHangLikeTheWhole) {
 // Positions and their low-order parts together are the sum in twice the precision, for rotated nodes, too.
 TEST(Frames, KeepWhatPositionsRoundOff) {
   const Scene scene = bead_on_a_line();
-  Assembler assembler(scene, make_plan(scene, test::shipped_plugins()), 1);
+  Assembler assembler(scene, make_scene_plan(scene, test::shipped_plugins()), 1);
   const std::vector<double> base = assembler.start(), u = {1e-17};
   std::vector<double> x(base.size()), low(base.size());
   assembler.place_from(base, u, x, low);

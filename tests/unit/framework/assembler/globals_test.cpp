@@ -78,8 +78,8 @@ TEST(Globals, AreNamedByTheirPart) {
 }
 
 TEST(Globals, WantTheWholeTangent) {
-  EXPECT_THROW(make_plan(two_parts(), plugins(), TangentChoice::elastic), SceneError);
-  EXPECT_THROW(make_plan(two_parts(), plugins(), TangentChoice::symmetric), SceneError);
+  EXPECT_THROW(make_scene_plan(two_parts(), plugins(), TangentChoice::elastic), SceneError);
+  EXPECT_THROW(make_scene_plan(two_parts(), plugins(), TangentChoice::symmetric), SceneError);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Numbers {
 struct Push {
   static constexpr auto kind = NETLOFT_SCREEN_LAW;
   using Parameters = Numbers;
-  static void lanes(const Parameters&, const netloft_flow& f) {
+  static void lanes(const Parameters&, const netloft_law_tile& f) {
     for (std::size_t i = 0; i < f.count; ++i) f.force[i] = 1;
   }
 };
@@ -58,7 +58,7 @@ struct Two {
   Two(const Two&) = delete;
   FlowLanes lanes{};
   double area[kLanes] = {3, 1};
-  netloft_flow f{};
+  netloft_law_tile f{};
 };
 
 LawUse watched(const LawType& law, const ParameterBlock& block, bool is_told = true) {

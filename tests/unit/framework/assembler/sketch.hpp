@@ -32,15 +32,15 @@ struct Sketch {
 
 /// A scene with its plan, assembled.
 struct Assembled {
-  explicit Assembled(Scene given, int threads = 1, const std::function<void(Plan&)>& change = {})
+  explicit Assembled(Scene given, int threads = 1, const std::function<void(ScenePlan&)>& change = {})
       : scene(std::move(given)), plan(make_changed_plan(scene, change)), assembler(scene, plan, threads) {}
-  static Plan make_changed_plan(const Scene& scene, const std::function<void(Plan&)>& change) {
-    Plan plan = make_plan(scene, plugins());
+  static ScenePlan make_changed_plan(const Scene& scene, const std::function<void(ScenePlan&)>& change) {
+    ScenePlan plan = make_scene_plan(scene, plugins());
     if (change) change(plan);
     return plan;
   }
   Scene scene;
-  Plan plan;
+  ScenePlan plan;
   Assembler assembler;
 
   /// The start, every coordinate moved by up to `size`, from a fixed seed.

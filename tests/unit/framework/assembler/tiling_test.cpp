@@ -18,14 +18,14 @@ namespace {
 struct Tiled {
   explicit Tiled(Scene given)
       : scene(std::move(given)),
-        plan(make_plan(scene, plugins())),
+        plan(make_scene_plan(scene, plugins())),
         families(1),
         family(*(families[0] = std::make_unique<ElementFamily>(scene, plan.families[0]))),
         numbering(scene),
         blocks(make_blocks(families, scene, true)),
         tiling(make_tiling(family, scene, numbering, blocks, true, 0)) {}
   Scene scene;
-  Plan plan;
+  ScenePlan plan;
   std::vector<std::unique_ptr<ElementFamily>> families;
   ElementFamily& family;
   Numbering numbering;

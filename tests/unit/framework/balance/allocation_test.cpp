@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/judging/verdict.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/support/counted_malloc.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/verification/solving.hpp"
@@ -15,7 +15,7 @@ std::vector<long> count_allocations(const Scene& scene, const SolverType& solver
                                     int threads) {
   std::vector<std::string> faults;
   const ParameterBlock parameters(solver.parameters, solver.solver.parameter_bytes, values, faults);
-  const Plan plan = make_plan(scene, shipped_plugins());
+  const ScenePlan plan = make_scene_plan(scene, shipped_plugins());
   Assembler assembler(scene, plan, threads);
   Limits limits;
   limits.iterations = 100;

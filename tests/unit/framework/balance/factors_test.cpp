@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/balance/matrices.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 
 namespace netloft::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "framework/judging/growth.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/unit/solvers/known_answers.hpp"
 
 namespace netloft::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/motion/time_march.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/verification/solving.hpp"
 
 #include <cmath>
@@ -49,8 +49,9 @@ struct Chosen {
 };
 
 /// A plan of a scene that moves, for the mean forces of a scheme if that is named.
-inline Plan plan_in_motion(const Scene& scene, const std::string& by_means) {
-  Plan plan = make_plan(scene, shipped_plugins(), TangentChoice::symmetric, AnalysisKind::dynamics);
+inline ScenePlan plan_in_motion(const Scene& scene, const std::string& by_means) {
+  ScenePlan plan =
+      make_scene_plan(scene, shipped_plugins(), TangentChoice::symmetric, AnalysisKind::dynamics);
   if (!by_means.empty()) ask_mean_forces(plan, by_means);
   return plan;
 }
@@ -75,7 +76,7 @@ struct Moving {
 
   std::vector<std::string> faults;
   Scene scene;
-  Plan plan;
+  ScenePlan plan;
   Assembler assembler;
   const SolverType& solver_type;
   ParameterBlock solver_block;

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "solvers/factorisation/mumps.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 
@@ -32,7 +32,7 @@ Scene pressed_chain() {
 
 /// The callbacks of a problem, called as a solver does.
 struct Called {
-  explicit Called(Scene scene, Limits limits = {}, const std::function<void(Plan&)>& change = {})
+  explicit Called(Scene scene, Limits limits = {}, const std::function<void(ScenePlan&)>& change = {})
       : assembled(std::move(scene), 1, change),
         problem(assembled.assembler, make_factorisation, limits),
         p(problem.interface()) {}
@@ -112,7 +112,7 @@ struct MeanForceStep {
 
 // Mean forces of a step are the gradient of nothing, whose place is filled with zeros.
 TEST(StaticProblem, EvaluatesMeanForcesAndTheirLackOfAGradientToTheBitOfTwoEvaluations) {
-  Called c(hanging_chain().scene, {}, [](Plan& plan) { ask_mean_forces(plan, "test"); });
+  Called c(hanging_chain().scene, {}, [](ScenePlan& plan) { ask_mean_forces(plan, "test"); });
   for (std::size_t i = 0; i < c.p.unknowns; ++i) c.p.u[i] = 0.01 * static_cast<double>(i);
   ASSERT_EQ(c.evaluate(NETLOFT_WANT_FORCE), NETLOFT_OK);
   const auto at_rest = c.residual;

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "solvers/factorisation/factorisation.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"

@@ -59,7 +59,7 @@ TEST(UndeclaredParameters, OfAnElementKeepTheAuthorsDefaults) {
 struct Push {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   using Parameters = Shared;
-  static void lanes(const Parameters& p, const netloft_flow& f) {
+  static void lanes(const Parameters& p, const netloft_law_tile& f) {
     f.force[0] = p.given * static_cast<double>(p.number);
   }
 };
@@ -68,7 +68,7 @@ TEST(UndeclaredParameters, OfALawKeepTheAuthorsDefaults) {
   LawTable<Push> table("push", "a law");
   table.real("given", &Shared::given, "1", "declared", {.lo = 0, .hi = 10, .fallback = 1});
   double force[3 * kLanes] = {};
-  netloft_flow flow{};
+  netloft_law_tile flow{};
   flow.size = sizeof flow, flow.count = 1, flow.force = force;
   const Block block;
   EXPECT_EQ(table.descriptor().evaluate(&block, &flow), NETLOFT_OK);
@@ -86,7 +86,7 @@ struct Teller {
   }
   static double order(const Parameters& p) { return static_cast<double>(p.number); }
   static double stable_step(const Parameters& p, double) { return p.given; }
-  static void run(const Parameters& p, Study&) {
+  static void run(const Parameters& p, Search&) {
     if (p.given != 2 || p.number != 3) throw std::runtime_error("other numbers");
   }
 };
@@ -99,8 +99,8 @@ TEST(UndeclaredParameters, OfASolverAnIntegratorAndAStrategyKeepTheAuthorsDefaul
   const Block block;
   netloft_problem problem{};
   EXPECT_EQ(declare(SolverTable<Teller>("teller", "a solver")).solve(&block, &problem), NETLOFT_STOPPED);
-  netloft_study study{};
-  EXPECT_EQ(declare(StrategyTable<Teller>("teller", "a strategy")).run(&block, &study), NETLOFT_OK);
+  netloft_search search{};
+  EXPECT_EQ(declare(StrategyTable<Teller>("teller", "a strategy")).run(&block, &search), NETLOFT_OK);
   const netloft_integrator i = declare(IntegratorTable<Teller>("teller", "an integrator"));
   netloft_motion motion{};
   EXPECT_EQ(i.step(&block, &motion), NETLOFT_OK);

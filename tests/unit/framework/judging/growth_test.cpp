@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "framework/assembler/pattern.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/unit/framework/balance/oscillator.hpp"
 #include "tests/unit/solvers/known_answers.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/unit/solvers/known_answers.hpp"

@@ -13,7 +13,7 @@ namespace {
 netloft_law law() {
   netloft_law l{};
   l.size = sizeof l, l.kind = NETLOFT_TWINE_LAW, l.name = "law", l.doc = "a law";
-  l.evaluate = [](const void*, const netloft_flow*) -> int { return NETLOFT_OK; };
+  l.evaluate = [](const void*, const netloft_law_tile*) -> int { return NETLOFT_OK; };
   return l;
 }
 

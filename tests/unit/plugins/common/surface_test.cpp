@@ -68,7 +68,7 @@ TEST(Surface, HasAnEnergyWhoseSlopeIsWhatIsLost) {
 }
 
 /// A law that pushes every metre with 8 N along x.
-int push_with_eight(const void*, const netloft_flow* f) {
+int push_with_eight(const void*, const netloft_law_tile* f) {
   for (std::size_t i = 0; i < f->count; ++i) {
     f->force[i] = 8, f->force[kLanes + i] = f->force[2 * kLanes + i] = 0;
     for (std::size_t k = 0; f->d_flow && k < 9; ++k)

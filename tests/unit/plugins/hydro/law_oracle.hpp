@@ -34,7 +34,7 @@ struct TestFlow {
     return {lanes.force[0][i], lanes.force[1][i], lanes.force[2][i]};
   }
   FlowLanes lanes{};
-  netloft_flow f{};
+  netloft_law_tile f{};
 };
 
 inline double uniform(std::mt19937_64& random, double lo, double hi) {

@@ -4,7 +4,7 @@
 #include <netloft/law.hpp>
 
 #include "plugins/priour/drag.hpp"
-#include "plugins/priour/motion.hpp"
+#include "plugins/priour/netting_motion.hpp"
 #include "plugins/priour/slowed.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"

@@ -4,8 +4,8 @@
 // dual numbers, and against moments in closed form.
 #include "plugins/rope/clamp.hpp"
 
-#include "plugins/rope/bending.hpp"
 #include "plugins/rope/mirror.hpp"
+#include "plugins/rope/rope_bending.hpp"
 #include "tests/unit/plugins/kernel_oracle.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/support/counted_malloc.hpp"
 #include "tests/unit/solvers/factorisation/net_matrix.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solvers/factorisation/factorisation.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 
 namespace netloft {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "framework/study/study.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "framework/search/search.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/unit/solvers/known_answers.hpp"
 #include "tests/verification/solving.hpp"
@@ -32,9 +32,9 @@ struct Found {
 Found find(const Scene& scene, const Values& parameters = {}, Limits limits = {}, double work = 5000,
            const char* strategy = "auto") {
   Registry& registry = shipped_plugins();
-  const Plan plan = make_plan(scene, registry);
+  const ScenePlan plan = make_scene_plan(scene, registry);
   Assembler assembler(scene, plan, 1);
-  StudyOptions options;
+  SearchOptions options;
   options.solver.type = &registry.solver("newton"), options.limits = limits, options.work = work;
   Found f{find_equilibrium({&scene, &assembler, &registry, nullptr, make_factorisation}, options,
                            {&registry.strategy(strategy), parameters}),

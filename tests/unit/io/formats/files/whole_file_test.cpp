@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 class WholeFile : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(test::build_folder()) / "scratch" /
+    folder_ = fs::path(netloft::test::build_folder()) / "scratch" /
               ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder_);
     fs::create_directories(folder_);

@@ -12,7 +12,7 @@
 namespace netloft::formats {
 namespace {
 
-LinePlot sample() {
+LinePlot example_plot() {
   return {"a panel",
           "error [m]",
           "CPU time [s]",
@@ -40,14 +40,14 @@ std::vector<std::pair<double, double>> points_of_line(const std::string& svg, in
 }
 
 TEST(Plot, DrawsALinePerSeriesAndAMarkerPerPoint) {
-  const std::string svg = draw_svg(sample());
+  const std::string svg = draw_svg(example_plot());
   EXPECT_EQ(count(svg, "<polyline"), 2u);
   EXPECT_EQ(count(svg, "<circle"), 3u + 1u);  // one in the legend
   EXPECT_EQ(count(svg, "stroke-dasharray"), 2u);
 }
 
 TEST(Plot, IsTrueToScale) {
-  const auto line = points_of_line(draw_svg(sample()), 0);
+  const auto line = points_of_line(draw_svg(example_plot()), 0);
   ASSERT_EQ(line.size(), 3u);
   // Two decades in x, then four; y doubles twice.
   EXPECT_NEAR((line[1].first - line[2].first) / (line[0].first - line[1].first), 2, 1e-3);
@@ -74,19 +74,19 @@ TEST(Plot, ShadesBandsBehindTheirLines) {
 }
 
 TEST(Plot, PutsSeveralOnAPage) {
-  const std::string page = draw_html("all", {sample(), sample(), sample()});
+  const std::string page = draw_html("all", {example_plot(), example_plot(), example_plot()});
   EXPECT_EQ(count(page, "<svg"), 3u);
   EXPECT_NE(page.find("<h1>all</h1>"), std::string::npos);
 }
 
 TEST(Plot, NamesEverything) {
-  const std::string svg = draw_svg(sample());
+  const std::string svg = draw_svg(example_plot());
   for (const char* text : {"a panel", "error [m]", "CPU time [s]", ">one<", ">two<", "32 cells", "8 cells"})
     EXPECT_NE(svg.find(text), std::string::npos) << text;
 }
 
 TEST(Plot, GivesEverySeriesAColourAndAMarkerOfItsOwn) {
-  LinePlot plot = sample();
+  LinePlot plot = example_plot();
   plot.series.clear(), plot.marks.clear();
   for (int i = 0; i < 7; ++i) plot.series.push_back({"s", {{1, 1.0 + i}, {10, 2.0 + i}}});
   const std::string svg = draw_svg(plot);
@@ -100,11 +100,11 @@ TEST(Plot, GivesEverySeriesAColourAndAMarkerOfItsOwn) {
 }
 
 TEST(Plot, LeavesOutWhatHasNoPlace) {
-  LinePlot plot = sample();
+  LinePlot plot = example_plot();
   plot.series[0].points.push_back({0, 1});
   plot.series[0].points.push_back({1e-3, std::nan("")});
   plot.marks.push_back({0, "none"});
-  EXPECT_EQ(draw_svg(plot), draw_svg(sample()));
+  EXPECT_EQ(draw_svg(plot), draw_svg(example_plot()));
 }
 
 TEST(Plot, HasAPictureOfNothing) {
@@ -115,7 +115,7 @@ TEST(Plot, HasAPictureOfNothing) {
 }
 
 TEST(Plot, KeepsMarkupOfNamesHarmless) {
-  LinePlot plot = sample();
+  LinePlot plot = example_plot();
   plot.title = "a < b & \"c\"\x01";
   for (const std::string& text : {draw_svg(plot), draw_html(plot)}) {
     EXPECT_NE(text.find("a &lt; b &amp; &quot;c&quot; "), std::string::npos);
@@ -124,7 +124,7 @@ TEST(Plot, KeepsMarkupOfNamesHarmless) {
 }
 
 TEST(Plot, MakesAPageThatNeedsNoOtherFile) {
-  const std::string page = draw_html(sample());
+  const std::string page = draw_html(example_plot());
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_EQ(count(page, "<svg"), 1u);
   for (const char* link : {"src=", "href=", "@import", "url("}) EXPECT_EQ(count(page, link), 0u) << link;

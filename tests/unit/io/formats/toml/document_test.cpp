@@ -6,9 +6,9 @@
 namespace netloft::formats {
 namespace {
 
-using testing::Input;
+using test::Input;
 
-class DocumentTest : public testing::Scratch {
+class DocumentTest : public test::Scratch {
  protected:
   std::int64_t integer(const Document& document, const std::string& key) {
     return TableReader(document.root(), diagnostics_).integer(key, {});

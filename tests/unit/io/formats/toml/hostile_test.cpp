@@ -7,7 +7,7 @@
 namespace netloft::formats {
 namespace {
 
-using testing::Input;
+using test::Input;
 
 std::string repeated(const std::string& text, int n) {
   std::string result;

@@ -6,7 +6,7 @@
 namespace netloft::formats {
 namespace {
 
-using testing::Input;
+using test::Input;
 
 const char* const kScene =
     "[parts.net]\ncells = [32, 32]\ntwine = { EA = 1, density = 2 }\n[[hold]]\non = \"net.fore\"\n";

@@ -11,15 +11,15 @@
 #include "io/formats/toml/table_reader.hpp"
 #include "tests/folders.hpp"
 
-namespace netloft::formats::testing {
+namespace netloft::formats::test {
 
 /// A folder of its own for each test, gone when the test is.
 class Scratch : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(test::build_folder()) / "scratch" /
-              (std::string(test->test_suite_name()) + '.' + test->name());
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(netloft::test::build_folder()) / "scratch" /
+              (std::string(info->test_suite_name()) + '.' + info->name());
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
@@ -66,4 +66,4 @@ struct Input {
   TableReader reader;
 };
 
-}  // namespace netloft::formats::testing
+}  // namespace netloft::formats::test

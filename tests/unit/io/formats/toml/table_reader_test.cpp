@@ -6,7 +6,7 @@
 namespace netloft::formats {
 namespace {
 
-using testing::Input;
+using test::Input;
 
 const RealSpec kStiffness{.unit = "N", .doc = "axial stiffness of one twine", .range = between(0, 1e9)};
 

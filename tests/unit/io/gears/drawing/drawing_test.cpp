@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/drawing/drawing.hpp"
 
-#include "io/gears/drawing/layout.hpp"
+#include "io/gears/drawing/plan_layout.hpp"
 #include "tests/unit/io/gears/plan/plans.hpp"
 
 namespace netloft::gears {

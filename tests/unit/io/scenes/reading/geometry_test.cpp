@@ -8,7 +8,7 @@
 namespace netloft::scenes {
 namespace {
 
-using formats::testing::Input;
+using formats::test::Input;
 using Nodes = std::vector<std::uint32_t>;
 
 /// 4 x 3 meshes in 2 x 2 cells, a unit square seen from above.

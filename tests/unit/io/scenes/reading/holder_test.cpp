@@ -6,7 +6,7 @@
 namespace netloft::scenes {
 namespace {
 
-using formats::testing::Input;
+using formats::test::Input;
 
 /// Five nodes of a rope at x = 0 … 4.
 class Holding : public ::testing::Test {

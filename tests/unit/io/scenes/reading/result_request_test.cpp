@@ -6,7 +6,7 @@
 namespace netloft::scenes {
 namespace {
 
-using formats::testing::Input;
+using formats::test::Input;
 using Source = ResultRequest::Source;
 
 /// What `take` of a part, or of an edge, is understood to be.

@@ -15,15 +15,15 @@ const Jonswap kSea{2.5, 9, 3.3, 200, 7};
 
 TEST(Jonswap, HasTheEnergyOfItsSignificantHeight) {
   double m0 = 0;
-  for (const auto& c : draw(kSea)) m0 += c.amplitude * c.amplitude / 2;
+  for (const auto& c : sample(kSea)) m0 += c.amplitude * c.amplitude / 2;
   EXPECT_NEAR(4 * std::sqrt(m0), kSea.height, 1e-12);
 }
 
 TEST(Jonswap, IsTheSameToTheBitForASeedAndAnotherForAnother) {
-  const auto a = draw(kSea), b = draw(kSea);
+  const auto a = sample(kSea), b = sample(kSea);
   Jonswap other = kSea;
   other.seed = 8;
-  const auto c = draw(other);
+  const auto c = sample(other);
   ASSERT_EQ(a.size(), 200u);
   EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]), 0);
   EXPECT_NE(a[0].phase, c[0].phase);
@@ -40,7 +40,7 @@ TEST(Jonswap, DrawsWhatTheGeneratorSays) {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull, z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
     return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
   };
-  const auto sea = draw(kSea);
+  const auto sea = sample(kSea);
   for (const auto& c : sea) {
     next();
     EXPECT_EQ(c.phase, 2 * std::numbers::pi * next());
@@ -56,7 +56,7 @@ TEST(Jonswap, HasItsEnergyWhereTheSpectrumHasIt) {
   };
   for (double r = 0.4; r < 5; r += h) all += piece(r);
   for (double r = 0.4; sum < all / 2; r += h) sum += piece(r), median = r;
-  auto sea = draw(kSea);
+  auto sea = sample(kSea);
   std::sort(sea.begin(), sea.end(), [](const auto& a, const auto& b) { return a.omega < b.omega; });
   const double drawn = sea[99].omega * kSea.period / (2 * std::numbers::pi),
                above = sea[100].omega * kSea.period / (2 * std::numbers::pi);

@@ -38,7 +38,7 @@ deviation = "40 N"
 held_back = true
 )";
 
-class CalibrationFileTest : public formats::testing::Scratch {
+class CalibrationFileTest : public formats::test::Scratch {
  protected:
   CalibrationFile read(const std::string& text) {
     return read_calibration_file(write("c.toml", text), diagnostics_);

@@ -20,7 +20,7 @@ Trial trial(double tolerance, SolveStatus status, double error, double seconds) 
   return t;
 }
 
-Comparison sample() {
+Comparison example() {
   Comparison c;
   c.scene = "panel", c.mesh = "8 x 8 cells of net", c.unknowns = 216, c.factorisation_seconds = 0.01,
   c.size = 40;
@@ -44,7 +44,7 @@ Comparison sample() {
 }
 
 TEST(ComparisonText, SaysWhoJudgedWhomAndWhatIsNoError) {
-  const std::string text = comparison_text(sample());
+  const std::string text = comparison_text(example());
   EXPECT_TRUE(has_text(text, "the reference is ptc, converged to 1e-09")) << text;
   EXPECT_TRUE(
       has_text(text, "lbfgs: found another equilibrium than ptc, up to 1.5 m away, its energy -0.25 J"))
@@ -54,7 +54,7 @@ TEST(ComparisonText, SaysWhoJudgedWhomAndWhatIsNoError) {
 }
 
 TEST(ComparisonCsv, HasAsManyCellsInEveryRow) {
-  std::istringstream lines(comparison_csv(sample()));
+  std::istringstream lines(comparison_csv(example()));
   std::size_t rows = 0;
   for (std::string line; std::getline(lines, line); ++rows) {
     std::size_t commas = 0;
@@ -67,18 +67,18 @@ TEST(ComparisonCsv, HasAsManyCellsInEveryRow) {
 }
 
 TEST(ComparisonCsv, CountsWorkInFactorisations) {
-  EXPECT_TRUE(has_text(comparison_csv(sample()), ",0.5,,0.02,2,")) << comparison_csv(sample());
+  EXPECT_TRUE(has_text(comparison_csv(example()), ",0.5,,0.02,2,")) << comparison_csv(example());
 }
 
 TEST(ComparisonPlot, DrawsAnErrorOfZeroAtTheRoundOffOfTheGear) {
-  const formats::LinePlot plot = comparison_plot(sample());
+  const formats::LinePlot plot = comparison_plot(example());
   ASSERT_EQ(plot.series[0].points.size(), 2u);
   EXPECT_EQ(plot.series[0].points[0].x, 0.5);
   EXPECT_DOUBLE_EQ(plot.series[0].points[1].x, 40 * 2.220446049250313e-16);
 }
 
 TEST(ComparisonPlot, DrawsNoErrorsOfAnotherEquilibrium) {
-  const formats::LinePlot plot = comparison_plot(sample());
+  const formats::LinePlot plot = comparison_plot(example());
   EXPECT_TRUE(plot.series[1].points.empty());
   EXPECT_EQ(plot.series[1].name, "lbfgs (other equilibrium)");
   ASSERT_EQ(plot.marks.size(), 2u);
@@ -86,7 +86,7 @@ TEST(ComparisonPlot, DrawsNoErrorsOfAnotherEquilibrium) {
 }
 
 Comparison motions() {
-  Comparison c = sample();
+  Comparison c = example();
   c.is_of_motions = true, c.factorisation_seconds = 0, c.discretisation.reset();
   c.methods[0].method = {"integrator newmark"}, c.methods[1].method = {"integrator energy-momentum"};
   c.methods[1].other.reset();
@@ -115,7 +115,7 @@ TEST(ComparisonOfMotions, CountsStepsInCsvAndJson) {
 }
 
 TEST(ComparisonJson, HasNullForWhatIsNotKnown) {
-  const std::string json = comparison_json(sample());
+  const std::string json = comparison_json(example());
   EXPECT_TRUE(has_text(json, "\"error\": null")) << json;
   EXPECT_TRUE(has_text(json, "\"distance\": 1.5")) << json;
 }

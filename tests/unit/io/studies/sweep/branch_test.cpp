@@ -59,7 +59,7 @@ double load_of_fold() {
   return load_of(std::sqrt(l * l - 1));
 }
 
-class BranchTest : public formats::testing::Scratch {
+class BranchTest : public formats::test::Scratch {
  protected:
   void SetUp() override {
     Scratch::SetUp();

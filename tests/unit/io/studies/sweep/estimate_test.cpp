@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/estimate.hpp"
 
-#include "io/studies/sweep/statistics.hpp"
+#include "io/studies/sweep/study_statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,9 @@ double height(double speed, double depth, double friction = 0) {
   return 24 / (speed * std::sqrt(speed)) + 2 * std::sin(depth / 40) + friction * speed;
 }
 
-StudyColumn column(const std::string& name, const std::string& unit, bool drawn = false) {
+StudyColumn column(const std::string& name, const std::string& unit, bool sampled = false) {
   StudyColumn c;
-  c.variable.name = name, c.variable.unit = unit, c.is_drawn = drawn, c.is_in_path = !drawn;
+  c.variable.name = name, c.variable.unit = unit, c.is_sampled = sampled, c.is_in_path = !sampled;
   return c;
 }
 
@@ -32,18 +32,18 @@ StudyColumn gears() {
   return c;
 }
 
-/// A table of 2 to 4 kn and 50 to 150 m, and as many draws of a friction from 0 to 1.
+/// A table of 2 to 4 kn and 50 to 150 m, and as many samples of a friction from 0 to 1.
 class TableOfAGear {
  public:
   explicit TableOfAGear(const Function& f, std::size_t speeds = 5, std::size_t depths = 8,
-                        std::size_t draws = 0) {
+                        std::size_t samples = 0) {
     table.columns = {column("speed", "kn"), column("depth", "m")};
-    if (draws) table.columns.push_back(column("friction", "", true));
+    if (samples) table.columns.push_back(column("friction", "", true));
     table.figures = {{"gear/height", "m", 0}, {"gear/drag_by_part/net", "N", 0}};
-    for (std::size_t draw = 1; draw <= std::max<std::size_t>(draws, 1); ++draw)
+    for (std::size_t sample = 1; sample <= std::max<std::size_t>(samples, 1); ++sample)
       for (std::size_t i = 0; i < speeds; ++i)
         for (std::size_t j = 0; j < depths; ++j)
-          add(f, draws ? draw : 0, draws, share(i, speeds), share(j, depths));
+          add(f, samples ? sample : 0, samples, share(i, speeds), share(j, depths));
   }
 
   StudyTable table;
@@ -53,13 +53,13 @@ class TableOfAGear {
     return static_cast<double>(i) / static_cast<double>(n - 1);
   }
 
-  void add(const Function& f, std::size_t draw, std::size_t draws, double across, double along) {
+  void add(const Function& f, std::size_t sample, std::size_t samples, double across, double along) {
     const double speed = 2 + 2 * across, depth = 50 + 100 * along;
-    const double friction = draw ? std::fmod(static_cast<double>(draw) * 0.6180339887, 1.0) : 0;
-    StudyRow row{std::max<std::size_t>(draw, 1), draw, table.rows.size() + 1, {}, {},
+    const double friction = sample ? std::fmod(static_cast<double>(sample) * 0.6180339887, 1.0) : 0;
+    StudyRow row{std::max<std::size_t>(sample, 1), sample, table.rows.size() + 1, {}, {},
                  {f(speed, depth, friction), 1}};
     row.values = {table.columns[0].variable.value_of(speed), table.columns[1].variable.value_of(depth)};
-    if (draws) row.values.push_back(table.columns[2].variable.value_of(friction));
+    if (samples) row.values.push_back(table.columns[2].variable.value_of(friction));
     row.record.status = "converged";
     table.rows.push_back(std::move(row));
   }
@@ -131,10 +131,10 @@ TEST(Estimates, LeaveOutFiguresOfPartsUnlessNamed) {
 TEST(Estimates, OverDrawsAreMedianAndBand) {
   const StudyTable table = TableOfAGear(height, 5, 5, 20).table;
   const StudyEstimate found = estimated(table, {"speed=2.7 kn,depth=80 m"});
-  EXPECT_EQ(found.draws, 20u);
+  EXPECT_EQ(found.samples, 20u);
   std::vector<double> truth;
-  for (std::size_t draw = 1; draw <= 20; ++draw)
-    truth.push_back(height(2.7, 80, std::fmod(static_cast<double>(draw) * 0.6180339887, 1.0)));
+  for (std::size_t sample = 1; sample <= 20; ++sample)
+    truth.push_back(height(2.7, 80, std::fmod(static_cast<double>(sample) * 0.6180339887, 1.0)));
   const EstimatedFigure& figure = found.figures[0];
   EXPECT_NEAR(figure.value.value, quantile_of(truth, 0.5), figure.value.error);
   EXPECT_NEAR(figure.low->value, quantile_of(truth, 0.05), figure.low->error);
@@ -142,7 +142,7 @@ TEST(Estimates, OverDrawsAreMedianAndBand) {
   EXPECT_LT(figure.value.error, 0.3);
   EXPECT_GT(figure.high->value - figure.low->value, 2);
 }
-// Most draws fall off a step, some stay above it: what is fitted to medians swings over the step and beyond
+// Most samples fall off a step, some stay above it: what is fitted to medians swings over the step and beyond
 // the ends of a band that is fitted by itself.
 TEST(Estimates, HaveTheirMedianWithinTheirBandWhateverDrawsDo) {
   const auto step = [](double speed, double, double friction) {
@@ -156,19 +156,19 @@ TEST(Estimates, HaveTheirMedianWithinTheirBandWhateverDrawsDo) {
               .figures[0];
       EXPECT_LE(figure.low->value, figure.value.value) << speed << " " << depth;
       EXPECT_LE(figure.value.value, figure.high->value) << speed << " " << depth;
-      EXPECT_EQ(figure.draws, 12u);
+      EXPECT_EQ(figure.samples, 12u);
     }
 }
 TEST(Estimates, LeaveOutADrawOfWhichTooFewPointsAreKnown) {
   StudyTable table = TableOfAGear(height, 5, 5, 20).table;
   for (StudyRow& row : table.rows)
-    if (row.draw == 3 && *row.values[0].number > 2.6) row.record.status = "not converged";
-  EXPECT_EQ(estimated(table, {"speed=2.7 kn,depth=80 m"}).figures[0].draws, 19u);
+    if (row.sample == 3 && *row.values[0].number > 2.6) row.record.status = "not converged";
+  EXPECT_EQ(estimated(table, {"speed=2.7 kn,depth=80 m"}).figures[0].samples, 19u);
 }
 TEST(Estimates, OfOneDrawAreOfItsNumbers) {
   const StudyTable table = TableOfAGear(height, 5, 5, 20).table;
   const StudyEstimate found = estimated(table, {"speed=2.7 kn,depth=80 m,friction=0.33"});
-  EXPECT_EQ(found.draws, 0u);
+  EXPECT_EQ(found.samples, 0u);
   EXPECT_NEAR(found.figures[0].value.value, height(2.7, 80, 0.33), found.figures[0].value.error);
   EXPECT_LT(found.figures[0].value.error, 0.3);
 }

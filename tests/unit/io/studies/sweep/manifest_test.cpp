@@ -6,11 +6,11 @@
 namespace netloft::studies {
 namespace {
 
-class ManifestTest : public formats::testing::Scratch {
+class ManifestTest : public formats::test::Scratch {
  protected:
   static Study sample() {
     StudyFile file;
-    file.name = "s", file.draws = 2, file.set = {"gear.nodes=500"}, file.figures = {"gear/mouth/area"};
+    file.name = "s", file.samples = 2, file.set = {"gear.nodes=500"}, file.figures = {"gear/mouth/area"};
     DesignVariable mass, twine, speed;
     mass.variable.name = "mass", mass.variable.unit = "kg", mass.variable.interval = Interval{1, 2};
     twine.variable.name = "twine", twine.variable.values = {{"pe \"4\"", {}}, {"é", {}}};

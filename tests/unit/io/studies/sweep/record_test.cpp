@@ -64,7 +64,7 @@ TEST(ItemRecord, IsRefusedForAnotherItem) {
   EXPECT_EQ(refusal(record_text(sample()), other), "it is the record of another item");
 }
 
-class FoundRecord : public formats::testing::Scratch {};
+class FoundRecord : public formats::test::Scratch {};
 TEST_F(FoundRecord, IsNoneWhereThereIsNoFileOrADamagedOne) {
   const StudyItem item = two_points();
   std::string fault;

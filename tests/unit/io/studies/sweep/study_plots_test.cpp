@@ -6,23 +6,24 @@
 namespace netloft::studies {
 namespace {
 
-StudyColumn column(const std::string& name, bool drawn) {
+StudyColumn column(const std::string& name, bool sampled) {
   StudyColumn c;
-  c.variable.name = name, c.is_drawn = drawn;
+  c.variable.name = name, c.is_sampled = sampled;
   return c;
 }
 
-/// A height over two speeds, four draws of a friction; at the second speed one draw has no equilibrium.
+/// A height over two speeds, four samples of a friction; at the second speed one sample has no equilibrium.
 StudyTable table_of_heights() {
   StudyTable table;
   table.columns = {column("speed", false), column("friction", true)};
   table.figures = {{"gear/height", "m", 0}};
-  for (std::size_t draw = 1; draw <= 4; ++draw)
+  for (std::size_t sample = 1; sample <= 4; ++sample)
     for (const double speed : {2.0, 3.0}) {
-      StudyRow row{draw, draw, table.rows.size() + 1, {}, {}, {speed + 0.1 * static_cast<double>(draw)}};
+      StudyRow row{sample, sample, table.rows.size() + 1,
+                   {},     {},     {speed + 0.1 * static_cast<double>(sample)}};
       row.values = {table.columns[0].variable.value_of(speed),
-                    table.columns[1].variable.value_of(0.1 * static_cast<double>(draw))};
-      row.record.status = draw == 4 && speed == 3 ? "unstable" : "converged";
+                    table.columns[1].variable.value_of(0.1 * static_cast<double>(sample))};
+      row.record.status = sample == 4 && speed == 3 ? "unstable" : "converged";
       table.rows.push_back(std::move(row));
     }
   return table;

@@ -15,7 +15,7 @@ DesignVariable listed(const std::string& name, const std::vector<double>& number
   return v;
 }
 
-DesignVariable drawn(const std::string& name) {
+DesignVariable sampled(const std::string& name) {
   DesignVariable v;
   v.variable.name = name, v.variable.keys = {{"key." + name, 1, 0}}, v.variable.interval = Interval{0, 1};
   return v;
@@ -64,15 +64,15 @@ TEST(StudyDesign, ChangesOneVariableByOneValueFromPointToPoint) {
   }
 }
 TEST(StudyDesign, HasAnItemForEveryDrawAndEveryValueOutsideThePath) {
-  StudyFile file = with({listed("gear", {1, 2}, false), drawn("mass"), listed("speed", {1, 2, 3}, true)});
-  file.draws = 5;
+  StudyFile file = with({listed("gear", {1, 2}, false), sampled("mass"), listed("speed", {1, 2, 3}, true)});
+  file.samples = 5;
   const Study study = made(file);
   EXPECT_EQ(study.items.size(), 10u);
   EXPECT_EQ(study.point_count(), 30u);
   EXPECT_EQ(study.point_count(), count_points(file));
-  EXPECT_EQ(study.items[6].draw, 2u);
+  EXPECT_EQ(study.items[6].sample, 2u);
   EXPECT_EQ(study.items[6].id, 7u);
-  // Both gears get the same draws, so that they can be compared draw by draw.
+  // Both gears get the same samples, so that they can be compared sample by sample.
   EXPECT_EQ(study.items[1].values[1].text, study.items[6].values[1].text);
   EXPECT_EQ(study.values_of(study.items[6], study.items[6].points[2]).size(), 3u);
 }

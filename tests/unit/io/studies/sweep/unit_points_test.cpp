@@ -19,18 +19,18 @@ std::size_t intervals_hit(const std::vector<std::vector<double>>& points, std::s
 }
 
 TEST(UnitPoints, OfALatinHypercubeHaveOneInEveryInterval) {
-  const auto points = unit_points(Drawing::latin_hypercube, 50, 7, 3);
+  const auto points = unit_points(Sampling::latin_hypercube, 50, 7, 3);
   ASSERT_EQ(points.size(), 50u);
   for (std::size_t d = 0; d < 7; ++d) EXPECT_EQ(intervals_hit(points, d), 50u);
 }
 TEST(UnitPoints, OfSobolsSequenceHaveOneInEveryIntervalOfAPowerOfTwo) {
-  const auto points = unit_points(Drawing::sobol, 128, 40, 3);
+  const auto points = unit_points(Sampling::sobol, 128, 40, 3);
   for (std::size_t d = 0; d < 40; ++d) EXPECT_EQ(intervals_hit(points, d), 128u);
 }
 // The first two dimensions are a (0, m, 2)-net in base 2 (Sobol 1967): every box of 2^-a by 2^(a-m) holds one
 // point.
 TEST(UnitPoints, OfSobolsSequenceFillEveryElementaryBoxOfAPlane) {
-  const auto points = unit_points(Drawing::sobol, 64, 2, 11);
+  const auto points = unit_points(Sampling::sobol, 64, 2, 11);
   for (int a = 0; a <= 6; ++a) {
     std::set<std::pair<int, int>> boxes;
     for (const auto& p : points)
@@ -39,26 +39,26 @@ TEST(UnitPoints, OfSobolsSequenceFillEveryElementaryBoxOfAPlane) {
   }
 }
 TEST(UnitPoints, DependOnTheSeedAlone) {
-  for (const Drawing drawing : {Drawing::latin_hypercube, Drawing::sobol}) {
-    EXPECT_EQ(unit_points(drawing, 20, 3, 1), unit_points(drawing, 20, 3, 1));
-    EXPECT_NE(unit_points(drawing, 20, 3, 1), unit_points(drawing, 20, 3, 2));
+  for (const Sampling sampling : {Sampling::latin_hypercube, Sampling::sobol}) {
+    EXPECT_EQ(unit_points(sampling, 20, 3, 1), unit_points(sampling, 20, 3, 1));
+    EXPECT_NE(unit_points(sampling, 20, 3, 1), unit_points(sampling, 20, 3, 2));
   }
 }
-// More draws leave those of a Sobol design as they are: what has been computed can be used again.
+// More samples leave those of a Sobol design as they are: what has been computed can be used again.
 TEST(UnitPoints, OfSobolsSequenceStayWhenThereAreMore) {
-  auto more = unit_points(Drawing::sobol, 64, 5, 9);
+  auto more = unit_points(Sampling::sobol, 64, 5, 9);
   more.resize(20);
-  EXPECT_EQ(more, unit_points(Drawing::sobol, 20, 5, 9));
+  EXPECT_EQ(more, unit_points(Sampling::sobol, 20, 5, 9));
 }
 TEST(UnitPoints, LieInsideTheCube) {
-  for (const Drawing drawing : {Drawing::latin_hypercube, Drawing::sobol})
-    for (const auto& p : unit_points(drawing, 1000, 2, 5))
+  for (const Sampling sampling : {Sampling::latin_hypercube, Sampling::sobol})
+    for (const auto& p : unit_points(sampling, 1000, 2, 5))
       for (const double x : p) EXPECT_TRUE(x > 0 && x < 1);
 }
 // With p uniform the integral of the product of 4|x - 1/2| is 1; Sobol's error falls almost as 1/n.
 TEST(UnitPoints, OfSobolsSequenceIntegrateBetterThanChance) {
   double sum = 0;
-  const auto points = unit_points(Drawing::sobol, 4096, 5, 1);
+  const auto points = unit_points(Sampling::sobol, 4096, 5, 1);
   for (const auto& p : points) {
     double product = 1;
     for (const double x : p) product *= std::abs(4 * x - 2);

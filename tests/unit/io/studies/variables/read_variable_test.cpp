@@ -6,7 +6,7 @@
 namespace netloft::studies {
 namespace {
 
-using formats::testing::Input;
+using formats::test::Input;
 using Words = std::vector<std::string>;
 
 struct Read {

@@ -6,7 +6,7 @@
 namespace netloft::studies {
 namespace {
 
-using formats::testing::Input;
+using formats::test::Input;
 
 TEST(SceneFaults, AreShownAtTheVariableThatIsToBlame) {
   Input scene("[tow]\nspeed = 1", {"tow.speed=3 kg", "tow.speeed=3 m/s"});

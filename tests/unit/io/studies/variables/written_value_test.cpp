@@ -7,7 +7,7 @@
 namespace netloft::studies {
 namespace {
 
-using formats::testing::Input;
+using formats::test::Input;
 
 /// The spelling of a value in TOML, after a check that --set reads it back as the same.
 std::string spelt(const std::string& toml) {

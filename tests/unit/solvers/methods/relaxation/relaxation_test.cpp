@@ -7,9 +7,9 @@
 namespace netloft::test {
 namespace {
 
-constexpr Way kWay{.name = "Relaxation", .solver = "relaxation", .of_a_loose_load = "runs away"};
-INSTANTIATE_TEST_SUITE_P(Dynamic, KnownAnswers, testing::Values(kWay), name_of);
-INSTANTIATE_TEST_SUITE_P(Dynamic, KnownAnswersWithoutEnergy, testing::Values(kWay), name_of);
+constexpr Way kRelaxation{.name = "Relaxation", .solver = "relaxation", .of_a_loose_load = "runs away"};
+INSTANTIATE_TEST_SUITE_P(Dynamic, KnownAnswers, testing::Values(kRelaxation), name_of);
+INSTANTIATE_TEST_SUITE_P(Dynamic, KnownAnswersWithoutEnergy, testing::Values(kRelaxation), name_of);
 
 TEST(Relaxation, NeedsNoMatrixAndNoFactorisation) {
   const Solved s = solve_with("relaxation", sample::hanging_panel(8, 34));

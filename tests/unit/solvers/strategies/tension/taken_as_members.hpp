@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/parameters/parameters.hpp"
-#include "framework/study/member_problem.hpp"
-#include "solvers/factorisation/factorisation.hpp"
+#include "framework/parameters/parameter_values.hpp"
+#include "framework/search/member_problem.hpp"
+#include "solvers/factorisation/make_factorisation.hpp"
 #include "solvers/strategies/tension/strategies.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"

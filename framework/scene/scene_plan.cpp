@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/scene/scene_plan.hpp"
+
+#include <algorithm>
+
+namespace netloft {
+
+namespace {
+
+/// Whether water moves past the gear, because it flows or because the gear moves through it.
+bool meets_flow(const Scene& scene, AnalysisKind kind) {
+  return scene.current.flows() || (kind == AnalysisKind::dynamics && scene.water.density > 0);
+}
+
+/// The laws of a part, slot by slot: the part's choice, or the slot's default.
+std::vector<LawPlan> laws_of(const Scene& scene, const Part& part, const ElementType& type,
+                             Registry& registry, AnalysisKind kind) {
+  std::vector<LawPlan> laws;
+  if (!meets_flow(scene, kind)) return std::vector<LawPlan>(type.laws.size());  // no term will use them
+  for (const auto& slot : type.laws) {
+    const auto given = part.laws.find(slot.name);
+    LawPlan law{slot.name, nullptr, given == part.laws.end() ? LawChoice{slot.fallback, {}} : given->second};
+    law.type = &registry.law(law.choice.type);
+    if (!(law.type->law.kind & slot.accepts))
+      throw SceneError({{part.name, law.choice.type + " is not a law that " + type.type + " can use as its " +
+                                        slot.name}});
+    laws.push_back(law);
+  }
+  return laws;
+}
+
+/// Whether a part chooses the same laws as a family of its type.
+bool has_laws_of(const FamilyPlan& family, const Part& part) {
+  return std::all_of(family.laws.begin(), family.laws.end(), [&](const LawPlan& law) {
+    const auto& slot = family.type->laws[static_cast<std::size_t>(&law - family.laws.data())];
+    const auto given = part.laws.find(slot.name);
+    if (given != part.laws.end()) return law.choice == given->second;
+    return law.choice.type == slot.fallback && law.choice.parameters.empty();
+  });
+}
+
+/// Finds or makes the family of a part; laws are looked up only for the first part of a family.
+FamilyPlan& family_of(std::vector<FamilyPlan>& families, const Scene& scene, const Part& part,
+                      Registry& registry, AnalysisKind kind) {
+  const ElementType& type = registry.element(part.type);
+  const bool asks_laws = meets_flow(scene, kind);
+  for (auto& f : families)
+    if (f.type == &type && f.viscosity_ratio == part.viscosity_ratio && (!asks_laws || has_laws_of(f, part)))
+      return f;
+  families.push_back(
+      {&type, laws_of(scene, part, type, registry, kind), {}, 0, {}, {}, part.viscosity_ratio});
+  return families.back();
+}
+
+bool any_part_sets(std::string_view name, const FamilyPlan& family, const Scene& scene) {
+  return std::any_of(family.parts.begin(), family.parts.end(),
+                     [&](std::uint32_t part) { return sets(scene.parts[part], *family.type, name); });
+}
+
+/// The first of the parameters that a term needs and some part sets; empty if there is none.
+std::string first_set(const netloft_term& term, const FamilyPlan& family, const Scene& scene) {
+  for (const auto& name : names_needed_by(term))
+    if (any_part_sets(name, family, scene)) return name;
+  return "";
+}
+
+/// A reason such as "EA and EA_compression are zero".
+std::string all_are_zero(const std::vector<std::string>& names) {
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += " and " + names[i];
+  return text + (names.size() > 1 ? " are zero" : " is zero");
+}
+
+/// Finds the unknowns that the elements of a part share: those without a condition and those whose condition,
+/// a parameter, is set.
+void find_globals(FamilyPlan& family, const Scene& scene) {
+  for (const auto part : family.parts)
+    for (const auto& g : family.type->globals)
+      if (!g.needs || sets(scene.parts[part], *family.type, g.needs))
+        family.globals.push_back({part, g.name, g.unit, g.doc});
+}
+
+/// Shared unknowns need the exact tangent: without it their equations are singular.
+void check_globals(const FamilyPlan& family, const ScenePlan& plan, const Scene& scene) {
+  if (family.globals.empty() || plan.tangent == TangentChoice::exact) return;
+  const GlobalPlan& first = family.globals.front();
+  throw SceneError({{scene.parts[first.part].name, "its " + first.name + " is an unknown (" + first.doc +
+                                                       "): that needs the exact tangent"}});
+}
+
+TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene& scene, AnalysisKind kind) {
+  TermPlan plan{term.name, term.doc, term.traits, false, ""};
+  const std::string set = term.needs ? first_set(term, family, scene) : "";
+  if (term.needs && set.empty())
+    plan.reason = all_are_zero(names_needed_by(term));
+  else if ((term.traits & NETLOFT_NEEDS_GRAVITY) && scene.water.gravity == 0)
+    plan.reason = "the scene has no gravity";
+  else if ((term.traits & NETLOFT_NEEDS_FLOW) && !meets_flow(scene, kind))
+    plan.reason = kind == AnalysisKind::statics ? "the scene has no current" : "the scene has no water";
+  else if ((term.traits & NETLOFT_NEEDS_MOTION) && kind == AnalysisKind::statics) {
+    plan.reason = "the analysis is static";
+    plan.when_it_moves = !(term.traits & NETLOFT_NEEDS_WAVES);
+  } else if ((term.traits & NETLOFT_NEEDS_WAVES) && !scene.waves)
+    plan.reason = "the scene has no waves";
+  else {
+    plan.on = true;
+    plan.reason = term.needs ? set + " is set" : "the scene has what it needs";
+  }
+  return plan;
+}
+
+void note_traits(ScenePlan& plan, const FamilyPlan& family, const TermPlan& term) {
+  if (!term.on || (term.traits & NETLOFT_CONSTANT) || plan.tangent != TangentChoice::exact) return;
+  if (!(term.traits & NETLOFT_SYMMETRIC) && plan.symmetric) {
+    plan.symmetric = false;
+    plan.unsymmetric_because = family.type->type + " " + term.name;
+  }
+}
+
+/// What turns has forces that depend on its spin, which no symmetric tangent has room for.
+void note_turning(ScenePlan& plan, const Scene& scene) {
+  const bool is_exact = plan.kind == AnalysisKind::dynamics && plan.tangent == TangentChoice::exact;
+  if (!is_exact || scene.bodies.empty() || !plan.symmetric) return;
+  plan.symmetric = false;
+  plan.unsymmetric_because = scene.bodies[0].name + ", which turns";
+}
+
+void count_unknowns(ScenePlan& plan, const Scene& scene) {
+  plan.nodes = scene.node_count();
+  for (const auto held : scene.held) {
+    if (held) ++plan.held_nodes;
+    for (int axis = 0; axis < 3; ++axis) plan.unknowns += !(held & (1 << axis));
+  }
+  for (const auto& body : scene.bodies)
+    for (int axis = 0; axis < 3; ++axis) plan.unknowns += !(body.held_rotation & (1 << axis));
+  plan.bodies = scene.bodies.size();
+}
+
+}  // namespace
+
+ScenePlan make_scene_plan(const Scene& scene, Registry& registry, TangentChoice tangent, AnalysisKind kind) {
+  ScenePlan plan;
+  plan.tangent = tangent;
+  plan.kind = kind;
+  plan.ground = scene.ground;
+  for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
+    FamilyPlan& family = family_of(plan.families, scene, scene.parts[p], registry, kind);
+    family.parts.push_back(p);
+    family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(family.type->nodes());
+  }
+  for (auto& family : plan.families) {
+    find_globals(family, scene);
+    check_globals(family, plan, scene);
+    for (const auto& term : family.type->terms) {
+      family.terms.push_back(decide(term, family, scene, kind));
+      note_traits(plan, family, family.terms.back());
+      plan.conservative &= !family.terms.back().on || (term.traits & NETLOFT_CONSERVATIVE);
+    }
+    plan.unknowns += family.globals.size();
+  }
+  count_unknowns(plan, scene);
+  note_turning(plan, scene);
+  return plan;
+}
+
+void ask_mean_forces(ScenePlan& plan, const std::string& integrator) {
+  plan.between = true;
+  if (!plan.symmetric) return;
+  plan.symmetric = false;
+  plan.unsymmetric_because = integrator + ", whose forces are means of a step";
+}
+
+bool ScenePlan::reads_ground() const {
+  for (const auto& family : families)
+    for (const auto& term : family.terms)
+      if (term.on && (term.traits & NETLOFT_READS_GROUND)) return true;
+  return false;
+}
+
+std::vector<std::string> unused_plugins(const ScenePlan& plan, const Registry& registry) {
+  auto names = registry.available();
+  for (const auto& family : plan.families) {
+    std::erase(names, family.type->origin->name);
+    for (const auto& law : family.laws)
+      if (law.type) std::erase(names, law.type->origin->name);
+  }
+  return names;
+}
+
+namespace {
+
+/// Whether a parameter is neither given nor has a default.
+bool is_left_out(const Part& part, const ElementType& type, std::string_view parameter) {
+  for (const auto& p : type.parameters)
+    if (std::string_view(p.name) == parameter)
+      return p.kind == NETLOFT_REAL && p.fallback == 0 && !p.fallback_of && !part.parameters.contains(p.name);
+  return true;
+}
+
+}  // namespace
+
+bool sets(const Part& part, const ElementType& type, std::string_view parameter) {
+  if (is_left_out(part, type, parameter)) return false;
+  if (const auto given = part.parameters.find(std::string(parameter)); given != part.parameters.end())
+    if (const auto* number = std::get_if<double>(&given->second)) return *number != 0;
+  std::vector<std::string> faults;
+  const ParameterBlock block(type.parameters, type.element.parameter_bytes, part.parameters, faults);
+  for (const auto& p : type.parameters)
+    if (faults.empty() && std::string_view(p.name) == parameter && block.number(p) != 0) return true;
+  return false;
+}
+
+std::string describe_traits(std::uint32_t traits) {
+  static constexpr std::pair<std::uint32_t, const char*> kNames[] = {
+      {NETLOFT_CONSERVATIVE, "conservative"},
+      {NETLOFT_SYMMETRIC, "symmetric"},
+      {NETLOFT_CONSTANT, "constant"},
+      {NETLOFT_READS_VELOCITY, "reads velocity"},
+      {NETLOFT_READS_ACCELERATION, "reads acceleration"},
+      {NETLOFT_READS_CURRENT, "reads current"},
+      {NETLOFT_READS_TIME, "reads time"},
+      {NETLOFT_NEEDS_GRAVITY, "needs gravity"},
+      {NETLOFT_NEEDS_FLOW, "needs flow"},
+      {NETLOFT_NEEDS_MOTION, "needs motion"},
+      {NETLOFT_OF_MEMBERS, "of members"},
+      {NETLOFT_IS_WEIGHT, "weight"},
+      {NETLOFT_IS_DRAG, "drag"},
+      {NETLOFT_READS_GROUND, "reads ground"},
+      {NETLOFT_READS_BED, "reads bed"},
+      {NETLOFT_READS_WAVES, "reads waves"},
+      {NETLOFT_NEEDS_WAVES, "needs waves"}};
+  std::string text;
+  for (const auto& [bit, name] : kNames)
+    if (traits & bit) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace netloft

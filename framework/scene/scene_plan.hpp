@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/registry.hpp"
+#include "framework/scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// One term of a family: whether it acts in this scene, and why.
+struct TermPlan {
+  std::string name, doc;
+  std::uint32_t traits = 0;
+  bool on = false;
+  std::string reason;
+  bool when_it_moves = false;  // of a static analysis: off, but part of how a small disturbance moves
+};
+
+/// The law in one slot of a family.
+struct LawPlan {
+  std::string slot;
+  const LawType* type = nullptr;
+  LawChoice choice;
+};
+
+/// How much of the tangent of forces without an energy (drag) is used: all of it, its symmetric part, or
+/// nothing.
+enum class TangentChoice { exact, symmetric, elastic };
+
+/// Whether everything is at rest, or moves in time.
+enum class AnalysisKind { statics, dynamics };
+
+/// A number that is shared by all elements of a part and is an unknown.
+struct GlobalPlan {
+  std::uint32_t part = 0;  // of the scene
+  std::string name, unit, doc;
+};
+
+/// All elements of one type with the same laws.
+struct FamilyPlan {
+  const ElementType* type = nullptr;
+  std::vector<LawPlan> laws;         // one per slot
+  std::vector<std::uint32_t> parts;  // of the scene
+  std::size_t elements = 0;
+  std::vector<TermPlan> terms;
+  std::vector<GlobalPlan> globals = {};
+  double viscosity_ratio = 1;  // of all its parts
+};
+
+/// The families, terms and matrix properties that a scene needs, decided once and printable. Nothing else is
+/// loaded, evaluated or factorised.
+struct ScenePlan {
+  std::vector<FamilyPlan> families;
+  std::vector<std::string> not_loaded;  // filled by unused_plugins if it is asked for
+  std::size_t nodes = 0, held_nodes = 0, bodies = 0, unknowns = 0;
+  AnalysisKind kind = AnalysisKind::statics;
+  TangentChoice tangent = TangentChoice::exact;
+  bool symmetric = true, conservative = true;
+  bool between = false;               // mean forces of steps are asked for: their matrix is not symmetric
+  std::string unsymmetric_because;    // "priour/triangle drag"
+  std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
+
+  /// Whether some term that acts depends on whether the ground passes.
+  bool reads_ground() const;
+};
+
+/// Decides which terms of which families act in an analysis of the scene.
+/// Opens the plugins the scene names. Throws SceneError for parts that are wrong, PluginRefused for plugins.
+ScenePlan make_scene_plan(const Scene& scene, Registry& registry,
+                          TangentChoice tangent = TangentChoice::exact,
+                          AnalysisKind kind = AnalysisKind::statics);
+/// The same of a motion whose integrator asks for mean forces of its steps.
+void ask_mean_forces(ScenePlan& plan, const std::string& integrator);
+
+/// Plugins that are available but not used by any part of a plan; a printed plan lists them as not loaded.
+std::vector<std::string> unused_plugins(const ScenePlan& plan, const Registry& registry);
+
+/// Whether a part has a real parameter that is not zero.
+bool sets(const Part& part, const ElementType& type, std::string_view parameter);
+
+/// "conservative, symmetric, constant"
+std::string describe_traits(std::uint32_t traits);
+
+}  // namespace netloft

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/search/member_problem.hpp"
+#include "framework/search/search_host.hpp"
+#include "framework/search/shapes.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft {
+
+/// A search as one strategy sees it: a variant of the scene is its scene, a part of the work its budget,
+/// which is told to it in Newton iterations of that scene.
+class RunningSearch {
+ public:
+  /// `tolerance`: of its scene; `work`: in iterations of the scene as it is written, as the host counts.
+  RunningSearch(SearchHost& host, const netloft_variant& scene, double tolerance, double work,
+                const double* start);
+  RunningSearch(const RunningSearch&) = delete;
+  RunningSearch& operator=(const RunningSearch&) = delete;
+
+  netloft_search& interface() { return interface_; }
+  void run(const StrategyType& type, const void* parameters);
+
+  /// The best answer; where there is none, the stage of the scene itself that came closest.
+  Solution best() const;
+  /// With why there is none.
+  Solution explained() const;
+  /// Whether some stage of the scene itself has been solved.
+  bool has_any() const { return equilibria_.has_any() || closest_.has_value(); }
+
+  std::uint32_t size_of(std::uint32_t level);
+  int solve(netloft_stage* stage);
+  int call(const char* strategy, const char* parameters, netloft_stage* stage);
+  int transfer(std::uint32_t from, const double* u, std::uint32_t to, double* out);
+  int assess(netloft_stage* stage);
+  int problem(netloft_stage* stage, netloft_problem* problem);
+  int members(netloft_stage* stage, netloft_members* members);
+  double work_left() const;
+  netloft_ending ending() const;
+  int answer(const double* u);
+  void keep_message(const char* text);
+
+ private:
+  void fill_interface(const double* start);
+  KnownStage run_inner(const StrategyType& type, const void* parameters, const netloft_stage& seen,
+                       StageRequest request);
+  netloft_stage seen_from_host(const netloft_stage& stage);
+  bool is_scene_itself(const netloft_stage& stage) const;
+  void keep(const netloft_stage& stage, const Solution& solution);
+  void fill(netloft_stage& stage, const Solution& solution, double spent);
+  void close();
+
+  SearchHost& host_;
+  netloft_variant scene_;
+  std::shared_ptr<VariantProblem> variant_problem_;  // of that
+  double tolerance_, budget_, begun_, unit_;         // unit_: an iteration of its scene, in work of the host
+  netloft_search interface_{};
+  char message_[256] = "";
+  std::vector<double> growing_;                        // of the last stage
+  std::vector<Solution> stationary_;                   // of the scene itself, not yet answered
+  std::optional<Solution> closest_;                    // of those that are no equilibria
+  netloft_ending last_ = NETLOFT_ENDED_NOT_CONVERGED;  // of the last stage of the scene itself
+  std::string failure_;                                // of the strategy itself, which ended with an error
+  int unsettled_ = 0;                                  // stages that did not come to rest
+  EquilibriumChoice equilibria_;
+  // A method of the strategy's own at work: its stage, and on what.
+  netloft_stage open_stage_{};
+  std::shared_ptr<VariantProblem> open_variant_;
+  std::unique_ptr<StaticProblem> open_problem_;
+  std::unique_ptr<MemberProblem> open_members_;
+};
+
+}  // namespace netloft

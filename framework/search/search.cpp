@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/search/search.hpp"
+
+#include "framework/registry/plugin_call.hpp"
+#include "framework/search/running_search.hpp"
+#include "framework/search/settings.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace netloft {
+
+namespace {
+
+ParameterBlock block_of(const StrategyUse& use) {
+  std::vector<std::string> faults;
+  ParameterBlock block(use.type->parameters, use.type->strategy.parameter_bytes, use.parameters, faults);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+  return block;
+}
+
+/// What a strategy leaves that solved no stage of the scene: the start, judged, with the reason. Whoever
+/// shows a solution needs a place for every node.
+Solution at_start(SearchHost& host, const netloft_search& search, Solution none) {
+  std::vector<double> u(search.unknowns, 0.0);
+  if (search.start) u.assign(search.start, search.start + search.unknowns);
+  netloft_stage stage{};
+  stage.size = sizeof stage;
+  stage.variant = as_written();
+  stage.name = "the start";
+  stage.u = u.data();
+  stage.tolerance = host.options().limits.tolerance;
+  stage.work = host.options().work;
+  Solution start = host.assess(stage);
+  start.cost = std::move(none.cost);
+  if (search.unknowns == 0) return start;  // nothing is free: there is no other point
+  start.status = none.status == SolveStatus::interrupted ? none.status : SolveStatus::not_converged;
+  start.reason = std::move(none.reason);
+  start.does_not_settle = none.does_not_settle;
+  return start;
+}
+
+/// The equilibrium of a scene that leaves nothing open.
+Solution find_as_set(const VariantSource& source, const SearchOptions& options, const StrategyUse& strategy,
+                     const std::vector<double>& start) {
+  SearchHost host(source, options);
+  const ParameterBlock parameters = block_of(strategy);
+  RunningSearch search(host, as_written(), options.limits.tolerance, options.work,
+                       start.empty() ? nullptr : start.data());
+  search.run(*strategy.type, parameters.data());
+  Solution best = host.finish(search.explained());
+  if (!search.has_any()) best = at_start(host, search.interface(), std::move(best));
+  return best;
+}
+
+/// One stage of the scene itself, by the solver of the options.
+Solution solve_near(const VariantSource& source, const SearchOptions& options, std::vector<double> u) {
+  constexpr std::uint32_t kNear = 100;  // iterations, as from a point that a user names
+  SearchHost host(source, options);
+  netloft_stage stage{};
+  stage.size = sizeof stage;
+  stage.variant = as_written();
+  stage.name = "next setting";
+  stage.u = u.data();
+  stage.tolerance = options.limits.tolerance;
+  stage.work = options.work;
+  stage.iterations = kNear;
+  return host.finish(host.solve(stage, options.solver));
+}
+
+/// The equilibria of a scene with other and other factors of its settings.
+class SetScenes {
+ public:
+  SetScenes(const VariantSource& source, const SearchOptions& options, const StrategyUse& strategy)
+      : source_(source), left_(options), strategy_(strategy), begun_(cpu_seconds()) {}
+
+  SetEquilibrium find(std::span<const double> factors, const std::vector<double>& start) {
+    Scene scene = *source_.scene;
+    set_factors(scene, factors);
+    const ScenePlan plan = make_scene_plan(scene, *source_.registry, source_.tangent);
+    Assembler assembler(scene, plan, source_.threads);
+    assembler.set_memory(source_.assembler->memory());
+    VariantSource source = source_;
+    source.scene = &scene;
+    source.assembler = &assembler;
+    SetEquilibrium found{solve(source, start), {}};
+    if (is_stationary(found.solution))
+      for (const Setting& setting : scene.settings) {
+        const auto force = assembler.reaction(setting.node, found.solution.residual);
+        found.reactions.push_back(std::hypot(force[0], force[1], force[2]));
+      }
+    return found;
+  }
+
+ private:
+  /// From its start as the strategy finds it; from another equilibrium by the solver alone, if that arrives.
+  Solution solve(const VariantSource& source, const std::vector<double>& start) {
+    Solution near;
+    if (has_one_ && !start.empty()) near = spend(solve_near(source, left_, start));
+    if (near.status == SolveStatus::converged || near.status == SolveStatus::interrupted) return near;
+    Solution found = spend(find_as_set(source, left_, strategy_, start));
+    has_one_ |= is_stationary(found);
+    found.cost.add_before(near.cost);
+    return found;
+  }
+
+  Solution spend(Solution s) {
+    left_.work = std::max(0.0, left_.work - s.cost.work);
+    const double now = cpu_seconds();
+    left_.limits.seconds = std::max(0.0, left_.limits.seconds - (now - begun_));
+    begun_ = now;
+    return s;
+  }
+
+  const VariantSource& source_;
+  SearchOptions left_;  // of work and time, what is left
+  const StrategyUse& strategy_;
+  double begun_;
+  bool has_one_ = false;
+};
+
+}  // namespace
+
+Solution find_equilibrium(const VariantSource& source, const SearchOptions& options,
+                          const StrategyUse& strategy, const std::vector<double>& start) {
+  if (!source.scene->settings.empty()) {
+    SetScenes scenes(source, options, strategy);
+    return find_settings(
+        *source.scene, [&](auto factors, const auto& near_to) { return scenes.find(factors, near_to); },
+        start);
+  }
+  Solution best = find_as_set(source, options, strategy, start);
+  if (best.status == SolveStatus::converged) source.assembler->remember(best.x);
+  return best;
+}
+
+std::string explain_strategy(const VariantSource& source, const SearchOptions& options,
+                             const StrategyUse& strategy) {
+  if (!strategy.type->strategy.explain) return "";
+  SearchHost host(source, options);
+  const ParameterBlock parameters = block_of(strategy);
+  RunningSearch search(host, as_written(), options.limits.tolerance, options.work, nullptr);
+  std::string text(4096, '\0');
+  const PluginCall call({strategy.type->type.c_str(), "explain", nullptr, CallFrame::Kind::method});
+  const int status = strategy.type->strategy.explain(parameters.data(), &search.interface(), text.data(),
+                                                     static_cast<std::uint32_t>(text.size()));
+  text.resize(status == NETLOFT_OK ? text.find('\0') : 0);
+  return text;
+}
+
+}  // namespace netloft

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/search/settings.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <utility>
+
+namespace netloft {
+
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+// How the factors are looked for. All are changes of the logarithm of a factor, that is relative ones.
+constexpr double kFirstChange =
+    0.01;  // slopes are measured over this: a change of a tension by some percent,
+           // of which an equilibrium found to 1e-10 of the load leaves 7 digits
+constexpr double kLargestChange = 0.05;   // in one step: from one length of warp to another that differs by 5
+                                          // % Newton's method finds the next equilibrium by itself
+constexpr int kMostHalvings = 3;          // of a step; 1/8 of 5 % is less than slopes were measured over
+constexpr int kMostSteps = 60;            // of 5 %: a factor of 18 up or down
+constexpr double kForceTolerance = 1e-9;  // of the wanted force: ten times what equilibria are found to
+
+/// Factors, what the nodes bear with them, and how far that is from what is wanted.
+struct Point {
+  VectorXd y, off;  // (1)
+  Solution solution;
+  bool is_there = false;
+  double distance() const { return off.cwiseAbs().maxCoeff(); }
+};
+
+std::vector<double> factors_at(const VectorXd& y) {
+  std::vector<double> factors;
+  for (const double logarithm : y) factors.push_back(std::exp(logarithm));
+  return factors;
+}
+
+/// Looks for the factors; members are steps of that.
+class SettingSearch {
+ public:
+  SettingSearch(const Scene& scene, const FindWithFactors& find) : scene_(scene), find_(find) {}
+
+  Solution run(const std::vector<double>& start) {
+    VectorXd y(scene_.settings.size());
+    for (Eigen::Index k = 0; k < y.size(); ++k)
+      y[k] = std::log(scene_.settings[static_cast<std::size_t>(k)].factor);
+    Point at = find_at(y, start);
+    if (at.is_there && at.distance() > kForceTolerance && measure_slopes(at)) approach(at);
+    return finished(std::move(at));
+  }
+
+ private:
+  Point find_at(const VectorXd& y, const std::vector<double>& start) {
+    Point point{y, VectorXd::Constant(y.size(), HUGE_VAL), {}, false};
+    auto [solution, reactions] = find_(factors_at(y), start);
+    point.is_there = !reactions.empty();
+    for (std::size_t k = 0; k < reactions.size(); ++k)
+      point.off[static_cast<Eigen::Index>(k)] = reactions[k] / scene_.settings[k].wanted - 1;
+    cost_.add(solution.cost);
+    is_interrupted_ |= solution.status == SolveStatus::interrupted;
+    point.solution = std::move(solution);
+    return point;
+  }
+
+  /// J at a point, along the columns of directions(); false: there are no equilibria near it.
+  bool measure_slopes(const Point& at) {
+    const MatrixXd along = directions(at.y.size());
+    MatrixXd slopes(at.y.size(), at.y.size());
+    for (Eigen::Index k = 0; k < at.y.size(); ++k) {
+      const double towards = at.off.dot(along.col(k)) < 0 ? kFirstChange : -kFirstChange;
+      Point beside;
+      for (const double change : {towards, -towards}) {
+        if (is_interrupted_ || beside.is_there) break;
+        beside = find_at(at.y + change * along.col(k), at.solution.u);
+        slopes.col(k) = (beside.off - at.off) / change;
+      }
+      if (!beside.is_there) return failed_ = beside.solution.reason, false;
+    }
+    slopes_ = slopes * along.inverse();
+    return true;
+  }
+
+  /// First all together, then against each other: warps of equal length pull a gear straight, and what they
+  /// bear together hardly shows in what each bears while one is longer than the other.
+  static MatrixXd directions(Eigen::Index n) {
+    MatrixXd all = MatrixXd::Zero(n, n);
+    all.col(0).setOnes();
+    for (Eigen::Index k = 1; k < n; ++k) {
+      all.col(k).head(k).setConstant(1.0 / static_cast<double>(k));
+      all(k, k) = -1;
+    }
+    return all;
+  }
+
+  void approach(Point& at) {
+    bool just_measured = true;
+    for (int step = 0; step < kMostSteps && at.distance() > kForceTolerance && !is_interrupted_; ++step) {
+      Point next = best_step(at);
+      if (next.is_there && next.distance() < at.distance()) {
+        at = std::move(next);
+        just_measured = false;
+        continue;
+      }
+      if (!next.is_there) failed_ = next.solution.reason;
+      if (just_measured || is_interrupted_ || !measure_slopes(at)) return;
+      just_measured = true;
+    }
+  }
+
+  /// (2), (3)
+  Point best_step(const Point& at) {
+    VectorXd s = slopes_.fullPivLu().solve(-at.off);
+    if (!s.allFinite()) s.setZero();
+    if (const double most = s.cwiseAbs().maxCoeff(); most > kLargestChange) s *= kLargestChange / most;
+    Point next;
+    for (int halving = 0; halving <= kMostHalvings && s.squaredNorm() > 0 && !is_interrupted_; ++halving) {
+      next = find_at(at.y + s, at.solution.u);
+      if (next.is_there) slopes_ += (next.off - at.off - slopes_ * s) * s.transpose() / s.squaredNorm();
+      if (next.is_there && next.distance() < at.distance()) break;
+      s *= 0.5;
+    }
+    return next;
+  }
+
+  Solution finished(Point at) const {
+    Solution s = std::move(at.solution);
+    s.factors = factors_at(at.y);
+    s.cost = cost_;
+    if (is_interrupted_) {
+      s.status = SolveStatus::interrupted;
+      s.reason = "interrupted while " + list_names() + " was looked for";
+    } else if (at.is_there && at.distance() > kForceTolerance) {
+      s.status = SolveStatus::not_converged;
+      s.reason = sentence_at(at);
+      if (!failed_.empty()) s.reason += "; beyond that " + failed_;
+    }
+    return s;
+  }
+
+  std::string list_names() const {
+    std::string names;
+    for (const Setting& setting : scene_.settings) names += (names.empty() ? "" : ", ") + setting.name;
+    return names;
+  }
+
+  /// "no length of warp was found with which its end bears 1.2e+04 N; nearest: 9.1e+03 N at 93.2 m"
+  std::string sentence_at(const Point& at) const {
+    std::string text;
+    const auto factors = factors_at(at.y);
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      const Setting& setting = scene_.settings[k];
+      const double off = at.off[static_cast<Eigen::Index>(k)];
+      if (std::abs(off) <= kForceTolerance) continue;
+      char line[256];
+      std::snprintf(line, sizeof line,
+                    "no %s was found at which its end bears %.6g N; the nearest is %.6g N, at %.6g %s",
+                    setting.name.c_str(), setting.wanted, (1 + off) * setting.wanted,
+                    amount_of(scene_, setting) / setting.factor * factors[k], setting.unit.c_str());
+      text += (text.empty() ? "" : "; ") + std::string(line);
+    }
+    return text;
+  }
+
+  const Scene& scene_;
+  const FindWithFactors& find_;
+  MatrixXd slopes_;  // J of (2)
+  Cost cost_;        // of all equilibria that were looked for
+  bool is_interrupted_ = false;
+  std::string failed_;  // why there was no equilibrium further on
+};
+
+template <class Visit>
+void for_data(auto& scene, const Setting& setting, const Visit& visit) {
+  for (auto& part : scene.parts) {
+    if (part.name != setting.part) continue;
+    if (const auto data = part.data.find(setting.datum); data != part.data.end()) visit(part, data->second);
+  }
+}
+
+}  // namespace
+
+void set_factors(Scene& scene, std::span<const double> factors) {
+  for (std::size_t k = 0; k < scene.settings.size(); ++k) {
+    Setting& setting = scene.settings[k];
+    const double change = factors[k] / setting.factor;
+    for_data(scene, setting, [&](Part&, std::vector<double>& data) {
+      for (double& value : data) value *= change;
+    });
+    setting.factor = factors[k];
+  }
+}
+
+double amount_of(const Scene& scene, const Setting& setting) {
+  double amount = 0;
+  for_data(scene, setting, [&](const Part& part, const std::vector<double>& data) {
+    if (!part.companion) amount += std::accumulate(data.begin(), data.end(), 0.0);
+  });
+  return amount;
+}
+
+Solution find_settings(const Scene& scene, const FindWithFactors& find, const std::vector<double>& start) {
+  return SettingSearch(scene, find).run(start);
+}
+
+}  // namespace netloft

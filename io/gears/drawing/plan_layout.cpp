@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/drawing/plan_layout.hpp"
+
+#include "io/gears/plan/names.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace netloft::gears {
+
+namespace {
+
+constexpr double kHalfWidth = 0.5;  // of the stretched width
+constexpr double kGap = 0.25;       // between columns, relative to the width of the previous one
+
+/// Meshes of square netting are counted in bars, half a stretched mesh.
+double length_of_mesh(const Panel& panel) {
+  return panel.orientation == "square" ? panel.mesh / 2 : panel.mesh;
+}
+
+/// The middle of an edge and its distance aft.
+PanelPoint middle_of(const EdgeSet& set) {
+  const double left = std::min(set.edges.front().from.x, set.edges.back().to.x);
+  const double right = std::max(set.edges.front().from.x, set.edges.back().to.x);
+  return {set.is_across_middle() ? 0 : (left + right) / 2, set.edges.front().from.y};
+}
+
+/// The two edges of a join that align panels: the aft edge of one panel and a fore edge of another.
+struct Seam {
+  EdgeSet aft, fore;
+};
+
+std::optional<Seam> seam_of(EdgeSet a, EdgeSet b) {
+  if (a.edges.empty() || b.edges.empty() || a.panel == b.panel) return {};
+  if (a.edges[0].kind != EdgeKind::aft) std::swap(a, b);
+  if (a.edges[0].kind != EdgeKind::aft || b.edges[0].kind != EdgeKind::fore) return {};
+  return Seam{std::move(a), std::move(b)};
+}
+
+/// Lays out one column after the other; the member functions are steps in the order of execution.
+class Sheet {
+ public:
+  explicit Sheet(const NetPlan& plan) : plan_(plan) { find_seams(); }
+
+  std::vector<PlacedPanel> lay_out() {
+    for (const auto& panel : plan_.panels)
+      if (panel.stands == Standing::middle && !is_behind_a_middle_one(panel)) begin_column(panel);
+    for (const auto& panel : plan_.panels)
+      if (!seen_.contains(&panel)) begin_column(panel);
+    return std::move(placed_);
+  }
+
+ private:
+  void find_seams() {
+    formats::Diagnostics silent;
+    for (const auto& join : plan_.joins) {
+      const auto& [first, second] = join.edges;
+      for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
+        if (first.empty() || second.empty()) break;
+        const auto seam = seam_of(find_edge(plan_, first[std::min(i, first.size() - 1)], {}, "", silent),
+                                  find_edge(plan_, second[std::min(i, second.size() - 1)], {}, "", silent));
+        if (seam) seams_.push_back(*seam);
+      }
+    }
+  }
+
+  bool is_behind_a_middle_one(const Panel& panel) const {
+    return std::any_of(seams_.begin(), seams_.end(), [&](const Seam& seam) {
+      return seam.fore.panel == &panel && seam.aft.panel->stands == Standing::middle;
+    });
+  }
+
+  void begin_column(const Panel& panel) {
+    const std::size_t first = placed_.size();
+    place(panel, 0, 0);
+    double left = 0, right = 0;
+    for (std::size_t i = first; i < placed_.size(); ++i)
+      for (const auto& corner : placed_[i].outline.corners()) {
+        const double x = placed_[i].on_sheet(corner).x;
+        left = std::min(left, x);
+        right = std::max(right, x);
+      }
+    for (std::size_t i = first; i < placed_.size(); ++i) placed_[i].x += next_ - left;
+    next_ += (1 + kGap) * (right - left);
+  }
+
+  /// Places the panel and all panels that are sewn to its fore and aft edges and not placed yet.
+  void place(const Panel& panel, double x, double y) {
+    if (!seen_.insert(&panel).second) return;
+    placed_.push_back({&panel, outline_of(panel), x, y, false});
+    const PlacedPanel own = placed_.back();
+    if (panel.stands != Standing::alone) placed_.push_back({&panel, own.outline, mirror_about_, y, true});
+    if (panel.stands == Standing::middle) placed_.back().x = x;
+    for (const auto& seam : seams_) {
+      if (seam.aft.panel == &panel) place_at(seam.fore, middle_of(seam.aft), own);
+      if (seam.fore.panel == &panel) place_at(seam.aft, middle_of(seam.fore), own);
+    }
+  }
+
+  /// Places a panel so that its edge meets the point `at` of a placed panel.
+  void place_at(const EdgeSet& edge, PanelPoint at, const PlacedPanel& there) {
+    const PanelPoint target = there.on_sheet(at), own = middle_of(edge);
+    const double across = kHalfWidth * edge.panel->mesh, aft = length_of_mesh(*edge.panel);
+    const double x = edge.panel->stands == Standing::middle ? there.x : target.x - across * own.x;
+    mirror_about_ = 2 * there.x - x;
+    place(*edge.panel, x, target.y - aft * own.y);
+  }
+
+  const NetPlan& plan_;
+  std::vector<Seam> seams_;
+  std::vector<PlacedPanel> placed_;
+  std::set<const Panel*> seen_;
+  double next_ = 0, mirror_about_ = 0;
+};
+
+}  // namespace
+
+PanelPoint PlacedPanel::on_sheet(PanelPoint p) const {
+  const double across = kHalfWidth * panel->mesh * p.x;
+  return {x + (is_mirrored ? -across : across), y + length_of_mesh(*panel) * p.y};
+}
+
+std::vector<PlacedPanel> lay_out(const NetPlan& plan) { return Sheet(plan).lay_out(); }
+
+}  // namespace netloft::gears

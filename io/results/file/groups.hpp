@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+namespace netloft::results {
+
+/// Groups of a result file (io/formats/hdf5/LAYOUT.md).
+inline const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/",
+                         kSwing = "/netloft/swing/";
+
+}  // namespace netloft::results

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/figures/run_result.hpp"
+
+namespace netloft::results {
+
+/// Facts about the solve that the plan does not decide but that a reader of the plan needs.
+struct PlanExtras {
+  std::string solver, factorisation;
+  std::size_t matrix_entries = 0;
+  int threads_given = 1, threads_used = 1;
+  std::string strategy, attempts;  // how the equilibrium is found; what it tries and why, a line each
+  std::string material_damping;    // loss factors that count in a motion, or why none does
+  double memory = 0, factor_memory = 0,
+         stability_memory = 0;  // that it will take, and of it [bytes]
+};
+
+/// The forces that each family of elements evaluates, and why the others are off.
+std::string plan_text(const ScenePlan& plan, const PlanExtras& extras);
+std::string plan_json(const Scene& scene, const ScenePlan& plan, const PlanExtras& extras);
+
+/// The result of a run as text for people.
+std::string run_text(const scenes::LoadedScene& loaded, const ScenePlan& plan, const RunResult& result);
+/// The result of a run as one JSON object.
+std::string run_json(const scenes::LoadedScene& loaded, const ScenePlan& plan, const RunResult& result);
+
+}  // namespace netloft::results

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/read_bodies.hpp"
+
+#include "io/scenes/reading/geometry_keys.hpp"
+#include "io/scenes/reading/part_names.hpp"
+
+#include <netloft/attitude.hpp>
+
+#include <algorithm>
+
+namespace netloft::scenes {
+
+namespace {
+
+using Vector = Vec3<double>;
+
+Point mirrored(const Point& r, double side) { return {r[0], side * r[1], r[2]}; }
+Vector vector_of(const Point& p) { return {p[0], p[1], p[2]}; }
+Point point_of(const Vector& v) { return {v.x, v.y, v.z}; }
+
+/// The axis a word such as "about y" names; -1: none.
+int axis_in(const std::string& word) { return word.starts_with("about ") ? word.back() - 'x' : -1; }
+
+void read_turning(formats::TableReader& table, BodyGeometry& body) {
+  formats::TableReader turned = table.table("turned", formats::Presence::optional);
+  const Attitude start{read_real(turned, kHeading, 0.0), read_real(turned, kHeel, 0.0),
+                       read_real(turned, kTrim, 0.0)};
+  body.rotation = point_of(rotation_vector(axes_of(start, body.side)));
+  const std::string turns = read_word(table, kTurns);
+  const int only = axis_in(turns);
+  if (turns == "not") body.held_rotation = kAllAxes;
+  if (only < 0) return;
+  body.held_rotation = static_cast<std::uint8_t>(kAllAxes & ~(1 << only));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (static_cast<int>(axis) != only && std::abs(body.rotation[axis]) > 1e-9) {
+      table.error("turns",
+                  "= " + formats::in_quotes(turns) + ", and it is turned about another axis at the start",
+                  "leave out of `turned` what leads away from that axis");
+      return;
+    }
+}
+
+void read_named_points(formats::TableReader& table, BodyGeometry& body) {
+  formats::TableReader points =
+      table.table("points", formats::Presence::optional, "points of the body by name");
+  for (const auto& name : points.keys()) {
+    const auto at = points.reals(
+        name, {.unit = "m", .doc = kPoints.doc, .range = kPoints.range, .count = formats::exactly(3)});
+    std::string fault = name_fault(name);
+    if (fault.empty() && name.find('.') != std::string::npos) fault = "must not hold a dot";
+    if (fault.empty() && (name == "origin" || name.starts_with("node-"))) fault = "has a meaning already";
+    if (!fault.empty()) points.error(name, "the name of a point, " + formats::in_quotes(name) + ", " + fault);
+    if (at.size() != 3) continue;
+    body.names.push_back(name);
+    body.r.push_back(mirrored({at[0], at[1], at[2]}, body.side));
+  }
+}
+
+Point placed(const Point& origin, const Point& rotation, const Point& r) {
+  return point_of(vector_of(origin) + rotated(vector_of(rotation), vector_of(r)));
+}
+
+/// A body of a plan is on the side where the plan has it.
+double read_side(formats::TableReader& table, const BodyOfPlan* plan) {
+  if (!plan || table.has(kSide.name)) {
+    const double said = read_word(table, kSide) == "port" ? -1 : 1;
+    if (!plan) return said;
+    table.error(kSide.name, "is given by the net plan, which has this body to starboard and to port",
+                "stands = \"alone\", if there is one");
+  }
+  return plan->side;
+}
+
+Point read_origin(formats::TableReader& table, const BodyOfPlan* plan, const BodyGeometry& body) {
+  if (!plan) return read_one_point(table, kOrigin);
+  if (table.has(kOrigin.name) || !plan->guess) return mirrored(read_one_point(table, kOrigin), body.side);
+  double lowest = 0;
+  for (const auto* points : {&body.r, &body.outline})
+    for (const Point& p : *points) lowest = std::min(lowest, p[2]);
+  return plan->guess(lowest);
+}
+
+}  // namespace
+
+Geometry read_body(formats::TableReader& table, const BodyOfPlan* plan) {
+  Geometry out;
+  BodyGeometry body;
+  body.side = read_side(table, plan);
+  read_turning(table, body);
+  read_named_points(table, body);
+  if (table.has("outline"))
+    for (const Point& corner : read_points(table, kOutline))
+      body.outline.push_back(mirrored(corner, body.side));
+  const Point origin = read_origin(table, plan, body);
+  append(out.positions, origin);
+  out.names.sets["origin"] = {0};
+  for (std::uint32_t k = 0; k < body.r.size(); ++k) {
+    append(out.positions, placed(origin, body.rotation, body.r[k]));
+    out.names.sets[body.names[k]] = {k + 1};
+  }
+  out.elements = {0};
+  out.data[datum::kSide.name] = {body.side};
+  out.data[datum::kArm.name] = {0, 0, 0};
+  out.body = std::move(body);
+  return out;
+}
+
+namespace {
+
+std::string shown(const RigidBody& body, std::size_t point, const BodyGeometry& geometry) {
+  return formats::in_quotes(body.name + "." + geometry.names[point]);
+}
+
+/// A node that two bodies carry, or that one carries and the other has for its origin, would tie their turns.
+void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& geometry,
+                 formats::Place place, formats::Diagnostics& diagnostics) {
+  const Scene& scene = draft.out.scene;
+  for (std::size_t k = 0; k < body.points.size(); ++k) {
+    const std::uint32_t node = body.points[k].node;
+    const RigidBody* other = body_that_carries(scene, node);
+    for (const auto& b : scene.bodies)
+      if (b.origin == node) other = &b;
+    const bool is_own = node == body.origin ||
+                        std::any_of(body.points.begin(), body.points.begin() + static_cast<std::ptrdiff_t>(k),
+                                    [&](const auto& p) { return p.node == node; });
+    if (other || is_own)
+      diagnostics.error(place,
+                        shown(body, k, geometry) + " is joined to a point of " +
+                            (is_own ? "its own body" : "the body " + formats::in_quotes(other->name)) +
+                            "; a point belongs to one body alone",
+                        "put a short rope between them");
+  }
+  if (const RigidBody* other = body_that_carries(scene, body.origin))
+    diagnostics.error(place,
+                      formats::in_quotes(body.name + ".origin") + " is joined to a point of the body " +
+                          formats::in_quotes(other->name) + ", which carries it",
+                      "put a short rope between them");
+}
+
+}  // namespace
+
+void add_bodies(Draft& draft, formats::Diagnostics& diagnostics) {
+  Scene& scene = draft.out.scene;
+  for (std::size_t p = 0; p < draft.geometries.size(); ++p) {
+    if (!draft.geometries[p].body) continue;
+    const BodyGeometry& geometry = *draft.geometries[p].body;
+    const PartGeometry& names = draft.out.parts[p];
+    RigidBody body{.name = names.name,
+                   .origin = names.nodes[0],
+                   .rotation = geometry.rotation,
+                   .held_rotation = geometry.held_rotation,
+                   .points = {}};
+    for (std::size_t k = 0; k < geometry.r.size(); ++k)
+      body.points.push_back({names.nodes[k + 1], geometry.r[k]});
+    check_alone(draft, body, geometry, names.place, diagnostics);
+    scene.add_body(std::move(body));
+    draft.out.bodies.push_back(
+        {static_cast<std::uint32_t>(p), geometry.side, geometry.names, geometry.outline});
+  }
+  place_points(scene);
+}
+
+void place_points(Scene& scene) {
+  for (const auto& body : scene.bodies)
+    for (const auto& point : body.points) {
+      const double* o = &scene.positions[3 * std::size_t{body.origin}];
+      const Point at = placed({o[0], o[1], o[2]}, body.rotation, point.r);
+      std::copy(at.begin(), at.end(), scene.positions.begin() + 3 * std::ptrdiff_t{point.node});
+    }
+}
+
+const RigidBody* body_that_carries(const Scene& scene, std::uint32_t node) {
+  for (const auto& body : scene.bodies)
+    for (const auto& point : body.points)
+      if (point.node == node) return &body;
+  return nullptr;
+}
+
+}  // namespace netloft::scenes

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/standing_riders.hpp"
+
+#include "io/scenes/reading/own_data.hpp"
+#include "io/scenes/reading/part_names.hpp"
+#include "io/scenes/reading/riding.hpp"
+
+#include <algorithm>
+
+namespace netloft::scenes {
+
+namespace {
+
+/// Lets one rider stand; members are steps in the order they happen.
+class RiderMaker {
+ public:
+  RiderMaker(const ElementType& type, formats::TableReader& table, Draft& draft, Part& rider)
+      : type_(type),
+        table_(table),
+        draft_(draft),
+        rider_(rider),
+        on_nodes_(type.element.stencil == NETLOFT_NODE),
+        carried_(draft.out.scene.node_count(), 0.0) {}
+
+  void stand() {
+    const int errors_before = table_.diagnostics().errors();
+    read_names();
+    if (table_.diagnostics().errors() > errors_before) return;
+    for (std::size_t n = 0; n < names_.size(); ++n)
+      for (const auto& named : draft_.expand(mention_of_item(names_[n], table_, "on", n)))
+        for (const auto& at : draft_.both_sides(named)) stand_on(n, at);
+    drop_repeats(nodes_);
+    if (on_nodes_) stand_on_nodes();
+    if (!corners_.empty()) stand_between_points();
+    if (type_.element.stencil == NETLOFT_BAR_PAIR) stand_between_ropes();
+    read_missing_data();
+  }
+
+ private:
+  void read_names() {
+    if (table_.kind("on") == formats::Kind::text)
+      names_ = {table_.text("on", {})};
+    else
+      names_ = table_.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
+  }
+
+  /// `number` pieces shared out, or `each` on every node.
+  void stand_on_nodes() {
+    const formats::Range pieces = formats::between(0, 1e6);
+    const double number = table_.real(
+        "number", {.doc = "pieces, shared out along what it stands on", .range = pieces, .fallback = 1.0});
+    if (!table_.has("each")) {
+      if (!nodes_.empty()) ride_on_nodes(nodes_, carried_, number, rider_);
+      return;
+    }
+    if (table_.has("number"))
+      table_.error("each", "stands beside a number; pieces are shared out or stand on every node",
+                   "leave one of them out");
+    const double each = table_.real("each", {.doc = "pieces on every node", .range = pieces});
+    ride_on_every_node(nodes_, each, rider_);
+  }
+
+  void stand_on(std::size_t n, const Mention& at) {
+    const std::string& name = at.name;
+    if (const auto begin = names_.begin(), here = begin + static_cast<std::ptrdiff_t>(n);
+        std::find(begin, here, names_[n]) != here)
+      table_.diagnostics().error(at.place,
+                                 at.path + ": " + formats::in_quotes(names_[n]) + " is named twice");
+    const auto set = draft_.find_nodes(at);
+    if (!set || !draft_.is_sound[set->part] || !draft_.types[set->part]) return;
+    const bool is_whole = name.find('.') == std::string::npos;
+    if (on_nodes_)
+      add_nodes(*set);
+    else if (type_.is_on_body())
+      stand_on_body(*set, is_whole, at);
+    else if (type_.element.stencil == NETLOFT_BAR_PAIR && is_whole && is_rope(set->part))
+      ropes_.push_back(set->part);
+    else if (!is_whole && type_.element.stencil == NETLOFT_BAR && is_rope(set->part))
+      ride_on_bars_at(draft_.out.scene.parts[set->part], draft_.scene_nodes(*set), rider_);
+    else if (set->own.size() == 1 && is_one_of_corners())
+      corners_.push_back(draft_.scene_nodes(*set)[0]);
+    else if (!is_whole || !add_elements(set->part))
+      table_.error("on", formats::in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
+  }
+
+  /// On its origin, or on one of its points, if the element has a datum for that.
+  void stand_on_body(const Joiner::Ends& set, bool is_whole, const Mention& at) {
+    const auto& body = draft_.geometries[set.part].body;
+    if (!body || !(is_whole || declares(type_, datum::kArm)))
+      return table_.diagnostics().error(at.place,
+                                        at.path + ": " + formats::in_quotes(at.name) + " is no rigid body" +
+                                            (declares(type_, datum::kArm) ? " or point of one" : "") +
+                                            ", which " + type_.type + " stands on",
+                                        "name one of [bodies]");
+    for (const auto own : is_whole ? std::vector{std::uint32_t{0}} : set.own) {
+      rider_.nodes.push_back(draft_.out.parts[set.part].nodes[0]);
+      rider_.data[datum::kSide.name].push_back(body->side);
+      const std::array<double, 3> r = own == 0 ? std::array<double, 3>{} : body->r[own - 1];
+      rider_.data[datum::kArm.name].insert(rider_.data[datum::kArm.name].end(),
+                                           {r[0], body->side * r[1], r[2]});
+    }
+  }
+
+  /// As many names as an element has nodes may be points, on which one element stands.
+  bool is_one_of_corners() const { return names_.size() == static_cast<std::size_t>(type_.nodes()); }
+
+  void stand_between_points() {
+    if (table_.diagnostics().errors()) return;
+    if (!is_one_of_corners() || corners_.size() != names_.size())
+      return table_.error("on", "names points beside whole parts; " + type_.type + " stands on " +
+                                    std::to_string(type_.nodes()) + " points, or on whole parts");
+    rider_.nodes = corners_;
+  }
+
+  bool is_rope(std::size_t part) const { return draft_.types[part]->element.stencil == NETLOFT_BAR; }
+
+  /// Elements on pairs of bars that are not of one rope.
+  void stand_between_ropes() {
+    if (table_.diagnostics().errors()) return;
+    if (ropes_.size() != 2)
+      return table_.error("on", "names " + std::to_string(ropes_.size()) + " ropes; " + type_.type +
+                                    " stands between two that meet");
+    const auto& parts = draft_.out.scene.parts;
+    ride_on_meeting_bars(parts[ropes_[0]], parts[ropes_[1]], rider_);
+    if (rider_.nodes.empty())
+      table_.error("on",
+                   formats::in_quotes(parts[ropes_[0]].name) + " and " +
+                       formats::in_quotes(parts[ropes_[1]].name) + " do not meet in a node",
+                   "join them where they meet");
+  }
+
+  void add_nodes(const Joiner::Ends& set) {
+    const Part& ground = draft_.out.scene.parts[set.part];
+    const auto lengths = carried_length(draft_.out.scene, ground, *draft_.types[set.part]);
+    for (std::size_t i = 0; i < carried_.size(); ++i) carried_[i] += lengths[i];
+    const auto nodes = draft_.scene_nodes(set);
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  }
+
+  /// The elements of a part if they are of the rider's kind, or the triangles between its bars.
+  bool add_elements(std::size_t part) {
+    if (draft_.types[part]->element.stencil == type_.element.stencil)
+      ride_on_elements(draft_.out.scene.parts[part], rider_);
+    else if (type_.element.stencil == NETLOFT_TRIANGLE && !draft_.geometries[part].faces.nodes.empty())
+      ride_on_elements(faces_of(part), rider_);
+    else
+      return false;
+    return true;
+  }
+
+  Part faces_of(std::size_t part) const {
+    Part faces;
+    for (const auto own : draft_.geometries[part].faces.nodes)
+      faces.nodes.push_back(draft_.out.parts[part].nodes[own]);
+    faces.data = draft_.geometries[part].faces.data;
+    return faces;
+  }
+
+  /// Data that what it stands on does not give: the same for every element.
+  void read_missing_data() {
+    const std::size_t elements = rider_.nodes.size() / static_cast<std::size_t>(type_.nodes());
+    for (const auto& datum : type_.data)
+      if (elements > 0 && !rider_.data.contains(datum.name))
+        read_own_datum(type_, datum, elements, table_, rider_.data);
+  }
+
+  const ElementType& type_;
+  formats::TableReader& table_;
+  Draft& draft_;
+  Part& rider_;
+  bool on_nodes_;
+  std::vector<std::string> names_;
+  std::vector<std::uint32_t> nodes_;
+  std::vector<double> carried_;
+  std::vector<std::size_t> ropes_;      // parts, of elements on pairs of bars
+  std::vector<std::uint32_t> corners_;  // nodes of one element, each named
+};
+
+}  // namespace
+
+void stand_on_others(const ElementType& type, formats::TableReader& table, Draft& draft, Part& rider) {
+  RiderMaker(type, table, draft, rider).stand();
+}
+
+}  // namespace netloft::scenes
