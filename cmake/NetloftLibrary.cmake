@@ -2,9 +2,10 @@
 # netloft_library(NAME ROOMS folders… [ALONE sources…] [EXCEPT sources…] [PUBLIC libraries…] [PRIVATE libraries…]): a static
 # library of all sources in these folders of the calling one ("." is that one itself).
 #
-# With NETLOFT_UNITY each room is compiled as one source, because most sources take longer to read headers than for all
-# else: names without linkage have to be unique within a room. ALONE are sources that stay apart, because of options of
-# their own or of large headers. EXCEPT are those that the caller adds himself, or leaves out.
+# With NETLOFT_UNITY they are compiled as one source, because most sources take longer to read headers, and to make of
+# templates what others make as well, than for all else: names without linkage have to be unique within a library. ALONE are
+# sources that stay apart, because of options of their own or of large headers. EXCEPT are those that the caller adds
+# himself, or leaves out.
 include_guard(GLOBAL)
 
 function(netloft_library name)
@@ -15,17 +16,18 @@ function(netloft_library name)
 endfunction()
 
 # netloft_sources(TARGET ROOMS folders… [ENDING text] [ALONE sources…] [EXCEPT sources…]): the same for a target that is there
-# already; ENDING, .cpp by default, chooses its sources.
+# already; ENDING, .cpp by default, chooses its sources. What one call adds is compiled as one source.
 function(netloft_sources target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "ENDING" "ROOMS;ALONE;EXCEPT")
   if(NOT arg_ENDING)
     set(arg_ENDING .cpp)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${NETLOFT_UNITY} UNITY_BUILD_MODE GROUP)
+  list(GET arg_ROOMS 0 first)
+  string(MAKE_C_IDENTIFIER ${target}_${first} group)
   foreach(room IN LISTS arg_ROOMS)
     file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${room}/*${arg_ENDING})
     list(REMOVE_ITEM sources ${arg_EXCEPT} "")
-    string(MAKE_C_IDENTIFIER ${target}_${room} group)
     set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${group})
     target_sources(${target} PRIVATE ${sources})
   endforeach()

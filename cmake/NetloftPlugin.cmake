@@ -8,12 +8,17 @@
 #
 # netloft_shipped_plugins(FOLDERS…) does so for folders of this tree, each a plugin of its name made of all its sources, which
 # may include headers by path. NETLOFT_X86_64_V3 is the caller's: OFF where no kernel would gain by the second build.
+# The target netloft_plugins has all builds of all of them, netloft_plugins_here the one that this processor runs.
 #
 # After find_package(netloft) it goes to the folder of the build, for any processor; NETLOFT_X86_64_V3 adds the other
 # build. `ctest` then asks `netloft test` about it, runs each of TESTS, and runs each of SCENES with it.
 include_guard(GLOBAL)
 
 set_property(GLOBAL PROPERTY NETLOFT_STATIC_PLUGINS "")
+set(netloft_runs_x86_64_v3 FALSE)
+if(EXISTS /proc/cpuinfo)
+  file(STRINGS /proc/cpuinfo netloft_runs_x86_64_v3 REGEX "^flags.* fma .* avx2 .*bmi2 " LIMIT_COUNT 1)
+endif()
 
 function(netloft_add_plugin name)
   cmake_parse_arguments(arg "" "" "TESTS;SCENES" ${ARGN})
@@ -29,7 +34,6 @@ function(netloft_add_plugin name)
   if(NETLOFT_X86_64_V3 AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     netloft_add_module(${name}_v3 ${name} ${folder}/x86-64-v3 ${arg_UNPARSED_ARGUMENTS})
     target_compile_options(${name}_v3 PRIVATE -march=x86-64-v3)
-    add_dependencies(${name} ${name}_v3)
   endif()
   if(TARGET netloft::program)
     netloft_add_plugin_tests(${name})
@@ -47,6 +51,14 @@ function(netloft_shipped_plugins)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ${NETLOFT_UNITY} UNITY_BUILD_BATCH_SIZE 0)
       endif()
     endforeach()
+    if(TARGET ${name}_v3)
+      add_dependencies(netloft_plugins ${name}_v3)
+    endif()
+    if(TARGET ${name}_v3 AND netloft_runs_x86_64_v3)
+      add_dependencies(netloft_plugins_here ${name}_v3)
+    elseif(TARGET ${name})
+      add_dependencies(netloft_plugins_here ${name})
+    endif()
     if(TARGET ${name})
       add_dependencies(netloft_plugins ${name})
     endif()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/library.hpp"
 
-#include "framework/registry/trial_opening.hpp"
 #include "framework/registry/elf_length.hpp"
+#include "framework/registry/trial_opening.hpp"
 
 #include <dlfcn.h>
 
@@ -10,7 +10,6 @@
 #include <cfenv>
 #include <fstream>
 #include <mutex>
-#include <set>
 #if defined(__x86_64__)
 #include <xmmintrin.h>
 #endif
@@ -105,6 +104,18 @@ const netloft_plugin* described_by(void* symbol) {
   }
 }
 
+/// The folder and those within it for x86-64 levels that this processor runs, the newest first.
+std::vector<std::filesystem::path> folders_of_builds(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> folders;
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
+    folders.push_back(folder / "x86-64-v3");
+#endif
+  folders.push_back(folder);
+  return folders;
+}
+
 }  // namespace
 
 PluginContent open_library(const std::filesystem::path& file) {
@@ -129,15 +140,18 @@ PluginContent open_library(const std::filesystem::path& file) {
 }
 
 std::filesystem::path best_build(const std::filesystem::path& folder, const std::string& name) {
-  const std::string so = name + ".so";
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool v3 =
-      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
-  if (v3 && std::filesystem::is_regular_file(folder / "x86-64-v3" / so)) return folder / "x86-64-v3" / so;
-#endif
-  if (std::filesystem::is_regular_file(folder / so)) return folder / so;
+  for (const auto& below : folders_of_builds(folder))
+    if (std::filesystem::is_regular_file(below / (name + ".so"))) return below / (name + ".so");
   return {};
+}
+
+std::set<std::string> names_of_builds(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  std::error_code none;
+  for (const auto& below : folders_of_builds(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(below, none))
+      if (entry.path().extension() == ".so") names.insert(entry.path().stem().string());
+  return names;
 }
 
 }  // namespace netloft

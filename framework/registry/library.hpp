@@ -3,6 +3,8 @@
 #include "framework/registry/descriptors.hpp"
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 namespace netloft {
 
@@ -14,5 +16,8 @@ PluginContent open_library(const std::filesystem::path& file);
 /// The build of `folder/NAME.so` for the newest x86-64 level this processor runs, or an empty path if there
 /// is none.
 std::filesystem::path best_build(const std::filesystem::path& folder, const std::string& name);
+
+/// The plugins in a folder of which there is a build that this processor runs.
+std::set<std::string> names_of_builds(const std::filesystem::path& folder);
 
 }  // namespace netloft

@@ -142,11 +142,7 @@ std::vector<std::string> Registry::available() const {
   std::set<std::string> names;
   for (const auto& [name, describe] : builtin_) names.insert(name);
   for (const auto& [name, content] : opened_) names.insert(name);
-  for (const auto& folder : folders_) {
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
-      if (entry.path().extension() == ".so") names.insert(entry.path().stem().string());
-  }
+  for (const auto& folder : folders_) names.merge(names_of_builds(folder));
   return {names.begin(), names.end()};
 }
 
