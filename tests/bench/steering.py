@@ -71,7 +71,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "kMostGrowth": "(3) of ptc.hpp: the curvature beyond which Euler's step leads onto what the motion leaves, halved",
         "-0.5 * std::inner_product": "energy of a quadratic model",
         "? 2 : 0.5": "halving and doubling",
-        "convex_share_": "halving and doubling",
+        "convex_fraction_": "halving and doubling",
         "0.5 * least_": "halving",
         "delta_ /= 2": "halving and doubling",
         "2 * kSteps": "as many again",

@@ -91,7 +91,7 @@ TEST_F(StudyFileTest, WantsOnlyInputsThatAreThere) {
        "13:9: variables.mass.range: must be above zero to be divided by its logarithm"},
       {"scene = \"a.toml\"\n[variables]\n", "2:1: variables: is empty: a study varies something"},
       {"scene = \"a.toml\"\n[variables.v]\nkey = \"k\"\nvalues = [1]\n[design]\nsamples = 2",
-       "6:9: design.samples: there is no variable with a range to sample from"},
+       "6:11: design.samples: there is no variable with a range to sample from"},
   };
   for (const Wrong& wrong : all) {
     diagnostics_ = {};
