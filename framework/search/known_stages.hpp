@@ -17,7 +17,7 @@ struct StageRequest {
   netloft_variant variant{};  // seen from the scene as it is written
   double tolerance = 0, path = 0;
   std::uint32_t iterations = 0, flags = 0;
-  std::vector<double> start;  // displacements of the unknowns
+  std::vector<double> start{};  // displacements of the unknowns
 };
 
 /// What came of it.
