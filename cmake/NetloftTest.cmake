@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # netloft_test(NAME [ROOMS folders…] [EXCEPT files…] [SOURCES files…] LIBRARIES targets… [OPTIONS flags…] [SLOW|LONG]): one GoogleTest program, each of
-# its tests known to ctest. Its sources are *_test.cpp in ROOMS, each room compiled as one (NetloftLibrary.cmake), and SOURCES. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW: minutes under sanitizers, so that
+# its tests known to ctest. Its sources are *_test.cpp in ROOMS, compiled as one (NetloftLibrary.cmake), and SOURCES. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW: minutes under sanitizers, so that
 # .ci/run tries it without them alone; LONG: .ci/run leaves it to tests/nightly.
 #
 # With NETLOFT_TEST_PROGRAMS ctest knows the program as one test instead, which starts once: for sanitizers, which take

@@ -23,7 +23,7 @@ struct StrategyUse {
   Values parameters;
 };
 
-/// What a search may use and spend.
+/// The means of a search and the limits on what it spends.
 struct SearchOptions {
   SolverUse solver;  // of stages that name no other
   Limits limits;     // of the scene itself; `seconds` and `interrupt` hold for the whole search

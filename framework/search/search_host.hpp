@@ -5,7 +5,7 @@
 
 namespace netloft {
 
-/// What all strategies of one search share: the variants, the solvers, the record of all stages and their
+/// All strategies of one search share this: the variants, the solvers, the record of all stages and their
 /// work.
 class SearchHost {
  public:

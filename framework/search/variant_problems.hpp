@@ -22,8 +22,7 @@ struct VariantProblem {
   std::unique_ptr<Assembler> own_assembler;
 };
 
-/// What makes the variant_problems of a search: the scene with its assembler, and how others like them are
-/// made.
+/// A search takes its problems from here: the scene with its assembler, and how others like them are made.
 struct VariantSource {
   const Scene* scene = nullptr;
   Assembler* assembler = nullptr;

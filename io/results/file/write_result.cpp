@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/write_result.hpp"
+#include "io/results/file/groups.hpp"
 #include "io/results/file/no_number.hpp"
 
 #include "io/formats/hdf5/read.hpp"
@@ -177,13 +178,13 @@ void write_errors_of(formats::Tree& tree, const std::string& at, const std::vect
 }
 
 void write_errors(formats::Tree& tree, const RunResult& result) {
-  const std::string at = "/netloft/errors/";
-  write_known(tree, at + "nodes", result.solution.correction.length, "m",
+  write_known(tree, kErrors + "nodes", result.solution.correction.length, "m",
               "estimated error: largest nodal move of the next Newton step");
-  write_errors_of(tree, at, result.scalars);
-  write_errors_of(tree, at + "gear/", result.gear);
+  write_errors_of(tree, kErrors, result.scalars);
+  write_errors_of(tree, kErrors + "gear/", result.gear);
   if (!result.mesh_note.empty())
-    tree.write_text(at + "mesh_note", result.mesh_note, "the meshes that mesh errors were estimated from");
+    tree.write_text(kErrors + "mesh_note", result.mesh_note,
+                    "the meshes that mesh errors were estimated from");
 }
 
 void write_forces(formats::Tree& tree, const scenes::LoadedScene& loaded, const RunResult& result) {
@@ -221,11 +222,11 @@ void write_spread_of(formats::Tree& tree, const std::string& at, const std::vect
 void write_swing(formats::Tree& tree, const RunResult& result) {
   if (result.swings_most.empty()) return;
   const char* doc = "its change for each metre that the furthest node of what grows moves";
-  tree.write_text("/netloft/swing/furthest", result.swings_most, "the node that moves furthest");
+  tree.write_text(kSwing + "furthest", result.swings_most, "the node that moves furthest");
   for (const auto& s : result.scalars)
-    write_known(tree, "/netloft/swing/per_metre/" + s.name, s.per_swing, s.unit, doc);
+    write_known(tree, kSwing + "per_metre/" + s.name, s.per_swing, s.unit, doc);
   for (const auto& s : result.gear)
-    write_known(tree, "/netloft/swing/gear/per_metre/" + s.name, s.per_swing, s.unit, doc);
+    write_known(tree, kSwing + "gear/per_metre/" + s.name, s.per_swing, s.unit, doc);
 }
 
 /// How good an outcome is; the names are those of name_of().
@@ -289,8 +290,8 @@ void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, 
   tree.write_real("/netloft/energy", result.solution.energy, "J",
                   "energy at the end, if all forces have one");
   write_errors(tree, result);
-  write_spread_of(tree, "/netloft/spread/", result.scalars);
-  write_spread_of(tree, "/netloft/spread/gear/", result.gear);
+  write_spread_of(tree, kSpread, result.scalars);
+  write_spread_of(tree, kSpread + "gear/", result.gear);
   write_swing(tree, result);
   write_gear(tree, loaded, result.gear);
   if (const auto memory = assembler.memory(); !memory.empty())

@@ -8,7 +8,7 @@
 
 namespace netloft::hard_cases {
 
-/// What a random case is made of, each number by its name. A table of entries:
+/// The numbers of a random case by their names, written as texts. They are read from a table of entries:
 ///   across = { whole = [20, 60] }          whole numbers, both ends included, all equally likely
 ///   bar = { from = 0.1, to = 0.6 }         uniform
 ///   EA = { from = 1e3, to = 1e6, log = true }    uniform in its logarithm

@@ -50,7 +50,7 @@ TEST_F(ManifestTest, IsRefusedWhereItIsDamaged) {
             std::string::npos);
   EXPECT_NE(refusal(""), "");
   EXPECT_NE(refusal("{}"), "");
-  EXPECT_NE(refusal("{\"netloft_study\": 2}\n").find("it has format 2"), std::string::npos);
+  EXPECT_NE(refusal("{\"netloft_study\": 1}\n").find("it has format 1"), std::string::npos);
 }
 TEST_F(ManifestTest, SurvivesNonsense) {
   const std::string text = manifest_text(sample());
