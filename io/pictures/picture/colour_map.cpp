@@ -33,7 +33,7 @@ const std::array<Colour, 8>& part_colours() {
 
 Colour colour_at(double place) {
   const auto& stops = colour_stops();
-  const double at = std::clamp(place, 0.0, 1.0) * (stops.size() - 1);
+  const double at = std::clamp(place, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   const Colour &a = stops[k], &b = stops[k + 1];
   const float t = static_cast<float>(at - static_cast<double>(k));

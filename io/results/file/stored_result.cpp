@@ -190,11 +190,11 @@ void StoredResult::read_bodies() {
   const std::string at = kRoot + "bodies/";
   if (!reader_.has(at)) return;
   const auto names = reader_.strings(at + "name");
-  const auto origins = reader_.integers(at + "origin");
+  const auto nodes = reader_.integers(at + "origin");
   const auto sides = reals_or_nothing(at + "side");
-  require(origins.size() == names.size(), path, "its rigid bodies are cut off");
+  require(nodes.size() == names.size(), path, "its rigid bodies are cut off");
   for (std::size_t b = 0; b < names.size(); ++b) {
-    const auto origin = static_cast<std::size_t>(origins[b]);
+    const auto origin = static_cast<std::size_t>(nodes[b]);
     require(origin < mesh.n_points, path, "a rigid body is at a node that it has not");
     bodies.push_back({names[b], static_cast<std::uint32_t>(origin), at_or_none(sides, b) < 0, {}});
   }

@@ -196,7 +196,9 @@ class KeywordReader {
   void drum() {
     const Cable* c = cable();
     if (!c) return;
-    Drum d{name_place_, static_cast<int>(c - gear_.cables.data())};
+    Drum d;
+    d.place = name_place_;
+    d.cable = static_cast<int>(c - gear_.cables.data());
     d.shortest = number();
     d.longest = number();
     const std::size_t rows = rows_of_table();
@@ -218,7 +220,9 @@ class KeywordReader {
   void node_motion() {
     const NodeType* type = one_of(gear_.types, "type");
     if (!type) return;
-    NodeMotion m{name_place_, static_cast<int>(type - gear_.types.data())};
+    NodeMotion m;
+    m.place = name_place_;
+    m.type = static_cast<int>(type - gear_.types.data());
     const std::size_t rows = rows_of_table();
     m.times = times(rows);
     for (auto& axis : m.velocity) axis = numbers(rows);

@@ -122,7 +122,7 @@ void read_twines(const formats::MeshRegion& region, formats::TableReader& part, 
 
 const std::vector<GeometryKey>& mesh_keys(Layout layout) {
   static const ByLayout<std::vector<GeometryKey>> keys{
-      {}, {kMesh, kRegion, kLength}, {kMesh, kRegion, kBar, kNetting}, {kMesh, kRegion, kBar}};
+      {}, {kMesh, kRegion, kLength}, {kMesh, kRegion, kBar, kNetting}, {kMesh, kRegion, kBar}, {}};
   return keys.of(layout);
 }
 

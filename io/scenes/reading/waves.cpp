@@ -66,7 +66,7 @@ AiryWaves::Sea sea_of(const WaveKeys& keys, double depth) {
 std::shared_ptr<const WaterField> read_waves(formats::TableReader& water, const Scene& scene) {
   if (!water.has("waves")) return nullptr;
   formats::TableReader waves = water.table("waves");
-  const std::size_t before = waves.diagnostics().errors();
+  const int before = waves.diagnostics().errors();
   const Values values = read_parameters(wave_keys(), waves);
   std::vector<std::string> faults;
   const ParameterBlock block(wave_keys(), sizeof(WaveKeys), values, faults);

@@ -5,6 +5,7 @@
 #include "io/studies/variables/read_variable.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace netloft::studies {
 

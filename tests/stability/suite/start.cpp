@@ -10,7 +10,6 @@ namespace netloft::hard_cases {
 
 using namespace formats;
 using namespace scenes;
-using namespace runs;
 
 namespace {
 
