@@ -3,7 +3,7 @@
 # build folder has the same layout, so that find_package(netloft) and `netloft --cflags` work there, too.
 #
 #   bin/netloft   include/netloft/   lib/netloft/ (plugins)   lib/cmake/netloft/
-#   share/netloft/gear-library/   share/doc/netloft/ (guides, reference with the schema of scenes, licence)
+#   share/netloft/ (gear-library, schema of scenes)   share/doc/netloft/ (guides, licence)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME netloft)
 set(NETLOFT_CMAKE_DIR lib/cmake/netloft)
 
@@ -17,12 +17,11 @@ foreach(file NetloftPlugin.cmake plugin.map)
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/framework/include ${PROJECT_BINARY_DIR}/include SYMBOLIC)
 
-# Reference pages come from the tables of the plugins as built.
-set(netloft_reference ${PROJECT_BINARY_DIR}/share/doc/netloft/reference)
-add_custom_command(OUTPUT ${netloft_reference}/index.md
-  COMMAND netloft reference ${netloft_reference}
-  DEPENDS netloft netloft_plugins VERBATIM)
-add_custom_target(netloft_reference ALL DEPENDS ${netloft_reference}/index.md)
+# The schema of scenes comes from the tables of the plugins as built.
+set(netloft_schema ${PROJECT_BINARY_DIR}/share/netloft/scene.schema.json)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/netloft)
+add_custom_command(OUTPUT ${netloft_schema} COMMAND netloft schema > ${netloft_schema} DEPENDS netloft netloft_plugins VERBATIM)
+add_custom_target(netloft_schema ALL DEPENDS ${netloft_schema})
 
 install(TARGETS netloft RUNTIME DESTINATION bin)
 if(NOT NETLOFT_STATIC)
@@ -38,7 +37,7 @@ install(DIRECTORY framework/include/netloft DESTINATION include)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/${NETLOFT_CMAKE_DIR}/ DESTINATION ${NETLOFT_CMAKE_DIR})
 install(DIRECTORY gear-library DESTINATION share/netloft)
 install(DIRECTORY framework/guides DESTINATION share/doc/netloft PATTERN README.md EXCLUDE)
-install(DIRECTORY ${netloft_reference} DESTINATION share/doc/netloft)
+install(FILES ${netloft_schema} DESTINATION share/netloft)
 install(FILES LICENSE DESTINATION share/doc/netloft RENAME copyright)
 # Notices of what stands in the program itself, linked from archives (Debian keeps them there).
 foreach(archive libexpat1-dev libhdf5-dev libmumps-seq-dev libopenblas-serial-dev libscotch-dev libsuitesparse-dev libudunits2-dev)

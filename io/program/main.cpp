@@ -29,7 +29,6 @@ constexpr Command kCommands[] = {
     {"study", study_command, true},
     {"calibrate", calibrate_command, true},
     {"new", new_command},
-    {"reference", reference_command},
     {"catalogue", catalogue_command},
     {"check", check_command},
     {"draw", draw_command},

@@ -32,10 +32,6 @@ void add_author_commands(CLI::App& app, Options& o) {
       ->required()
       ->check(CLI::IsMember({"element", "law", "solver", "integrator", "strategy"}));
   make->add_option("NAME", o.target, "its name, such as otter_board; also that of the folder")->required();
-  auto* reference =
-      app.add_subcommand("reference", "write reference pages of all components, and the schema");
-  reference->add_option("FOLDER", o.target, "where to; made if it is not there")->required();
-  add_plugin_options(*reference, o);
   app.add_flag_callback(
       "--cflags", [] { throw CLI::CallForVersion(compiler_flags(), 0); },
       "flags that compile a plugin: c++ $(netloft --cflags) otter.cpp -o otter.so");

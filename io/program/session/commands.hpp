@@ -21,7 +21,6 @@ int scope_command(const Options& options);      // lengths of warp for depths
 int calibrate_command(const Options& options);  // parameters of scenes out of measurements
 int study_command(const Options& options);      // many solves of one scene, varied
 int new_command(const Options& options);        // write a plugin to begin with
-int reference_command(const Options& options);  // write reference pages
 int catalogue_command(const Options& options);  // parts of the catalogue
 int check_command(const Options& options);      // whether a net plan can be sewn
 int draw_command(const Options& options);       // a net plan or a result as a picture

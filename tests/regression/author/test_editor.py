@@ -33,7 +33,7 @@ rope = { di }
 class Editor(WithInstallation):
     def setUp(self):
         super().setUp()
-        self.schema = self.installed.prefix / "share" / "doc" / "netloft" / "reference" / "scene.schema.json"
+        self.schema = self.installed.prefix / "share" / "netloft" / "scene.schema.json"
         self.scene = (SOURCE / "gear-library" / "scenes" / "hanging-rope.toml").read_text()
 
     def lint(self, text):

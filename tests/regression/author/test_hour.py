@@ -35,6 +35,15 @@ class Hour(WithInstallation):
                 self.assertIn(f"{name}/{name}: conforms", self.sh(f"netloft test {name}.so").out)
                 self.answer(f"netloft run {name}/{name}.toml --plugins .", kind)
 
+    def test_a_strategy_of_ones_own_is_listed_described_and_completed(self):
+        self.sh("netloft new strategy otter && c++ $(netloft --cflags) otter/otter.cpp -o otter.so")
+        listed = json.loads(self.sh("netloft list --json --plugins .").out)["components"]
+        self.assertIn(("otter/otter", "strategy"), [(c["type"], c["kind"]) for c in listed])
+        described = json.loads(self.sh("netloft describe otter/otter --json --plugins .").out)
+        self.assertEqual([p["name"] for p in described["parameters"]], ["softest", "factor"])
+        table = json.loads(self.sh("netloft schema --plugins .").out)["properties"]["analysis"]["properties"]["otter"]
+        self.assertEqual(sorted(table["properties"]), ["factor", "softest"])
+
     def test_the_author_writes_little(self):
         self.sh("netloft new element otter")
         self.assertLessEqual(len(code_lines(self.folder / "otter" / "otter.cpp")), 30)

@@ -118,9 +118,8 @@ class Writers(InFreshFolder):
     def test_leave_what_was_there_when_the_disk_is_full(self):
         commands = (["draw", str(GEAR), "-o", "out.svg"],
                     ["compare", *PANEL, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--csv", "out.csv"],
-                    ["compare", *PANEL, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--plot", "out.svg"],
-                    ["reference", "."])
-        for name in ("out.svg", "out.csv", "index.md", "index.html"):
+                    ["compare", *PANEL, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--plot", "out.svg"])
+        for name in ("out.svg", "out.csv"):
             self.write(name, "old")
         before = self.files()
         for words in commands:

@@ -41,7 +41,6 @@ COMMANDS = (
     (f"netloft schema {COMMON}", "$schema"),
     (f"netloft test float --seconds 50 {COMMON}", "float/float"),
     ("netloft new law square_plate", "square_plate.cpp"),
-    (f"netloft reference pages {COMMON}; ls pages", "scene.schema.json"),
     (f"netloft catalogue twine {COMMON}", "pe-braided-4mm"),
     (f"netloft check {GEAR} --set ropes.headline.length=7 {COMMON}", '"findings"'),
     (f"netloft draw {GEAR} --set ropes.headline.length=7 {COMMON} --mesh --nodes 200 -o mesh.svg; ls mesh.svg", "mesh.svg"),
