@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <zlib.h>
+
 #include <cstdint>
 #include <string_view>
 
 namespace netloft::formats {
 
-/// The CRC-32 of zlib, going on from the one of the bytes before; 0 where there are none. Processors that
-/// multiply polynomials take it at the speed of memory: reading and writing checks every byte several times.
-std::uint32_t checksum(std::string_view bytes, std::uint32_t before = 0);
+/// The CRC-32 of zlib, going on from the one of the bytes before; 0 where there are none.
+inline std::uint32_t checksum(std::string_view bytes, std::uint32_t before = 0) {
+  return static_cast<std::uint32_t>(
+      crc32_z(before, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
 
 }  // namespace netloft::formats
