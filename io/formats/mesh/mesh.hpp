@@ -64,7 +64,7 @@ bool is_mesh_text(std::string_view text);
 InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
 /// The same of a file in any format that is known (README.md), told by how the text begins: `netloft mesh`,
-/// `# vtk DataFile`, `glTF` or `{`; else it is an OBJ.
+/// `# vtk DataFile`; else it is an OBJ.
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
 /// Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or the share of a
@@ -77,10 +77,6 @@ std::string obj_text(const InputMesh& mesh, const std::string& source);
 /// names of regions in the array of strings `region_names`.
 InputMesh read_vtk(std::string_view text, int file, Diagnostics& diagnostics);
 std::string vtk_text(const InputMesh& mesh, const std::string& source);
-
-/// glTF 2.0, binary or with its numbers in itself: triangles with U and V as TEXCOORD_0, lines with shares
-/// there or none; vertices in one place are one node. Errors have no line.
-InputMesh read_gltf(std::string_view bytes, int file, Diagnostics& diagnostics);
 
 /// Whether bytes are those of an HDF5 file.
 bool is_hdf5(std::string_view bytes);

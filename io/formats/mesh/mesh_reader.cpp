@@ -205,7 +205,10 @@ bool is_mesh_text(std::string_view text) { return text.starts_with("netloft mesh
 
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics) {
   if (is_mesh_text(text)) return read_mesh(text, file, diagnostics);
-  if (text.starts_with("glTF") || text.starts_with("{")) return read_gltf(text, file, diagnostics);
+  if (text.starts_with("glTF")) {
+    diagnostics.error({file, 0, 0}, "a glTF file is a picture, with seven digits", "export .vtk or .obj");
+    return {};
+  }
   return text.starts_with("# vtk DataFile") ? read_vtk(text, file, diagnostics)
                                             : read_obj(text, file, diagnostics);
 }
