@@ -15,8 +15,6 @@ namespace {
 
 const double kPi = std::acos(-1.0);
 
-double relative(double value, double exact) { return std::abs(value - exact) / std::abs(exact); }
-
 /// Distance of a node from the axis of a tube that runs along x (0) or z (2).
 double radius(const SolvedFile& s, std::uint32_t node, int axis) {
   const auto x = s.solved.position(node);

@@ -84,12 +84,12 @@ double furthest(const std::vector<std::string>& overrides, const HungBars& bars)
   return off(overrides, bars).furthest;
 }
 
-constexpr Real kWeight = (3000.0L - 1025.0L) * 9.81L * std::numbers::pi_v<Real> * 0.01L * 0.01L;  // [N/m]
+constexpr Real kRopeWeight = (3000.0L - 1025.0L) * 9.81L * std::numbers::pi_v<Real> * 0.01L * 0.01L;  // [N/m]
 
 // An odd number would leave a middle bar that is longer than the distance between the ends.
 const std::vector<std::string> kFolded = {"parts.rope.sketch=[[0,0,0],[0.001,0,0]]"};
 
-HungBars folded(int bars) { return {bars, 100, 0.001L, kWeight, 1e6L, {}, {}}; }
+HungBars folded(int bars) { return {bars, 100, 0.001L, kRopeWeight, 1e6L, {}, {}}; }
 
 // With 4000 bars a residual at the round-off of the positions, 1e-6 N, would allow the fold to slide by 3e-7
 // m.
@@ -110,20 +110,20 @@ TEST(FoldedRope, StiffItIsNoFurtherOff) {
   for (const Real EA : {1e10L, 1e12L})
     for (const int n : {67, 4000})
       EXPECT_LT(furthest({"parts.rope.rope.EA=" + std::to_string(static_cast<double>(EA))},
-                         {n, 100, 80, kWeight, EA, {}, {}}),
+                         {n, 100, 80, kRopeWeight, EA, {}, {}}),
                 1e-11);
 }
 
 // Computed from rounded positions, tensions of the longer bars would be wrong by a newton.
 TEST(FoldedRope, StiffItTellsItsTensionsAsWell) {
   const Off stiff = off({"parts.rope.rope.EA=1e12", "results.tension={of=\"rope\",take=\"max tension\"}"},
-                        {4000, 100, 80, kWeight, 1e12L, {}, {}});
+                        {4000, 100, 80, kRopeWeight, 1e12L, {}, {}});
   EXPECT_LT(stiff.tension, 1e-3);
   EXPECT_LT(stiff.reported, 1e-3);
 }
 
 TEST(FoldedRope, UnfoldedItDoesTheSame) {
-  for (const int n : {67, 4000}) EXPECT_LT(furthest({}, {n, 100, 80, kWeight, 1e6L, {}, {}}), 1e-10);
+  for (const int n : {67, 4000}) EXPECT_LT(furthest({}, {n, 100, 80, kRopeWeight, 1e6L, {}, {}}), 1e-10);
 }
 
 }  // namespace

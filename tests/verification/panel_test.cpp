@@ -16,8 +16,6 @@ namespace {
 
 // 60 bars of 0.6 m at hanging ratio 32/48: the height at which no twine is stretched.
 const double kUnstretched = 48 * std::sqrt(1 - std::pow(32.0 / 48, 2));
-constexpr double kNodeTolerance = 1e-8;      // [m]
-constexpr double kRelativeTolerance = 1e-9;  // energies and reactions
 
 struct Numbers {
   explicit Numbers(const Level& l)
@@ -29,8 +27,6 @@ struct Numbers {
 struct Errors {
   double worst_node = 0, lowest_z = 0, energy = 0, elastic = 0, top = 0;
 };
-
-double relative(double value, double reference) { return std::abs(value - reference) / std::abs(reference); }
 
 Errors compare(const Solved& s, const Level& level) {
   const Numbers want(level);

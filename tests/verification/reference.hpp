@@ -19,6 +19,15 @@ struct Level {
   std::vector<std::vector<double>> nodes;
 };
 
+// What answers on the same elements may be off by.
+inline constexpr double kNodeTolerance = 1e-8;      // [m]
+inline constexpr double kRelativeTolerance = 1e-9;  // energies and reactions
+
+// The panel under its own weight in 40 x 40 lumped meshes, by the independent program.
+inline constexpr double kPanelLowestZ = -42.67468699107;     // [m]
+inline constexpr double kPanelEnergy = -58151.570400698;     // relative to z = 0 [J]
+inline constexpr double kPanelTopReaction = 2884.660640009;  // [N]
+
 inline std::vector<double> numbers_of(std::istringstream& line) {
   std::vector<double> numbers;
   for (double number; line >> number;) numbers.push_back(number);

@@ -14,8 +14,6 @@
 namespace netloft::test {
 namespace {
 
-double relative(double value, double exact) { return std::abs(value - exact) / std::abs(exact); }
-
 class RopeInBars : public testing::TestWithParam<int> {};
 
 TEST_P(RopeInBars, LiesAsTheIndependentProgramSays) {

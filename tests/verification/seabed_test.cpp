@@ -11,15 +11,13 @@
 namespace netloft::test {
 namespace {
 
-double relative(double value, double exact) { return std::abs(value - exact) / std::abs(exact); }
-
 double pull_at(const SolvedFile& s, const std::string& part, const std::string& set) {
   const auto r = s.solved.reaction(s.node(part, set));
   return std::hypot(r[0], r[1], r[2]);
 }
 
 // 28 mm wire of 3 kg/m in air, EA 30 MN; elastic catenary after Irvine, Cable Structures, MIT Press 1981.
-const double kWeight = (3 - 1025 * std::acos(-1.0) / 4 * 0.028 * 0.028) * 9.80665;  // [N/m] in water
+const double kMooringWeight = (3 - 1025 * std::acos(-1.0) / 4 * 0.028 * 0.028) * 9.80665;  // [N/m] in water
 constexpr double kEA = 3e7;
 
 /// The root of an increasing function.
@@ -37,7 +35,7 @@ double root(double low, double high, F&& f) {
 ///   190 = w s²/(2 EA) + (H/w)(√(1 + (w s/H)²) − 1)                       (1)
 ///   400 = H s/EA + (H/w) asinh(w s/H) + (480 − s)(1 + H/EA)              (2)
 double top_tension_on_rigid_bed() {
-  const double w = kWeight;
+  const double w = kMooringWeight;
   const auto hanging = [&](double H) {
     return root(0, 480, [&](double s) {
       return w * s * s / (2 * kEA) + H / w * (std::hypot(1, w * s / H) - 1) - 190;  // (1)

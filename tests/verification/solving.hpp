@@ -4,6 +4,7 @@
 #include "solvers/factorisation/make_factorisation.hpp"
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -50,6 +51,9 @@ Solved solve(Scene scene, const Solving& how = {});
 /// Lets a shipped solver work on a problem that a test has written down.
 netloft_outcome solve_problem(netloft_problem& problem, const std::string& solver,
                               const Values& parameters = {});
+
+/// The size of an error, as a part of the exact value.
+inline double relative(double value, double exact) { return std::abs(value - exact) / std::abs(exact); }
 
 /// Energy at the same positions without gravity: the energy stored in the stretched netting [J].
 double elastic_energy(const Solved& solved);

@@ -16,22 +16,19 @@
 namespace netloft::test {
 namespace {
 
-constexpr double kNodeTolerance = 1e-8;      // [m]
-constexpr double kRelativeTolerance = 1e-9;  // energies and reactions
-
-struct Numbers {
-  explicit Numbers(const Level& l)
+struct StretchedNumbers {
+  explicit StretchedNumbers(const Level& l)
       : energy(l.values.at(0)), width(l.values.at(3)), top(l.values.at(4)), top_left(l.values.at(5)) {}
   double energy, width, top, top_left;
 };
 
-struct Case {
+struct Stretching {
   const char *name, *data;
   double opening_stiffness;  // [N m/rad]
 };
 
 // Another convention defines the couple by half of it, which is half our H.
-const Case kCases[] = {
+const Stretching kStretchings[] = {
     {"AsPublished", "stretched-panel.txt", 0.001},
     {"WithHalfTheCouple", "stretched-panel-half-couple.txt", 0.0005},
 };
@@ -61,14 +58,14 @@ Solved solve_loaded(const scenes::LoadedScene& loaded, Scene scene) {
   return solve(std::move(scene), how);
 }
 
-Solved solve_panel(const Case& c, int n) {
+Solved solve_panel(const Stretching& c, int n) {
   const scenes::LoadedScene loaded = load_panel(c.opening_stiffness, n);
   return solve_loaded(loaded, loaded.scene);
 }
 
 /// The panel without opening stiffness, kept in its plane and started from the shape with opening stiffness.
 Solved solve_without_opening(int n) {
-  const Solved open = solve_panel(kCases[0], n);
+  const Solved open = solve_panel(kStretchings[0], n);
   const scenes::LoadedScene loaded = load_panel(0, n);
   Scene scene = loaded.scene;
   for (std::uint32_t node = 0; node < scene.node_count(); ++node) {
@@ -90,17 +87,15 @@ double top_reaction(const Solved& s, int n, std::size_t axis, int end) {
   return sum;
 }
 
-double relative(double value, double reference) { return std::abs(value - reference) / std::abs(reference); }
-
-/// Errors at the nodes of the reference; the error of the energy has a sign.
-struct Errors {
+/// StretchedErrors at the nodes of the reference; the error of the energy has a sign.
+struct StretchedErrors {
   double worst_node = 0, width = 0, energy = 0, top = 0, top_left = 0;
 };
 
-Errors compare(const Solved& s, const Level& level) {
-  const Numbers want(level);
+StretchedErrors compare_stretched(const Solved& s, const Level& level) {
+  const StretchedNumbers want(level);
   const int n = level.n;
-  Errors e;
+  StretchedErrors e;
   for (const auto& node : level.nodes) {
     const auto x = s.position(node_at(n, node[0], node[1]));
     e.worst_node = std::max(e.worst_node, std::hypot(x[0] - node[2], x[1], x[2] - node[3]));
@@ -112,20 +107,20 @@ Errors compare(const Solved& s, const Level& level) {
   return e;
 }
 
-void print(const char* what, int n, const Solved& s, const Errors& e) {
+void print(const char* what, int n, const Solved& s, const StretchedErrors& e) {
   std::printf(
       "%-17s %2d cells %3d iterations  node %.1e m  width %.1e m  energy %+.1e  top %.1e  left half %.1e\n",
       what, n, s.solution.cost.statistics.iterations, e.worst_node, e.width, e.energy, e.top, e.top_left);
 }
 
-class StretchedPanel : public testing::TestWithParam<std::tuple<Case, int>> {};
+class StretchedPanel : public testing::TestWithParam<std::tuple<Stretching, int>> {};
 
 TEST_P(StretchedPanel, TakesTheShapeOfTheIndependentProgram) {
   const auto& [c, n] = GetParam();
   const Solved s = solve_panel(c, n);
   ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
   EXPECT_EQ(s.solution.stability, Stability::stable);
-  const Errors e = compare(s, read_level(c.data, n));
+  const StretchedErrors e = compare_stretched(s, read_level(c.data, n));
   print(c.name, n, s, e);
   EXPECT_LT(e.worst_node, kNodeTolerance);
   EXPECT_LT(e.width, kNodeTolerance);
@@ -135,7 +130,7 @@ TEST_P(StretchedPanel, TakesTheShapeOfTheIndependentProgram) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllCells, StretchedPanel,
-                         testing::Combine(testing::ValuesIn(kCases), testing::Values(4, 8, 16, 32, 64)),
+                         testing::Combine(testing::ValuesIn(kStretchings), testing::Values(4, 8, 16, 32, 64)),
                          [](const auto& panel) {
                            return std::string(std::get<0>(panel.param).name) +
                                   std::to_string(std::get<1>(panel.param)) + "Cells";
@@ -152,7 +147,7 @@ TEST_P(StretchedPanelWithoutOpening, TakesAShapeOfNoMoreEnergy) {
   const Solved s = solve_without_opening(n);
   ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
   EXPECT_EQ(s.solution.stability, Stability::stable);
-  const Errors e = compare(s, read_level("stretched-panel-no-opening.txt", n));
+  const StretchedErrors e = compare_stretched(s, read_level("stretched-panel-no-opening.txt", n));
   print("without opening", n, s, e);
   EXPECT_LT(e.energy, kRelativeTolerance);
   EXPECT_GT(e.energy, n < 32 ? -kRelativeTolerance : -5e-9);
@@ -201,10 +196,10 @@ TEST_P(StretchedPanelWithoutOpening, HasTheEquilibriumOfTheIndependentProgram) {
   const Level level = read_level("stretched-panel-no-opening.txt", n);
   const Solved s = reference_shape(n, level);
   ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
-  const Errors e = compare(s, level);
+  const StretchedErrors e = compare_stretched(s, level);
   std::printf("%2d cells: %.1e N hold the nodes of the reference, energy %+.1e of its\n", n,
               force_to_hold(s, level), e.energy);
-  EXPECT_LT(force_to_hold(s, level), (n < 64 ? 1e-9 : 1e-7) * Numbers(level).top);
+  EXPECT_LT(force_to_hold(s, level), (n < 64 ? 1e-9 : 1e-7) * StretchedNumbers(level).top);
   EXPECT_LT(std::abs(e.energy), n < 64 ? 1e-12 : 1e-11);
 }
 
@@ -220,7 +215,7 @@ TEST_P(StretchedPanelWithoutOpening, ReturnsToTheEquilibriumOfTheIndependentProg
         scene.positions[3 * node + axis] += 1e-4 * (2 * (static_cast<double>(random()) / 4294967295.0) - 1);
   const Solved s = solve_loaded(load_panel(0, n), std::move(scene));
   ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
-  const Errors e = compare(s, level);
+  const StretchedErrors e = compare_stretched(s, level);
   print("returned", n, s, e);
   EXPECT_EQ(s.solution.stability, Stability::stable);
   EXPECT_LT(e.worst_node, n < 64 ? kNodeTolerance : 1e-7);
@@ -237,7 +232,7 @@ constexpr double kKnotLevelWidth = 0.1998820902147, kKnotLevelEnergy = 5.7821760
 TEST(StretchedPanelOfTriangles, ComesNearTheNetOfWhichEveryTwineIsABar) {
   double distance = 1;
   for (const int n : {8, 16, 32, 64}) {
-    const Solved s = solve_panel(kCases[0], n);
+    const Solved s = solve_panel(kStretchings[0], n);
     const double width = width_at_half_height(s, n);
     std::printf("%2d cells: width %.5f m, %+.2f %% of every twine a bar; energy %+.2f %%\n", n, width,
                 100 * (width / kKnotLevelWidth - 1), 100 * (s.solution.energy / kKnotLevelEnergy - 1));

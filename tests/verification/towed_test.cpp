@@ -15,8 +15,6 @@
 namespace netloft::test {
 namespace {
 
-double relative(double value, double exact) { return std::abs(value - exact) / std::abs(exact); }
-
 SolvedFile solve_in_bars(const std::string& name, const std::string& part, int bars) {
   SolvedFile s = solve_file("verification/" + name, {"parts." + part + ".cells=" + std::to_string(bars)});
   EXPECT_EQ(s.solved.solution.status, SolveStatus::converged)

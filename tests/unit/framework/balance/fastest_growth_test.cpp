@@ -50,8 +50,9 @@ struct Driven {
   Eigen::VectorXcd rates() const {
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * kSize, 2 * kSize);
     A.topRightCorner<kSize, kSize>().setIdentity();
-    A.bottomLeftCorner<kSize, kSize>() = -M.inverse() * (convex + N);
-    A.bottomRightCorner<kSize, kSize>() = -M.inverse() * C;
+    const Eigen::VectorXd lightness = M.diagonal().cwiseInverse();
+    A.bottomLeftCorner<kSize, kSize>() = -(lightness.asDiagonal() * (convex + N));
+    A.bottomRightCorner<kSize, kSize>() = -(lightness.asDiagonal() * C);
     return A.eigenvalues();
   }
 };

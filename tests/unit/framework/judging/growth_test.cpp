@@ -173,7 +173,8 @@ TEST(GrowthOfMatrices, IsNoneOfAPlateWithoutMassOnItsWarp) {
     for (const double bracket : {0.25, 0.5, 1.0, 2.0}) {
       const PlateOnWarp plate{damping, bracket};
       EXPECT_LE(plate.force(Vec6::Zero(), Vec6::Zero()).norm(), 1e-6 * plate.pull.norm());
-      const Mat6 rates = -plate.tangent(false).inverse() * plate.tangent(true);
+      const Eigen::MatrixXd damps = plate.tangent(false), holds = plate.tangent(true);
+      const Eigen::MatrixXd rates = -damps.lu().solve(holds);
       ASSERT_LT(rates.eigenvalues().real().maxCoeff(), -0.01) << "by all eigenvalues";
       const Growth growth = find_growth(random_matrix(6, 0, 1).pattern, plate.motion(), make_factorisation);
       EXPECT_EQ(growth.verdict, GrowthVerdict::none) << damping << ", " << bracket << ": " << growth.rate;
@@ -458,7 +459,7 @@ struct FloatOnSpring {
   /// The rightmost s of the four: drag damps twice as much along the flow as across it.
   std::complex<double> expected() const {
     const double k1 = 500 * (3 * squared - 1), k2 = 500 * (squared - 1), c = damping();
-    Eigen::Matrix4d motion = Eigen::Matrix4d::Zero();
+    Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(4, 4);
     motion.topRightCorner<2, 2>().setIdentity();
     motion.bottomLeftCorner<2, 2>() << -k1, -3 * push, 3 * push, -k2;
     motion.bottomRightCorner<2, 2>() << -2 * c, 0, 0, -c;
