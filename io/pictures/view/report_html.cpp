@@ -2,6 +2,7 @@
 #include "io/pictures/view/report_html.hpp"
 
 #include "io/formats/svg/svg.hpp"
+#include "io/pictures/view/key_figures.hpp"
 #include "io/results/file/materials.hpp"
 #include "io/results/text/gear_text.hpp"
 

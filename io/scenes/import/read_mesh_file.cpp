@@ -44,11 +44,12 @@ class MeshFileReader {
   /// The number of rows of the next block: the first line that is a number and nothing else.
   std::int64_t find_count(const std::string& what, bool may_be_missing) {
     for (Row row = rows_.next_row(); !row.empty(); row = rows_.next_row()) {
-      const auto value = row.size() == 1 ? formats::integer_in(row[0].text) : std::nullopt;
       if (row.size() > 2 && formats::integer_in(row[0].text) && formats::number_in(row[1].text)) {
         error(row[0].place, "there are more rows than were announced before the " + what);
         return 0;
       }
+      if (row.size() != 1) continue;
+      const auto value = formats::integer_in(row[0].text);
       if (!value) continue;
       if (*value >= 0 && *value <= kMostMeshRows) return *value;
       error(row[0].place, "the number of " + what + " is " + std::string(row[0].text.substr(0, 30)) +
