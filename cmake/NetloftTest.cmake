@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_test(NAME [ROOMS folders…] [EXCEPT files…] [SOURCES files…] LIBRARIES targets… [OPTIONS flags…] [SLOW|LONG]): one GoogleTest program, each of
-# its tests known to ctest. Its sources are *_test.cpp in ROOMS, compiled as one (NetloftLibrary.cmake), and SOURCES. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW: minutes under sanitizers, so that
-# .ci/run tries it without them alone; LONG: .ci/run leaves it to tests/nightly.
+# netloft_test(NAME [ROOMS folders…] [EXCEPT files…] [SOURCES files…] LIBRARIES targets… [OPTIONS flags…] [SLOW_TESTS names…] [SLOW|LONG]):
+# one GoogleTest program, each of its tests known to ctest. Its sources are *_test.cpp in ROOMS, compiled as one (NetloftLibrary.cmake),
+# and SOURCES. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW, and the SLOW_TESTS of one that is not: minutes
+# under sanitizers, so that .ci/run tries them without them alone; LONG: .ci/run leaves it to tests/nightly.
 #
 # With NETLOFT_TEST_PROGRAMS ctest knows the program as one test instead, which starts once: for sanitizers, which take
 # longer to start than most tests.
@@ -20,7 +21,7 @@ add_custom_target(netloft_sanitized)  # what .ci/run builds a second time, with 
 option(NETLOFT_TEST_PROGRAMS "Let ctest know each program of tests, not each test of it" OFF)
 
 function(netloft_test name)
-  cmake_parse_arguments(arg "SLOW;LONG" "" "ROOMS;EXCEPT;SOURCES;LIBRARIES;OPTIONS" ${ARGN})
+  cmake_parse_arguments(arg "SLOW;LONG" "" "ROOMS;EXCEPT;SOURCES;LIBRARIES;OPTIONS;SLOW_TESTS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   if(arg_ROOMS)
     netloft_sources(${name} ROOMS ${arg_ROOMS} ENDING _test.cpp EXCEPT ${arg_EXCEPT})
@@ -43,7 +44,8 @@ function(netloft_test name)
     add_dependencies(netloft_sanitized ${name})
   endif()
   if(NETLOFT_TEST_PROGRAMS)
-    add_test(NAME ${name} COMMAND ${name})
+    list(JOIN arg_SLOW_TESTS ":" slow)
+    add_test(NAME ${name} COMMAND ${name} "--gtest_filter=-${slow}")
     set_tests_properties(${name} PROPERTIES TIMEOUT 1800 LABELS ${label} ENVIRONMENT "OMP_THREAD_LIMIT=1"
                          ENVIRONMENT_MODIFICATION "OPENBLAS_CORETYPE=set:Haswell")
     return()
