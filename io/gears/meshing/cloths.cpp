@@ -15,12 +15,6 @@ PanelPoint between(PanelPoint a, PanelPoint b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-bool is_named_in(const std::vector<Cut>& side, const std::string& name) {
-  return std::any_of(side.begin(), side.end(), [&](const Cut& cut) {
-    return cut.name == name || "port-" + cut.name == name || "starboard-" + cut.name == name;
-  });
-}
-
 /// Makes the cloths of one gear; the member functions are steps in the order of execution.
 class Cutter {
  public:
@@ -83,8 +77,8 @@ class Cutter {
     side.to = between(edge.from, edge.to, to);
     side.meshes = (to - from) * edge.meshes;
     side.stretched = (to - from) * edge.stretched * panel.panel->mesh;
-    side.goes_aft = edge.kind == EdgeKind::outer ||
-                    (edge.kind == EdgeKind::middle && is_named_in(panel.panel->outer, edge.name));
+    side.goes_aft = edge.kind == EdgeKind::outer;
+    side.is_on_plane = gear_.extent == Extent::half && (edge.kind == EdgeKind::middle || edge.is_on_plane);
     return side;
   }
 

@@ -13,6 +13,7 @@ struct ClothSide {
   bool is_inside = false;    // whether it is this line
   bool is_reversed = false;  // whether it runs against the direction of the outline's edge
   EdgeKind kind{};
+  bool is_on_plane = false;           // of half a gear
   bool goes_aft = false;              // of outer and inner sides
   PanelPoint from, to;                // x is outwards on either side of the gear
   double edge_from = 0, edge_to = 1;  // fractions of the edge, in the edge's direction

@@ -15,8 +15,6 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kMostNodes = 5e6;
-
 double area_of(const Gear& gear, const Fineness& fineness) {
   double area = 0;
   for (const auto& panel : gear.panels)

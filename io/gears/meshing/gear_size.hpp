@@ -4,6 +4,8 @@
 
 namespace netloft::gears {
 
+inline constexpr double kMostNodes = 5e6;  // of a gear
+
 /// The factor by which edges of a panel are shorter than elsewhere.
 double finer(const Fineness& fineness, const GearPanel& panel);
 

@@ -20,17 +20,20 @@ EdgeKind kind_of(const Gear& gear, const EdgeRef& ref) {
   return gear.panels[ref.panel].outline.edges[ref.edge].kind;
 }
 
-/// Whether a seam closes an end: fore is sewn to fore, or aft to aft.
+/// Whether a seam closes an end: fore is sewn to fore, or aft to aft, of another panel.
 bool closes(const Gear& gear, const Seam& seam) {
-  if (seam.edges[0].empty() || seam.edges[1].empty()) return false;
+  if (seam.edges[0].empty() || seam.edges[1].empty() || seam.is_to_itself) return false;
   const EdgeKind one = kind_of(gear, seam.edges[0][0]), other = kind_of(gear, seam.edges[1][0]);
   return one == other && !is_lateral(one);
 }
 
 /// Whether the outward direction of one panel continues as the inward direction of the other.
-bool turns(const Gear& gear, const EdgeRef& one, const EdgeRef& other) {
+bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef& other) {
+  const auto comes_back = [&](const EdgeRef& ref) {
+    return gear.last_of_ring(seam.edges[0]) == ref.panel || gear.last_of_ring(seam.edges[1]) == ref.panel;
+  };
   const EdgeKind a = kind_of(gear, one), b = kind_of(gear, other);
-  return a == b && is_lateral(a);
+  return (a == b && is_lateral(a)) != (comes_back(one) != comes_back(other));
 }
 
 /// Meshes outwards from the middle for panels across the middle; for others from the start of the inner side.
@@ -50,8 +53,8 @@ Girth::Girth(const Gear& gear, const GearMesh& mesh)
       covered_(mesh.nodes, false),
       closed_(mesh.nodes, false) {
   find_senses(gear);
-  find_closed(gear, mesh);
   find_sides(gear, mesh);
+  find_closed(gear, mesh);
   solve_fields(gear, mesh);
   measure_bottom(gear, mesh);
 }
@@ -69,7 +72,7 @@ void Girth::find_senses(const Gear& gear) {
           for (const auto& from : seam.edges[static_cast<std::size_t>(way)])
             for (const auto& to : seam.edges[static_cast<std::size_t>(1 - way)]) {
               if (from.panel != reached[k] || sense_[to.panel]) continue;
-              sense_[to.panel] = turns(gear, from, to) ? -sense_[from.panel] : sense_[from.panel];
+              sense_[to.panel] = turns(gear, seam, from, to) ? -sense_[from.panel] : sense_[from.panel];
               reached.push_back(to.panel);
             }
       }
@@ -78,12 +81,18 @@ void Girth::find_senses(const Gear& gear) {
 
 void Girth::find_closed(const Gear& gear, const GearMesh& mesh) {
   for (const auto& seam : gear.seams) {
-    if (!closes(gear, seam)) continue;
+    const bool is_fold = seam.is_to_itself && !is_lateral(kind_of(gear, seam.edges[0][0]));
+    if (!closes(gear, seam) && !is_fold) continue;
     for (const auto& ref : seam.edges[0]) {
       const PanelMesh& panel = mesh.panels[ref.panel];
       const auto& name = gear.panels[ref.panel].outline.edges[ref.edge].name;
       if (const auto set = panel.sets.find(name); set != panel.sets.end())
-        for (const auto own : set->second) closed_[panel.nodes[own]] = true;
+        for (const auto own : set->second) {
+          if (is_fold)
+            side_[panel.nodes[own]] = 0;
+          else
+            closed_[panel.nodes[own]] = true;
+        }
     }
   }
 }
@@ -132,8 +141,8 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);
 }
 
-/// Every node of a lower middle panel gives the position of the middle; a net without such a panel has an
-/// open girth.
+/// Every node of a lower middle panel gives the position of the middle, and so do the sides of a tube; a net
+/// with neither has an open girth.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);
@@ -147,9 +156,20 @@ void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
       if (is_bottom && !closed_[node])
         bottom_.push_back({aft_[node], own_[node] = around_[node] + wide * std::abs(panel.meshes[own][0])});
     }
+    if (gear.panels[p].panel->is_round) measure_tube(gear.panels[p], panel);
   }
   if (bottom_.empty()) bottom_.push_back({0, std::max(2 * most, 1e-3)});
   std::sort(bottom_.begin(), bottom_.end());
+}
+
+/// Nodes on the sides of a tube are in the middle below.
+void Girth::measure_tube(const GearPanel& tube, const PanelMesh& mesh) {
+  for (const auto& edge : tube.outline.edges) {
+    const auto set = mesh.sets.find(edge.name);
+    if (!is_lateral(edge.kind) || set == mesh.sets.end()) continue;
+    for (const auto own : set->second)
+      bottom_.push_back({aft_[mesh.nodes[own]], own_[mesh.nodes[own]] = around_[mesh.nodes[own]]});
+  }
 }
 
 double Girth::half_girth(std::uint32_t node) const {

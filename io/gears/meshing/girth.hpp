@@ -16,7 +16,7 @@ class Girth {
   bool covers(std::uint32_t node) const { return covered_[node]; }
   double aft(std::uint32_t node) const { return aft_[node]; }        // a [m]
   double around(std::uint32_t node) const { return around_[node]; }  // s [m]
-  int side(std::uint32_t node) const { return side_[node]; }         // −1 to port, else 1
+  int side(std::uint32_t node) const { return side_[node]; }         // −1 to port, 0 on the plane, else 1
   /// Whether the node belongs to an end of the bag that is sewn to itself.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
   /// S [m] at this node: along its own girth to the middle of a lower panel, or else the nearest such value
@@ -29,6 +29,7 @@ class Girth {
   void find_sides(const Gear& gear, const GearMesh& mesh);
   void solve_fields(const Gear& gear, const GearMesh& mesh);
   void measure_bottom(const Gear& gear, const GearMesh& mesh);
+  void measure_tube(const GearPanel& tube, const PanelMesh& mesh);
 
   std::vector<int> sense_;  // the sign in (2), one per panel
   std::vector<double> aft_, around_;

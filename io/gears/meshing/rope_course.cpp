@@ -197,7 +197,7 @@ class Rigger {
   bool begins_off_the_middle(const GearRope& rope, const RopeCourse& course) {
     if (gear_.extent != Extent::half || rope.rope->stands != Standing::middle) return false;
     for (std::size_t s = 0; s < borders_.cloths.sides.size(); ++s)
-      if (borders_.cloths.sides[s].kind == EdgeKind::middle)
+      if (borders_.cloths.sides[s].is_on_plane)
         for (const auto& b : borders_.breaks[s])
           if (borders_.points.are_one(b.point, course.front().from)) return false;
     return true;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/seam_lines.hpp"
 
+#include "io/gears/meshing/gear_size.hpp"
 #include "io/gears/meshing/knots.hpp"
 #include "io/gears/meshing/rope_course.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 namespace netloft::gears {
 
@@ -130,7 +134,7 @@ class LineMaker {
     line.length = line.length > 0 ? std::sqrt(line.length * length) : length;
     line.size = std::min(line.size, size_of(side));
     if (fineness_.knots) line.knots = std::max(line.knots, knots_of(side) * (run.to - run.from));
-    if (gear_.extent == Extent::half && side.kind == EdgeKind::middle) all_.is_on_plane[l] = true;
+    if (side.is_on_plane) all_.is_on_plane[l] = true;
   }
 
   void add_rope(std::size_t r, const RopeCourse& course) {
@@ -181,10 +185,31 @@ class LineMaker {
     part_parallel_lines();
   }
 
+  /// Counts elements of a line. NaN, of a line without a length, is no number of them.
+  std::size_t count(const Line& line, double elements) {
+    elements_ += elements;
+    if (!(elements_ <= kMostNodes))
+      throw std::invalid_argument(
+          fmt::format("{} would be divided into more than {:g} elements", name_of(line), kMostNodes));
+    const std::size_t fewest = line.ends[0] == line.ends[1] ? 3 : 1;
+    return std::max(fewest, static_cast<std::size_t>(std::lround(elements)));
+  }
+
+  /// Of the first edge or rope that runs along a line.
+  std::string name_of(const Line& line) const {
+    const auto is_it = [&](const Run& run) { return &all_.lines[run.line] == &line; };
+    for (std::size_t s = 0; s < all_.sides.size(); ++s)
+      if (std::any_of(all_.sides[s].begin(), all_.sides[s].end(), is_it) && !cloths_.sides[s].is_inside)
+        return gear_.name_of(cloths_.sides[s].edge);
+    for (std::size_t r = 0; r < all_.ropes.size(); ++r)
+      if (std::any_of(all_.ropes[r].begin(), all_.ropes[r].end(), is_it)) return gear_.ropes[r].name;
+    return "the middle of a panel";
+  }
+
   /// Divides a line into elements of the wanted size, which decreases towards short neighbouring lines:
   ///   h(x) = min(size, h₀ + g x, h₁ + g (L − x)),   n = ∫ dx/h                                     (1)
   /// spread so that each element has as much of the integral.
-  static void divide_line(Line& line, double h0, double h1) {
+  void divide_line(Line& line, double h0, double h1) {
     const auto h = [&](double x) {
       return std::min({line.size, h0 + kGrowth * x, h1 + kGrowth * (line.length - x)});
     };
@@ -195,14 +220,12 @@ class LineMaker {
       sum.push_back(sum.back() +
                     line.length / static_cast<double>(steps) /
                         h(line.length * (static_cast<double>(k) + 0.5) / static_cast<double>(steps)));
-    const std::size_t fewest = line.ends[0] == line.ends[1] ? 3 : 1;
-    spread_nodes(line, sum, std::max(fewest, static_cast<std::size_t>(std::lround(sum.back()))));
+    spread_nodes(line, sum, count(line, sum.back()));
   }
 
   /// From knot to knot.
-  static void divide_evenly(Line& line) {
-    const std::size_t fewest = line.ends[0] == line.ends[1] ? 3 : 1;
-    const auto elements = std::max(fewest, static_cast<std::size_t>(std::lround(line.knots)));
+  void divide_evenly(Line& line) {
+    const std::size_t elements = count(line, line.knots);
     line.fractions.clear();
     for (std::size_t i = 1; i < elements; ++i)
       line.fractions.push_back(static_cast<double>(i) / static_cast<double>(elements));
@@ -235,6 +258,7 @@ class LineMaker {
   double size_;
   Borders borders_;
   std::vector<std::size_t> numbers_;
+  double elements_ = 0;  // of all lines so far
   SeamLines all_;
 };
 

@@ -73,7 +73,17 @@ class Sewer {
     std::array<Row, 2> rows;
     const bool to_starboard = !is_to_port(seam);
     for (std::size_t r = 0; r < 2; ++r) rows[r] = row_of(seam.edges[r], to_starboard);
+    if (seam.is_to_itself) fold(rows);
     if (!rows[0].empty() && !rows[1].empty()) borders_.seams.push_back(std::move(rows));
+  }
+
+  /// Of edges sewn to their mirror image: those to starboard, and those to port, from the middle outwards.
+  void fold(std::array<Row, 2>& rows) const {
+    std::erase_if(rows[0], [&](const auto& s) { return is_port(s); });
+    std::erase_if(rows[1], [&](const auto& s) { return !is_port(s); });
+    std::reverse(rows[1].begin(), rows[1].end());
+    for (auto& s : rows[1])
+      if (side(s).is_across()) s.is_forward = !s.is_forward;
   }
 
   bool is_to_port(const Seam& seam) const {
@@ -92,7 +102,23 @@ class Sewer {
         row.push_back(s);
       }
     order_panel_by_panel(row, to_starboard);
+    if (const auto last = gear_.last_of_ring(edges)) close_ring(row, *last, to_starboard);
     return row;
+  }
+
+  bool is_port(const DirectedSide& s) const { return cloths_.cloths[side(s).cloth].is_port; }
+
+  /// Turns the last panel of a row round the net (Gear::last_of_ring), whose port half then comes first.
+  void close_ring(Row& row, std::size_t last_panel, bool to_starboard) const {
+    const auto last = std::stable_partition(row.begin(), row.end(), [&](const auto& s) {
+      return cloths_.cloths[side(s).cloth].panel != last_panel;
+    });
+    std::stable_sort(last, row.end(), [&](const auto& a, const auto& b) {
+      return position(a, to_starboard) > position(b, to_starboard);
+    });
+    for (auto s = last; s != row.end(); ++s) s->is_forward = !s->is_forward;
+    const auto starboard = std::stable_partition(last, row.end(), [&](const auto& s) { return is_port(s); });
+    std::rotate(row.begin(), last, starboard);
   }
 
   /// Orders edges of one panel that follow one another in a row by their position on the panel.

@@ -22,6 +22,7 @@ struct EdgeRow {
   int times = 1;
   double mesh = 0;  // [m]
   bool is_side = false, is_one_mesh_size = true, is_sound = true;
+  int across_middle = 0;  // edges that lie across the middle
 };
 
 EdgeRow read_edge_row(const NetPlan& plan, const std::vector<std::string>& names, const formats::Place& place,
@@ -42,6 +43,7 @@ EdgeRow read_edge_row(const NetPlan& plan, const std::vector<std::string>& names
     row.meshes += set.times() * set.meshes();
     row.stretched += set.times() * set.stretched();
     row.is_one_mesh_size = row.is_one_mesh_size && set.panel->mesh == row.mesh;
+    row.across_middle += set.is_across_middle();
   }
   row.is_sound = row.is_sound && !names.empty();
   return row;
@@ -123,13 +125,23 @@ class Ledger {
   std::map<std::string, formats::Place> done_;
 };
 
-/// An edge that is sewn to itself must exist to port and to starboard.
+/// An edge that is sewn to itself must exist to port and to starboard, or cross the middle.
 void check_sewn_to_itself(const Join& join, const std::string& path, const EdgeRow& row,
                           formats::Diagnostics& diagnostics) {
-  if (row.times != 2)
+  if (row.times != 2 && row.across_middle != 1)
     diagnostics.error(join.places[1],
                       fmt::format("{}: {} exists once and cannot be sewn to itself", path, row.name),
-                      "sides of a middle panel can, and edges of a pair");
+                      "edges of a middle panel can, and of a pair");
+}
+
+/// A row goes from the middle outwards, and at most back to the middle.
+void check_ring(const Join& join, std::size_t k, const std::string& path, const EdgeRow& row,
+                formats::Diagnostics& diagnostics) {
+  if (row.across_middle > 2)
+    diagnostics.error(
+        join.places[k],
+        fmt::format("{}: {}: {} edges of a row lie across the middle", path, row.name, row.across_middle),
+        "an upper and a lower one at most, with edges of pairs between them");
 }
 
 /// Length of rope that a hanging takes [m]: on the whole gear for a rope in the middle, on one side for a
@@ -313,6 +325,8 @@ void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
         sewn.enter(find_edge(plan, edge, {}, "", silent), join.places[k], path, diagnostics);
     if (!a.is_sound || !b.is_sound) continue;
     if (join.is_to_itself()) check_sewn_to_itself(join, path, a, diagnostics);
+    check_ring(join, 0, path, a, diagnostics);
+    if (!join.is_to_itself()) check_ring(join, 1, path, b, diagnostics);
     check_match(join, path, a, b, limits, diagnostics);
     check_widths(join, path, a, b, limits, diagnostics);
   }

@@ -66,8 +66,6 @@ class GearMaker {
       for (const Side side : sides_of(body.stands))
         gear_.bodies.push_back({prefix(side) + body.name, &body, side == Side::port});
     for (const auto& pieces : plan_.pieces) add_pieces(pieces);
-    for (const auto& join : plan_.joins)
-      if (!is_whole() && join.is_to_itself()) put_on_plane(join);
     return std::move(gear_);
   }
 
@@ -157,9 +155,10 @@ class GearMaker {
     const auto twice = [&](const std::vector<std::string>& names) {
       return std::all_of(names.begin(), names.end(), [&](const auto& n) { return is_there_twice(n); });
     };
-    if (join.is_to_itself() && !is_whole()) return;  // put_on_plane
+    if (join.is_to_itself() && !is_whole()) return put_on_plane(join);
     if (join.is_to_itself())
-      gear_.seams.push_back({{row_of(join.edges[0], Side::starboard), row_of(join.edges[1], Side::port)}, 0});
+      gear_.seams.push_back(
+          {{row_of(join.edges[0], Side::starboard), row_of(join.edges[1], Side::port)}, 0, true});
     else if (!is_whole())
       gear_.seams.push_back(
           {{row_of(join.edges[0], Side::none), row_of(join.edges[1], Side::none)}, join.take_up});
@@ -170,11 +169,9 @@ class GearMaker {
       gear_.seams.push_back({{row_across(join.edges[0]), row_across(join.edges[1])}, join.take_up});
   }
 
-  /// In the half, marks edges that are sewn to their mirror image. Comes last, because names are looked up by
-  /// kind.
   void put_on_plane(const Join& join) {
     for (const auto& ref : row_of(join.edges[0], Side::none))
-      gear_.panels[ref.panel].outline.edges[ref.edge].kind = EdgeKind::middle;
+      gear_.panels[ref.panel].outline.edges[ref.edge].is_on_plane = true;
   }
 
   void add_rope(const Rope& rope) {
@@ -309,6 +306,19 @@ const GearPanel* Gear::find_panel(const std::string& name) const {
 const GearRope* Gear::find_rope(const std::string& name) const {
   const auto at = std::find_if(ropes.begin(), ropes.end(), [&](const auto& r) { return r.name == name; });
   return at == ropes.end() ? nullptr : &*at;
+}
+
+std::optional<std::size_t> Gear::last_of_ring(const std::vector<EdgeRef>& row) const {
+  std::optional<std::size_t> first, last;
+  for (const auto& ref : row) {
+    const OutlineEdge& edge = panels[ref.panel].outline.edges[ref.edge];
+    const bool lies_across = edge.kind == EdgeKind::fore || edge.kind == EdgeKind::aft;
+    if (panels[ref.panel].panel->stands != Standing::middle || !lies_across || edge.from.x * edge.to.x > 0)
+      continue;
+    if (!first) first = ref.panel;
+    if (ref.panel != first) last = ref.panel;
+  }
+  return last;
 }
 
 std::string Gear::name_of(const EdgeRef& ref) const {

@@ -12,8 +12,8 @@ namespace netloft::gears {
 /// The part of a gear that is modelled.
 enum class Extent {
   whole,
-  half,  // the starboard half, for gears and flows that are symmetric; edges of the kind "middle" lie on the
-         // plane: the middle of panels, and sides that are sewn to those to port
+  half,  // the starboard half, for gears and flows that are symmetric; the middle of panels lies on the
+         // plane, and what is sewn to its mirror image
 };
 
 /// One piece of netting of a gear. In the whole, pairs are named "port-…" and "starboard-…", and so are the
@@ -45,6 +45,8 @@ struct EdgeRef {
 struct Seam {
   std::array<std::vector<EdgeRef>, 2> edges;
   double take_up = 0;  // meshes of the second for one of the first; 0: mesh to mesh
+  /// Whether edges are sewn to their mirror image; those that cross the middle are on both sides of the seam.
+  bool is_to_itself = false;
 };
 
 /// An edge hung on a rope, and the length of rope that it takes [m].
@@ -106,6 +108,10 @@ struct Gear {
   const GearRope* find_rope(const std::string& name) const;
   /// The name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
+  /// Where two panels of a row lie across the middle, as an upper and a lower one before a tube, the row goes
+  /// round the net: from the middle of the first outwards, and along the last one back to the middle. The
+  /// index of that last panel.
+  std::optional<std::size_t> last_of_ring(const std::vector<EdgeRef>& row) const;
 };
 
 /// Makes the gear of a plan without errors (check.hpp).

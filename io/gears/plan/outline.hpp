@@ -17,8 +17,9 @@ struct OutlineEdge {
   std::string name;
   EdgeKind kind;
   PanelPoint from, to;
-  double meshes = 0;     // counted meshes: across for fore and aft edges, deep for sides
-  double stretched = 0;  // length of its straight twines, in stretched meshes of two bars
+  double meshes = 0;         // counted meshes: across for fore and aft edges, deep for sides
+  double stretched = 0;      // length of its straight twines, in stretched meshes of two bars
+  bool is_on_plane = false;  // in half a gear: sewn to its mirror image
 };
 
 /// The border of a panel with its corners, closed: fore edge outwards, outer side aft, aft edge inwards,

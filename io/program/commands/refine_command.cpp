@@ -40,10 +40,11 @@ std::vector<studies::MeshLevel> wanted_levels(const Options& options, const scen
 }
 
 int run_refinement(const Options& options) {
-  catch_interrupts();
+  end_on_interrupts(options.json);
   Session session(options);
   Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the refinement ends here without a table"));
   if (const int code = session.open(); code != kDone) return code;
+  catch_interrupts();
   const auto levels = wanted_levels(options, session.loaded());
   const double tolerance = session.loaded().analysis.limits.tolerance;
   const runs::Watch watch{

@@ -269,12 +269,13 @@ void say_memory(Session& session) {
 
 int run_command(const Options& options) {
   results::RunContext context{options.words, results::utc_now(), {}, ""};
-  catch_interrupts();
+  end_on_interrupts(options.json);
   Session session(options);
   results::RunResult result;
   RunSoFar so_far{options, context, session, result, {}, nullptr, {}, ""};
   Watchdog watchdog([&](const Overdue& overdue) { return keep_what_was_found(so_far, overdue); });
   if (const int code = session.open(); code != kDone) return code;
+  catch_interrupts();
   context.plugins = session.registry().opened();
   context.plan_text = results::plan_text(session.plan(), session.plan_extras());
   say_memory(session);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/session/terminal.hpp"
 
+#include "io/program/session/error_json.hpp"
 #include "io/program/session/options.hpp"
 
 #include <fmt/format.h>
@@ -146,6 +147,17 @@ const std::atomic<bool>& interrupt_flag() { return interrupted; }
 void on_interrupts(void (*action)(int)) {
   for (const int signal : {SIGINT, SIGTERM, SIGQUIT}) std::signal(signal, action);
   if (std::signal(SIGHUP, action) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
+void end_on_interrupts(bool json) {
+  static std::string said, object;
+  said = "netloft: interrupted while the scene was being read\n";
+  object = json ? error_json("interrupted while the scene was being read", kInterrupted) + "\n" : "";
+  on_interrupts([](int) {
+    [[maybe_unused]] auto written = write(STDERR_FILENO, said.data(), said.size());
+    written = write(STDOUT_FILENO, object.data(), object.size());
+    _exit(kInterrupted);
+  });
 }
 
 void catch_interrupts() {

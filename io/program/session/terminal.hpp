@@ -47,6 +47,10 @@ class Terminal {
 /// What an interruption does: Ctrl-C, a request to end, a quit, and a hangup unless `nohup` has it ignored.
 void on_interrupts(void (*action)(int));
 
+/// Until catch_interrupts() is called, an interruption ends the program with a sentence: a scene is being
+/// read, and nothing has been found that could be lost.
+void end_on_interrupts(bool json);
+
 /// Set by the first SIGINT, SIGTERM, SIGHUP or SIGQUIT; a second one ends the program at once.
 const std::atomic<bool>& interrupt_flag();
 void catch_interrupts();

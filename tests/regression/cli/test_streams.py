@@ -100,7 +100,7 @@ class Signals(InFreshFolder):
     @unittest.skipIf("asan" in PROGRAM, "its shadow wants terabytes of addresses")
     def test_a_gear_that_takes_more_memory_than_there_is_is_refused_before_it_is_solved(self):
         gear = (str(SOURCE / "gear-library/scenes/four-panel.toml"), "--set", "gear.nodes=20000", "--threads", "1")
-        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (460 << 20, 460 << 20))
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (420 << 20, 420 << 20))
         ended = self.netloft("run", *gear, "-o", "p.hdf", preexec_fn=limit)
         self.assertEqual(ended.code, 1)
         self.assertRegex(ended.err, r"not enough memory: about \S+ GiB, .* within reach; a coarser mesh takes less")

@@ -56,7 +56,8 @@ Divided divided(const std::string& text, Extent extent, const Fineness& fineness
   return all;
 }
 
-const std::vector<std::string> kLibrary = {"83-112-eastern.toml", "codend-100-round.toml", "four-panel.toml"};
+const std::vector<std::string> kLibrary = {"83-112-eastern.toml", "codend-100-round.toml", "four-panel.toml",
+                                           "two-panel.toml"};
 
 /// Calls `test` with all gears of the library and the good plan, whole and half.
 template <class Test>
@@ -350,6 +351,55 @@ depth = 50
   const auto half = divided(text, Extent::half, by_nodes(300));
   const std::set<std::uint32_t> middle(half.mesh.middle.begin(), half.mesh.middle.end());
   for (const auto node : half.nodes("bag", "sides")) EXPECT_TRUE(middle.contains(node));
+}
+
+/// A tube that is closed behind, and before it panels as they are listed in `order`, in which they are sewn.
+std::string tube_behind(const std::vector<std::string>& order, bool is_tube_first) {
+  const std::string rest = R"(
+mesh = "80 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
+depth = 30
+)";
+  std::string text = is_tube_first ? "" : "\n", row;
+  const std::string tube = "[panels.bag]\nround = 60" + rest;
+  for (const auto& name : order) {
+    text += "[panels." + name + "]\nfore = 30\nsides = \"AN\"\nopen = \"fore\"" + rest;
+    row += (row.empty() ? "\"" : ", \"") + name + ".aft\"";
+  }
+  return (is_tube_first ? tube + text : text + tube) + "[[join]]\nedges = [[" + row + "], \"bag.fore\"]\n" +
+         "[[join]]\nedges = [\"bag.aft\", \"bag.aft\"]\n" +
+         "[[join]]\nedges = [\"upper.sides\", \"lower.sides\"]\n";
+}
+
+TEST(GearMesh, RowsGoRoundTheNetBeforeATube) {
+  for (const bool is_tube_first : {false, true})
+    for (const std::vector<std::string>& order :
+         {std::vector<std::string>{"upper", "lower"}, {"lower", "upper"}})
+      for (const Extent extent : {Extent::whole, Extent::half}) {
+        const auto all = divided(tube_behind(order, is_tube_first), extent, by_nodes(400));
+        expect_closed_and_oriented(all.gear, all.mesh);
+        expect_areas(all.gear, all.mesh);
+        std::set<std::uint32_t> ring;
+        for (const auto& name : order)
+          for (const auto node : all.nodes(name, "aft")) ring.insert(node);
+        const auto mouth = all.nodes("bag", "fore");
+        EXPECT_EQ(ring, std::set<std::uint32_t>(mouth.begin(), mouth.end()));
+        const auto sides = all.nodes(order[1], "aft");
+        const auto middle_below = extent == Extent::half ? mouth.back() : mouth.front();
+        EXPECT_TRUE(std::find(sides.begin(), sides.end(), middle_below) != sides.end());
+      }
+}
+
+TEST(GearMesh, AnEndMayBeSewnToItsMirrorImage) {
+  const auto whole = divided(library_text("two-panel.toml"), Extent::whole, by_nodes(500));
+  auto line = whole.nodes("bag", "aft");
+  std::sort(line.begin(), line.end());
+  std::size_t once = 0;  // the ends of the line
+  for (std::size_t k = 0; k < line.size(); ++k) once += std::count(line.begin(), line.end(), line[k]) == 1;
+  EXPECT_LE(once, 1u);
+  const auto half = divided(library_text("two-panel.toml"), Extent::half, by_nodes(500));
+  const std::set<std::uint32_t> middle(half.mesh.middle.begin(), half.mesh.middle.end());
+  for (const auto node : half.nodes("bag", "aft")) EXPECT_TRUE(middle.contains(node));
 }
 
 }  // namespace

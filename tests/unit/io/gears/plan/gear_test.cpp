@@ -228,7 +228,7 @@ TEST(Gear, HalfOfATubeLiesOnThePlaneWithBothSides) {
   EXPECT_EQ(gear.seams.size(), 2u);
   int on_plane = 0;
   for (const auto& edge : gear.find_panel("bag")->outline.edges) {
-    on_plane += edge.kind == EdgeKind::middle;
+    on_plane += edge.kind == EdgeKind::middle || edge.is_on_plane;
     if (edge.kind == EdgeKind::fore) {
       EXPECT_DOUBLE_EQ(edge.meshes, 10);
     }

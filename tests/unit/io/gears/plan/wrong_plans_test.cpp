@@ -143,7 +143,15 @@ const Wrong kSewing[] = {
      "\"body.wing\" is sewn twice, also at plan.toml:", 2},
     {"StretchOfAnEdgeHungTwice", "edge = \"wing.inner\"", "edge = \"body.fore\"",
      "\"body.bosom\" is hung twice"},
-    {"SewnToItselfInTheMiddle", "\"bag.fore\"", "\"body.aft\"", "exists once and cannot be sewn to itself"},
+    {"ThreeEdgesAcrossTheMiddleInARow", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [[\"body.aft\", \"body.fore\", \"bag.aft\"], \"bag.fore\"]",
+     "3 edges of a row lie across the middle", 4},
+    {"SewnToItselfAlone", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\"]\n[[join]]\nedges = [\"patch.outer\", \"patch.outer\"]\n"
+     "[panels.patch]\nstands = \"alone\"\nmesh = \"100 mm\"\ntwine = \"pe-braided-3mm\"\nfore = 9\ndepth = "
+     "9\n"
+     "outer = \"AN\"\ninner = \"AN\"\nopen = [\"fore\", \"aft\", \"inner\"]",
+     "exists once and cannot be sewn to itself"},
     {"PairHungOnALoneRope", "[ropes.headline]\nstands = \"middle\"", "[ropes.headline]\nstands = \"alone\"",
      "wing.inner exists to port and to starboard, headline once"},
     {"MiddleHungOnAPairOfRopes", "[ropes.headline]\nstands = \"middle\"",
