@@ -4,7 +4,7 @@
 #include "io/results/file/no_number.hpp"
 
 #include "io/formats/hdf5/read.hpp"
-#include "io/results/file/picture.hpp"
+#include "io/results/file/grid_fields.hpp"
 #include "io/results/file/provenance.hpp"
 #include "io/results/file/write_parts.hpp"
 
@@ -267,10 +267,24 @@ void write_origins(formats::Tree& tree, const scenes::LoadedScene& loaded, const
   write_books(tree, statistics);
 }
 
+namespace {
+
+/// Numbers by name, which HDF5 lists by their letters, and the order in which reports have them.
+void write_scalars(formats::Tree& tree, const std::string& group, const std::vector<NamedScalar>& scalars) {
+  if (scalars.empty()) return;
+  std::vector<std::string> order;
+  for (const auto& s : scalars) {
+    tree.write_real(kRoot + group + "/" + s.name, s.value, s.unit, s.doc);
+    order.push_back(s.name);
+  }
+  tree.write_strings(kRoot + "order/" + group, order, "names of " + group + "/ in the order of reports");
+}
+
+}  // namespace
+
 void write_gear(formats::Tree& tree, const scenes::LoadedScene& loaded,
                 const std::vector<NamedScalar>& figures) {
-  for (const auto& figure : figures)
-    tree.write_real("/netloft/gear/" + figure.name, figure.value, figure.unit, figure.doc);
+  write_scalars(tree, "gear", figures);
   if (!loaded.gear) return;
   tree.set_attribute("/netloft/gear", "times", loaded.gear->times);
   tree.set_attribute("/netloft/gear", "headline", std::string_view(loaded.gear->headline));
@@ -296,7 +310,7 @@ void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, 
   write_gear(tree, loaded, result.gear);
   if (const auto memory = assembler.memory(); !memory.empty())
     tree.write_reals("/netloft/memory", memory, "1", "state of the elements, one after another: friction");
-  for (const auto& s : result.scalars) tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc);
+  write_scalars(tree, "scalars", result.scalars);
   file.finish_as(result.output_file);
 }
 

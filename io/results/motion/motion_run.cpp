@@ -4,7 +4,7 @@
 #include "framework/motion/energy_judge.hpp"
 #include "io/formats/hdf5/image.hpp"
 #include "io/results/figures/fallen_boards.hpp"
-#include "io/results/file/picture.hpp"
+#include "io/results/file/grid_fields.hpp"
 #include "io/results/motion/checkpoint.hpp"
 #include "io/results/motion/warp_figures.hpp"
 #include "io/results/motion/xdmf.hpp"

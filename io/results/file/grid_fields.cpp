@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/results/file/picture.hpp"
+#include "io/results/file/grid_fields.hpp"
 #include "io/results/file/no_number.hpp"
 
 #include <algorithm>
