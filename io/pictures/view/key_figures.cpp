@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace netloft::pictures {
 
@@ -21,30 +22,22 @@ struct KeyFigure {
   const results::NamedScalar* figure;
 };
 
-/// The X of all figures `group`/X/`what`, said by `words`, in which {} is X.
-void add_group(const results::StoredResult& result, const std::string& group, const std::string& what,
-               const std::string& words, std::vector<KeyFigure>& keys) {
-  for (const auto& figure : result.figures) {
-    const std::size_t begin = group.size() + 1, end = figure.name.rfind('/');
-    if (!figure.name.starts_with(group + "/") || !figure.name.ends_with("/" + what) || end < begin) continue;
-    keys.push_back(
-        {fmt::format(fmt::runtime(words), spoken(figure.name.substr(begin, end - begin))), &figure});
-  }
-}
-
 /// Of a gear height, spreads, area and drag, what the ship pulls, and the pulls of its rigging; of other
 /// scenes what they ask for.
 std::vector<KeyFigure> key_figures_of(const results::StoredResult& result) {
   std::vector<KeyFigure> keys;
-  for (const auto* name : {"mouth/headline_height", "mouth/upper_wing_spread", "mouth/lower_wing_spread",
-                           "mouth/door_spread", "mouth/area"})
-    if (const results::NamedScalar* figure = results::find_scalar(result.figures, name))
-      keys.push_back({figure->name == "mouth/area" ? "mouth area" : spoken(figure->name.substr(6)), figure});
-  add_group(result, "pairs", "spread", "spread of {}", keys);
-  for (const auto& [name, words] : {std::pair{"drag/all/x", "drag"}, {"towing/pull", "towing pull"}})
-    if (const results::NamedScalar* figure = results::find_scalar(result.figures, name))
-      keys.push_back({words, figure});
-  add_group(result, "rigging", "tension_start", "{} pull", keys);
+  const auto add = [&](std::string_view group, std::string_view what) {
+    for (const auto& figure : result.figures)
+      if (figure.name.starts_with(group) && figure.name.ends_with(what))
+        keys.push_back({results::principal_name(figure.name), &figure});
+  };
+  for (const auto* what :
+       {"headline_height", "upper_wing_spread", "lower_wing_spread", "door_spread", "area"})
+    add("mouth/", what);
+  add("pairs/", "/spread");
+  add("drag/all/x", "");
+  add("towing/pull", "");
+  add("rigging/", "/tension_start");
   for (const auto& scalar : result.scalars) keys.push_back({spoken(scalar.name), &scalar});
   if (keys.size() > kMostKeyFigures) keys.resize(kMostKeyFigures);
   return keys;

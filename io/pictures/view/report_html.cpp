@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -84,27 +85,8 @@ std::string folded(const std::string& title, const std::string& text) {
 std::string head_html(const results::StoredResult& result) {
   std::string html = paragraph(result.sentence);
   for (const auto& note : result.notes) html += paragraph("Note: " + note + ".");
-  if (result.is_half)
-    html += paragraph(
-        "One half of the gear was modelled; areas, masses, weights and forces aft and upwards are those of "
-        "the whole gear.");
+  if (result.is_half) html += paragraph(std::string("Of the gear ") + results::kOfHalf + ".");
   return html;
-}
-
-/// The figures that a gear designer asks for first, and what the scene itself asks for.
-bool is_principal(const std::string& name) {
-  return name.starts_with("mouth/") || name.starts_with("ground/") || name.starts_with("budget/") ||
-         name == "drag/all/x" || name == "weight_in_water/all" || name.starts_with("netting/");
-}
-
-std::string figure_words(const std::string& name) {
-  if (name == "drag/all/x") return "drag";
-  if (name == "weight_in_water/all") return "weight in water";
-  if (name == "mouth/area") return "mouth area";
-  const bool keeps_group = name.starts_with("ground/") || name.starts_with("netting/");
-  std::string words = keeps_group ? name : name.substr(name.find('/') + 1);
-  std::replace(words.begin(), words.end(), '/', ' ');
-  return spoken(words);
 }
 
 void figure_row(const std::string& words, const results::NamedScalar& figure, HtmlTable& table) {
@@ -112,11 +94,10 @@ void figure_row(const std::string& words, const results::NamedScalar& figure, Ht
   table.value(results::error_text(figure)).text(figure.doc).end();
 }
 
-std::string figures_html(const results::StoredResult& result) {
+std::string figures_html(const results::StoredResult& result, const results::GearTables& tables) {
   HtmlTable table({"quantity", "value", "", "error", "what it is"});
   for (const auto& scalar : result.scalars) figure_row(spoken(scalar.name), scalar, table);
-  for (const auto& figure : result.figures)
-    if (is_principal(figure.name)) figure_row(figure_words(figure.name), figure, table);
+  for (const auto& [name, figure] : tables.principal) figure_row(name, figure, table);
   const std::string rows = table.finish();
   if (rows.empty()) return "";
   return heading("Figures") + rows +
@@ -127,63 +108,23 @@ std::string figures_html(const results::StoredResult& result) {
                              result.mesh_note + ".");
 }
 
-struct Column {
-  const char *title, *before, *after;
-};
-
-/// A row for every member of a group of figures: `before` + member + `after`.
-std::string group_html(const results::StoredResult& result, const char* title,
-                       const std::vector<Column>& columns) {
-  std::vector<std::string> members, titles = {""};
-  for (const auto& column : columns) titles.push_back(column.title);
-  for (const auto& column : columns)
-    for (const auto& figure : result.figures) {
-      const std::string before = column.before, after = column.after;
-      if (!figure.name.starts_with(before) || !figure.name.ends_with(after) ||
-          figure.name.size() <= before.size() + after.size())
-        continue;
-      const auto member =
-          figure.name.substr(before.size(), figure.name.size() - before.size() - after.size());
-      if (member.find('/') == std::string::npos &&
-          std::find(members.begin(), members.end(), member) == members.end())
-        members.push_back(member);
+/// The tables of a report, the same as in its text.
+std::string tables_html(const std::vector<results::FigureTable>& tables) {
+  std::string html;
+  for (const auto& one : tables) {
+    std::vector<std::string> titles = one.headings;
+    titles.insert(titles.begin(), "");
+    HtmlTable table(titles);
+    for (const auto& row : one.rows) {
+      table.row().text(row.name);
+      for (const auto& cell : row.cells) table.value(cell == "-" ? "–" : cell);
+      table.end();
     }
-  HtmlTable table(titles);
-  for (const auto& member : members) {
-    table.row().text(member);
-    for (const auto& column : columns) {
-      const results::NamedScalar* figure =
-          results::find_scalar(result.figures, column.before + member + column.after);
-      table.value(figure ? number(figure->value) : "–");
-    }
-    table.end();
+    std::string title = one.title;
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    html += heading(in_html(title).c_str()) + table.finish();
   }
-  const std::string rows = table.finish();
-  return rows.empty() ? "" : heading(title) + rows;
-}
-
-std::string groups_html(const results::StoredResult& result) {
-  std::string html = group_html(result, "Ropes",
-                                {{"start [N]", "ropes/", "/tension_start"},
-                                 {"end [N]", "ropes/", "/tension_end"},
-                                 {"port [N]", "ropes/", "/tension_port"},
-                                 {"middle [N]", "ropes/", "/tension_middle"},
-                                 {"starboard [N]", "ropes/", "/tension_starboard"},
-                                 {"largest [N]", "ropes/", "/tension_largest"},
-                                 {"mass [kg]", "ropes/", "/mass"}});
-  html += group_html(result, "Netting",
-                     {{"opening, least", "panels/", "/opening_min"},
-                      {"mean", "panels/", "/opening_mean"},
-                      {"most", "panels/", "/opening_max"},
-                      {"area [m²]", "panels/", "/area"},
-                      {"filtered [m²]", "panels/", "/filtered_area"},
-                      {"twine [m²]", "panels/", "/twine_area"},
-                      {"mass [kg]", "panels/", "/mass"}});
-  return html + group_html(result, "Forces of the water and weight, by part",
-                           {{"drag aft [N]", "drag_by_part/", "/x"},
-                            {"starboard [N]", "drag_by_part/", "/y"},
-                            {"up [N]", "drag_by_part/", "/z"},
-                            {"weight [N]", "weight_in_water_by_part/", ""}});
+  return html;
 }
 
 std::string held_html(const results::StoredResult& result) {
@@ -260,8 +201,9 @@ std::string summary_html(const results::StoredResult& result) {
 std::string materials_table(const results::StoredResult& result) { return materials_rows(result); }
 
 std::string details_html(const results::StoredResult& result) {
-  return figures_html(result) + groups_html(result) + held_html(result) + convergence_html(result) +
-         origins_html(result);
+  const results::GearTables tables = results::gear_tables(result.figures, result.is_half);
+  return figures_html(result, tables) + tables_html(tables.bodies) + tables_html(tables.gear) +
+         held_html(result) + convergence_html(result) + origins_html(result);
 }
 
 std::string diff_html(const results::ResultDiff& diff) {

@@ -42,6 +42,8 @@ StoredResult::StoredResult(const std::filesystem::path& file) : path(file), read
   find_contacts();
   read_scalars("gear/", "gear/", figures);
   read_scalars("scalars/", "", scalars);
+  put_in_order("gear", figures);
+  put_in_order("scalars", scalars);
   std::vector<NamedScalar> costs;
   read_scalars("cost/", "none/", costs);
   for (const auto& one : costs) cost[one.name] = one;
@@ -239,6 +241,18 @@ void StoredResult::read_scalars(const std::string& group, const std::string& err
     scalar.per_swing = known(kSwing + errors + "per_metre/" + name);
     into.push_back(scalar);
   }
+}
+
+/// What an older file does not list stays in the order of its letters, behind all else.
+void StoredResult::put_in_order(const std::string& group, std::vector<NamedScalar>& scalars) const {
+  std::map<std::string, std::size_t> places;
+  for (const auto& name : strings_or_nothing(kRoot + "order/" + group)) places.emplace(name, places.size());
+  const auto place = [&](const NamedScalar& s) {
+    const auto at = places.find(s.name);
+    return at == places.end() ? places.size() : at->second;
+  };
+  std::stable_sort(scalars.begin(), scalars.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
 }
 
 void StoredResult::read_forces() {

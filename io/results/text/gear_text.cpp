@@ -45,11 +45,11 @@ bool depends_on_mesh(const NamedScalar& scalar) {
   return std::isfinite(scalar.mesh_error) && scalar.mesh_error > kRoundOff * std::abs(scalar.value);
 }
 
-/// A column of a table with a line per member: it shows the figure `before` + member + `after`.
+/// A column of a table with a row per member: it shows the figure `before` + member + `after`.
 struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
-  bool is_of_all = false;  // whoever has only such figures has no line
+  bool is_of_all = false;  // whoever has only such figures has no row
   double factor = 1;       // from SI units to those of the heading
 };
 
@@ -57,30 +57,54 @@ struct Column {
 std::string with_error(const NamedScalar* scalar, const Column& column) {
   const std::string text = number(scalar, column.format, column.factor);
   return scalar && depends_on_mesh(*scalar)
-             ? text + fmt::format(" ± {:<7.1e}", column.factor * total_error(*scalar))
+             ? text + fmt::format(" ± {:.1e}", column.factor * total_error(*scalar))
              : text;
 }
 
-/// Writes a line for every member of the columns' groups.
-void table(const std::vector<NamedScalar>& figures, const std::string& title,
-           const std::vector<Column>& columns, Out out) {
+/// Makes a row for every member of the columns' groups; no table without rows.
+void add_table(const std::vector<NamedScalar>& figures, const std::string& title,
+               const std::vector<Column>& columns, std::vector<FigureTable>& tables) {
   std::vector<std::string> members;
   for (const auto& column : columns) add_members(figures, column.before, members);
-  std::erase_if(members, [&](const std::string& member) {
-    return std::none_of(columns.begin(), columns.end(), [&](const Column& c) {
-      return !c.is_of_all && find_scalar(figures, c.before + member + c.after);
-    });
-  });
-  if (members.empty()) return;
-  const int width = std::any_of(figures.begin(), figures.end(), depends_on_mesh) ? 20 : 11;
-  fmt::format_to(out, "  {:<24}", title);
-  for (const auto& column : columns) fmt::format_to(out, " {:>{}}", column.heading, width);
-  fmt::format_to(out, "\n");
+  FigureTable table{title, {}, {}};
+  for (const auto& column : columns) table.headings.push_back(column.heading);
   for (const auto& member : members) {
-    fmt::format_to(out, "    {:<22}", member);
-    for (const auto& c : columns)
-      fmt::format_to(out, " {:>{}}", with_error(find_scalar(figures, c.before + member + c.after), c), width);
+    FigureTable::Row row{member, {}};
+    bool is_known = false;
+    for (const auto& c : columns) {
+      const NamedScalar* figure = find_scalar(figures, c.before + member + c.after);
+      is_known = is_known || (figure && !c.is_of_all);
+      row.cells.push_back(with_error(figure, c));
+    }
+    if (is_known) table.rows.push_back(std::move(row));
+  }
+  if (!table.rows.empty()) tables.push_back(std::move(table));
+}
+
+/// Letters, of which some take several bytes.
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+std::string to_the_right(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, letters(text)), ' ') + text;
+}
+
+void write(const FigureTable& table, Out out) {
+  constexpr std::size_t kNarrow = 11, kWide = 20;
+  bool is_wide = false;
+  for (const auto& row : table.rows)
+    for (const auto& cell : row.cells) is_wide = is_wide || letters(cell) > kNarrow;
+  const auto cells = [&](const std::vector<std::string>& texts) {
+    for (const auto& text : texts) fmt::format_to(out, " {}", to_the_right(text, is_wide ? kWide : kNarrow));
     fmt::format_to(out, "\n");
+  };
+  fmt::format_to(out, "  {:<24}", table.title);
+  cells(table.headings);
+  for (const auto& row : table.rows) {
+    fmt::format_to(out, "    {:<22}", row.name);
+    cells(row.cells);
   }
 }
 
@@ -107,84 +131,75 @@ NamedScalar in_spoken_unit(NamedScalar figure) {
   return figure;
 }
 
-void line(const std::string& name, const NamedScalar& si, Out out) {
-  const NamedScalar figure = in_spoken_unit(si);
-  fmt::format_to(out, "  {:<24} {:>12.6g} {:<5} {:<9} {}\n", name, figure.value, figure.unit,
-                 error_text(figure), figure.doc);
-}
-
 /// "pairs/door/spread" and what spreads it; the rest of a pair stands in the tables of its bodies.
 bool is_of_pair(const std::string& name) {
   return name.starts_with("pairs/") &&
          (name.ends_with("/spread") || name.ends_with("/spread_force") || name.ends_with("/ground_share"));
 }
 
-/// Writes the principal figures, one a line, with their errors.
-void headlines(const std::vector<NamedScalar>& figures, Out out) {
-  for (const auto& figure : figures)
-    if (const std::string name = principal_name(figure.name); !name.empty()) line(name, figure, out);
-}
-
-/// Writes drag and weight of every kind, or of every part.
+/// Drag and weight of every kind, or of every part.
 void force_table(const std::vector<NamedScalar>& figures, const std::string& title, const std::string& drag,
-                 const std::string& weight, Out out) {
-  table(figures, title,
-        {{"drag aft", drag, "/x"}, {"starboard", drag, "/y"}, {"up", drag, "/z"}, {"weight", weight, ""}},
-        out);
+                 const std::string& weight, std::vector<FigureTable>& tables) {
+  add_table(figures, title,
+            {{"drag aft", drag, "/x"}, {"starboard", drag, "/y"}, {"up", drag, "/z"}, {"weight", weight, ""}},
+            tables);
 }
 
-/// Writes where every rigid body is and how it is turned; angles are outward and up.
-void bodies(const std::vector<NamedScalar>& figures, Out out) {
+/// Where every rigid body is and how it is turned; angles are outward and up.
+void add_bodies(const std::vector<NamedScalar>& figures, std::vector<FigureTable>& tables) {
   const std::string body = "bodies/";
-  table(figures, "bodies",
-        {{"heading [°]", body, "/heading", "{:.2f}", false, formats::kDegreesPerRadian},
-         {"heel [°]", body, "/heel", "{:.2f}", false, formats::kDegreesPerRadian},
-         {"trim [°]", body, "/trim", "{:.2f}", false, formats::kDegreesPerRadian},
-         {"x [m]", body, "/x"},
-         {"y [m]", body, "/y"},
-         {"z [m]", body, "/z"},
-         {"above bed", body, "/above_bed", "{:.3f}"}},
-        out);
-  table(figures, "water on bodies",
-        {{"attack [°]", body, "/attack", "{:.2f}", false, formats::kDegreesPerRadian},
-         {"sideslip [°]", body, "/sideslip", "{:.2f}", false, formats::kDegreesPerRadian},
-         {"lift [N]", body, "/lift"},
-         {"drag [N]", body, "/drag"},
-         {"outward [N]", body, "/outward"}},
-        out);
-  table(figures, "forces on bodies [N]",
-        {{"aft", "body_forces/", "/x"}, {"outward", "body_forces/", "/out"}, {"up", "body_forces/", "/z"}},
-        out);
+  add_table(figures, "bodies",
+            {{"heading [°]", body, "/heading", "{:.2f}", false, formats::kDegreesPerRadian},
+             {"heel [°]", body, "/heel", "{:.2f}", false, formats::kDegreesPerRadian},
+             {"trim [°]", body, "/trim", "{:.2f}", false, formats::kDegreesPerRadian},
+             {"x [m]", body, "/x"},
+             {"y [m]", body, "/y"},
+             {"z [m]", body, "/z"},
+             {"above bed", body, "/above_bed", "{:.3f}"}},
+            tables);
+  add_table(figures, "water on bodies",
+            {{"attack [°]", body, "/attack", "{:.2f}", false, formats::kDegreesPerRadian},
+             {"sideslip [°]", body, "/sideslip", "{:.2f}", false, formats::kDegreesPerRadian},
+             {"lift [N]", body, "/lift"},
+             {"drag [N]", body, "/drag"},
+             {"outward [N]", body, "/outward"}},
+            tables);
+  add_table(
+      figures, "forces on bodies [N]",
+      {{"aft", "body_forces/", "/x"}, {"outward", "body_forces/", "/out"}, {"up", "body_forces/", "/z"}},
+      tables);
 }
 
-void warps(const std::vector<NamedScalar>& figures, Out out) {
-  table(figures, "warps",
-        {{"length [m]", "warps/", "/length", "{:.4f}"},
-         {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
-         {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
-         {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, formats::kDegreesPerRadian}},
-        out);
-  table(figures, "warps at the block",
-        {{"tension [N]", "warps/", "/tension"}, {"out [m/s]", "warps/", "/paying_out", "{:.3f}"}}, out);
+void add_warps(const std::vector<NamedScalar>& figures, std::vector<FigureTable>& tables) {
+  add_table(figures, "warps",
+            {{"length [m]", "warps/", "/length", "{:.4f}"},
+             {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
+             {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
+             {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, formats::kDegreesPerRadian}},
+            tables);
+  add_table(figures, "warps at the block",
+            {{"tension [N]", "warps/", "/tension"}, {"out [m/s]", "warps/", "/paying_out", "{:.3f}"}},
+            tables);
 }
 
-/// Writes what ropes pull with and where they lie.
-void ropes(const std::vector<NamedScalar>& figures, bool is_half, Out out) {
+/// What ropes pull with and where they lie.
+void add_ropes(const std::vector<NamedScalar>& figures, bool is_half, std::vector<FigureTable>& tables) {
   const std::string rope = "ropes/", stretch = "footrope/";
   const Column largest{"largest [N]", rope, "/tension_largest", "{:.5g}", true},
       mass{"mass [kg]", rope, "/mass", "{:.5g}", true};
   const Column middle =
       is_half ? Column{"middle [N]", rope, "/tension_middle"} : Column{"port [N]", rope, "/tension_port"};
-  table(figures, "ropes across the gear",
-        {middle, {"starboard [N]", rope, "/tension_starboard"}, largest, mass}, out);
-  table(figures, "ropes",
-        {{"start [N]", rope, "/tension_start"}, {"end [N]", rope, "/tension_end"}, largest, mass}, out);
-  warps(figures, out);
-  table(figures, "footrope on the bed",
-        {{"length [m]", stretch, "/touching", "{:.2f}"},
-         {"force [N]", stretch, "/force", "{:.1f}"},
-         {"[N/m]", stretch, "/force_per_metre", "{:.2f}"}},
-        out);
+  add_table(figures, "ropes across the gear",
+            {middle, {"starboard [N]", rope, "/tension_starboard"}, largest, mass}, tables);
+  add_table(figures, "ropes",
+            {{"start [N]", rope, "/tension_start"}, {"end [N]", rope, "/tension_end"}, largest, mass},
+            tables);
+  add_warps(figures, tables);
+  add_table(figures, "footrope on the bed",
+            {{"length [m]", stretch, "/touching", "{:.2f}"},
+             {"force [N]", stretch, "/force", "{:.1f}"},
+             {"[N/m]", stretch, "/force_per_metre", "{:.2f}"}},
+            tables);
 }
 
 }  // namespace
@@ -228,32 +243,41 @@ std::string errors_text(const NamedScalar& scalar) {
   return text + fmt::format(" {} {:<11}", plus_minus(scalar.mesh_error), order);
 }
 
+GearTables gear_tables(const std::vector<NamedScalar>& figures, bool is_half) {
+  GearTables all;
+  add_bodies(figures, all.bodies);
+  if (!are_of_plan(figures)) return all;
+  for (const auto& figure : figures)
+    if (const std::string name = principal_name(figure.name); !name.empty())
+      all.principal.push_back({name, in_spoken_unit(figure)});
+  add_ropes(figures, is_half, all.gear);
+  add_table(figures, "power of towing", {{"[kW]", "power/", "", "{:.3f}", false, 1e-3}}, all.gear);
+  const std::string panel = "panels/";
+  add_table(figures, "netting",
+            {{"open: least", panel, "/opening_min", "{:.3f}"},
+             {"mean", panel, "/opening_mean", "{:.3f}"},
+             {"most", panel, "/opening_max", "{:.3f}"},
+             {"area [m²]", panel, "/area"},
+             {"filtered", panel, "/filtered_area"},
+             {"twine [m²]", panel, "/twine_area"},
+             {"mass [kg]", panel, "/mass"}},
+            all.gear);
+  force_table(figures, "forces [N]", "drag/", "weight_in_water/", all.gear);
+  force_table(figures, "forces by part [N]", "drag_by_part/", "weight_in_water_by_part/", all.gear);
+  return all;
+}
+
 std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
   std::string text;
-  if (figures.empty()) return text;
   const Out out = std::back_inserter(text);
-  bodies(figures, out);
-  if (!are_of_plan(figures)) return text;
-  fmt::format_to(
-      out, "{}\n",
-      is_half ? "gear: one half was modelled; areas, masses, weights and forces aft and upwards are those of "
-                "the whole gear"
-              : "gear");
-  headlines(figures, out);
-  const std::string panel = "panels/";
-  ropes(figures, is_half, out);
-  table(figures, "power of towing", {{"[kW]", "power/", "", "{:.3f}", false, 1e-3}}, out);
-  table(figures, "netting",
-        {{"open: least", panel, "/opening_min", "{:.3f}"},
-         {"mean", panel, "/opening_mean", "{:.3f}"},
-         {"most", panel, "/opening_max", "{:.3f}"},
-         {"area [m²]", panel, "/area"},
-         {"filtered", panel, "/filtered_area"},
-         {"twine [m²]", panel, "/twine_area"},
-         {"mass [kg]", panel, "/mass"}},
-        out);
-  force_table(figures, "forces [N]", "drag/", "weight_in_water/", out);
-  force_table(figures, "forces by part [N]", "drag_by_part/", "weight_in_water_by_part/", out);
+  const GearTables all = gear_tables(figures, is_half);
+  for (const auto& table : all.bodies) write(table, out);
+  if (all.gear.empty() && all.principal.empty()) return text;
+  fmt::format_to(out, "gear{}\n", is_half ? std::string(": ") + kOfHalf : "");
+  for (const auto& [name, figure] : all.principal)
+    fmt::format_to(out, "  {:<24} {:>12.6g} {:<5} {:<9} {}\n", name, figure.value, figure.unit,
+                   error_text(figure), figure.doc);
+  for (const auto& table : all.gear) write(table, out);
   return text;
 }
 

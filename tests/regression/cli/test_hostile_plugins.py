@@ -149,7 +149,7 @@ class EndlessLoopsElsewhere(Hostile):
     def test_in_the_suite_which_shows_what_it_has(self):
         self.ends(3, "hard_cases", str(SOURCE / "tests/stability"), "--solver", "newton", "--solver", "hostile/stalls", "--case", "hanging",
                   "--size", "small", "--seconds-per-case", "0.2",
-                  says=r"hostile/stalls, solve, did not come back for \d+ s .*; the suite ends here, after 0 of its cases", out="stability, draw 1")
+                  says=r"hostile/stalls, solve, did not come back for \d+ s .*; the suite ends here, after 0 of its cases", out="stability, seed 1")
 
     def test_in_a_study(self):
         self.scene("loops")

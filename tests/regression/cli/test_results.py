@@ -286,6 +286,30 @@ class Results(InFreshFolder):
             self.assertIn("wild.hdf is damaged: a cell stands on a node that it has not", self.refused(*command, "wild.hdf"))
             self.assertIn("there is no such file", self.refused(*command, "nowhere.hdf"))
 
+    def test_run_report_and_page_have_the_same_figures_in_the_same_order(self):
+        scene = SOURCE / "gear-library/scenes/pelagic-with-doors.toml"
+        run = self.netloft("run", str(scene), "--set", "gear.nodes=200", "-o", "doors.hdf").out
+        report, rows = self.netloft("report", "doors.hdf").out, self.netloft("report", "doors.hdf", "--json").json()["gear"]
+
+        def tables(text):
+            return text[text.index("  bodies  "):].split("  written to")[0].split("  materials")[0]
+        self.assertEqual(tables(run), tables(report))
+        asked = self.netloft("run", str(scene), "--set", "gear.nodes=200", "-o", "again.hdf", "--json").json()["gear"]["figures"]
+        self.assertEqual(list(asked), list(rows))
+        page = Elements(self.page("doors.hdf"))
+        said = " ".join(" ".join(page.texts).split())
+        for title in ("Bodies", "Water on bodies", "Forces on bodies", "board spread", "Warps", "Ropes across the gear", "towing power", "Netting", "Forces by part"):
+            self.assertIn(title, said)
+        for line in tables(report).splitlines():
+            words = line.split()
+            if line.startswith("    ") and words[0] == "warp":
+                for number in words[1:]:
+                    self.assertIn(number.replace("-", "–") if number == "-" else number, said)
+
+    def page(self, result):
+        self.done("report", result, "--html", "-o", "page.html")
+        return (self.folder / "page.html").read_text()
+
     def test_what_it_is_made_from_is_never_replaced(self):
         result = self.solved("a", GOOD)
         before = (self.folder / result).read_bytes()

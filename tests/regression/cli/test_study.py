@@ -474,7 +474,7 @@ class WrongStudies(Studies):
                 (('"4000 kg/m3"', '"-4000 kg/m3"'), "s.toml:5:1", "is outside"),
                 (("scene.toml", "scen.toml"), "s.toml:1:9", "scen.toml"),
                 (('"12 kN"', '"12 kg"'), "s.toml:10:18", "is a mass"),
-                (("samples = 6", "samples = -6"), "s.toml:12:9", "design.samples"),
+                (("samples = 6", "samples = -6"), "s.toml:12:11", "design.samples"),
                 (("samples = 6", "samples = 6\ndrwas = 7"), "s.toml:13:1", 'unknown key "drwas"'),
                 (("samples = 6", "samples = 1000000"), "s.toml", "points"),
                 (("[variables.water]", 'figures = ["results/pul"]\n[variables.water]'), "s.toml:2:12", "results/pul")):
@@ -500,7 +500,7 @@ samples = -6
 sed = 2
 """)
         for answer in ("s.toml:2:12", 'did you mean "results/pull"?', "s.toml:3:1", 'unknown key "densty"', "s.toml:6:1", "is outside",
-                       "s.toml:11:18", "is a mass", "s.toml:13:9", "design.samples", "s.toml:14:1", 'unknown key "sed"'):
+                       "s.toml:11:18", "is a mass", "s.toml:13:11", "design.samples", "s.toml:14:1", 'unknown key "sed"'):
             self.assertIn(answer, said)
         self.assertEqual(said.count(": error: "), 6, said)
         said = self.errors('scene = "scene.toml"\n[variables.water]\nkey = "water.densty"\nvalues = [1000, 1010]\n[design]\nsamples = 3\n')
