@@ -269,6 +269,24 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
   return false;
 }
 
+namespace {
+
+/// Pieces are shared out among the shoes of one board, also where the other one is modelled, too.
+void count_on_one_side(formats::Table& contact, double shoes) {
+  if (contact.find("each")) return;
+  double pieces = 1;
+  if (const formats::Member* said = contact.find("number")) {
+    const double* real = said->value.as<double>();
+    const std::int64_t* whole = said->value.as<std::int64_t>();
+    if (!real && !whole) return;  // said where it is read
+    pieces = real ? *real : static_cast<double>(*whole);
+    std::erase_if(contact.members, [](const formats::Member& m) { return m.key == "number"; });
+  }
+  formats::put(contact, "each", {contact.members.front().place, pieces / shoes});
+}
+
+}  // namespace
+
 std::vector<std::pair<std::string, formats::Value>> GearParts::contacts(
     const std::set<std::uint32_t>& carried) const {
   std::vector<std::pair<std::string, formats::Value>> all;
@@ -279,8 +297,11 @@ std::vector<std::pair<std::string, formats::Value>> GearParts::contacts(
   for (const gears::PlanBody& body : plan_.bodies) {
     auto shoes = shoes_of(body);
     std::erase_if(shoes, [&](const auto& shoe) { return is_carried_at(shoe, carried); });
-    if (!shoes.empty())
-      all.emplace_back(body.name + "-on-bed", elements_->contact_of(body.name, std::move(shoes), body.place));
+    if (shoes.empty()) continue;
+    const auto of_one_side = static_cast<double>(shoes.size());
+    formats::Value contact = elements_->contact_of(body.name, std::move(shoes), body.place);
+    count_on_one_side(*contact.as<formats::Table>(), of_one_side);
+    all.emplace_back(body.name + "-on-bed", std::move(contact));
   }
   return all;
 }

@@ -39,6 +39,20 @@ class HalfGears(InFreshFolder):
         self.assertEqual(ended.code, 2, ended.err)
         self.assertIn("bodies.doors.type: is missing: element type", ended.err)
 
+    def figures(self, scene, extent, size):
+        ended = self.netloft("run", str(FLUME.parent / scene), "--set", f"gear.extent={extent}", "--set", f"gear.size={size}", "--set", "gear.nodes=0",
+                             "--set", "analysis.tolerance=1e-10", "-o", f"{extent}.hdf", "--overwrite", "--json")
+        self.assertEqual(ended.code, 0, ended.err)
+        return ended.json()["gear"]["figures"]
+
+    def test_are_half_of_the_whole_with_boards_on_the_bed(self):
+        half, whole = (self.figures("83-112-at-sea-66m.toml", extent, "2.5 m") for extent in ("half", "whole"))
+        self.assertGreater(half["ground/force"], 1000)
+        same = [name for name in half if name in whole and name.split("/")[0] in ("mouth", "pairs", "towing", "ground", "rigging") and not name.endswith("_y")]
+        self.assertGreater(len(same), 20)
+        for name in same:
+            self.assertAlmostEqual(half[name], whole[name], delta=1e-8 * max(1, abs(half[name])), msg=name)
+
     def test_take_what_is_symmetric(self):
         self.assertEqual(self.netloft("plan", str(FLUME), "--set", "parts.bed.seabed.slope_x=0.1").code, 0)
 
