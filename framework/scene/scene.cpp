@@ -126,21 +126,35 @@ void Current::at(double z, std::array<double, 3>& velocity, std::array<double, 3
   for (const std::size_t i : {0u, 1u, 2u}) velocity[i] += tow[i];
 }
 
+bool Current::is_uniform() const {
+  return std::all_of(samples.begin(), samples.end(),
+                     [&](const Sample& s) { return s.velocity == samples.front().velocity; });
+}
+
 std::array<double, 3> Current::carried(double t) const {
   std::array<double, 3> way{};
   const auto add = [&](const std::array<double, 3>& velocity, double time) {
     for (const std::size_t i : {0u, 1u, 2u}) way[i] += velocity[i] * time;
   };
   add(tow, t);
-  if (drifts.empty()) return way;
+  const bool moves_as_one = !samples.empty() && is_uniform();
+  std::vector<double> times;  // at which velocities have kinks
+  for (const Drift& drift : drifts) times.push_back(drift.t);
+  for (const Factor& factor : factors)
+    if (moves_as_one) times.push_back(factor.t);
+  std::sort(times.begin(), times.end());
   const double sign = t < 0 ? -1 : 1, begin = std::min(t, 0.0), end = std::max(t, 0.0);
-  double from = begin;  // the drift is straight between its own times: its mean is that of both ends
+  double from = begin;  // straight between kinks: the mean is that of both ends
   const auto straight = [&](double to) {
-    for (const double at : {from, to}) add(drift_at(drifts, at), 0.5 * sign * (to - from));
+    for (const double at : {from, to}) {
+      const double time = 0.5 * sign * (to - from);
+      if (!drifts.empty()) add(drift_at(drifts, at), time);
+      if (moves_as_one) add(samples.front().velocity, factors.empty() ? time : time * factor_at(factors, at));
+    }
     from = to;
   };
-  for (const Drift& drift : drifts)
-    if (drift.t > begin && drift.t < end) straight(drift.t);
+  for (const double kink : times)
+    if (kink > begin && kink < end) straight(kink);
   straight(end);
   return way;
 }

@@ -51,10 +51,11 @@ struct Current {
 
   bool flows() const;
   /// Whether the current is the same at all heights.
-  bool is_uniform() const { return samples.size() <= 1; }
+  bool is_uniform() const;
   /// Velocity at height z and its derivative with respect to z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
-  /// How far `tow` and `drift` have carried the water since time zero [m].
+  /// How far the water has moved since time zero [m], in as much as it moves as one: by `tow` and `drifts`,
+  /// and by a profile that is the same at all heights.
   std::array<double, 3> carried(double t) const;
 };
 

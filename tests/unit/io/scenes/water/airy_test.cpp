@@ -102,6 +102,26 @@ TEST(Airy, DriftCarriesThemByWhatItHasGone) {
   EXPECT_NEAR(current.carried(4)[0], 0.8, 1e-14);
 }
 
+/// However a current is said that is the same everywhere, waves are carried by it.
+TEST(Airy, AreCarriedByEveryWayOfSayingACurrent) {
+  const std::array<double, 3> v{0.7, 0.2, 0};
+  const std::vector<Current> ways = {{.samples = {{0, v}}},
+                                     {.samples = {{-50, v}, {0, v}}},
+                                     {.samples = {{0, {1.4, 0.4, 0}}}, .factors = {{0, 0.5}, {10, 0.5}}},
+                                     {.samples = {}, .drifts = {{-1, v}, {7, v}}},
+                                     {.samples = {{0, {0.3, 0.2, 0}}}, .drifts = {{3, {0.4, 0, 0}}}},
+                                     {.samples = {}, .tow = v}};
+  for (const double t : {-3.0, 0.0, 4.0, 25.0})
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      EXPECT_NEAR(waves_in(20, true, ways[i]).height({3, 1, 0}, t),
+                  waves_in(20, true, ways.back()).height({3, 1, 0}, t), 1e-12)
+          << i << " at " << t;
+  const Current rising{.samples = {{0, v}}, .factors = {{0, 0}, {10, 1}}};
+  EXPECT_NEAR(rising.carried(20)[0], 0.7 * 15, 1e-13);
+  const Current sheared{.samples = {{-10, {0, 0, 0}}, {0, v}}};
+  EXPECT_EQ(sheared.carried(20), (std::array<double, 3>{}));
+}
+
 TEST(Airy, GrowFromNothingOverTheRamp) {
   const AiryWaves waves({{{kAmplitude, kOmega, 0.3}}, 0, 20, 10, false}, kGravity, {});
   EXPECT_EQ(waves.at({3, 0, -1}, 0).velocity[0], 0);
