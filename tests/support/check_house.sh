@@ -21,9 +21,17 @@ main() {
   echo "${#files[@]} files keep the rules"
 }
 
-# Git knows what is ours; an unpacked archive has no git, and then only build output has to be left out.
+# Git knows what is ours; where there is none, such as in an unpacked archive, .gitignore says what is not.
 list_files() {
-  git ls-files -z 2>/dev/null || find . -path ./build -prune -o -path './.?*' -prune -o -type f -printf '%P\0'
+  git ls-files -z 2>/dev/null && return
+  local pattern ignored=(-path './.?*')
+  [[ ! -e .gitignore ]] || while read -r pattern; do
+    case $pattern in
+      /*) ignored+=(-o -path ".${pattern%/}") ;;
+      *) ignored+=(-o -name "${pattern%/}") ;;
+    esac
+  done <.gitignore
+  find . \( "${ignored[@]}" \) -prune -o -type f -printf '%P\0'
 }
 
 breach() {

@@ -28,6 +28,7 @@ seabed = { friction = 0.4 }
 [parts.shoe]
 type = "seabed/bed"
 on = ["door.toe", "door.heel"]
+each = 0.5
 seabed = { friction = 0.4, stiffness = "50 kN/m2" }
 """
 BY_PLAN = """
