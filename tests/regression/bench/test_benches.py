@@ -17,6 +17,7 @@ FLUME = LIBRARY / "scenes/83-112-flume-3.0kn.toml"
 COMMANDS = {  # what it is called with
     "arrival.py": (PROGRAM, PROGRAM.parent / "bench_arrival", SOURCE, "--largest", "1000", "--newton", "100", "--nodes", "100", "--knots", "3.0",
                    "--times", "1"),
+    "build_cost.py": (PROGRAM.parent.parent,),
     "start_up.py": (PROGRAM, "--times", "1"),
     "frames.py": (PROGRAM, SOURCE, "1"),
     "memory.py": (PROGRAM, FLUME, "--nodes", "200"),
@@ -30,8 +31,8 @@ COMMANDS = {  # what it is called with
     "estimates.py": (PROGRAM, "ropes", "--places", "1"),
     "steering.py": (SOURCE,),
 }
-# Minutes on the least that they take, and an independent integrator that is not built everywhere.
-NOT_HERE = {"time_schemes.py", "real_time.py", "trawl_in_motion.py", "stability_limit.py"}
+# Minutes on the least that they take, compiling among it, and an independent integrator that is not built everywhere.
+NOT_HERE = {"cold_start.py", "time_schemes.py", "real_time.py", "trawl_in_motion.py", "stability_limit.py"}
 NUMBERS = re.compile(r"\d.*\s\|?\s*\d")
 
 
