@@ -44,11 +44,20 @@ void check_held(const SceneReading& reading) {
     reading.diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
-/// Friction of what the gear is towed over points aft only if the ground passes, too.
-void check_ground(const Draft& draft, formats::Diagnostics& diagnostics) {
+/// Friction of what the gear is towed over points aft only if the ground passes, too; and where it stands,
+/// there may be none.
+void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
-  for (std::size_t p = 0; p < draft.types.size(); ++p)
-    if (is_rubbed_by_standing_ground(out.scene, out.scene.parts[p], *draft.types[p]))
+  for (std::size_t p = 0; p < draft.types.size(); ++p) {
+    const auto friction = friction_on_standing_ground(out.scene, out.scene.parts[p], *draft.types[p]);
+    if (friction == StandingFriction::none)
+      diagnostics.warning(
+          out.parts[p].place,
+          out.scene.parts[p].name +
+              ": its friction is that of a ground that passes, and this one stands: "
+              "there is none",
+          "[tow] speed = \"3 kn\" lets it pass; where nothing does, seabed/plane has a friction that sticks");
+    else if (friction == StandingFriction::sticks && out.scene.current.flows() && !says_tow)
       diagnostics.warning(
           out.parts[p].place,
           out.scene.parts[p].name +
@@ -56,6 +65,7 @@ void check_ground(const Draft& draft, formats::Diagnostics& diagnostics) {
               "water that flows; a towed gear passes both",
           "[tow] speed = \"3 kn\" lets both pass, instead of water.current; [tow] speed = 0 says "
           "that the ground stands");
+  }
 }
 
 /// What lies on the bed of the scene wants one.
@@ -96,7 +106,7 @@ void check_symmetry(SceneReading& reading, const WaterReader& water) {
 
 void check_scene(SceneReading& reading, const WaterReader& water) {
   check_held(reading);
-  if (!water.says_tow()) check_ground(reading.draft, reading.diagnostics);
+  check_ground(reading.draft, water.says_tow(), reading.diagnostics);
   if (!reading.out().scene.bed.is_there) check_bed(reading.draft, reading.diagnostics);
   check_beds(reading.out(), reading.diagnostics);
   check_crossings(reading.out(), reading.diagnostics);

@@ -34,14 +34,19 @@ SeaBottom read_bed(formats::TableReader bed, Scene& scene) {
   return SeaBottom(values, bed);
 }
 
-bool is_rubbed_by_standing_ground(const Scene& scene, const Part& part, const ElementType& type) {
-  if (!scene.current.flows() || scene.ground != std::array<double, 3>{}) return false;
-  return std::any_of(type.terms.begin(), type.terms.end(), [&](const netloft_term& term) {
-    if (!(term.traits & NETLOFT_READS_GROUND)) return false;
+StandingFriction friction_on_standing_ground(const Scene& scene, const Part& part, const ElementType& type) {
+  if (scene.ground != std::array<double, 3>{}) return StandingFriction::not_asked;
+  StandingFriction friction = StandingFriction::not_asked;
+  for (const netloft_term& term : type.terms) {
+    if (!(term.traits & NETLOFT_READS_GROUND)) continue;
     const auto needed = names_needed_by(term);
-    return needed.empty() || std::any_of(needed.begin(), needed.end(),
-                                         [&](const auto& name) { return sets(part, type, name); });
-  });
+    const bool is_set = needed.empty() || std::any_of(needed.begin(), needed.end(), [&](const auto& name) {
+                          return sets(part, type, name);
+                        });
+    if (is_set && (term.traits & NETLOFT_READS_STATE)) return StandingFriction::sticks;
+    if (is_set) friction = StandingFriction::none;
+  }
+  return friction;
 }
 
 }  // namespace netloft::scenes

@@ -13,7 +13,9 @@ void read_tow(formats::TableReader tow, Scene& scene);
 /// `[bed]`: the bed of the sea, and what it is made of.
 SeaBottom read_bed(formats::TableReader bed, Scene& scene);
 
-/// Whether a part is rubbed by a ground of which the scene does not say whether it passes, while water does.
-bool is_rubbed_by_standing_ground(const Scene& scene, const Part& part, const ElementType& type);
+/// The friction of a part where the ground does not pass: one that remembers where it held (reads_state)
+/// sticks, and any other is none.
+enum class StandingFriction { not_asked, none, sticks };
+StandingFriction friction_on_standing_ground(const Scene& scene, const Part& part, const ElementType& type);
 
 }  // namespace netloft::scenes

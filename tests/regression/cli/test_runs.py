@@ -382,6 +382,30 @@ class OtherCommands(InFreshFolder):
         said = self.netloft("plan", "scene.toml", "--set", "tow.speed=0")
         self.assertEqual((said.code, said.err), (0, ""))
 
+    def test_friction_that_is_none_where_the_ground_stands_gets_a_warning(self):
+        self.write("scene.toml", """
+[water]
+density = 1025
+[bed]
+depth = "10 m"
+[parts.rope]
+type = "rope/bar"
+length = "20 m"
+cells = 10
+sketch = [[0, 0, -10], [20, 0, -10]]
+rope = { diameter = "20 mm", EA = "100 kN", density = 3000 }
+[parts.ground]
+type = "seabed/bed"
+on = "rope"
+seabed = { friction = 0.5 }
+[[hold]]
+on = "rope.start"
+""")
+        for tow in ([], ["--set", "tow.speed=0"]):
+            self.assertIn("ground: its friction is that of a ground that passes, and this one stands: there is none", self.netloft("plan", "scene.toml", *tow).err)
+        self.assertNotIn("friction", self.netloft("plan", "scene.toml", "--set", "tow.speed=1").err)
+        self.assertNotIn("friction", self.netloft("plan", "scene.toml", "--set", "parts.ground.seabed.friction=0").err)
+
     def test_plan_finds_the_errors_that_a_run_finds(self):
         self.write("scene.toml", changed(GOOD, ("[water]", "[watre]")))
         plan, run = (self.netloft(command, "scene.toml") for command in ("plan", "run"))
