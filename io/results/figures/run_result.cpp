@@ -7,6 +7,7 @@
 
 #include "io/results/figures/gear_figures.hpp"
 #include "io/results/figures/law_range.hpp"
+#include "io/results/figures/whereabouts.hpp"
 #include "io/scenes/reading/result_request.hpp"
 
 #include <algorithm>
@@ -193,6 +194,8 @@ void collect(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult&
   for (auto& sentence : law_range_warnings(loaded.scene, result.law_use))
     result.warnings.push_back(std::move(sentence));
   for (auto& doubt : doubt_warnings(loaded, assembler, answer)) result.warnings.push_back(std::move(doubt));
+  for (auto& place : whereabouts_warnings(loaded, assembler, answer))
+    result.warnings.push_back(std::move(place));
   for (auto& board : find_fallen_boards(loaded, result.gear))
     result.warnings.push_back(std::move(board.sentence));
   result.outputs = std::move(answer.outputs);

@@ -244,14 +244,14 @@ void StoredResult::read_scalars(const std::string& group, const std::string& err
 }
 
 /// What an older file does not list stays in the order of its letters, behind all else.
-void StoredResult::put_in_order(const std::string& group, std::vector<NamedScalar>& scalars) const {
+void StoredResult::put_in_order(const std::string& group, std::vector<NamedScalar>& named) const {
   std::map<std::string, std::size_t> places;
   for (const auto& name : strings_or_nothing(kRoot + "order/" + group)) places.emplace(name, places.size());
   const auto place = [&](const NamedScalar& s) {
     const auto at = places.find(s.name);
     return at == places.end() ? places.size() : at->second;
   };
-  std::stable_sort(scalars.begin(), scalars.end(),
+  std::stable_sort(named.begin(), named.end(),
                    [&](const auto& a, const auto& b) { return place(a) < place(b); });
 }
 

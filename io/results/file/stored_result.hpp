@@ -145,7 +145,7 @@ class StoredResult {
   void find_contacts();
   void read_scalars(const std::string& group, const std::string& errors, std::vector<NamedScalar>& into,
                     const std::string& below = "");
-  void put_in_order(const std::string& group, std::vector<NamedScalar>& scalars) const;
+  void put_in_order(const std::string& group, std::vector<NamedScalar>& named) const;
   void read_forces();
   void read_surroundings();
   void read_relief();

@@ -382,6 +382,17 @@ class OtherCommands(InFreshFolder):
         said = self.netloft("plan", "scene.toml", "--set", "tow.speed=0")
         self.assertEqual((said.code, said.err), (0, ""))
 
+    def test_what_is_where_nobody_means_it_gets_a_warning(self):
+        gear = 'include = ["' + str(SOURCE / "gear-library/scenes/four-panel.toml") + '"]\n[gear]\nnodes = 200\n'
+        self.write("air.toml", gear + '[points.door]\nat = ["0 m", "5 m", "30 m"]\n')
+        self.assertRegex(self.netloft("run", "air.toml").out, r"warning: \S+ and \d+ more parts lie up to 3\d\.?\d* m above the surface, z = 0")
+        self.write("sunk.toml", gear + '[bed]\ndepth = "3 m"\n[elements.contact]\nseabed = { stiffness = "10 kN/m2" }\n')
+        self.assertRegex(self.netloft("run", "sunk.toml").out, r"warning: upper-bridle and \d+ more parts lie up to 27 m below the bed")
+        self.write("flies.toml", gear + '[bed]\ndepth = "60 m"\n[elements.contact]\nseabed = { stiffness = "10 kN/m2" }\n')
+        self.assertRegex(self.netloft("run", "flies.toml").out, r"warning: nothing rests on the bed: \S+, the lowest of what would, is 2\d\.?\d* m above it")
+        self.write("rests.toml", gear)
+        self.assertNotIn("warning", self.netloft("run", "rests.toml").out)
+
     def test_friction_that_is_none_where_the_ground_stands_gets_a_warning(self):
         self.write("scene.toml", """
 [water]

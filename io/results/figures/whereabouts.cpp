@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/figures/whereabouts.hpp"
+
+#include "framework/registry/element_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace netloft::results {
+
+namespace {
+
+// What a net plan's lengths are known to, and what a bed yields, is less [m].
+constexpr double kClearly = 0.1;
+
+/// The part that is furthest beyond a limit, and how many others are, too.
+struct Beyond {
+  double most = kClearly;
+  std::string part;
+  std::size_t parts = 0;
+
+  void add(const std::string& name, double by) {
+    if (!(by > kClearly)) return;
+    ++parts;
+    if (by > most || part.empty()) {
+      most = by;
+      part = name;
+    }
+  }
+  /// "top-wing and 3 more parts lie"
+  std::string who() const {
+    return parts == 1 ? part + " lies"
+                      : fmt::format("{} and {} more part{} lie", part, parts - 1, parts == 2 ? "" : "s");
+  }
+};
+
+class Whereabouts {
+ public:
+  Whereabouts(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer)
+      : loaded_(loaded), assembler_(assembler), answer_(answer), x_(assembler.node_positions(answer.x)) {}
+
+  std::vector<std::string> sentences() {
+    std::vector<std::string> all;
+    if (const Beyond dry = above_surface(); dry.parts > 0)
+      all.push_back(fmt::format(
+          "{} up to {:.3g} m above the surface, z = 0, with the forces of water; depths are negative, and "
+          "surface = 1 lets ropes and netting know where it is",
+          dry.who(), dry.most));
+    if (const Beyond sunk = below_bed(); sunk.parts > 0)
+      all.push_back(fmt::format("{} up to {:.3g} m below the bed", sunk.who(), sunk.most));
+    add_flying(all);
+    return all;
+  }
+
+ private:
+  const Part& part(std::uint32_t p) const { return loaded_.scene.parts[p]; }
+  double z(std::uint32_t node) const { return x_[3 * std::size_t{node} + 2]; }
+  double above_bed(std::uint32_t node) const {
+    const double* at = &x_[3 * std::size_t{node}];
+    return at[2] - loaded_.scene.bed.at(at[0], at[1])[0];
+  }
+
+  /// Parts that water drags or lifts, as far down as it is there and further.
+  std::set<std::string> feel_water_anywhere() const {
+    std::set<std::string> feel, know_surface;
+    for (const auto& f : answer_.forces) {
+      const bool is_of_current = f.is_drag() && (f.traits & NETLOFT_READS_CURRENT);
+      if (is_of_current && f.force != std::array<double, 3>{}) feel.insert(f.part);
+      if (f.is_weight() && f.force[2] > 0) feel.insert(f.part);
+      if (f.traits & NETLOFT_READS_WAVES) know_surface.insert(f.part);
+    }
+    for (const auto& name : know_surface) feel.erase(name);
+    if (loaded_.gear)
+      if (const auto warps = loaded_.gear->roles.find("warp"); warps != loaded_.gear->roles.end())
+        for (const auto p : warps->second) feel.erase(part(p).name);
+    return feel;
+  }
+
+  Beyond above_surface() const {
+    Beyond dry;
+    const auto feel = feel_water_anywhere();
+    for (const auto& p : loaded_.scene.parts) {
+      double highest = 0;
+      if (feel.contains(p.name))
+        for (const auto node : p.nodes) highest = std::max(highest, z(node));
+      dry.add(p.name, highest);
+    }
+    return dry;
+  }
+
+  Beyond below_bed() const {
+    Beyond sunk;
+    if (!loaded_.scene.bed.is_there) return sunk;
+    for (const auto& p : loaded_.scene.parts) {
+      double deepest = 0;
+      for (const auto node : p.nodes) deepest = std::max(deepest, -above_bed(node));
+      sunk.add(p.name, deepest);
+    }
+    return sunk;
+  }
+
+  /// Parts that rest on the bed of the scene where they reach it: the force between them, and how near they
+  /// are.
+  struct Resting {
+    double force = 0, above = std::numeric_limits<double>::infinity();
+    bool is_footrope = false;
+  };
+
+  std::map<std::uint32_t, Resting> resting_parts() const {
+    std::map<std::uint32_t, Resting> all;
+    for (std::size_t f = 0; f < answer_.outputs.size(); ++f) {
+      const ElementFamily& family = *assembler_.families()[f];
+      for (std::size_t k = 0; k < family.type().outputs.size(); ++k) {
+        if (!is_output(family.type().outputs[k], output::kNormalForce)) continue;
+        for (std::size_t e = 0; e < family.size(); ++e)
+          all[family.part(e)].force += std::max(0.0, answer_.outputs[f][k][e]);
+      }
+    }
+    for (auto& [p, resting] : all) {
+      for (const auto node : part(p).nodes) resting.above = std::min(resting.above, above_bed(node));
+      resting.is_footrope =
+          loaded_.gear && !loaded_.gear->footrope.empty() && part(p).name.starts_with(loaded_.gear->footrope);
+    }
+    return all;
+  }
+
+  void add_flying(std::vector<std::string>& all) const {
+    if (!loaded_.scene.bed.is_there) return;
+    const auto resting = resting_parts();
+    if (resting.empty()) return;
+    const bool none_rests = std::ranges::all_of(resting, [](const auto& r) { return r.second.force == 0; });
+    const auto lowest = std::ranges::min_element(
+        resting, [](const auto& a, const auto& b) { return a.second.above < b.second.above; });
+    if (none_rests)
+      return all.push_back(
+          fmt::format("nothing rests on the bed: {}, the lowest of what would, is {:.3g} m above it",
+                      part(lowest->first).name, lowest->second.above));
+    for (const auto& [p, one] : resting)
+      if (one.is_footrope && one.force == 0)
+        all.push_back(fmt::format("{} rests nowhere on the bed; its lowest point is {:.3g} m above it",
+                                  loaded_.gear->footrope, one.above));
+  }
+
+  const scenes::LoadedScene& loaded_;
+  const Assembler& assembler_;
+  const Response& answer_;
+  std::vector<double> x_;
+};
+
+}  // namespace
+
+std::vector<std::string> whereabouts_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
+                                              const Response& answer) {
+  return Whereabouts(loaded, assembler, answer).sentences();
+}
+
+}  // namespace netloft::results
