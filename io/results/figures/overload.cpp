@@ -14,15 +14,19 @@ namespace netloft::results {
 
 namespace {
 
-/// The largest tension of each part of a scene [N]; 0 where its elements have none.
-std::vector<double> largest_tensions(const scenes::LoadedScene& loaded, const Assembler& assembler,
-                                     const Response& answer) {
+// Estimate: nylon, which stretches most of what ropes and twines are made of, breaks at 0.2 to 0.5.
+constexpr double kMostStrain = 0.5;
+
+/// The largest number of each part of a scene among outputs of a kind; 0 where its elements have none.
+template <class IsOfKind>
+std::vector<double> largest_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler,
+                                    const Response& answer, IsOfKind is_of_kind) {
   std::vector<double> largest(loaded.scene.parts.size(), 0.0);
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
     const ElementFamily& family = *assembler.families()[f];
     for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
       for (std::size_t e = 0; e < family.size(); ++e)
-        if (is_tension(family.type().outputs[k]))
+        if (is_of_kind(family.type().outputs[k]))
           largest[family.part(e)] = std::max(largest[family.part(e)], answer.outputs[f][k][e]);
   }
   return largest;
@@ -33,7 +37,7 @@ std::vector<double> largest_tensions(const scenes::LoadedScene& loaded, const As
 std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                            const Response& answer) {
   std::vector<std::string> warnings;
-  const auto largest = largest_tensions(loaded, assembler, answer);
+  const auto largest = largest_outputs(loaded, assembler, answer, is_tension);
   for (std::size_t p = 0; p < largest.size(); ++p) {
     const auto at = loaded.strengths.find(loaded.scene.parts[p].name);
     if (at == loaded.strengths.end() || !(largest[p] > at->second.breaking_load)) continue;
@@ -41,6 +45,12 @@ std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, co
                                    at->second.breaking_load,
                                    at->second.material.empty() ? "" : " (" + at->second.material + ")"));
   }
+  const auto strain =
+      largest_outputs(loaded, assembler, answer, [](const auto& o) { return is_output(o, output::kStrain); });
+  for (std::size_t p = 0; p < strain.size(); ++p)
+    if (strain[p] > kMostStrain)
+      warnings.push_back(fmt::format("{} is stretched by {:.3g} %, which no rope or twine bears",
+                                     loaded.scene.parts[p].name, 100 * strain[p]));
   return warnings;
 }
 

@@ -5,7 +5,8 @@
 
 namespace netloft::results {
 
-/// A sentence for every part whose tension is beyond what its plan or the catalogue says that it bears.
+/// A sentence for every part whose tension is beyond what its plan or the catalogue says that it bears, or
+/// whose strain is beyond what anything bears.
 std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                            const Response& answer);
 

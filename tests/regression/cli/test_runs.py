@@ -390,6 +390,8 @@ class OtherCommands(InFreshFolder):
         self.assertRegex(self.netloft("run", "sunk.toml").out, r"warning: upper-bridle and \d+ more parts lie up to 27 m below the bed")
         self.write("flies.toml", gear + '[bed]\ndepth = "60 m"\n[elements.contact]\nseabed = { stiffness = "10 kN/m2" }\n')
         self.assertRegex(self.netloft("run", "flies.toml").out, r"warning: nothing rests on the bed: \S+, the lowest of what would, is 2\d\.?\d* m above it")
+        self.write("rope.toml", 'include = ["' + str(SOURCE / "gear-library/scenes/hanging-rope.toml") + '"]\n[parts.rope]\nlength = "0.1 m"\n')
+        self.assertRegex(self.netloft("run", "rope.toml").out, r"warning: rope is stretched by \S+ %, which no rope or twine bears")
         self.write("rests.toml", gear)
         self.assertNotIn("warning", self.netloft("run", "rests.toml").out)
 
