@@ -77,13 +77,14 @@ class Sewer {
     if (!rows[0].empty() && !rows[1].empty()) borders_.seams.push_back(std::move(rows));
   }
 
-  /// Of edges sewn to their mirror image: those to starboard, and those to port, from the middle outwards.
+  /// Edges sewn to their mirror image: those to starboard, and those to port. Across, either row then runs
+  /// from the middle outwards.
   void fold(std::array<Row, 2>& rows) const {
     std::erase_if(rows[0], [&](const auto& s) { return is_port(s); });
     std::erase_if(rows[1], [&](const auto& s) { return !is_port(s); });
+    if (rows[1].empty() || !side(rows[1].front()).is_across()) return;
     std::reverse(rows[1].begin(), rows[1].end());
-    for (auto& s : rows[1])
-      if (side(s).is_across()) s.is_forward = !s.is_forward;
+    for (auto& s : rows[1]) s.is_forward = !s.is_forward;
   }
 
   bool is_to_port(const Seam& seam) const {
@@ -102,11 +103,53 @@ class Sewer {
         row.push_back(s);
       }
     order_panel_by_panel(row, to_starboard);
-    if (const auto last = gear_.last_of_ring(edges)) close_ring(row, *last, to_starboard);
+    if (const auto last = gear_.last_of_ring(edges)) {
+      turn_side_panels(row);
+      close_ring(row, *last, to_starboard);
+    }
     return row;
   }
 
   bool is_port(const DirectedSide& s) const { return cloths_.cloths[side(s).cloth].is_port; }
+
+  std::size_t panel(const DirectedSide& s) const { return cloths_.cloths[side(s).cloth].panel; }
+
+  /// Whether some seam joins the sides of two panels, of `to` its outer one.
+  bool begins_outside(std::size_t from, std::size_t to) const {
+    const auto has = [&](const std::vector<EdgeRef>& row, std::size_t p, bool is_outer_only) {
+      return std::any_of(row.begin(), row.end(), [&](const EdgeRef& ref) {
+        const EdgeKind kind = gear_.panels[ref.panel].outline.edges[ref.edge].kind;
+        return ref.panel == p && (kind == EdgeKind::outer || (kind == EdgeKind::inner && !is_outer_only));
+      });
+    };
+    return std::any_of(gear_.seams.begin(), gear_.seams.end(), [&](const Seam& seam) {
+      const auto& [a, b] = seam.edges;
+      return (has(a, from, false) && has(b, to, true)) || (has(b, from, false) && has(a, to, true));
+    });
+  }
+
+  /// In a row round the net, lets side panels run inwards whose outer side is sewn to the panel before them,
+  /// as seen from the first panel across the middle.
+  void turn_side_panels(Row& row) const {
+    const auto first = std::find_if(row.begin(), row.end(),
+                                    [&](const auto& s) { return panel_of(s).stands == Standing::middle; });
+    const auto behind = [&](const auto& s) { return panel(s) != panel(*first); };
+    const auto second = std::find_if(first, row.end(), behind);
+    const auto turn = [&](auto begin, auto end, std::size_t from) {
+      while (begin != end) {
+        const std::size_t at = panel(*begin);
+        const auto next = std::find_if(begin, end, [&](const auto& s) { return panel(s) != at; });
+        if (panel_of(*begin).stands != Standing::middle && begins_outside(from, at)) {
+          std::reverse(begin, next);
+          std::for_each(begin, next, [](auto& s) { s.is_forward = !s.is_forward; });
+        }
+        from = at;
+        begin = next;
+      }
+    };
+    turn(second, row.end(), panel(*first));
+    turn(std::make_reverse_iterator(first), row.rend(), panel(*first));
+  }
 
   /// Turns the last panel of a row round the net (Gear::last_of_ring), whose port half then comes first.
   void close_ring(Row& row, std::size_t last_panel, bool to_starboard) const {

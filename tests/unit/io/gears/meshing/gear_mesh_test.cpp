@@ -353,41 +353,77 @@ depth = 50
   for (const auto node : half.nodes("bag", "sides")) EXPECT_TRUE(middle.contains(node));
 }
 
-/// A tube that is closed behind, and before it panels as they are listed in `order`, in which they are sewn.
-std::string tube_behind(const std::vector<std::string>& order, bool is_tube_first) {
-  const std::string rest = R"(
-mesh = "80 mm"
-twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
-depth = 30
-)";
-  std::string text = is_tube_first ? "" : "\n", row;
-  const std::string tube = "[panels.bag]\nround = 60" + rest;
-  for (const auto& name : order) {
-    text += "[panels." + name + "]\nfore = 30\nsides = \"AN\"\nopen = \"fore\"" + rest;
-    row += (row.empty() ? "\"" : ", \"") + name + ".aft\"";
+/// `fore` or `round`, and the rest of a panel.
+std::string panel_of(const std::string& name, const std::string& more) {
+  return "[panels." + name + "]\nmesh = \"80 mm\"\ndepth = 30\n" +
+         "twine = { diameter = \"2 mm\", EA = \"3 kN\", density = 960 }\n" + more + "\n";
+}
+
+std::string join_of(const std::string& one, const std::string& other) {
+  return "[[join]]\nedges = [" + one + ", " + other + "]\n";
+}
+
+/// A mesh without holes, in which `row` has the nodes of the mouth of the bag and comes back to its middle
+/// below.
+void expect_ring(const std::string& plan, const std::vector<std::string>& row) {
+  for (const Extent extent : {Extent::whole, Extent::half}) {
+    SCOPED_TRACE(extent == Extent::half ? "half" : "whole");
+    const auto all = divided(plan, extent, by_nodes(400));
+    expect_closed_and_oriented(all.gear, all.mesh);
+    expect_areas(all.gear, all.mesh);
+    std::set<std::uint32_t> ring;
+    for (const auto& panel : all.gear.panels)
+      if (std::count(row.begin(), row.end(), panel.panel->name) > 0)
+        for (const auto node : all.nodes(panel.name, "aft")) ring.insert(node);
+    const auto mouth = all.nodes("bag", "fore"), below = all.nodes(row.back(), "aft");
+    EXPECT_EQ(ring, std::set<std::uint32_t>(mouth.begin(), mouth.end()));
+    const auto middle_below = extent == Extent::half ? mouth.back() : mouth.front();
+    EXPECT_TRUE(std::find(below.begin(), below.end(), middle_below) != below.end());
   }
-  return (is_tube_first ? tube + text : text + tube) + "[[join]]\nedges = [[" + row + "], \"bag.fore\"]\n" +
-         "[[join]]\nedges = [\"bag.aft\", \"bag.aft\"]\n" +
-         "[[join]]\nedges = [\"upper.sides\", \"lower.sides\"]\n";
 }
 
 TEST(GearMesh, RowsGoRoundTheNetBeforeATube) {
-  for (const bool is_tube_first : {false, true})
-    for (const std::vector<std::string>& order :
-         {std::vector<std::string>{"upper", "lower"}, {"lower", "upper"}})
-      for (const Extent extent : {Extent::whole, Extent::half}) {
-        const auto all = divided(tube_behind(order, is_tube_first), extent, by_nodes(400));
-        expect_closed_and_oriented(all.gear, all.mesh);
-        expect_areas(all.gear, all.mesh);
-        std::set<std::uint32_t> ring;
-        for (const auto& name : order)
-          for (const auto node : all.nodes(name, "aft")) ring.insert(node);
-        const auto mouth = all.nodes("bag", "fore");
-        EXPECT_EQ(ring, std::set<std::uint32_t>(mouth.begin(), mouth.end()));
-        const auto sides = all.nodes(order[1], "aft");
-        const auto middle_below = extent == Extent::half ? mouth.back() : mouth.front();
-        EXPECT_TRUE(std::find(sides.begin(), sides.end(), middle_below) != sides.end());
-      }
+  const std::string ahead = "fore = 30\nsides = \"AN\"\nopen = \"fore\"";
+  const std::string panels = panel_of("upper", ahead) + panel_of("lower", ahead),
+                    bag = panel_of("bag", "round = 60"), closed = join_of("\"bag.aft\"", "\"bag.aft\""),
+                    sides = join_of("\"upper.sides\"", "\"lower.sides\"");
+  for (const std::string& order : {panels + bag, bag + panels}) {
+    expect_ring(order + sides + closed + join_of("[\"upper.aft\", \"lower.aft\"]", "\"bag.fore\""),
+                {"upper", "lower"});
+    expect_ring(order + join_of("[\"lower.aft\", \"upper.aft\"]", "\"bag.fore\"") + closed + sides,
+                {"lower", "upper"});
+  }
+}
+
+TEST(GearMesh, RowsGoRoundTheNetByWayOfSidePanels) {
+  const std::string ahead = "fore = 30\nsides = \"AN\"\nopen = \"fore\"";
+  const std::string panels =
+      panel_of("upper", ahead) + panel_of("lower", ahead) + panel_of("bag", "round = 90\nopen = \"aft\"") +
+      panel_of("side", "stands = \"pair\"\nfore = 15\nouter = \"AN\"\ninner = \"AN\"\nopen = \"fore\"");
+  const std::string ring = join_of("[\"upper.aft\", \"side.aft\", \"lower.aft\"]", "\"bag.fore\"");
+  for (const bool is_inner_above : {true, false}) {
+    SCOPED_TRACE(is_inner_above ? "inner side above" : "outer side above");
+    const std::string seams =
+        join_of("\"upper.sides\"", is_inner_above ? "\"side.inner\"" : "\"side.outer\"") +
+        join_of("\"lower.sides\"", is_inner_above ? "\"side.outer\"" : "\"side.inner\"");
+    expect_ring(panels + seams + ring, {"upper", "side", "lower"});
+    expect_ring(panels + ring + seams, {"upper", "side", "lower"});
+  }
+}
+
+TEST(GearMesh, TubesOfSeveralCutsAreSewnCutToCut) {
+  const auto all = divided(panel_of("bag",
+                                    "round = 60\nopen = [\"fore\", \"aft\"]\n"
+                                    "sides = [{ name = \"straight\", cut = \"AN\", depth = 10 }, { name = "
+                                    "\"taper\", cut = \"1N2B in\" }]"),
+                           Extent::whole, by_nodes(300));
+  expect_closed_and_oriented(all.gear, all.mesh);
+  for (const char* cut : {"straight", "taper"}) {
+    const auto port = all.nodes("bag", std::string("port-") + cut),
+               starboard = all.nodes("bag", std::string("starboard-") + cut);
+    EXPECT_EQ(std::set<std::uint32_t>(port.begin(), port.end()),
+              std::set<std::uint32_t>(starboard.begin(), starboard.end()));
+  }
 }
 
 TEST(GearMesh, AnEndMayBeSewnToItsMirrorImage) {
