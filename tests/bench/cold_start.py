@@ -4,8 +4,9 @@
 
   cold_start.py [--commit REVISION] [--second] [--folder FOLDER]
 
-Prints processor time and time on the clock of the first command, and with --second of the second one after it. Packages
-should be there already; the machine should have nothing else to do.
+Prints processor time and time on the clock of the first command, the memory of the largest process in it and the disk that
+the build takes, and with --second those of the second one after it. Packages should be there already; the machine should have
+nothing else to do.
 """
 import argparse
 import os
@@ -19,13 +20,15 @@ COMMANDS = {"first": ["run", "gear-library/scenes/83-112-flume-3.0kn.toml"], "se
 
 
 def measure(clone, words):
-    """Exit status, processor time and time on the clock [s] of one command of ./bootstrap."""
+    """Of one command of ./bootstrap: exit status, processor time and time on the clock [s], memory and disk [MB]."""
     environment = os.environ | {"CCACHE_DISABLE": "1"}
     begin = time.monotonic()
     process = subprocess.Popen(["./bootstrap", *words], cwd=clone, env=environment,
                                stdout=open(clone / f"{words[0]}.log", "w"), stderr=subprocess.STDOUT)
     _, status, usage = os.wait4(process.pid, 0)
-    return os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime, time.monotonic() - begin
+    clock = time.monotonic() - begin
+    disk = sum(file.lstat().st_blocks * 512 for file in (clone / "build").rglob("*") if file.is_file())
+    return os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime, clock, usage.ru_maxrss / 1024, disk / 1e6
 
 
 def minutes(seconds):
@@ -42,10 +45,10 @@ def main():
     clone = folder / "netloft"
     subprocess.run(["git", "clone", "-q", ROOT, clone], check=True)
     subprocess.run(["git", "checkout", "-q", chosen.commit], cwd=clone, check=True)
-    print(f"{'command':<8} {'exit':>4} {'processor':>10} {'clock':>10}   in {clone}")
+    print(f"{'command':<8} {'exit':>4} {'processor':>10} {'clock':>10} {'memory':>8} {'disk':>8}   in {clone}")
     for name in ["first", "second"] if chosen.second else ["first"]:
-        status, processor, clock = measure(clone, COMMANDS[name])
-        print(f"{name:<8} {status:>4} {minutes(processor):>10} {minutes(clock):>10}", flush=True)
+        status, processor, clock, memory, disk = measure(clone, COMMANDS[name])
+        print(f"{name:<8} {status:>4} {minutes(processor):>10} {minutes(clock):>10} {memory:>5.0f} MB {disk:>5.0f} MB", flush=True)
 
 
 main()

@@ -17,7 +17,7 @@
 namespace netloft::test {
 namespace {
 
-// Of the independent program.
+// Results of the independent program.
 constexpr double kMidWidth = 15.0040926972;   // [m]
 constexpr double kCentreZ = -18.62402966876;  // of the panel [m]
 constexpr double kBottomZ = -42.65782882554;  // of the middle of the lower edge [m]

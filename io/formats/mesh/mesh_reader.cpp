@@ -205,7 +205,7 @@ bool is_mesh_text(std::string_view text) { return text.starts_with("netloft mesh
 
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics) {
   if (is_mesh_text(text)) return read_mesh(text, file, diagnostics);
-  if (text.starts_with("glTF")) {
+  if (text.starts_with("glTF") || text.starts_with("{")) {
     diagnostics.error({file, 0, 0}, "a glTF file is a picture, with seven digits", "export .vtk or .obj");
     return {};
   }

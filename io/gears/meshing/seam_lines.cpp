@@ -195,7 +195,7 @@ class LineMaker {
     return std::max(fewest, static_cast<std::size_t>(std::lround(elements)));
   }
 
-  /// Of the first edge or rope that runs along a line.
+  /// The name of the first edge or rope that runs along a line.
   std::string name_of(const Line& line) const {
     const auto is_it = [&](const Run& run) { return &all_.lines[run.line] == &line; };
     for (std::size_t s = 0; s < all_.sides.size(); ++s)

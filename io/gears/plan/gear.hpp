@@ -108,9 +108,9 @@ struct Gear {
   const GearRope* find_rope(const std::string& name) const;
   /// The name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
-  /// Where two panels of a row lie across the middle, as an upper and a lower one before a tube, the row goes
-  /// round the net: from the middle of the first outwards, and along the last one back to the middle. The
-  /// index of that last panel.
+  /// The last panel of a row that goes round the net, which is one with two panels across the middle, such as
+  /// an upper and a lower one before a tube: from the middle of the first outwards, and along the last one
+  /// back.
   std::optional<std::size_t> last_of_ring(const std::vector<EdgeRef>& row) const;
 };
 

@@ -243,7 +243,7 @@ void StoredResult::read_scalars(const std::string& group, const std::string& err
   }
 }
 
-/// What an older file does not list stays in the order of its letters, behind all else.
+/// Names that the file does not list, as in one of an older version, follow by the alphabet.
 void StoredResult::put_in_order(const std::string& group, std::vector<NamedScalar>& named) const {
   std::map<std::string, std::size_t> places;
   for (const auto& name : strings_or_nothing(kRoot + "order/" + group)) places.emplace(name, places.size());

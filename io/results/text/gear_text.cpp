@@ -214,6 +214,7 @@ std::string principal_name(const std::string& figure) {
   const std::string last = spoken(figure.substr(figure.find('/') + 1));
   if (figure.starts_with("mouth/")) return last == "area" ? "mouth area" : last;
   if (figure == "drag/all/x") return "drag";
+  if (figure.starts_with("netting/")) return "netting " + last;
   if (figure.starts_with("ground/")) return "ground " + last;
   if (figure.starts_with("rigging/")) return figure.substr(8, figure.rfind('/') - 8) + " pull";
   if (is_of_pair(figure)) return spoken(figure.substr(6));

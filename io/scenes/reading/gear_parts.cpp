@@ -278,8 +278,8 @@ void count_on_one_side(formats::Table& contact, double shoes) {
   if (const formats::Member* said = contact.find("number")) {
     const double* real = said->value.as<double>();
     const std::int64_t* whole = said->value.as<std::int64_t>();
-    if (!real && !whole) return;  // said where it is read
-    pieces = real ? *real : static_cast<double>(*whole);
+    pieces = real ? *real : whole ? static_cast<double>(*whole) : -1;
+    if (!(pieces >= 0)) return;  // said where it is read
     std::erase_if(contact.members, [](const formats::Member& m) { return m.key == "number"; });
   }
   formats::put(contact, "each", {contact.members.front().place, pieces / shoes});

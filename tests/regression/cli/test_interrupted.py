@@ -105,6 +105,22 @@ class Interrupted(InFreshFolder):
         self.assertEqual(process.returncode, 130, err)
         self.assertIn(b"netloft: interrupted; 1 of 1 item left; `netloft study run s.study` goes on", err)
 
+    def test_a_scene_that_is_being_read_is_left(self):
+        """Of so many nodes that meshing takes far longer than to see that interruptions are caught."""
+        for json_asked in ([], ["--json"]):
+            process = subprocess.Popen(self.command("run", str(SOURCE / "gear-library/scenes/two-panel.toml"), "--set", "gear.nodes=300000",
+                                                    "-o", "kept.hdf", *json_asked),
+                                       cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=self.environment())
+            self.addCleanup(process.kill)
+            while not catches_interrupts(process.pid):
+                self.assertIsNone(process.poll(), "it ended by itself")
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=100)
+            self.assertEqual(process.returncode, 130, err)
+            self.assertIn(b"netloft: interrupted while the scene was being read", err)
+            self.assertEqual(json.loads(out)["status"] if json_asked else out, "interrupted" if json_asked else b"")
+        self.assertFalse((self.folder / "kept.hdf").exists())
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -304,7 +304,7 @@ class Results(InFreshFolder):
             words = line.split()
             if line.startswith("    ") and words[0] == "warp":
                 for number in words[1:]:
-                    self.assertIn(number.replace("-", "–") if number == "-" else number, said)
+                    self.assertIn(number, said, line)
 
     def page(self, result):
         self.done("report", result, "--html", "-o", "page.html")

@@ -391,7 +391,7 @@ class OtherCommands(InFreshFolder):
         self.write("flies.toml", gear + '[bed]\ndepth = "60 m"\n[elements.contact]\nseabed = { stiffness = "10 kN/m2" }\n')
         self.assertRegex(self.netloft("run", "flies.toml").out, r"warning: nothing rests on the bed: \S+, the lowest of what would, is 2\d\.?\d* m above it")
         self.write("rope.toml", 'include = ["' + str(SOURCE / "gear-library/scenes/hanging-rope.toml") + '"]\n[parts.rope]\nlength = "0.1 m"\n')
-        self.assertRegex(self.netloft("run", "rope.toml").out, r"warning: rope is stretched by \S+ %, which no rope or twine bears")
+        self.assertRegex(self.netloft("run", "rope.toml").out, r"warning: rope is stretched by \S+ %, which ropes and twines of nets do not bear")
         self.write("rests.toml", gear)
         self.assertNotIn("warning", self.netloft("run", "rests.toml").out)
 
