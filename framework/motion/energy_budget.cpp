@@ -9,6 +9,10 @@ namespace netloft {
 
 namespace {
 
+/// Part of a step over which the power of winches is found: so short that a rope which bears load stays taut
+/// when as much is paid out, and long enough for differences of energies to keep 10 digits.
+constexpr double kPartOfStep = 1e-4;
+
 /// What resists a rate and no flow of water; it has no memory, so that any point can be asked.
 bool is_damper(const netloft_term& term) {
   return (term.traits & NETLOFT_READS_VELOCITY) && (term.traits & NETLOFT_NEEDS_MOTION) &&
@@ -56,7 +60,7 @@ bool EnergyBudget::advance(double t, std::span<const double> u, std::span<const 
                            std::span<const double> a, const MeanStep* mean) {
   place(t, u, v, a, next_);
   keep_values();
-  if (reads_time_ && !add_winches(mean ? mean->t : t)) return false;
+  if (reads_time_ && !add_winches(mean)) return false;
   const double kinetic_before = kinetic_;
   double energy = 0;
   if (!find_forces(next_) || !find_energies(next_.x, t, energy, true)) return false;
@@ -80,27 +84,46 @@ void EnergyBudget::retract() {
   std::swap(now_, next_);
 }
 
-/// (7): half of it at the old place and half at the new one; of a step by mean forces what energies change by
-/// and mean forces do not.
-bool EnergyBudget::add_winches(double reached) {
+/// (7): at both ends of a step what energies gain per time while nothing moves. The difference over a whole
+/// step would be that of elements stretched by all that is hauled in the step: in a stiff rope that strain is
+/// many times the one it bears, and the energy rises with its square.
+bool EnergyBudget::add_winches(const MeanStep* mean) {
+  if (mean) return add_winches_of_means(mean->t);
+  const double h = next_.t - now_.t;
+  double before = 0, after = 0;
+  if (!find_power(now_, h, before) || !find_power(next_, -h, after)) return false;
+  winches_ += 0.5 * h * (before + after);
+  return true;
+}
+
+/// ∂E/∂t of a moment, by the one-sided difference that is exact for a quadratic; `h` [s] leads into the step.
+bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
+  const double tau = kPartOfStep * h;
+  double here = 0, near = 0, far = 0;
+  if (!find_energies(m.x, m.t, here, false) || !find_energies(m.x, m.t + tau, near, false) ||
+      !find_energies(m.x, m.t + 2 * tau, far, false))
+    return false;
+  power = (4 * (near - here) - (far - here)) / (2 * tau);
+  return true;
+}
+
+/// Of a step by mean forces, which are taken at time `middle`: the change of the energies that mean forces do
+/// not account for.
+bool EnergyBudget::add_winches_of_means(double middle) {
   double early[2], late[2];
   if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, next_.t, late[0], false) ||
       !find_energies(next_.x, now_.t, early[1], false) || !find_energies(next_.x, next_.t, late[1], false))
     return false;
-  if (reached == next_.t) {
-    winches_ += 0.5 * (late[0] - early[0] + late[1] - early[1]);
-    return true;
-  }
   if (early[0] == late[0] && early[1] == late[1]) return true;
   std::vector<double> u(zero_.size());
   for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.5 * (now_.q[i] + next_.q[i]);
   force_.assign(scratch_.size(), 0.0);
   middle_ = now_.x;
-  assembler_.place(u, middle_, reached);
+  assembler_.place(u, middle_, middle);
   const StepEnds ends{now_.x.data(), next_.x.data(), next_.t - now_.t, 0};
   if (!assembler_.evaluate(middle_, {.conservative_only = true,
                                      .residual = force_.data(),
-                                     .motion = {.time = reached},
+                                     .motion = {.time = middle},
                                      .between = &ends}))
     return false;
   winches_ += late[1] - early[0] - done(force_, force_);

@@ -87,7 +87,9 @@ class EnergyBudget {
   bool find_entrained();
   void find_mean_rates();
   bool add_works();
-  bool add_winches(double reached);
+  bool add_winches(const MeanStep* mean);
+  bool find_power(const Moment& m, double h, double& power);
+  bool add_winches_of_means(double middle);
   double numerical() const;
   double done(const std::vector<double>& before, const std::vector<double>& after,
               std::size_t from = 0) const;

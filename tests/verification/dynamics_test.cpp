@@ -139,6 +139,21 @@ TEST(EnergyBudget, CountsWhatAWinchDoes) {
   EXPECT_LT(std::abs(b.at("numerical")), 0.05 * b.at("work_of_winches"));
 }
 
+/// A step hauls 250 times the length by which the load stretches the rope.
+TEST(EnergyBudget, CountsWhatAWinchDoesInStepsThatHaulFarMoreThanTheRopeStretches) {
+  const Motion hauled{
+      "HauledSlowly",
+      "dynamics/elastic-pendulum.toml",
+      {"parts.rope.rope.length_share={t=[0,20],share=[1,0.5]}", "parts.rope.rope.EA=\"1 MN\"",
+       "parts.rope.sketch=[[0,0,0],[0,0,-1]]", "analysis.start=equilibrium", "analysis.mass_damping=2",
+       "analysis.tolerance=1e-8", "analysis.duration=20", "analysis.output_interval=10"},
+      0};
+  const auto b = budget_of(hauled, {step(0.5), "analysis.integrator=generalized-alpha"});
+  // 5 kg half a metre up, against gravity and the mass damping of 5 kg x 2 / s at 0.025 m/s.
+  EXPECT_NEAR(b.at("work_of_winches"), 0.5 * (5 * 9.81 + 10 * 0.025), 0.01 * 24.6);
+  EXPECT_LT(std::abs(b.at("numerical")), 1e-3 * b.at("work_of_winches"));
+}
+
 /// A pendulum whose rope goes slack and snaps taut all the time: EA_compression = 1e-4 EA.
 const Motion kSnapping{"Snapping",
                        "dynamics/elastic-pendulum.toml",
