@@ -21,35 +21,39 @@ struct DynamicsKeys {
 ParameterTable<DynamicsKeys> make_table() {
   using K = DynamicsKeys;
   ParameterTable<K> t;
-  t.text("integrator", &K::integrator, "time scheme; its own parameters stand in a table of its name",
+  t.text("integrator", &K::integrator, "time integrator plugin; a table of its name has its parameters",
          "generalized-alpha");
-  t.text("start", &K::start, "where a motion begins, at rest: sketch, equilibrium, or a result, found.hdf",
-         "sketch");
-  t.real("duration", &K::duration, "s", "time that is gone through", {.lo = 1e-9, .hi = 1e9, .fallback = 10});
-  t.boolean("adaptive", &K::adaptive, "steps as long as the accuracy allows; otherwise all alike", true);
-  t.real("step", &K::step, "s", "first step, or all of them; 0: found, if adaptive",
+  t.text("start", &K::start,
+         "initial state, at rest: sketch, equilibrium, or a result file such as found.hdf", "sketch");
+  t.real("duration", &K::duration, "s", "simulated time", {.lo = 1e-9, .hi = 1e9, .fallback = 10});
+  t.boolean("adaptive", &K::adaptive,
+            "step lengths follow from the accuracy; otherwise all steps are step long", true);
+  t.real("step", &K::step, "s", "first step, or every step if not adaptive; 0: chosen if adaptive",
          {.lo = 0, .hi = 1e6, .fallback = 0});
   t.real("accuracy", &K::accuracy, "1",
-         "error of the path, over the longest element: from 1e-2 on, that of one step",
+         "allowed error of the path, as a fraction of the longest element; from 1e-2 on, the allowed error "
+         "of one step",
          {.lo = 1e-12, .hi = 1, .fallback = 1e-2});
-  t.boolean(
-      "check", &K::check,
-      "compare with the same motion in steps twice as long, for the error of the path: exit code 3 if it is "
-      "above the accuracy",
-      false);
+  t.boolean("check", &K::check,
+            "run the motion a second time with steps twice as long to measure the error of the path; exit "
+            "code 3 if it exceeds the accuracy",
+            false);
   t.real("longest_step", &K::longest_step, "s", "longest step", {.lo = 1e-9, .hi = 1e9, .fallback = 1e9});
-  t.real("shortest_step", &K::shortest_step, "s", "step below which it gives up",
+  t.real("shortest_step", &K::shortest_step, "s",
+         "shortest step; the run stops if a shorter one would be needed",
          {.lo = 1e-15, .hi = 1, .fallback = 1e-9});
-  t.real("output_interval", &K::output_interval, "s", "time between outputs; 0: the beginning and the end",
-         {.lo = 0, .hi = 1e9, .fallback = 0.1});
-  t.boolean("dense", &K::dense, "outputs lie between steps; otherwise steps end at them", false);
-  t.boolean("energy_budget", &K::energy_budget, "keep account of all energies", true);
-  t.boolean("material_damping", &K::material_damping,
-            "loss factors of twines, ropes and wires count, if the scheme bounds no step", true);
-  t.real("mass_damping", &K::mass_damping, "1/s", "artificial damping c of the force -c m v",
+  t.real("output_interval", &K::output_interval, "s",
+         "time between outputs; 0: only the beginning and the end", {.lo = 0, .hi = 1e9, .fallback = 0.1});
+  t.boolean("dense", &K::dense, "interpolate outputs between steps; otherwise steps end at them", false);
+  t.boolean("energy_budget", &K::energy_budget, "compute the energy budget", true);
+  t.boolean(
+      "material_damping", &K::material_damping,
+      "use the loss factors of twines, ropes and wires, unless stability limits the steps of the integrator",
+      true);
+  t.real("mass_damping", &K::mass_damping, "1/s", "artificial damping c: adds the force -c m v to every node",
          {.lo = 0, .hi = 1e9, .fallback = 0});
   t.real("stiffness_damping", &K::stiffness_damping, "s",
-         "damping of stretch where a part has none: tension per strain rate over EA",
+         "damping of stretch for parts without damping of their own: tension per strain rate, divided by EA",
          {.lo = 0, .hi = 1e9, .fallback = 0});
   return t;
 }

@@ -15,12 +15,13 @@ std::string leaf(const GeometryKey& key) { return key.name.substr(key.name.find(
 
 }  // namespace
 
-const GeometryKey kAt{"at", "m", "where the point starts", Shape::points, kCoordinates, formats::exactly(1)};
+const GeometryKey kAt{"at",          "m",          "initial position of the point",
+                      Shape::points, kCoordinates, formats::exactly(1)};
 const GeometryKey kLength{
     "length", "m", "unstretched length of the rope", Shape::real, {.lo = 0, .hi = 1e6, .lo_open = true}, {}};
 const GeometryKey kBars{
-    "cells", "1", "bars the rope is divided into", Shape::integer, formats::between(1, kMostCells), {}};
-const GeometryKey kLine{"sketch",      "m",          "points of the line along which the rope starts",
+    "cells", "1", "number of bars of the rope", Shape::integer, formats::between(1, kMostCells), {}};
+const GeometryKey kLine{"sketch",      "m",          "points of the initial line of the rope",
                         Shape::points, kCoordinates, {.least = 2}};
 const GeometryKey kAcross{"panel.across", "1", "meshes across the panel", Shape::real, kMeshes, {}};
 const GeometryKey kAlong{"panel.along", "1", "meshes along the panel", Shape::real, kMeshes, {}};
@@ -30,32 +31,30 @@ const GeometryKey kBar{"panel.bar",
                        Shape::real,
                        {.lo = 0, .hi = 100, .lo_open = true},
                        {}};
-const GeometryKey kNetting{
-    "panel.netting",
-    "1",
-    "how the netting hangs: diamond, meshes along; t90, the same turned by a right angle; "
-    "square, one twine direction along",
-    Shape::word,
-    {},
-    {},
-    false,
-    {"diamond", "t90", "square"}};
+const GeometryKey kNetting{"panel.netting",
+                           "1",
+                           "orientation of the meshes: diamond; t90, diamonds turned by a right angle; "
+                           "square, one twine direction along the panel",
+                           Shape::word,
+                           {},
+                           {},
+                           false,
+                           {"diamond", "t90", "square"}};
 const GeometryKey kCells{"cells",
                          "1",
                          "cells across and along, divided into triangles",
                          Shape::integers,
                          formats::between(1, kMostCells),
                          formats::exactly(2)};
-const GeometryKey kDivision{
-    "division",
-    "1",
-    "triangles of a cell: alternating, two, the diagonal changing from cell to cell; crossed, four about a "
-    "node in the middle",
-    Shape::word,
-    {},
-    {},
-    false,
-    {"alternating", "crossed"}};
+const GeometryKey kDivision{"division",
+                            "1",
+                            "alternating: two triangles per cell, with the diagonal alternating from cell to "
+                            "cell; crossed: four triangles around a node in the middle of the cell",
+                            Shape::word,
+                            {},
+                            {},
+                            false,
+                            {"alternating", "crossed"}};
 const GeometryKey kSquareCells{"cells",
                                "1",
                                "cells across and along, as many meshes wide as long, four bars each",
@@ -63,60 +62,65 @@ const GeometryKey kSquareCells{"cells",
                                formats::between(1, kMostCells),
                                formats::exactly(2)};
 const GeometryKey kCorners{
-    "sketch",      "m",          "corners: fore left, fore right, aft right, aft left; need not be accurate",
+    "sketch",      "m",          "approximate initial corners: fore left, fore right, aft right, aft left",
     Shape::points, kCoordinates, formats::exactly(4),
     false};
-const GeometryKey kFrom{"tube.from",   "m",          "middle of the fore edge, of a panel sketched as a tube",
-                        Shape::points, kCoordinates, formats::exactly(1),
-                        false};
+const GeometryKey kFrom{
+    "tube.from",   "m",          "middle of the fore edge of a panel that starts as a tube",
+    Shape::points, kCoordinates, formats::exactly(1),
+    false};
 const GeometryKey kTo{"tube.to",     "m",          "middle of the aft edge of the tube",
                       Shape::points, kCoordinates, formats::exactly(1),
                       false};
 const GeometryKey kRadius{"tube.radius", "m", "radius of the tube", Shape::real, kRadii, {}, false};
 const GeometryKey kRadiusAft{
-    "tube.radius_aft", "m", "radius at the aft edge, if it is another one", Shape::real, kRadii, {}, false};
+    "tube.radius_aft", "m", "radius at the aft edge, if it differs", Shape::real, kRadii, {}, false};
 
 namespace {
 const formats::Range kTurnRange = formats::between(-3.15, 3.15);
 }
-const GeometryKey kOrigin{"at",          "m",          "where its origin starts",
+const GeometryKey kOrigin{"at",          "m",          "initial position of the origin of the body",
                           Shape::points, kCoordinates, formats::exactly(1)};
 const GeometryKey kPoints{"points",
                           "m",
-                          "places where parts are joined to it, by name: [aft, outward, up] from its origin",
+                          "named points to which parts are joined: [aft, outward, up] from the origin",
                           Shape::named_points,
                           kCoordinates,
                           {},
                           false};
-const GeometryKey kSide{"side",
-                        "1",
-                        "side to which outward is; to port, what is given in its axes is mirrored",
-                        Shape::word,
-                        {},
-                        {},
-                        false,
-                        {"starboard", "port"}};
+const GeometryKey kSide{
+    "side",
+    "1",
+    "side of the gear on which the body is; port mirrors everything that is given in the axes of the body",
+    Shape::word,
+    {},
+    {},
+    false,
+    {"starboard", "port"}};
 const GeometryKey kHeading{"turned.heading",
                            "rad",
-                           "angle at the start by which its nose is turned outward",
+                           "initial heading, positive with the nose turned outward",
                            Shape::real,
                            kTurnRange,
                            {},
                            false};
-const GeometryKey kHeel{"turned.heel", "rad", "by which its top leans outward", Shape::real, kTurnRange, {},
+const GeometryKey kHeel{"turned.heel", "rad",      "initial heel, positive with the top leaning outward",
+                        Shape::real,   kTurnRange, {},
                         false};
-const GeometryKey kTrim{"turned.trim", "rad", "by which its nose is up", Shape::real, kTurnRange, {}, false};
+const GeometryKey kTrim{
+    "turned.trim", "rad", "initial trim, positive with the nose up", Shape::real, kTurnRange, {}, false};
 const GeometryKey kTurns{"turns",
                          "1",
-                         "whether it turns freely, about one axis of the scene alone, or not at all",
+                         "rotation of the body: free, about one axis of the scene only, or none",
                          Shape::word,
                          {},
                          {},
                          false,
                          {"freely", "about x", "about y", "about z", "not"}};
-const GeometryKey kOutline{"outline",     "m",          "corners of its shape in pictures, in its own axes",
-                           Shape::points, kCoordinates, {.least = 3},
-                           false};
+const GeometryKey kOutline{
+    "outline",     "m",          "corners of the outline that is drawn in pictures, in the axes of the body",
+    Shape::points, kCoordinates, {.least = 3},
+    false};
 
 double read_real(formats::TableReader& table, const GeometryKey& key, std::optional<double> fallback) {
   return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .fallback = fallback});

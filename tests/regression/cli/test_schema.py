@@ -119,14 +119,20 @@ class Schema(InFreshFolder):
 
 class Page(InFreshFolder):
     def test_its_examples_run(self):
-        """Every TOML block that has parts is a scene."""
-        blocks = re.findall(r"```toml\n(.*?)```", PAGE.read_text(), re.S)
-        scenes = [b for b in blocks if "[parts." in b and "type" in b]
-        self.assertGreaterEqual(len(scenes), 1)
-        for i, text in enumerate(scenes):
-            self.write(f"{i}.toml", text)
-            ended = self.netloft("run", f"{i}.toml")
+        """Every TOML block is a whole scene of that name; pieces of scenes are in blocks without a language."""
+        text = PAGE.read_text()
+        scenes = re.findall(r"^```toml (\S+)\n(.*?)^```", text, re.S | re.M)
+        self.assertEqual(len(scenes), len(re.findall("^```toml", text, re.M)), "every scene has a name")
+        self.assertGreaterEqual(len(scenes), 3)
+        for name, scene in scenes:
+            self.write(name, scene)
+            ended = self.netloft("run", name)
             self.assertEqual(ended.code, 0, ended.out + ended.err)
+
+    def test_it_shows_a_changing_current_and_a_hold_that_moves(self):
+        scenes = re.findall(r"^```toml \S+\n(.*?)^```", PAGE.read_text(), re.S | re.M)
+        moving = [s for s in map(tomllib.loads, scenes) if "factor" in s.get("water", {}).get("current", {})]
+        self.assertTrue(any("displacement" in hold for s in moving for hold in s["hold"]))
 
     def test_every_edge_and_corner_is_named(self):
         text = PAGE.read_text()
