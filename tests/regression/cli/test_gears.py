@@ -34,12 +34,17 @@ class Gears(InFreshFolder):
         page = (SOURCE / "io/gears/GEAR.md").read_text()
         plans = re.findall(r"^```toml (\S+)\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
         self.assertEqual(len(plans), len(re.findall("^```toml", page, re.MULTILINE)), "every plan has a name")
-        self.assertEqual(len(plans), 3)
+        self.assertEqual(len(plans), 5)
         for name, plan in plans:
             self.write(name, plan)
         for name, plan in plans:
             run = self.netloft("check", name)
             self.assertEqual((run.code, run.err), (0, ""), name)
+        for name in (name for name, plan in plans if "[ship]" in plan):
+            run = self.netloft("run", name)
+            self.assertEqual(run.code, 0, run.out + run.err)
+            self.assertIn("stable equilibrium", run.out)
+            self.assertNotIn("warning", run.out)
 
     def test_the_slip_of_the_printed_plan_is_found_and_named(self):
         self.write("slip.toml", SLIP)
@@ -145,7 +150,7 @@ class GearScenes(InFreshFolder):
         self.assertEqual(said.code, 2)
         for key in ("size", "finer"):
             self.assertIn(f'gear.{key}: stands beside nodes = "knots"', said.err)
-        self.assertIn('"knots": every knot', self.netloft("plan", str(FLUME), "--set", "gear.nodes=knot").err)
+        self.assertIn('"knots": a node at every knot', self.netloft("plan", str(FLUME), "--set", "gear.nodes=knot").err)
 
     def test_twine_of_elements_is_thinner_than_its_bar(self):
         run = self.netloft("plan", str(FLUME), "--set", "elements.netting.twine.diameter=60 mm")
