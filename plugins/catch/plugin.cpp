@@ -43,7 +43,7 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
   auto& c =
       plugin.element<Pressure>("pressure", "Pressure on the netting of a cod-end behind the catch front");
   c.real("catch.meshes", &Pressure::Parameters::meshes, "1",
-         "meshes along the panel that are filled, counted from its aft edge",
+         "meshes along the netting that are filled, counted from its aft end through the panels in a row",
          {.lo = 0, .hi = 1e6, .fallback = 0});
   c.real("catch.volume", &Pressure::Parameters::volume, "m3",
          "volume of the catch, instead of meshes; its front is then computed",
@@ -62,16 +62,16 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
          {.lo = 0, .hi = 50, .fallback = 0});
   c.real("catch.drag_coefficient", &Pressure::Parameters::drag_coefficient, "1",
          "pressure divided by the dynamic pressure of that speed", {.lo = 0, .hi = 10, .fallback = 1.4});
-  c.global("front", "1", "meshes along the panel that the catch fills, from its aft edge", "catch.volume",
+  c.global("front", "1", "meshes along the netting that the catch fills, from its aft end", "catch.volume",
            Pressure::first_front);
-  c.data("to_aft", &Pressure::Data::to_aft, "1", "meshes from each corner to the aft edge of its panel");
+  c.data("to_aft", &Pressure::Data::to_aft, "1", "meshes from each corner to the aft end of the netting");
   c.term<Pressure::Push, netloft::from_outside | netloft::is_drag | netloft::reads_time>(
       "pressure", "outward force of the catch on the netting");
   c.output("pressure", "Pa", "pressure on the netting, reduced for triangles that the catch front cuts",
            [](auto& p, auto& d, auto& s) { return Pressure::on(p, d, s); });
   c.output("volume", "m3", "contribution of the triangle to the volume of the catch",
            [](auto& p, auto& d, auto& s) { return Pressure::volume(p, d, s); });
-  c.output("front", "1", "meshes along the panel that the catch fills, from its aft edge",
+  c.output("front", "1", "meshes along the netting that the catch fills, from its aft end",
            [](auto&, auto&, auto& s) { return s.x[3].x; });
 
   add_front(plugin);

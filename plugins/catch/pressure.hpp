@@ -13,11 +13,11 @@ namespace netloft::catches {
 ///   K_ij = (φ_i p/2) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v            (4)
 ///   φ_i(m) = ∫ N_i over the part of the triangle with s < m, over its area,  φ = Σ φ_i      (5)
 /// p₀ [Pa] a pressure that is given, V [m/s] speed of the water through the gear, C_d drag coefficient of the
-/// catch; s meshes from a corner to the aft edge of its panel, m meshes of it that are filled, the front; N_i
-/// is linear, 1 at corner i and 0 at the others, so that the force acts in the middle of the part behind the
-/// front, and φ_i = 1/3 where that is all. s is linear in the triangle, so φ_i is of the unstretched one.
-/// Corners counter-clockwise seen from outside. Source: the paper's catch, p with C_d = 1.4; (3) after
-/// Priour, A Finite Element Method for Netting (Springer 2013).
+/// catch; s meshes from a corner to the aft end of the netting, through all panels in a row, m meshes of it
+/// that are filled, the front; N_i is linear, 1 at corner i and 0 at the others, so that the force acts in
+/// the middle of the part behind the front, and φ_i = 1/3 where that is all. s is linear in the triangle, so
+/// φ_i is of the unstretched one. Corners counter-clockwise seen from outside. Source: the paper's catch, p
+/// with C_d = 1.4; (3) after Priour, A Finite Element Method for Netting (Springer 2013).
 ///
 /// A follower force without an energy: over a closed surface, or one whose rim is fixed, the sum of (3) is
 /// the gradient of −p × volume and the sum of (4) symmetric, but a catch front that cuts through a cod-end is
@@ -64,7 +64,7 @@ struct Pressure {
   /// Throws std::invalid_argument if there is neither pressure nor speed, if the front is given by both or
   /// none of its parameters, or if something grows that is no volume.
   static void check(const Parameters& p, const Data& d);
-  /// Throws std::invalid_argument if more meshes are filled than there are along the longest panel.
+  /// Throws std::invalid_argument if more meshes are filled than there are along the netting.
   static void check_whole(const Parameters& p, const Whole& whole);
   static void gather(const Parameters& p, const Data& d, Whole& whole);
   static double first_front(const Parameters& p, const Whole& whole);

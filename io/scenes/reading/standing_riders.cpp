@@ -2,6 +2,7 @@
 #include "io/scenes/reading/standing_riders.hpp"
 
 #include "io/scenes/reading/own_data.hpp"
+#include "io/scenes/reading/panels_in_row.hpp"
 #include "io/scenes/reading/part_names.hpp"
 #include "io/scenes/reading/riding.hpp"
 
@@ -33,6 +34,7 @@ class RiderMaker {
     if (on_nodes_) stand_on_nodes();
     if (!corners_.empty()) stand_between_points();
     if (type_.element.stencil == NETLOFT_BAR_PAIR) stand_between_ropes();
+    if (type_.element.stencil == NETLOFT_TRIANGLE) count_meshes_through_seams(panels_, rider_);
     read_missing_data();
   }
 
@@ -139,6 +141,7 @@ class RiderMaker {
 
   /// The elements of a part if they are of the rider's kind, or the triangles between its bars.
   bool add_elements(std::size_t part) {
+    panels_.push_back(rider_.nodes.size());
     if (draft_.types[part]->element.stencil == type_.element.stencil)
       ride_on_elements(draft_.out.scene.parts[part], rider_);
     else if (type_.element.stencil == NETLOFT_TRIANGLE && !draft_.geometries[part].faces.nodes.empty())
@@ -172,6 +175,7 @@ class RiderMaker {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
   std::vector<double> carried_;
+  std::vector<std::size_t> panels_;     // index of the first corner of each part, of whole parts
   std::vector<std::size_t> ropes_;      // parts, of elements on pairs of bars
   std::vector<std::uint32_t> corners_;  // nodes of one element, each named
 };

@@ -443,7 +443,7 @@ on = "rope.start"
             self.assertEqual(self.netloft("describe", table, "--json").json()["type"], table)
 
     def test_shared_unknowns_are_named(self):
-        doc = "meshes along the panel that the catch fills, from its aft edge"
+        doc = "meshes along the netting that the catch fills, from its aft end"
         self.assertIn(doc, self.netloft("describe", "catch/pressure").out)
         front = self.netloft("describe", "catch/pressure", "--json").json()["globals"]
         self.assertEqual(front, [{"name": "front", "unit": "1", "needs": "catch.volume", "doc": doc}])

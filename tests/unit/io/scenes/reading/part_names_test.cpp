@@ -52,7 +52,8 @@ TEST(PartNames, RefusesNamesThatLeadElsewhere) {
 
 TEST(PartNames, ShortensBetweenCharacters) {
   EXPECT_EQ(formats::in_quotes("net"), "\"net\"");
-  EXPECT_EQ(formats::in_quotes(std::string(59, 'a') + "ßb"), "\"" + std::string(59, 'a') + "...\"");
+  const std::string fits(59, 'a');
+  EXPECT_EQ(formats::in_quotes(fits + "ßb"), "\"" + fits + "...\"");
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/panels_in_row.hpp"
+
+#include "framework/registry/element_data.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace netloft::scenes {
+
+namespace {
+
+constexpr double kOnEdge = 1e-6;  // a node that is nearer to the aft edge lies on it [meshes]
+
+class PanelsInRow {
+ public:
+  PanelsInRow(const std::vector<std::size_t>& begins, const std::vector<std::uint32_t>& nodes,
+              const std::vector<double>& to_aft)
+      : panels_(begins.size()) {
+    for (std::size_t p = 0; p < begins.size(); ++p)
+      for (std::size_t i = begins[p]; i < (p + 1 < begins.size() ? begins[p + 1] : nodes.size()); ++i) {
+        seams_[nodes[i]][p] = to_aft[i];
+        if (to_aft[i] < kOnEdge) panels_[p].aft_edge.push_back(nodes[i]);
+      }
+    for (auto& panel : panels_) {
+      std::ranges::sort(panel.aft_edge);
+      const auto repeats = std::ranges::unique(panel.aft_edge);
+      panel.aft_edge.erase(repeats.begin(), repeats.end());
+    }
+  }
+
+  /// Meshes behind the aft edge of a panel.
+  double behind(std::size_t panel) {
+    Panel& p = panels_[panel];
+    if (p.is_counted) return p.behind;
+    p.is_counted = true;  // with none behind it, should it follow a panel that it precedes
+    double sum = 0, count = 0;
+    for (const auto node : p.aft_edge)
+      if (const double most = most_behind(node, panel); most > 0) sum += most, ++count;
+    return p.behind = count > 0 ? sum / count : 0;
+  }
+
+ private:
+  struct Panel {
+    std::vector<std::uint32_t> aft_edge;  // its nodes
+    double behind = 0;
+    bool is_counted = false;
+  };
+
+  /// Meshes behind a node in the panels other than `panel` that go on there.
+  double most_behind(std::uint32_t node, std::size_t panel) {
+    double most = 0;
+    for (const auto& [other, meshes] : seams_[node])
+      if (other != panel && meshes >= kOnEdge) most = std::max(most, meshes + behind(other));
+    return most;
+  }
+
+  std::vector<Panel> panels_;
+  std::map<std::uint32_t, std::map<std::size_t, double>> seams_;  // node -> panel -> its meshes to aft
+};
+
+}  // namespace
+
+void count_meshes_through_seams(const std::vector<std::size_t>& begins, Part& rider) {
+  const auto data = rider.data.find(datum::kToAft.name);
+  if (data == rider.data.end()) return;
+  auto& to_aft = data->second;
+  PanelsInRow row(begins, rider.nodes, to_aft);
+  for (std::size_t p = 0; p < begins.size(); ++p) {
+    const double behind = row.behind(p);
+    for (std::size_t i = begins[p]; i < (p + 1 < begins.size() ? begins[p + 1] : to_aft.size()); ++i)
+      to_aft[i] += behind;
+  }
+}
+
+}  // namespace netloft::scenes

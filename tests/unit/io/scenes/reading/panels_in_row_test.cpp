@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/panels_in_row.hpp"
+
+#include <gtest/gtest.h>
+
+namespace netloft::scenes {
+namespace {
+
+using Meshes = std::vector<double>;
+
+/// One triangle of each panel, which names its nodes and its own meshes to the aft edge.
+Meshes counted(const std::vector<std::uint32_t>& nodes, const Meshes& to_aft) {
+  Part rider;
+  rider.nodes = nodes;
+  rider.data["to_aft"] = to_aft;
+  std::vector<std::size_t> begins;
+  for (std::size_t corner = 0; corner < nodes.size(); corner += 3) begins.push_back(corner);
+  count_meshes_through_seams(begins, rider);
+  return rider.data.at("to_aft");
+}
+
+TEST(PanelsInRow, CountTheMeshesOfThoseThatFollowWhateverTheOrderOfTheirNames) {
+  EXPECT_EQ(counted({0, 1, 2, 1, 2, 3, 3, 4, 5}, {5, 0, 0, 7, 7, 0, 2, 0, 0}),
+            (Meshes{14, 9, 9, 9, 9, 2, 2, 0, 0}));
+  EXPECT_EQ(counted({3, 4, 5, 1, 2, 3, 0, 1, 2}, {2, 0, 0, 7, 7, 0, 5, 0, 0}),
+            (Meshes{2, 0, 0, 9, 9, 2, 14, 9, 9}));
+}
+
+TEST(PanelsInRow, LeaveThoseAloneThatEndTogetherOrLieSideBySide) {
+  EXPECT_EQ(counted({0, 1, 2, 0, 1, 3}, {5, 0, 0, 6, 0, 0}), (Meshes{5, 0, 0, 6, 0, 0}));
+  EXPECT_EQ(counted({0, 1, 2, 3, 4, 5}, {5, 0, 0, 7, 7, 0}), (Meshes{5, 0, 0, 7, 7, 0}));
+}
+
+TEST(PanelsInRow, TakeTheMeanOfPanelsOfSeveralDepthsThatFollowAtOneEdge) {
+  EXPECT_EQ(counted({0, 1, 2, 1, 3, 4, 2, 5, 6}, {5, 0, 0, 4, 0, 0, 6, 0, 0}),
+            (Meshes{10, 5, 5, 4, 0, 0, 6, 0, 0}));
+}
+
+TEST(PanelsInRow, ThatFollowOneAnotherInARingAreCountedOnceRound) {
+  EXPECT_EQ(counted({0, 1, 2, 1, 0, 3}, {5, 0, 0, 7, 0, 0}), (Meshes{17, 12, 12, 12, 5, 5}));
+}
+
+}  // namespace
+}  // namespace netloft::scenes
