@@ -42,9 +42,9 @@ Pages pages() {
 
 /// Whether the strategy may take the tensions of members for unknowns, which is a problem with a factor of
 /// its own, kept beside that of the scene.
-bool may_ask_for_tensions(Case& the_case) {
-  return !the_case.loaded().analysis.strategy.empty() &&
-         std::ranges::any_of(the_case.assembler().families(), [](const auto& family) {
+bool may_ask_for_tensions(PreparedScene& scene) {
+  return !scene.loaded().analysis.strategy.empty() &&
+         std::ranges::any_of(scene.assembler().families(), [](const auto& family) {
            return std::ranges::any_of(family->type().terms,
                                       [](const auto& term) { return term.traits & NETLOFT_OF_MEMBERS; });
          });
@@ -82,22 +82,22 @@ double left_by_limit(const Pages& now) {
 
 }  // namespace
 
-MemoryForecast foresee_memory(Case& the_case) {
-  const SparsePattern& pattern = the_case.assembler().pattern();
+MemoryForecast foresee_memory(PreparedScene& scene) {
+  const SparsePattern& pattern = scene.assembler().pattern();
   if (pattern.size == 0) return {.taken = pages().resident};
-  const auto factorisation = the_case.factorisations()(pattern.symmetric ? MatrixClass::positive_definite
-                                                                         : MatrixClass::unsymmetric);
+  const auto factorisation =
+      scene.factorisations()(pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   const double factor = factor_bytes_of(*factorisation), size = static_cast<double>(pattern.size);
   // What has an energy is judged by the factor of its tangent, and needs no other unknowns.
   const bool is_judged_by_motion =
-      !pattern.symmetric && the_case.loaded().analysis.kind == AnalysisKind::statics;
+      !pattern.symmetric && scene.loaded().analysis.kind == AnalysisKind::statics;
   MemoryForecast forecast;
   forecast.taken = pages().resident;
-  forecast.factor = factor * (!pattern.symmetric && may_ask_for_tensions(the_case) ? 2 : 1);
+  forecast.factor = factor * (!pattern.symmetric && may_ask_for_tensions(scene) ? 2 : 1);
   forecast.stability = is_judged_by_motion ? factor + sizeof(double) * kKrylov * size : 0;
   forecast.numbers = kWithCoarser * sizeof(double) *
-                     (kMatrices * static_cast<double>(the_case.assembler().value_slots()) + kVectors * size);
+                     (kMatrices * static_cast<double>(scene.assembler().value_slots()) + kVectors * size);
   return forecast;
 }
 

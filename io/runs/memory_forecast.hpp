@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
 
 namespace netloft::runs {
 
@@ -17,7 +17,7 @@ struct MemoryForecast {
 /// the factor of the scene, that of a strategy which takes tensions for unknowns, and that of the judge of
 /// stability with its Krylov space; not counted is what a strategy keeps of coarser meshes, and the second
 /// factorisation where the first one hands a matrix over. tests/bench/memory.py compares with runs.
-MemoryForecast foresee_memory(Case& the_case);
+MemoryForecast foresee_memory(PreparedScene& scene);
 
 /// Memory that this process may have in all [bytes]: what it has, and what the machine, its group (memory.max
 /// of cgroup 2) and its limit of addresses (ulimit -v) leave. Infinite where nothing is known.

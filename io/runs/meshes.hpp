@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/search/levels.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
 
 #include <memory>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "io/scenes/reading/analysis.hpp"
 
 #include <algorithm>

@@ -17,7 +17,8 @@
 #include <vector>
 
 #include "io/formats/toml/diagnostics.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"
 
@@ -43,14 +44,14 @@ runs::CaseSource source(const char* file, Overrides overrides, int threads = 1) 
   return {scene_file(file), std::move(overrides), threads};
 }
 
-void open(runs::Case& scene, const Change& change = {}) {
-  if (scene.open(change) == runs::Case::State::ready) return;
+void open(runs::PreparedScene& scene, const Change& change = {}) {
+  if (scene.prepare(change) == runs::PreparedScene::State::ready) return;
   for (const auto& d : scene.diagnostics().sorted()) std::fprintf(stderr, "%s\n", d.message.c_str());
   std::exit(2);
 }
 
 /// The tangent at x.
-std::vector<double> tangent(runs::Case& scene, const std::vector<double>& x) {
+std::vector<double> tangent(runs::PreparedScene& scene, const std::vector<double>& x) {
   std::vector<double> values(scene.assembler().value_slots());
   scene.assembler().evaluate(x, {.matrix = MatrixKind::exact, .values = values.data()});
   values.resize(scene.assembler().pattern().value_slots());
@@ -58,7 +59,7 @@ std::vector<double> tangent(runs::Case& scene, const std::vector<double>& x) {
 }
 
 /// CPU time of one numeric factorisation of the tangent at x, the best of several [s].
-double factorisation_time(runs::Case& scene, const std::vector<double>& x) {
+double factorisation_time(runs::PreparedScene& scene, const std::vector<double>& x) {
   const SparsePattern& pattern = scene.assembler().pattern();
   const auto values = tangent(scene, x);
   auto factorisation =
@@ -92,7 +93,7 @@ Statistics on_its_own_mesh(const Solution& s) {
   return sum;
 }
 
-Row print_row(runs::Case& scene, const Solution& s, double cpu) {
+Row print_row(runs::PreparedScene& scene, const Solution& s, double cpu) {
   const Statistics finest = on_its_own_mesh(s);
   const double unit = factorisation_time(scene, s.x);
   std::printf("  %8zu %5d %5d %6d %6d %7.1f %9.3f %7.1f %8.2f   %s\n", s.u.size(),
@@ -108,10 +109,10 @@ void print_head(const char* what) {
 }
 
 Row arrive(const char* file, const Overrides& overrides) {
-  runs::Case scene(source(file, overrides), plugins());
+  runs::PreparedScene scene(source(file, overrides), plugins());
   open(scene);
   const double begun = cpu_seconds();
-  const Solution s = scene.solve();
+  const Solution s = runs::find_equilibrium(scene);
   return print_row(scene, s, cpu_seconds() - begun);
 }
 
@@ -152,21 +153,21 @@ constexpr const char* kTrawl = "tests/stability/scenes/pelagic-trawl.toml";
 /// From its crude sketch at 1.5 m/s, and from there at half a per cent more.
 void trawl(Overrides overrides) {
   overrides.push_back("water.current=[1.5,0,0]");
-  runs::Case first(source(kTrawl, overrides), plugins());
+  runs::PreparedScene first(source(kTrawl, overrides), plugins());
   open(first);
   double begun = cpu_seconds();
-  const Solution s = first.solve();
+  const Solution s = runs::find_equilibrium(first);
   print_row(first, s, cpu_seconds() - begun);
   overrides.back() = "water.current=[1.5075,0,0]";
   overrides.push_back("analysis.strategy=direct");
-  runs::Case next(source(kTrawl, overrides), plugins());
-  const std::vector<double> at_rest = first.positions(s.x);
+  runs::PreparedScene next(source(kTrawl, overrides), plugins());
+  const std::vector<double> at_rest = first.assembler().node_positions(s.x);
   open(next, [&](scenes::LoadedScene& loaded) {
     for (std::size_t d = 0; d < at_rest.size(); ++d)
       if (loaded.scene.held[d / 3] == 0) loaded.scene.positions[d] = at_rest[d];
   });
   begun = cpu_seconds();
-  const Solution changed = next.solve();
+  const Solution changed = runs::find_equilibrium(next);
   print_row(next, changed, cpu_seconds() - begun);
 }
 
@@ -174,18 +175,19 @@ void trawl(Overrides overrides) {
 void newton(int nodes) {
   const char* file = "gear-library/scenes/83-112-flume-3.0kn.toml";
   const Overrides overrides{"gear.nodes=" + std::to_string(nodes)};
-  runs::Case first(source(file, overrides), plugins());
+  runs::PreparedScene first(source(file, overrides), plugins());
   open(first);
-  const std::vector<double> from = first.positions(first.solve().x);
-  runs::Case next({scene_file(file),
-                   {overrides[0], "tow.speed=3.015 kn", "analysis.strategy=direct", "analysis.solver=newton"},
-                   1},
-                  plugins());
+  const std::vector<double> from = first.assembler().node_positions(runs::find_equilibrium(first).x);
+  runs::PreparedScene next(
+      {scene_file(file),
+       {overrides[0], "tow.speed=3.015 kn", "analysis.strategy=direct", "analysis.solver=newton"},
+       1},
+      plugins());
   open(next, [&](scenes::LoadedScene& loaded) {
     for (std::size_t d = 0; d < from.size(); ++d)
       if (loaded.scene.held[d / 3] == 0) loaded.scene.positions[d] = from[d];
   });
-  const Solution s = next.solve();
+  const Solution s = runs::find_equilibrium(next);
   const Statistics& cost = s.cost.statistics;
   const double unit = factorisation_time(next, s.x), per_iteration = 1.0 / cost.iterations,
                iteration = cost.solver_cpu_seconds * per_iteration,
@@ -198,7 +200,7 @@ void newton(int nodes) {
 }
 
 /// Wall time of one residual with its tangent, the best of several [s].
-double assembly_time(runs::Case& scene, const std::vector<double>& x) {
+double assembly_time(runs::PreparedScene& scene, const std::vector<double>& x) {
   std::vector<double> values(scene.assembler().value_slots()), residual(x.size());
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 40; ++i) {
@@ -212,12 +214,13 @@ double assembly_time(runs::Case& scene, const std::vector<double>& x) {
 
 void threads() {
   const Overrides overrides = trawl_cells(12, 24, 16, 8);
-  runs::Case one(source(kTrawl, overrides, 1), plugins()), two(source(kTrawl, overrides, 2), plugins());
+  runs::PreparedScene one(source(kTrawl, overrides, 1), plugins()),
+      two(source(kTrawl, overrides, 2), plugins());
   open(one), open(two);
-  const Solution a = one.solve(), b = two.solve();
+  const Solution a = runs::find_equilibrium(one), b = runs::find_equilibrium(two);
   std::printf("one thread and two: %s", a.x == b.x ? "the same bits" : "DIFFERENT");
-  runs::Case big_one(source(kTrawl, trawl_cells(40, 80, 48, 24), 1), plugins());
-  runs::Case big_two(source(kTrawl, trawl_cells(40, 80, 48, 24), 2), plugins());
+  runs::PreparedScene big_one(source(kTrawl, trawl_cells(40, 80, 48, 24), 1), plugins());
+  runs::PreparedScene big_two(source(kTrawl, trawl_cells(40, 80, 48, 24), 2), plugins());
   open(big_one), open(big_two);
   const std::vector<double> x = big_one.assembler().start();
   double best_one = assembly_time(big_one, x), best_two = assembly_time(big_two, x);

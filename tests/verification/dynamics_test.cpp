@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Time schemes on scenes of the gear library: orders by halving the step, energies, equilibria by dynamics.
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/march.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -23,9 +25,10 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
 /// Positions of a scene at the end of its motion.
 std::vector<double> end_of(const std::string& scene, const std::vector<std::string>& overrides,
                            const MarchWatch& watch = {}) {
-  runs::Case c({kScenes + scene, overrides, 1}, test::shipped_plugins());
-  if (c.open() != runs::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
-  const MarchResult r = c.march(watch);
+  runs::PreparedScene c({kScenes + scene, overrides, 1}, test::shipped_plugins());
+  if (c.prepare() != runs::PreparedScene::State::ready)
+    throw std::invalid_argument(c.diagnostics().render(false));
+  const MarchResult r = runs::march(c, watch);
   EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
   return r.u;
 }
@@ -232,11 +235,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 Solution equilibrium_by(const std::string& solver, const std::vector<std::string>& overrides) {
-  runs::Case c({kScenes + "dead-weight-panel.toml",
-                joined({"analysis.solver=\"" + solver + "\"", "parts.net.cells=[4,4]"}, overrides), 1},
-               test::shipped_plugins());
-  if (c.open() != runs::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
-  return c.solve();
+  runs::PreparedScene c(
+      {kScenes + "dead-weight-panel.toml",
+       joined({"analysis.solver=\"" + solver + "\"", "parts.net.cells=[4,4]"}, overrides), 1},
+      test::shipped_plugins());
+  if (c.prepare() != runs::PreparedScene::State::ready)
+    throw std::invalid_argument(c.diagnostics().render(false));
+  return runs::find_equilibrium(c);
 }
 
 TEST(Settling, FindsByThePapersSchemeWhereNewtonArrives) {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "io/results/figures/run_result.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -57,11 +57,11 @@ Off off(const std::vector<std::string>& overrides, HungBars bars) {
   runs::CaseSource source{test::source_folder() + "/tests/stability/scenes/rope.toml", overrides, 1};
   source.overrides.push_back("parts.rope.cells=" + std::to_string(bars.n));
   source.overrides.insert(source.overrides.begin(), "analysis.strategy=auto");
-  runs::Case rope(source, shipped_plugins());
-  EXPECT_EQ(rope.open(), runs::Case::State::ready);
-  const Solution s = rope.solve({});
+  runs::PreparedScene rope(source, shipped_plugins());
+  EXPECT_EQ(rope.prepare(), runs::PreparedScene::State::ready);
+  const Solution s = runs::find_equilibrium(rope);
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
-  const std::vector<double> x = rope.positions(s.x);
+  const std::vector<double> x = rope.assembler().node_positions(s.x);
   bars.hang();
   Off off;
   for (std::size_t k = 0; k < bars.x.size(); ++k)

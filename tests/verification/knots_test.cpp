@@ -9,7 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/reference.hpp"
 #include "tests/verification/solving.hpp"
@@ -40,19 +41,19 @@ strategy = "coarse-to-fine"
 
 class PanelByKnots : public testing::Test {
  protected:
-  std::unique_ptr<runs::Case> opened(std::vector<std::string> overrides) {
+  std::unique_ptr<runs::PreparedScene> opened(std::vector<std::string> overrides) {
     const auto folder = std::filesystem::path(test::build_folder()) / "scratch";
     std::filesystem::create_directories(folder);
     const auto file = folder / "panel-by-knots.toml";
     std::ofstream(file) << kPlan;
-    auto one = std::make_unique<runs::Case>(runs::CaseSource{file, std::move(overrides), 1},
-                                            test::shipped_plugins());
-    EXPECT_EQ(one->open(), runs::Case::State::ready) << one->diagnostics().render(false);
+    auto one = std::make_unique<runs::PreparedScene>(runs::CaseSource{file, std::move(overrides), 1},
+                                                     test::shipped_plugins());
+    EXPECT_EQ(one->prepare(), runs::PreparedScene::State::ready) << one->diagnostics().render(false);
     return one;
   }
-  static double lowest(runs::Case& one, const Solution& s) {
+  static double lowest(runs::PreparedScene& one, const Solution& s) {
     double low = 0;
-    const auto x = one.positions(s.x);
+    const auto x = one.assembler().node_positions(s.x);
     for (std::size_t d = 2; d < x.size(); d += 3) low = std::min(low, x[d]);
     return low;
   }
@@ -61,7 +62,7 @@ class PanelByKnots : public testing::Test {
 TEST_F(PanelByKnots, HangsTwineByTwineAsTheIndependentProgramSays) {
   const auto one = opened({});
   EXPECT_EQ(one->loaded().scene.node_count(), 41u * 41 + 40 * 40) << "a node for every knot";
-  const Solution s = one->solve();
+  const Solution s = runs::find_equilibrium(*one);
   ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
   EXPECT_NEAR(lowest(*one, s), kPanelLowestZ, 2e-3);
   EXPECT_NEAR(s.energy, kPanelEnergy, 2e-3 * std::abs(kPanelEnergy));
@@ -74,7 +75,7 @@ TEST_F(PanelByKnots, HangsTwineByTwineAsTheIndependentProgramSays) {
 // What triangles that are not between knots cost: of as many nodes, ten times as much.
 TEST_F(PanelByKnots, IsNearerToTheNetThanTrianglesOfAsManyNodes) {
   const auto one = opened({"gear.nodes=3281"});
-  const Solution s = one->solve();
+  const Solution s = runs::find_equilibrium(*one);
   ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
   EXPECT_GT(std::abs(lowest(*one, s) - kPanelLowestZ), 1e-2);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Winches that hold a tension in a motion, against closed forms, and what they do in the energy budget.
-#include "io/runs/case.hpp"
+#include "io/runs/march.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -31,18 +32,19 @@ std::vector<std::string> hanging_ball(std::vector<std::string> more) {
 }
 
 /// The scene with a winch at the start of its rope.
-std::unique_ptr<runs::Case> open_with(const std::string& scene, const std::vector<std::string>& overrides,
-                                      Winch winch, bool at_end = false) {
-  auto c = std::make_unique<runs::Case>(runs::CaseSource{test::source_folder() + "/" + scene, overrides, 1},
-                                        test::shipped_plugins());
-  const auto state = c->open([&](scenes::LoadedScene& loaded) {
+std::unique_ptr<runs::PreparedScene> open_with(const std::string& scene,
+                                               const std::vector<std::string>& overrides, Winch winch,
+                                               bool at_end = false) {
+  auto c = std::make_unique<runs::PreparedScene>(
+      runs::CaseSource{test::source_folder() + "/" + scene, overrides, 1}, test::shipped_plugins());
+  const auto state = c->prepare([&](scenes::LoadedScene& loaded) {
     Part& rope = loaded.scene.parts[0];
     winch.part = rope.name, winch.parameter = "rope.length_share",
     winch.block = at_end ? rope.nodes.back() : rope.nodes.front();
     rope.parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};
     loaded.scene.winches.push_back(winch);
   });
-  if (state != runs::Case::State::ready) throw std::invalid_argument(c->diagnostics().render(false));
+  if (state != runs::PreparedScene::State::ready) throw std::invalid_argument(c->diagnostics().render(false));
   return c;
 }
 
@@ -55,7 +57,7 @@ struct Marched {
   MarchResult result;
 };
 
-Marched march(runs::Case& c, const MarchState* from = nullptr) {
+Marched march(runs::PreparedScene& c, const MarchState* from = nullptr) {
   Marched m;
   MarchWatch watch;
   watch.on_output = [&](const Snapshot& s) {
@@ -66,7 +68,7 @@ Marched march(runs::Case& c, const MarchState* from = nullptr) {
     m.moments.push_back({s.t, w.length, w.speed, w.tension, place[2], s.budget->totals().numerical, given});
     if (s.state) m.states.push_back(*s.state);
   };
-  m.result = c.march(watch, nullptr, from);
+  m.result = runs::march(c, watch, {}, from);
   EXPECT_EQ(m.result.status, MarchStatus::finished) << m.result.reason;
   return m;
 }
@@ -119,7 +121,7 @@ TEST(Winches, StandWithinTheirDeadBand) {
 }
 
 /// A line from the bed to a block that heaves.
-std::unique_ptr<runs::Case> heaving(const Winch& winch, const std::vector<std::string>& more) {
+std::unique_ptr<runs::PreparedScene> heaving(const Winch& winch, const std::vector<std::string>& more) {
   std::vector<std::string> all = {"parts.line.sketch=[[0,0,-30],[0,0,0]]",
                                   "parts.line.length=29.86",
                                   "parts.line.cells=8",
@@ -176,7 +178,7 @@ TEST(Winches, GoOnToTheSameBits) {
 TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
   std::vector<std::vector<double>> ends;
   for (const char* accuracy : {"1e-1", "1e-2", "1e-3", "1e-5"}) {
-    runs::Case c(
+    runs::PreparedScene c(
         {test::source_folder() + "/" + kBall,
          {"parts.rope.rope.length_share={t=[0.333,0.777],share=[1,0.8]}",
           "parts.rope.sketch=[[0,0,0],[0.2,0,-1]]", "parts.rope.rope.EA=500",
@@ -184,14 +186,14 @@ TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
           "analysis.output_interval=0", std::string("analysis.accuracy=") + accuracy},
          1},
         test::shipped_plugins());
-    ASSERT_EQ(c.open(), runs::Case::State::ready) << c.diagnostics().render(false);
+    ASSERT_EQ(c.prepare(), runs::PreparedScene::State::ready) << c.diagnostics().render(false);
     int at_corners = 0;
     MarchWatch watch;
     watch.on_step = [&](const StepRecord& step, std::span<const double>) {
       at_corners += step.t == 0.333 || step.t == 0.777;
       return false;
     };
-    ends.push_back(c.march(watch).u);
+    ends.push_back(runs::march(c, watch).u);
     EXPECT_EQ(at_corners, 2) << accuracy;
   }
   std::vector<double> errors;
@@ -258,7 +260,7 @@ TEST(Winches, ThatChangeGoOnToTheSameBits) {
 TEST(Winches, SayThatARopeIsHauledIn) {
   const auto c =
       open_with(kBall, hanging_ball({"analysis.duration=60"}), winch_of(2 * kMass * kGravity, 1, 2));
-  const MarchResult r = c->march({});
+  const MarchResult r = runs::march(*c, {});
   EXPECT_EQ(r.status, MarchStatus::failed);
   EXPECT_NE(r.reason.find("has hauled in all of it"), std::string::npos) << r.reason;
 }

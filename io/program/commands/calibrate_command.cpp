@@ -22,9 +22,10 @@ int calibrate_command(const Options& options) {
   if (!diagnostics.errors())
     checked = studies::check_calibration(file, folder, registry, diagnostics, watch.on_budget);
   if (diagnostics.errors())
-    return tell_why_not(diagnostics,
-                        checked.refused ? runs::Case::State::refused : runs::Case::State::wrong_input,
-                        options, terminal);
+    return tell_why_not(
+        diagnostics,
+        checked.refused ? runs::PreparedScene::State::refused : runs::PreparedScene::State::wrong_input,
+        options, terminal);
   if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
   const auto on_solve = [&](std::size_t solves, const std::string& scene) {
     terminal.progress_in_steps("solves", solves, 0, scene);

@@ -130,8 +130,8 @@ class Inspection {
   }
 
   int check_meshes(const runs::CaseSource& source, const studies::ComparisonTask& task) {
-    runs::Case own(source, registry_);
-    own.open();
+    runs::PreparedScene own(source, registry_);
+    own.prepare();
     for (const auto& level : studies::mesh_levels(own.loaded(), *task.cells)) {
       runs::CaseSource mesh = studies::source_for(source, task.methods.front(), task.tolerances.front());
       mesh.overrides.insert(mesh.overrides.end(), level.overrides.begin(), level.overrides.end());
@@ -141,9 +141,9 @@ class Inspection {
   }
 
   int open(const runs::CaseSource& source) {
-    runs::Case one(source, registry_);
-    const runs::Case::State state = one.open();
-    if (state == runs::Case::State::ready) {
+    runs::PreparedScene one(source, registry_);
+    const runs::PreparedScene::State state = one.prepare();
+    if (state == runs::PreparedScene::State::ready) {
       check_kind(one.loaded(), is_of_motions_);
       if (!one.loaded().scene.settings.empty())
         throw UsageError{

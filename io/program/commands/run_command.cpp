@@ -7,6 +7,8 @@
 #include "io/results/file/start_from.hpp"
 #include "io/results/file/write_result.hpp"
 #include "io/results/motion/motion_report.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/memory_forecast.hpp"
 #include "io/studies/compare/mesh_error.hpp"
 
 #include <cstdio>
@@ -153,7 +155,7 @@ int run_in_time(const Options& options, Session& session, const results::RunCont
       [&](const IterationRecord& r) {
         session.terminal().progress(r, session.loaded().analysis.limits.tolerance);
       }};
-  const results::MotionResult result = results::run_motion(session.the_case(), context, how);
+  const results::MotionResult result = results::run_motion(session.scene(), context, how);
   session.terminal().clear();
   std::puts(options.json ? results::motion_json(session.loaded(), session.plan(), result).c_str()
                          : results::motion_text(session.loaded(), session.plan(), result).c_str());
@@ -196,13 +198,13 @@ int keep_what_was_found(RunSoFar& run, const Overdue& overdue) {
   const int code = overdue.interrupted ? kInterrupted : kNotConverged;
   run.session.terminal().say("netloft: " + overdue.sentence + "; the run ends here");
   if (!run.file || run.kept.u.empty()) return say_what_is_left(run), code;
-  const auto assembler = run.session.the_case().make_another_assembler();
-  Solution& s = run.result.solution = run.session.the_case().judge(run.kept.u, *assembler);
+  Assembler assembler(run.session.loaded().scene, run.session.plan(), 1);
+  Solution& s = run.result.solution = runs::assess_point(run.session.scene(), run.kept.u, assembler);
   s.status = overdue.interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
   s.reason = overdue.sentence + "; this is the last that was found before";
-  results::collect(run.session.loaded(), *assembler, run.result);
+  results::collect(run.session.loaded(), assembler, run.result);
   run.result.output_file = named_by_outcome(**run.file, s, run.session.terminal());
-  results::write_result(**run.file, run.session.loaded(), *assembler, run.result, run.context);
+  results::write_result(**run.file, run.session.loaded(), assembler, run.result, run.context);
   print_result(run.options, run.session, run.result);
   return code;
 }
@@ -226,16 +228,16 @@ void keep_stages(Session& session, std::vector<results::StageShape>& stages, run
 
 void solve(Session& session, Watchdog& watchdog, RunSoFar& run) {
   const double tolerance = session.loaded().analysis.limits.tolerance;
-  run.result.reading_seconds = session.the_case().reading_seconds();
-  run.result.setup_seconds = session.the_case().setup_seconds();
+  run.result.reading_seconds = session.scene().seconds().reading;
+  run.result.setup_seconds = session.scene().seconds().setup;
   runs::Watch watch{
       .interrupt = &interrupt_flag(),
       .on_iteration = [&](const IterationRecord& r) { session.terminal().progress(r, tolerance); },
       .kept = &run.kept,
       .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   if (run.options.stages) keep_stages(session, run.result.stages, watch);
-  run.result.solution =
-      run.start ? session.the_case().solve_from(*run.start, watch) : session.the_case().solve(watch);
+  run.result.solution = run.start ? runs::find_equilibrium_near(session.scene(), *run.start, watch)
+                                  : runs::find_equilibrium(session.scene(), watch);
 }
 
 }  // namespace
@@ -260,8 +262,7 @@ constexpr std::int32_t kFewUnknowns = 20000;
 /// Where a run takes much of the memory there is; one that takes more is refused.
 void say_memory(Session& session) {
   if (session.assembler().pattern().size < kFewUnknowns) return;
-  const std::string note =
-      note_of_memory(runs::foresee_memory(session.the_case()), runs::memory_within_reach());
+  const std::string note = note_of_memory(runs::foresee_memory(session.scene()), runs::memory_within_reach());
   if (!note.empty()) session.terminal().say("netloft: " + note);
 }
 
@@ -288,7 +289,7 @@ int run_command(const Options& options) {
   if (options.resume)
     throw UsageError{"--resume goes on with motions; an equilibrium is found from its start"};
 
-  if (const auto why_not = session.the_case().why_unfit()) throw UsageError{*why_not};
+  if (const auto why_not = runs::why_unfit(session.scene())) throw UsageError{*why_not};
   if (!options.start_from.empty()) so_far.start = read_start(options.start_from, "--start-from", session);
   const auto levels = levels_for_errors(options, session.loaded());
   spare_outputs(options, output_file(options, session.loaded()) + ".part");
@@ -298,7 +299,7 @@ int run_command(const Options& options) {
   results::collect(session.loaded(), session.assembler(), result);
   if (options.error)
     studies::find_mesh_errors(
-        source_of(options), session.registry(), session.the_case(), levels,
+        source_of(options), session.registry(), session.scene(), levels,
         {.interrupt = &interrupt_flag(), .on_budget = [&](double seconds) { watchdog.allow(seconds); }},
         result);
   context.plugins = session.registry().opened();
@@ -312,7 +313,7 @@ int plan_command(const Options& options) {
   Session session(options);
   if (const int code = session.open(); code != kDone) return code;
   results::PlanExtras extras = session.plan_extras();
-  const runs::MemoryForecast memory = runs::foresee_memory(session.the_case());
+  const runs::MemoryForecast memory = runs::foresee_memory(session.scene());
   extras.memory = memory.total();
   extras.factor_memory = memory.factor;
   extras.stability_memory = memory.stability;

@@ -102,9 +102,10 @@ int plan_study(const Options& o) {
   if (!diagnostics.errors()) check_size(file, diagnostics);
   if (!file.scene.empty()) scenes = studies::check_scenes(file, at, registry, diagnostics);
   if (diagnostics.errors())
-    return tell_why_not(diagnostics,
-                        scenes.refused ? runs::Case::State::refused : runs::Case::State::wrong_input, o,
-                        terminal);
+    return tell_why_not(
+        diagnostics,
+        scenes.refused ? runs::PreparedScene::State::refused : runs::PreparedScene::State::wrong_input, o,
+        terminal);
   if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
   const fs::path folder = folder_for(o);
   for (auto& [path, hash] : scenes.files) path = seen_from(folder, path);
@@ -255,7 +256,7 @@ int estimate_study(const Options& o) {
   } catch (const studies::StudyError& e) {
     throw UsageError{e.what()};
   }
-  if (!found) return tell_why_not(diagnostics, runs::Case::State::wrong_input, o, terminal);
+  if (!found) return tell_why_not(diagnostics, runs::PreparedScene::State::wrong_input, o, terminal);
   if (const std::string changed = what_changed(study, o.target); !changed.empty())
     terminal.say("netloft: " + changed + "; estimates are of what was planned");
   std::puts((o.json ? studies::estimate_json(study.name, *found) : studies::estimate_text(study.name, *found))
@@ -291,7 +292,7 @@ int print_indices(const Options& o) {
   } catch (const studies::StudyError& e) {
     throw UsageError{e.what()};
   }
-  if (!found) return tell_why_not(diagnostics, runs::Case::State::wrong_input, o, terminal);
+  if (!found) return tell_why_not(diagnostics, runs::PreparedScene::State::wrong_input, o, terminal);
   if (!o.output.empty()) write_bars(o, *found);
   if (const std::string changed = what_changed(study, o.target); !changed.empty())
     terminal.say("netloft: " + changed + "; indices are of what was planned");

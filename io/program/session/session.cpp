@@ -2,6 +2,7 @@
 #include "io/program/session/session.hpp"
 
 #include "io/program/session/error_json.hpp"
+#include "io/runs/equilibrium.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -37,37 +38,38 @@ runs::CaseSource source_of(const Options& options) {
 }
 
 Session::Session(const Options& options)
-    : options_(options), terminal_(options.color, options.json), case_(source_of(options), registry_) {
+    : options_(options), terminal_(options.color, options.json), scene_(source_of(options), registry_) {
   find_plugins(options, registry_);
 }
 
 int Session::open() {
-  const runs::Case::State state = case_.open();
-  const formats::Diagnostics& diagnostics = case_.diagnostics();
-  if (state != runs::Case::State::ready) return tell_why_not(diagnostics, state, options_, terminal_);
+  const runs::PreparedScene::State state = scene_.prepare();
+  const formats::Diagnostics& diagnostics = scene_.diagnostics();
+  if (state != runs::PreparedScene::State::ready)
+    return tell_why_not(diagnostics, state, options_, terminal_);
   if (diagnostics.warnings()) terminal_.say(diagnostics.render(terminal_.color()));
   return kDone;
 }
 
-int tell_why_not(const formats::Diagnostics& diagnostics, runs::Case::State state, const Options& options,
-                 Terminal& terminal) {
+int tell_why_not(const formats::Diagnostics& diagnostics, runs::PreparedScene::State state,
+                 const Options& options, Terminal& terminal) {
   terminal.say(diagnostics.render(terminal.color()));
-  const int code = state == runs::Case::State::refused ? kRefused : kWrongInput;
+  const int code = state == runs::PreparedScene::State::refused ? kRefused : kWrongInput;
   if (options.json) std::puts(errors_json(diagnostics, code).c_str());
   return code;
 }
 
 results::PlanExtras Session::plan_extras() {
   const auto factorisation =
-      case_.factorisations()(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+      scene_.factorisations()(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   return {loaded().analysis.solver,
           factorisation->description(),
           assembler().pattern().entries(),
           threads_for(options_),
           assembler().threads_used(),
           loaded().analysis.strategy,
-          case_.explain_strategy(),
-          plan().kind == AnalysisKind::dynamics ? case_.material_damping() : "",
+          runs::explain_strategy(scene_),
+          plan().kind == AnalysisKind::dynamics ? scene_.material_damping() : "",
           0,
           0,
           0};

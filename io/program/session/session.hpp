@@ -3,7 +3,8 @@
 #include "io/program/session/commands.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/results/text/run_text.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
+#include "io/runs/watch.hpp"
 
 namespace netloft::program {
 
@@ -16,10 +17,10 @@ class Session {
   /// Reads, checks and assembles the scene. Anything but kDone: it was said why, stop with that code.
   int open();
 
-  runs::Case& the_case() { return case_; }
-  scenes::LoadedScene& loaded() { return case_.loaded(); }
-  const ScenePlan& plan() const { return case_.plan(); }
-  Assembler& assembler() { return case_.assembler(); }
+  runs::PreparedScene& scene() { return scene_; }
+  scenes::LoadedScene& loaded() { return scene_.loaded(); }
+  const ScenePlan& plan() const { return scene_.plan(); }
+  Assembler& assembler() { return scene_.assembler(); }
   Registry& registry() { return registry_; }
   Terminal& terminal() { return terminal_; }
   results::PlanExtras plan_extras();
@@ -28,7 +29,7 @@ class Session {
   const Options& options_;
   Terminal terminal_;
   Registry registry_;
-  runs::Case case_;
+  runs::PreparedScene scene_;
 };
 
 /// The case of a command line: its scene, --set and --solver.
@@ -39,7 +40,7 @@ int threads_for(const Options& options);
 std::vector<std::string> paths_of(const scenes::LoadedScene& loaded);
 
 /// Says on the terminal, or as JSON, what is wrong with a scene that is not ready. Returns the exit code.
-int tell_why_not(const formats::Diagnostics& diagnostics, runs::Case::State state, const Options& options,
-                 Terminal& terminal);
+int tell_why_not(const formats::Diagnostics& diagnostics, runs::PreparedScene::State state,
+                 const Options& options, Terminal& terminal);
 
 }  // namespace netloft::program

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/motion/motion_run.hpp"
+#include "io/runs/march.hpp"
 
 #include "framework/motion/energy_judge.hpp"
 #include "io/formats/hdf5/image.hpp"
@@ -98,12 +99,12 @@ class BoardWatch {
 /// One run; the journal is made at the first output, because the content of an output is known only then.
 class MotionRun {
  public:
-  MotionRun(runs::Case& the_case, const RunContext& context, const MotionOptions& options)
-      : case_(the_case),
-        loaded_(the_case.loaded()),
+  MotionRun(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options)
+      : scene_(scene),
+        loaded_(scene.loaded()),
         context_(context),
         options_(options),
-        losses_(loaded_.scene, the_case.assembler()) {}
+        losses_(loaded_.scene, scene.assembler()) {}
 
   MotionResult run() {
     if (options_.resume) from_ = read_killed();
@@ -114,7 +115,7 @@ class MotionRun {
                              return false;
                            }};
     result_.march =
-        case_.march(watch, {.interrupt = options_.interrupt, .on_iteration = options_.on_iteration},
+        runs::march(scene_, watch, {.interrupt = options_.interrupt, .on_iteration = options_.on_iteration},
                     from_ ? &*from_ : nullptr);
     result_.loss = losses_.loss();
     result_.warnings = boards_.warnings();
@@ -127,8 +128,8 @@ class MotionRun {
  private:
   /// Elements remember that they are there, as in an equilibrium to start from.
   MarchState rest_at(std::span<const double> u) {
-    case_.remember(u);
-    return state_at_rest(case_.assembler(), u);
+    runs::remember(scene_, u);
+    return state_at_rest(scene_.assembler(), u);
   }
   MarchState read_killed() {
     const std::filesystem::path part = part_path();
@@ -186,7 +187,7 @@ class MotionRun {
 
   /// Finds the content of an output by making one at the point of continuation.
   void describe_layout_of_killed(const MarchState& from) {
-    Assembler& assembler = case_.assembler();
+    Assembler& assembler = scene_.assembler();
     MovingState state(assembler, 0);
     state.set(from.t, from.u, from.v, from.a);
     std::vector<double> residual(assembler.numbering().dofs());
@@ -205,7 +206,7 @@ class MotionRun {
   }
 
   formats::SeriesState describe(const Snapshot& at) {
-    Assembler& assembler = case_.assembler();
+    Assembler& assembler = scene_.assembler();
     Solution solution;
     solution.x.assign(at.x.begin(), at.x.end());
     solution.residual.assign(at.forces.residual.begin(), at.forces.residual.end());
@@ -237,7 +238,7 @@ class MotionRun {
   /// of the output.
   const Response& answer_at(const ForceMoment& forces, std::span<const double> x) {
     if (!answered_at_ || *answered_at_ != forces.t) {
-      answer_ = ask_elements(loaded_.scene, case_.assembler(), forces.x, forces.motion, has_figures());
+      answer_ = ask_elements(loaded_.scene, scene_.assembler(), forces.x, forces.motion, has_figures());
       answered_at_ = forces.t;
     }
     answer_.x.assign(x.begin(), x.end());
@@ -248,7 +249,7 @@ class MotionRun {
   bool has_figures() const { return loaded_.gear || !loaded_.scene.bodies.empty(); }
 
   void add_point_fields(const Snapshot& at, const Solution& solution, formats::SeriesState& state) {
-    const Assembler& assembler = case_.assembler();
+    const Assembler& assembler = scene_.assembler();
     std::vector<double> displacement = state.points, reaction;
     for (std::size_t d = 0; d < displacement.size(); ++d) displacement[d] -= loaded_.scene.positions[d];
     for (std::uint32_t node = 0; node < loaded_.scene.node_count(); ++node) {
@@ -275,7 +276,7 @@ class MotionRun {
       scalar.name = request.name;
       scalar.unit = request.unit;
       scalar.doc = request.take + " of " + request.of;
-      scalar.value = scenes::value_of(request, loaded_, case_.assembler(), solution, outputs);
+      scalar.value = scenes::value_of(request, loaded_, scene_.assembler(), solution, outputs);
       layout_.columns.push_back({scalar.name, scalar.unit, scalar.doc});
       state.row.push_back(scalar.value);
       result_.scalars.push_back(scalar);
@@ -292,8 +293,8 @@ class MotionRun {
 
   /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
   void add_gear(const Snapshot& at, const Response& answer, formats::SeriesState& state) {
-    result_.gear = collect_gear(loaded_, case_.assembler(), answer);
-    add_warp_figures(loaded_, case_.assembler(), at, result_.gear);
+    result_.gear = collect_gear(loaded_, scene_.assembler(), answer);
+    add_warp_figures(loaded_, scene_.assembler(), at, result_.gear);
     if (!gear_columns_)
       gear_columns_ = journal_ ? gear_columns_of(journal_->layout()) : columns_of(result_.gear);
     for (const formats::SeriesColumn& column : *gear_columns_) {
@@ -354,7 +355,7 @@ class MotionRun {
       tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
   }
 
-  runs::Case& case_;
+  runs::PreparedScene& scene_;
   const scenes::LoadedScene& loaded_;
   const RunContext& context_;
   const MotionOptions& options_;
@@ -373,8 +374,8 @@ class MotionRun {
 
 }  // namespace
 
-MotionResult run_motion(runs::Case& the_case, const RunContext& context, const MotionOptions& options) {
-  return MotionRun(the_case, context, options).run();
+MotionResult run_motion(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options) {
+  return MotionRun(scene, context, options).run();
 }
 
 }  // namespace netloft::results

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/formats/hdf5/fold.hpp"
 #include "io/results/file/write_result.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
 
 #include <optional>
 
@@ -47,6 +47,6 @@ struct MotionOptions {
 /// Marches through time as the case's analysis says, and writes every output into the journal NAME.hdf.part:
 /// the picture, named results and the energy budget as series, and the state from which to continue. Makes
 /// the result of it unless the march was interrupted. Throws FileError.
-MotionResult run_motion(runs::Case& the_case, const RunContext& context, const MotionOptions& options);
+MotionResult run_motion(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options);
 
 }  // namespace netloft::results

@@ -53,25 +53,25 @@ class CalibrationInspection {
     for (const auto& v : file_.variables)
       for (const auto& key : v.variable.keys) places.emplace(key.path, v.variable.place);
     for (const std::string& word : s.set) places.emplace(word.substr(0, word.find('=')), s.place);
-    runs::Case the_case({folder_ / s.file, overrides_of(file_, scene, parameters), 1}, registry_);
-    const runs::Case::State state = the_case.open();
-    if (learns || state != runs::Case::State::ready)
-      hand_on_faults(the_case.diagnostics(), places, s.place, diagnostics_);
-    checked_.refused |= state == runs::Case::State::refused;
-    if (state == runs::Case::State::ready && learns) learn(scene, the_case);
-    return state == runs::Case::State::ready;
+    runs::PreparedScene prepared({folder_ / s.file, overrides_of(file_, scene, parameters), 1}, registry_);
+    const runs::PreparedScene::State state = prepared.prepare();
+    if (learns || state != runs::PreparedScene::State::ready)
+      hand_on_faults(prepared.diagnostics(), places, s.place, diagnostics_);
+    checked_.refused |= state == runs::PreparedScene::State::refused;
+    if (state == runs::PreparedScene::State::ready && learns) learn(scene, prepared);
+    return state == runs::PreparedScene::State::ready;
   }
 
-  void learn(std::size_t scene, runs::Case& the_case) {
-    if (the_case.loaded().analysis.kind == AnalysisKind::dynamics)
+  void learn(std::size_t scene, runs::PreparedScene& prepared) {
+    if (prepared.loaded().analysis.kind == AnalysisKind::dynamics)
       return diagnostics_.error(file_.scenes[scene].place,
                                 "the scene goes through time; a calibration is of equilibria",
                                 "set = [\"analysis.kind=static\"]");
-    if (on_budget_) on_budget_(the_case.loaded().analysis.limits.seconds);
+    if (on_budget_) on_budget_(prepared.loaded().analysis.limits.seconds);
     Solution at_start;
-    at_start.x = the_case.assembler().start();
+    at_start.x = prepared.assembler().start();
     at_start.residual.resize(at_start.x.size());
-    const auto figures = figures_of(the_case, at_start);
+    const auto figures = figures_of(prepared, at_start);
     for (std::size_t m = 0; m < file_.measured.size(); ++m)
       if (file_.measured[m].scene == scene) take_figure(m, figures);
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/calibration/scene_model.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/tangent.hpp"
 
 #include "io/studies/sweep/path_run.hpp"
 
@@ -26,7 +28,7 @@ bool all_finite(const std::vector<double>& numbers) {
 
 /// A scene that has been solved, from which it is solved again.
 struct SceneModel::Solved {
-  std::unique_ptr<runs::Case> the_case;
+  std::unique_ptr<runs::PreparedScene> prepared;
   std::vector<double> x;  // over all degrees of freedom [m]
   bool is_stable = true;
 };
@@ -65,26 +67,27 @@ std::vector<std::string> SceneModel::unstable() const {
 std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
                                                        const std::vector<double>& parameters, Solved& from,
                                                        bool keep) {
-  auto the_case = std::make_unique<runs::Case>(
+  auto prepared = std::make_unique<runs::PreparedScene>(
       runs::CaseSource{folder_ / file_.scenes[scene].file, overrides_of(file_, scene, parameters), 1},
       registry_);
   trouble_ = file_.scenes[scene].name + ": ";
-  if (the_case->open() != runs::Case::State::ready)
+  if (prepared->prepare() != runs::PreparedScene::State::ready)
     return trouble_ += "it cannot be read with these values", std::nullopt;
   Solution found;
   ++solves_;
-  if (from.the_case && the_case->has_topology_of(*from.the_case))
-    found = the_case->continue_from(the_case->assembler().displacements_to(from.x), kIterations, watch_);
-  if (!is_stationary(found)) found = the_case->solve(watch_);
+  if (from.prepared && runs::have_same_topology(*prepared, *from.prepared))
+    found = runs::continue_equilibrium(*prepared, prepared->assembler().displacements_to(from.x), kIterations,
+                                       watch_);
+  if (!is_stationary(found)) found = runs::find_equilibrium(*prepared, watch_);
   if (on_solve_) on_solve_(static_cast<std::size_t>(solves_), file_.scenes[scene].name);
   if (!is_stationary(found))
     return trouble_ += std::string(name_of(found.status)) + "; " + found.reason, std::nullopt;
-  const auto all = figures_of(*the_case, found);
+  const auto all = figures_of(*prepared, found);
   std::vector<double> figures;
   for (const MeasuredFigure& m : file_.measured)
     if (m.scene == scene) figures.push_back(figure_named(all, m.figure));
   if (!all_finite(figures)) return trouble_ += "a figure has no value there", std::nullopt;
-  if (keep) from = {std::move(the_case), found.x, found.status == SolveStatus::converged};
+  if (keep) from = {std::move(prepared), found.x, found.status == SolveStatus::converged};
   return figures;
 }
 

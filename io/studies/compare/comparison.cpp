@@ -50,7 +50,8 @@ class Comparing {
         own_(source, registry),
         references_(source, registry, task.reference, watch),
         paths_(source, registry, task.reference, task.tolerances.back(), watch) {
-    if (own_.open() != runs::Case::State::ready) throw std::runtime_error(own_.diagnostics().render(false));
+    if (own_.prepare() != runs::PreparedScene::State::ready)
+      throw std::runtime_error(own_.diagnostics().render(false));
   }
 
   Comparison run() {
@@ -119,8 +120,8 @@ class Comparing {
     const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),
                                    [](const Trial& t) { return t.converged(); });
     if (last == result.trials.rend()) return {};
-    runs::Case fresh(source_for(source_, result.method, last->tolerance), registry_);
-    fresh.open();
+    runs::PreparedScene fresh(source_for(source_, result.method, last->tolerance), registry_);
+    fresh.prepare();
     const Polished limit = polish(fresh, last->u), &goal = result.reference->answer;
     const double apart = distance(limit.x, goal.x);
     const double doubt = kDoubt * (std::max(0.0, limit.uncertainty) + std::max(0.0, goal.uncertainty));
@@ -164,7 +165,7 @@ class Comparing {
   Registry& registry_;
   const ComparisonTask& task_;
   const runs::Watch& watch_;
-  runs::Case own_;
+  runs::PreparedScene own_;
   ReferenceAnswers references_;
   ReferencePaths paths_;
   Comparison out_;

@@ -21,10 +21,12 @@ MeshResult solve_level(const runs::CaseSource& source, Registry& registry, const
   MeshResult result;
   result.cells = level.cells;
   result.trial = run_trial(mesh, registry, method, kTolerance, 1, watch);
-  runs::Case fresh(source_for(mesh, method, kTolerance), registry);
-  if (fresh.open() != runs::Case::State::ready) throw std::runtime_error(fresh.diagnostics().render(false));
+  runs::PreparedScene fresh(source_for(mesh, method, kTolerance), registry);
+  if (fresh.prepare() != runs::PreparedScene::State::ready)
+    throw std::runtime_error(fresh.diagnostics().render(false));
   result.unknowns = fresh.plan().unknowns;
-  if (result.trial.converged()) places = places_of(fresh.loaded(), fresh.positions(result.trial.x));
+  if (result.trial.converged())
+    places = places_of(fresh.loaded(), fresh.assembler().node_positions(result.trial.x));
   return result;
 }
 

@@ -49,7 +49,7 @@ std::size_t sort_meshes(std::vector<NumbersOnMesh>& meshes) {
 
 }  // namespace
 
-void find_mesh_errors(const runs::CaseSource& source, Registry& registry, const runs::Case& own,
+void find_mesh_errors(const runs::CaseSource& source, Registry& registry, const runs::PreparedScene& own,
                       const std::vector<MeshLevel>& levels, const runs::Watch& watch,
                       results::RunResult& result) {
   if (!is_stationary(result.solution)) {

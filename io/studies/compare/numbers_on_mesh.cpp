@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/compare/numbers_on_mesh.hpp"
+#include "io/runs/equilibrium.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +8,7 @@
 
 namespace netloft::studies {
 
-NumbersOnMesh numbers_of(const runs::Case& solved, const results::RunResult& result) {
+NumbersOnMesh numbers_of(const runs::PreparedScene& solved, const results::RunResult& result) {
   return {count_mesh(solved.loaded()),
           solved.plan().unknowns,
           result.solution.cost.statistics.total_seconds,
@@ -21,15 +22,15 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSo
                                       Registry& registry, const runs::Watch& watch, std::string& why_not) {
   runs::CaseSource divided = source;
   divided.overrides.insert(divided.overrides.end(), level.overrides.begin(), level.overrides.end());
-  runs::Case one(divided, registry);
-  if (one.open() != runs::Case::State::ready) {
+  runs::PreparedScene one(divided, registry);
+  if (one.prepare() != runs::PreparedScene::State::ready) {
     const auto errors = one.diagnostics().sorted();
     why_not = fmt::format("with {} the scene has an error: {}", fmt::join(level.overrides, ", "),
                           errors.empty() ? "" : errors.front().message);
     return {};
   }
   results::RunResult result;
-  result.solution = one.solve(watch);
+  result.solution = runs::find_equilibrium(one, watch);
   const MeshSize mesh = count_mesh(one.loaded());
   if (!is_stationary(result.solution)) {
     why_not = fmt::format("with {} {} the result was {}: {}", mesh.count, mesh.of,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/results/figures/run_result.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
+#include "io/runs/watch.hpp"
 #include "io/studies/compare/division.hpp"
 #include "io/studies/compare/richardson.hpp"
 
@@ -20,7 +21,7 @@ struct NumbersOnMesh {
 };
 
 /// The mesh of a run that has an answer, and that answer's numbers.
-NumbersOnMesh numbers_of(const runs::Case& solved, const results::RunResult& result);
+NumbersOnMesh numbers_of(const runs::PreparedScene& solved, const results::RunResult& result);
 
 /// Selects one of the two lists of numbers.
 using NumberGroup = std::vector<results::NamedScalar> NumbersOnMesh::*;

@@ -42,7 +42,7 @@ Polished next(StaticProblem& problem, const Polished& from) {
 
 }  // namespace
 
-Polished polish(runs::Case& fresh, const std::vector<double>& u) {
+Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u) {
   StaticProblem problem(fresh.assembler(), make_factorisation, {});
   // Steps start from the rounded positions plus their low-order part. This needs displacements that are
   // positions alone, which they are not for bodies.
@@ -72,7 +72,7 @@ Polished polish(runs::Case& fresh, const std::vector<double>& u) {
   return best;
 }
 
-double factorisation_seconds(runs::Case& fresh, const std::vector<double>& u) {
+double factorisation_seconds(runs::PreparedScene& fresh, const std::vector<double>& u) {
   StaticProblem problem(fresh.assembler(), make_factorisation, {});
   netloft_problem& p = problem.interface();
   if (p.evaluate(p.host, NETLOFT_WANT_TANGENT, u.data(), nullptr, nullptr) != NETLOFT_OK) return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
 
 namespace netloft::studies {
 
@@ -18,10 +18,10 @@ struct Polished {
 /// Takes Newton steps from displacements `u` for as long as they lower the largest nodal residual. This gains
 /// accuracy only: which equilibrium is approached was decided by the solver that found `u`. `fresh` must not
 /// have solved anything.
-Polished polish(runs::Case& fresh, const std::vector<double>& u);
+Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u);
 
 /// CPU seconds of one numeric factorisation of the exact tangent at `u`, the least of several. It serves as
 /// the unit of work that can be compared between machines.
-double factorisation_seconds(runs::Case& fresh, const std::vector<double>& u);
+double factorisation_seconds(runs::PreparedScene& fresh, const std::vector<double>& u);
 
 }  // namespace netloft::studies

@@ -22,8 +22,8 @@ std::optional<ReferenceAnswer> solve_for_reference(const runs::CaseSource& sourc
   for (const double tolerance : kTolerances) {
     const Trial trial = run_trial(source, registry, method, tolerance, 1, watch);
     if (!trial.converged()) continue;
-    runs::Case fresh(source_for(source, method, tolerance), registry);
-    fresh.open();
+    runs::PreparedScene fresh(source_for(source, method, tolerance), registry);
+    fresh.prepare();
     return ReferenceAnswer{method, true, tolerance, trial.stability, polish(fresh, trial.u)};
   }
   return {};

@@ -58,8 +58,8 @@ std::optional<ReferenceAnswer> ReferencePaths::find_for(const Method& method, bo
     const auto& found = path_of(other, is_damped);
     if (!found || found->is_damped != is_damped) continue;
     if (reference && plugin_of(other) != plugin_of(reference->method)) {
-      runs::Case own(source_, registry_);
-      own.open();
+      runs::PreparedScene own(source_, registry_);
+      own.prepare();
       reference->answer.uncertainty =
           path_distance(own.loaded().scene, own.assembler().numbering(), reference->path, found->path);
       break;

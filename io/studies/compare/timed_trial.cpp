@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/compare/timed_trial.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/march.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +45,8 @@ const char* word_for(MarchStatus status) {
 }
 
 /// Positions at every output stay in memory; no file is written.
-Trial trial_in_time(runs::Case& fresh, const Method& method, double tolerance, const runs::Watch& watch) {
+Trial trial_in_time(runs::PreparedScene& fresh, const Method& method, double tolerance,
+                    const runs::Watch& watch) {
   Trial t;
   MarchWatch look;
   const std::string name = fmt::format("{} at {:.0e}", method.name(), tolerance);
@@ -52,7 +55,7 @@ Trial trial_in_time(runs::Case& fresh, const Method& method, double tolerance, c
     return false;
   };
   look.on_output = [&t](const Snapshot& at) { t.path.emplace_back(at.x.begin(), at.x.end()); };
-  MarchResult result = fresh.march(look, watch, nullptr, fresh.loaded().analysis.work);
+  MarchResult result = runs::march(fresh, look, watch, nullptr, fresh.loaded().analysis.work);
   t.tolerance = tolerance;
   t.reason = std::move(result.reason);
   t.of_motion = word_for(result.status);
@@ -77,12 +80,12 @@ Trial failed_trial(double tolerance, const std::string& why) {
 
 Trial run_once(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
                const runs::Watch& watch) {
-  runs::Case fresh(source_for(source, method, tolerance), registry);
-  if (fresh.open() != runs::Case::State::ready)
+  runs::PreparedScene fresh(source_for(source, method, tolerance), registry);
+  if (fresh.prepare() != runs::PreparedScene::State::ready)
     throw std::runtime_error(method.specification + ": " + fresh.diagnostics().render(false));
   try {
     if (method.kind() == "integrator") return trial_in_time(fresh, method, tolerance, watch);
-    return trial_of(fresh.solve(watch), tolerance);
+    return trial_of(runs::find_equilibrium(fresh, watch), tolerance);
   } catch (const PluginRefused&) {
     throw;
   } catch (const std::runtime_error& e) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/branch.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/tangent.hpp"
 
 #include <fmt/format.h>
 
@@ -44,9 +46,9 @@ struct Move {
 };
 
 /// The node that is furthest apart in two states of one topology.
-Move largest_move(const runs::Case& the_case, const std::vector<double>& from_x,
+Move largest_move(const runs::PreparedScene& scene, const std::vector<double>& from_x,
                   const std::vector<double>& to_x) {
-  const auto from = the_case.positions(from_x), to = the_case.positions(to_x);
+  const auto from = scene.assembler().node_positions(from_x), to = scene.assembler().node_positions(to_x);
   Move largest;
   for (std::uint32_t n = 0; 3 * std::size_t{n} < from.size(); ++n) {
     const double *p = &from[3 * std::size_t{n}], *q = &to[3 * std::size_t{n}];
@@ -57,11 +59,11 @@ Move largest_move(const runs::Case& the_case, const std::vector<double>& from_x,
 }
 
 Move largest_move(const Solved& a, const Solved& b) {
-  return largest_move(*b.the_case, a.solution.x, b.solution.x);
+  return largest_move(*b.scene, a.solution.x, b.solution.x);
 }
 
 std::string name_of(const Solved& solved, const Move& move) {
-  return solved.the_case->assembler().node_name(solved.the_case->loaded().scene, move.node);
+  return solved.scene->assembler().node_name(solved.scene->loaded().scene, move.node);
 }
 
 /// Largest distance between coordinates of a scene as it is sketched [m].
@@ -80,22 +82,22 @@ double extent_of(const Scene& scene) {
 
 }  // namespace
 
-Reached Branch::reach(std::shared_ptr<runs::Case> the_case, const Values& values) {
+Reached Branch::reach(std::shared_ptr<runs::PreparedScene> scene, const Values& values) {
   Reached reached;
-  Solved solved{std::move(the_case), {}, values};
+  Solved solved{std::move(scene), {}, values};
   spent_ = {};
   Way way;
-  if (!trail_.empty() && trail_.back().the_case->has_topology_of(*solved.the_case)) {
+  if (!trail_.empty() && runs::have_same_topology(*trail_.back().scene, *solved.scene)) {
     way = known_places(values);
     const std::size_t known = way.size();
-    reached.was_continued = walk(solved.the_case, values, way);
+    reached.was_continued = walk(solved.scene, values, way);
     for (std::size_t p = known; p < way.size(); ++p)
       if (may_have_jumped(way, p)) look_for_jump(way[p - 1].solved, way[p].solved, reached.events);
   }
   if (reached.was_continued) {
     solved = way.back().solved;
   } else {
-    solved.solution = solved.the_case->solve(watch_);
+    solved.solution = runs::find_equilibrium(*solved.scene, watch_);
     spent_.add(solved.solution.cost);
     if (!way.empty() && has_converged(solved.solution)) look_for_fold(way, solved, reached.events);
   }
@@ -112,7 +114,7 @@ Reached Branch::reach(std::shared_ptr<runs::Case> the_case, const Values& values
 Branch::Way Branch::known_places(const Values& values) {
   if (trail_.size() == 2)
     if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)
-      if (trail_[0].the_case->has_topology_of(*trail_[1].the_case))
+      if (runs::have_same_topology(*trail_[0].scene, *trail_[1].scene))
         return {{-1 / *ratio, trail_[0]}, {0, trail_[1]}};
   return tangent_way(trail_.back(), values);
 }
@@ -124,10 +126,10 @@ Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   if (!can_be_halved(from.values, to)) return way;
   Values values;
   const auto near = open_between(from, to, options_.little, values);
-  if (!near || !from.the_case->has_topology_of(*near)) return way;
-  const auto tangent = from.the_case->tangent_towards(*near, from.solution.x, spent_.statistics);
+  if (!near || !runs::have_same_topology(*from.scene, *near)) return way;
+  const auto tangent = runs::tangent_towards(*from.scene, *near, from.solution.x, spent_.statistics);
   if (!tangent) return way;
-  Solved before{from.the_case, {}, from.values};
+  Solved before{from.scene, {}, from.values};
   before.solution.x = from.solution.x;
   for (std::size_t i = 0; i < tangent->size(); ++i) before.solution.x[i] -= (*tangent)[i];
   way.insert(way.begin(), {-options_.little, std::move(before)});
@@ -135,15 +137,15 @@ Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
 }
 
 /// Goes from the last point to the next, by the whole step or by halves of it. False: the way ends before.
-bool Branch::walk(const std::shared_ptr<runs::Case>& the_case, const Values& values, Way& way) {
+bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Values& values, Way& way) {
   const Solved start = way.back().solved;
   const double shortest = std::ldexp(1.0, -options_.halvings);
   for (double length = 1; length >= shortest;) {
     const double at = std::min(1.0, way.back().at + length);
-    Solved next{the_case, {}, values};
-    if (at < 1) next.the_case = open_between(start, values, at, next.values);
-    if (!next.the_case || !start.the_case->has_topology_of(*next.the_case)) return false;
-    next.solution = step(*next.the_case, way, at);
+    Solved next{scene, {}, values};
+    if (at < 1) next.scene = open_between(start, values, at, next.values);
+    if (!next.scene || !runs::have_same_topology(*start.scene, *next.scene)) return false;
+    next.solution = step(*next.scene, way, at);
     if (has_converged(next.solution)) {
       way.push_back({at, std::move(next)});
       if (at == 1) return true;
@@ -169,30 +171,29 @@ std::vector<double> Branch::led_on(const Way& way, double at) {
   return x;
 }
 
-Solution Branch::step(runs::Case& the_case, const Way& way, double at) {
-  Solution solution = the_case.continue_from(the_case.assembler().displacements_to(led_on(way, at)),
-                                             options_.iterations, watch_);
+Solution Branch::step(runs::PreparedScene& scene, const Way& way, double at) {
+  Solution solution = runs::continue_equilibrium(scene, scene.assembler().displacements_to(led_on(way, at)),
+                                                 options_.iterations, watch_);
   spent_.add(solution.cost);
   return solution;
 }
 
 bool Branch::may_have_jumped(const Way& way, std::size_t place) const {
   const Solution& found = way[place].solved.solution;
-  const runs::Case& the_case = *way[place].solved.the_case;
+  const runs::PreparedScene& scene = *way[place].solved.scene;
   if (place < 2) return found.cost.statistics.iterations > options_.few_iterations;
   const auto led = led_on({way[place - 2], way[place - 1]}, way[place].at);
-  const double off = largest_move(the_case, led, found.x).distance;
-  return is_noticed(off, the_case) &&
-         off > largest_move(the_case, way[place - 1].solved.solution.x, led).distance;
+  const double off = largest_move(scene, led, found.x).distance;
+  return is_noticed(off, scene) && off > largest_move(scene, way[place - 1].solved.solution.x, led).distance;
 }
 
-bool Branch::is_noticed(double distance, const runs::Case& of) const {
+bool Branch::is_noticed(double distance, const runs::PreparedScene& of) const {
   return distance > options_.noticed * extent_of(of.loaded().scene);
 }
 
 /// The scene a part t of the way from one point to another, and its values.
-std::shared_ptr<runs::Case> Branch::open_between(const Solved& from, const Values& to, double t,
-                                                 Values& values) const {
+std::shared_ptr<runs::PreparedScene> Branch::open_between(const Solved& from, const Values& to, double t,
+                                                          Values& values) const {
   values = from.values;
   for (std::size_t v = 0; v < to.size(); ++v)
     if (from.values[v].text != to[v].text)
@@ -205,9 +206,9 @@ void Branch::look_for_jump(Solved from, Solved to, std::vector<std::string>& eve
   const double whole = largest_move(from, to).distance;
   for (int k = 0; k < options_.halvings; ++k) {
     Solved middle;
-    middle.the_case = open_between(from, to.values, 0.5, middle.values);
-    if (!middle.the_case || !from.the_case->has_topology_of(*middle.the_case)) return;
-    middle.solution = step(*middle.the_case, tangent_way(from, to.values), 0.5);
+    middle.scene = open_between(from, to.values, 0.5, middle.values);
+    if (!middle.scene || !runs::have_same_topology(*from.scene, *middle.scene)) return;
+    middle.solution = step(*middle.scene, tangent_way(from, to.values), 0.5);
     if (!has_converged(middle.solution)) break;
     const bool is_behind = largest_move(from, middle).distance < largest_move(middle, to).distance;
     (is_behind ? from : to) = std::move(middle);
@@ -226,8 +227,7 @@ void Branch::look_for_fold(const Way& way, const Solved& anew, std::vector<std::
   if (way.size() > 1)
     expected =
         largest_move(way.front().solved, end.solved).distance / (end.at - way.front().at) * (1 - end.at);
-  if (!is_noticed(move.distance, *anew.the_case) ||
-      (way.size() > 1 && move.distance <= kElsewhere * expected))
+  if (!is_noticed(move.distance, *anew.scene) || (way.size() > 1 && move.distance <= kElsewhere * expected))
     return;
   events.push_back(
       fmt::format("fold beyond {}: the equilibrium followed so far ends, and {} is {:.3g} m from there",

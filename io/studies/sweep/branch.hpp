@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
+#include "io/runs/watch.hpp"
 #include "io/studies/sweep/study.hpp"
 
 #include <memory>
@@ -9,7 +10,7 @@ namespace netloft::studies {
 
 /// An equilibrium of a study: a scene that has been solved, and the values of the variables in its path.
 struct Solved {
-  std::shared_ptr<runs::Case> the_case;
+  std::shared_ptr<runs::PreparedScene> scene;
   Solution solution;
   std::vector<VariableValue> values;
 };
@@ -36,7 +37,7 @@ struct BranchOptions {
 
 /// Follows an equilibrium while the variables of a path change. From the last equilibrium, led on from the
 /// one before where the next point lies on a line with both, and else along the tangent
-/// (Case::tangent_towards; E. L. Allgower, K. Georg, Introduction to numerical continuation methods, 2003,
+/// (runs::tangent_towards; E. L. Allgower, K. Georg, Introduction to numerical continuation methods, 2003,
 /// ch. 2), the solver of the scene finds the next. Where it does not, the step is halved, and doubled again
 /// where it does; after `halvings` the equilibrium is found anew by the strategy of the scene.
 ///
@@ -48,14 +49,14 @@ struct BranchOptions {
 class Branch {
  public:
   /// Makes the scene of the path at some values and opens it; null if it is not ready.
-  using OpenCase = std::function<std::shared_ptr<runs::Case>(const std::vector<VariableValue>&)>;
+  using OpenCase = std::function<std::shared_ptr<runs::PreparedScene>(const std::vector<VariableValue>&)>;
 
   Branch(std::vector<Variable> variables, OpenCase open, const runs::Watch& watch, BranchOptions options = {})
       : variables_(std::move(variables)), open_(std::move(open)), watch_(watch), options_(options) {}
 
   /// The equilibrium of a scene that is ready, at these values. Where it is a stable one, the branch goes on
   /// from there, else from nowhere.
-  Reached reach(std::shared_ptr<runs::Case> the_case, const std::vector<VariableValue>& values);
+  Reached reach(std::shared_ptr<runs::PreparedScene> scene, const std::vector<VariableValue>& values);
 
  private:
   /// A solved place on the way from the last point (0) to the next (1); before 0, points before.
@@ -67,13 +68,14 @@ class Branch {
 
   Way known_places(const std::vector<VariableValue>& values);
   Way tangent_way(const Solved& from, const std::vector<VariableValue>& to);
-  bool walk(const std::shared_ptr<runs::Case>& the_case, const std::vector<VariableValue>& values, Way& way);
+  bool walk(const std::shared_ptr<runs::PreparedScene>& scene, const std::vector<VariableValue>& values,
+            Way& way);
   static std::vector<double> led_on(const Way& way, double at);
-  Solution step(runs::Case& the_case, const Way& way, double at);
+  Solution step(runs::PreparedScene& scene, const Way& way, double at);
   bool may_have_jumped(const Way& way, std::size_t place) const;
-  bool is_noticed(double distance, const runs::Case& of) const;
-  std::shared_ptr<runs::Case> open_between(const Solved& from, const std::vector<VariableValue>& to, double t,
-                                           std::vector<VariableValue>& values) const;
+  bool is_noticed(double distance, const runs::PreparedScene& of) const;
+  std::shared_ptr<runs::PreparedScene> open_between(const Solved& from, const std::vector<VariableValue>& to,
+                                                    double t, std::vector<VariableValue>& values) const;
   void look_for_jump(Solved from, Solved to, std::vector<std::string>& events);
   void look_for_fold(const Way& way, const Solved& anew, std::vector<std::string>& events) const;
   std::string spell(const std::vector<VariableValue>& values, const std::vector<VariableValue>& other) const;

@@ -2,7 +2,7 @@
 #include "io/studies/sweep/check_study.hpp"
 
 #include "framework/parameters/nearest.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "io/studies/sweep/path_run.hpp"
 #include "io/studies/variables/scene_faults.hpp"
 
@@ -58,16 +58,15 @@ class StudyInspection {
       for (auto& word : variable.overrides(other == others.end() ? tried(variable).front() : other->second))
         source.overrides.push_back(std::move(word));
     }
-    runs::Case the_case(source, registry_);
-    const runs::Case::State state = the_case.open();
-    hand_on_faults(the_case.diagnostics(), places_, file_.scene_place, diagnostics_);
+    runs::PreparedScene scene(source, registry_);
+    const runs::PreparedScene::State state = scene.prepare();
+    hand_on_faults(scene.diagnostics(), places_, file_.scene_place, diagnostics_);
     blamed_.clear();
-    for (const formats::Diagnostic& fault : the_case.diagnostics().sorted())
-      if (fault.severity == formats::Severity::error)
-        blamed_.insert(the_case.diagnostics().where(fault.place));
-    found_.refused |= state == runs::Case::State::refused;
-    if (state == runs::Case::State::ready) learn(the_case);
-    return state == runs::Case::State::ready;
+    for (const formats::Diagnostic& fault : scene.diagnostics().sorted())
+      if (fault.severity == formats::Severity::error) blamed_.insert(scene.diagnostics().where(fault.place));
+    found_.refused |= state == runs::PreparedScene::State::refused;
+    if (state == runs::PreparedScene::State::ready) learn(scene);
+    return state == runs::PreparedScene::State::ready;
   }
 
   /// Leaves out the variables that the last scene blames. False: it blames none.
@@ -80,20 +79,20 @@ class StudyInspection {
     return std::erase_if(counts_, is_blamed) > 0;
   }
 
-  void learn(runs::Case& the_case) {
-    for (const formats::SourceFile& file : the_case.loaded().files) {
+  void learn(runs::PreparedScene& scene) {
+    for (const formats::SourceFile& file : scene.loaded().files) {
       const std::pair<std::string, std::string> one(file.path, file.hash);
       if (std::find(found_.files.begin(), found_.files.end(), one) == found_.files.end())
         found_.files.push_back(one);
     }
-    if (the_case.loaded().analysis.kind == AnalysisKind::dynamics)
+    if (scene.loaded().analysis.kind == AnalysisKind::dynamics)
       diagnostics_.error(file_.scene_place, "the scene goes through time; a study compares equilibria",
                          "set = [\"analysis.kind=static\"]");
     if (file_.figures.empty()) return;
     Solution at_start;
-    at_start.x = the_case.assembler().start();
+    at_start.x = scene.assembler().start();
     at_start.residual.resize(at_start.x.size());
-    for (const StudyFigure& figure : figures_of(the_case, at_start)) known_.insert(figure.name);
+    for (const StudyFigure& figure : figures_of(scene, at_start)) known_.insert(figure.name);
   }
 
   void check_figures() {

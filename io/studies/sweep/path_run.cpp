@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/path_run.hpp"
+#include "io/runs/equilibrium.hpp"
 
 #include "framework/balance/statistics.hpp"
 #include "io/results/figures/run_result.hpp"
@@ -61,52 +62,53 @@ class PathRun {
  private:
   bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
 
-  std::shared_ptr<runs::Case> make_case(const std::vector<std::string>& set) const {
-    return std::make_shared<runs::Case>(source_of(study_, item_, set, context_), *context_.registry, make_);
+  std::shared_ptr<runs::PreparedScene> make_case(const std::vector<std::string>& set) const {
+    return std::make_shared<runs::PreparedScene>(source_of(study_, item_, set, context_), *context_.registry,
+                                                 make_);
   }
 
   /// Between points.
-  std::shared_ptr<runs::Case> open_at(const std::vector<VariableValue>& values) const {
+  std::shared_ptr<runs::PreparedScene> open_at(const std::vector<VariableValue>& values) const {
     std::vector<std::string> set;
     std::size_t v = 0;
     for (const StudyColumn& column : study_.columns)
       if (column.is_in_path)
         for (auto& word : column.variable.overrides(values[v++])) set.push_back(std::move(word));
-    auto the_case = make_case(set);
-    return the_case->open() == runs::Case::State::ready ? the_case : nullptr;
+    auto scene = make_case(set);
+    return scene->prepare() == runs::PreparedScene::State::ready ? scene : nullptr;
   }
 
   PointRecord solve(const StudyPoint& point) {
-    const auto the_case = make_case(point.set);
+    const auto scene = make_case(point.set);
     PointRecord record;
-    if (the_case->open() != runs::Case::State::ready) {
+    if (scene->prepare() != runs::PreparedScene::State::ready) {
       record.status = "wrong input";
-      record.reason = first_fault(the_case->diagnostics());
+      record.reason = first_fault(scene->diagnostics());
       return record;
     }
-    require_same_files(*the_case);
-    if (const auto why_not = the_case->why_unfit()) throw StudyError(*why_not);
-    const Reached reached = branch_.reach(the_case, point.values);
+    require_same_files(*scene);
+    if (const auto why_not = runs::why_unfit(*scene)) throw StudyError(*why_not);
+    const Reached reached = branch_.reach(scene, point.values);
     record.start = reached.was_continued ? "continued" : "anew";
     record.events = reached.events;
-    fill(record, *the_case, reached.solution);
+    fill(record, *scene, reached.solution);
     return record;
   }
 
-  void require_same_files(runs::Case& the_case) const {
-    for (const formats::SourceFile& file : the_case.loaded().files)
+  void require_same_files(runs::PreparedScene& scene) const {
+    for (const formats::SourceFile& file : scene.loaded().files)
       if (std::none_of(study_.files.begin(), study_.files.end(),
                        [&](const auto& known) { return known.second == file.hash; }))
         throw StudyError(file.path + " has changed since the study was planned; plan it again");
   }
 
-  void fill(PointRecord& record, runs::Case& the_case, const Solution& s) const {
+  void fill(PointRecord& record, runs::PreparedScene& scene, const Solution& s) const {
     record.status = name_of(s.status);
     record.reason = s.reason;
     record.iterations = s.cost.statistics.iterations;
     record.factorisations = s.cost.statistics.factorisations;
     record.work = s.cost.work;
-    record.figures = figures_of(the_case, s);
+    record.figures = figures_of(scene, s);
     if (study_.figures.empty()) return;
     std::erase_if(record.figures, [&](const StudyFigure& figure) {
       return std::find(study_.figures.begin(), study_.figures.end(), figure.name) == study_.figures.end();
@@ -141,10 +143,10 @@ std::string first_fault(const formats::Diagnostics& diagnostics) {
   return "a plugin is missing";
 }
 
-std::vector<StudyFigure> figures_of(runs::Case& the_case, const Solution& solution) {
+std::vector<StudyFigure> figures_of(runs::PreparedScene& scene, const Solution& solution) {
   results::RunResult result;
   result.solution = solution;
-  results::collect(the_case.loaded(), the_case.assembler(), result);
+  results::collect(scene.loaded(), scene.assembler(), result);
   std::vector<StudyFigure> figures;
   for (const results::NamedScalar& s : result.scalars)
     figures.push_back({"results/" + s.name, s.unit, s.value});

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/registry/registry.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
+#include "io/runs/watch.hpp"
 #include "io/studies/sweep/record.hpp"
 
 #include <memory>
@@ -30,6 +31,6 @@ runs::CaseSource source_of(const Study& study, const StudyItem& item, const std:
 std::string first_fault(const formats::Diagnostics& diagnostics);
 
 /// All numbers that a case reports at a solution.
-std::vector<StudyFigure> figures_of(runs::Case& the_case, const Solution& solution);
+std::vector<StudyFigure> figures_of(runs::PreparedScene& scene, const Solution& solution);
 
 }  // namespace netloft::studies

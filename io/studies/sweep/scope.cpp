@@ -51,11 +51,11 @@ ScopePoint without_numbers(double warp, std::string why_not) {
   return {warp, kNoFigure, kNoFigure, kNoFigure, kNoFigure, kNoFigure, std::move(why_not)};
 }
 
-ScopePoint point_of(runs::Case& the_case, const Solution& solution, double warp) {
+ScopePoint point_of(runs::PreparedScene& scene, const Solution& solution, double warp) {
   if (solution.status != SolveStatus::converged)
     return without_numbers(warp, std::string(name_of(solution.status)) + ": " + solution.reason);
-  const auto figures = figures_of(the_case, solution);
-  const ScopeFigureNames names = names_for(the_case.loaded());
+  const auto figures = figures_of(scene, solution);
+  const ScopeFigureNames names = names_for(scene.loaded());
   return {warp,
           formats::kDegreesPerRadian * value_of(figures, names.heel),
           value_of(figures, names.spread),
@@ -115,17 +115,17 @@ class ScopeRun {
  private:
   bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
 
-  std::shared_ptr<runs::Case> make_case(const std::vector<VariableValue>& values) const {
+  std::shared_ptr<runs::PreparedScene> make_case(const std::vector<VariableValue>& values) const {
     runs::CaseSource source = source_;
     for (std::size_t v = 0; v < values.size(); ++v)
       for (auto& word : variables_[v].overrides(values[v])) source.overrides.push_back(std::move(word));
-    return std::make_shared<runs::Case>(std::move(source), registry_, make_);
+    return std::make_shared<runs::PreparedScene>(std::move(source), registry_, make_);
   }
 
   /// Null where the scene cannot be read with these values.
-  std::shared_ptr<runs::Case> open(const std::vector<VariableValue>& values) const {
-    auto the_case = make_case(values);
-    return the_case->open() == runs::Case::State::ready ? the_case : nullptr;
+  std::shared_ptr<runs::PreparedScene> open(const std::vector<VariableValue>& values) const {
+    auto scene = make_case(values);
+    return scene->prepare() == runs::PreparedScene::State::ready ? scene : nullptr;
   }
 
   void solve(ScopeRow& row, double scope, Branch& branch) {
@@ -140,13 +140,13 @@ class ScopeRun {
   }
 
   ScopePoint solve(ScopeRow& row, double warp, const std::vector<VariableValue>& values, Branch& branch) {
-    const auto the_case = make_case(values);
-    if (the_case->open() != runs::Case::State::ready)
-      return without_numbers(warp, first_fault(the_case->diagnostics()));
+    const auto scene = make_case(values);
+    if (scene->prepare() != runs::PreparedScene::State::ready)
+      return without_numbers(warp, first_fault(scene->diagnostics()));
     was_read_ = true;
-    Reached reached = branch.reach(the_case, values);
+    Reached reached = branch.reach(scene, values);
     std::ranges::move(reached.events, std::back_inserter(row.events));
-    return point_of(*the_case, reached.solution, warp);
+    return point_of(*scene, reached.solution, warp);
   }
 
   const runs::CaseSource& source_;
@@ -184,8 +184,8 @@ void find_lengths(const ScopeRequest& request, ScopeRow& row) {
 std::vector<ScopeRow> find_scope(const runs::CaseSource& source, Registry& registry,
                                  const ScopeRequest& request, const runs::Watch& watch,
                                  const OnScopePoint& on_point) {
-  runs::Case first(source, registry);
-  if (first.open() == runs::Case::State::ready) names_for(first.loaded());
+  runs::PreparedScene first(source, registry);
+  if (first.prepare() == runs::PreparedScene::State::ready) names_for(first.loaded());
   return ScopeRun(source, registry, request, watch, on_point).run();
 }
 

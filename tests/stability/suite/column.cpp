@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/column.hpp"
 
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
 
 namespace netloft::hard_cases {
 

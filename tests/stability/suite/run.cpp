@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/run.hpp"
+#include "io/runs/equilibrium.hpp"
 
 #include "framework/judging/growth.hpp"
 
@@ -41,7 +42,7 @@ constexpr const char* kFromTheStart = " from the start of ";
 /// "newton" of "newton from the sketch".
 std::string solver_of(const std::string& found_by) { return found_by.substr(0, found_by.find(" from the ")); }
 
-Stability find_stability(runs::Case& one, const Ended& e) {
+Stability find_stability(runs::PreparedScene& one, const Ended& e) {
   if (e.conservative || !e.claims_success()) return e.solution.stability;
   const Growth growth = find_growth(
       one.assembler(), {e.solution.x, e.solution.x_low, e.solution.correction.x, e.solution.correction.x_low},
@@ -95,24 +96,25 @@ class SuiteRun {
       a.ran = a.ended.unfit = true, a.why_not = "left out at this size";
       return a;
     }
-    runs::Case one(source(c, size, column), registry_);
-    if (one.open([&](scenes::LoadedScene& loaded) { spoil(loaded.scene, start); }) !=
-        runs::Case::State::ready) {
+    runs::PreparedScene one(source(c, size, column), registry_);
+    if (one.prepare([&](scenes::LoadedScene& loaded) { spoil(loaded.scene, start); }) !=
+        runs::PreparedScene::State::ready) {
       a.status = "wrong input", a.why_not = first_error(one.diagnostics());
-      runs::Case as_written(source(c, size, {}), registry_);
-      a.is_refused_anyhow = as_written.open([](scenes::LoadedScene&) {}) != runs::Case::State::ready &&
-                            first_error(as_written.diagnostics()) == a.why_not;
+      runs::PreparedScene as_written(source(c, size, {}), registry_);
+      a.is_refused_anyhow =
+          as_written.prepare([](scenes::LoadedScene&) {}) != runs::PreparedScene::State::ready &&
+          first_error(as_written.diagnostics()) == a.why_not;
       return a;
     }
     a.ran = true;
     Ended& e = a.ended;
     e.unknowns = one.plan().unknowns, e.conservative = one.plan().conservative;
-    if (const auto why_not = one.why_unfit()) {
+    if (const auto why_not = runs::why_unfit(one)) {
       e.unfit = true, a.why_not = *why_not;
       return a;
     }
     try {
-      e.solution = one.solve(options_.watch);
+      e.solution = runs::find_equilibrium(one, options_.watch);
     } catch (const PluginRefused&) {
       throw;
     } catch (const std::runtime_error& failed) {  // of a plugin, in this case: others may go well
@@ -121,7 +123,7 @@ class SuiteRun {
     }
     e.out_of_budget = e.solution.cost.statistics.total_cpu_seconds >= seconds_for(size) ||
                       (options_.work > 0 && e.solution.cost.work >= options_.work);
-    if (!e.solution.x.empty()) e.positions = one.positions(e.solution.x);
+    if (!e.solution.x.empty()) e.positions = one.assembler().node_positions(e.solution.x);
     e.stability = find_stability(one, e);
     return a;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/runs/case.hpp"
+#include "io/runs/prepared_scene.hpp"
+#include "io/runs/watch.hpp"
 #include "tests/stability/suite/references.hpp"
 
 #include <functional>

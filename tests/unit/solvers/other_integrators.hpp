@@ -8,7 +8,8 @@
 #include <cmath>
 
 #include "framework/conformance/practice_motion.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/march.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/unit/framework/balance/oscillator.hpp"
 
@@ -41,10 +42,11 @@ inline double order_of_estimates(const Chosen& scheme) {
 
 /// Where a scene of the gear library is at its end.
 inline MarchResult end_of(const std::string& scene, const std::vector<std::string>& overrides) {
-  runs::Case c({test::source_folder() + "/gear-library/scenes/dynamics/" + scene, overrides, 1},
-               shipped_plugins());
-  if (c.open() != runs::Case::State::ready) throw std::invalid_argument(c.diagnostics().render(false));
-  MarchResult r = c.march({});
+  runs::PreparedScene c({test::source_folder() + "/gear-library/scenes/dynamics/" + scene, overrides, 1},
+                        shipped_plugins());
+  if (c.prepare() != runs::PreparedScene::State::ready)
+    throw std::invalid_argument(c.diagnostics().render(false));
+  MarchResult r = runs::march(c, {});
   EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
   return r;
 }

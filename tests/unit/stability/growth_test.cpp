@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/judging/growth.hpp"
 
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
@@ -13,13 +14,13 @@ namespace {
 
 /// Growth where a scene of the suite comes to rest. It need not be in a stable place.
 double growth_of(const std::string& scene, const std::vector<std::string>& overrides, bool turned_over) {
-  runs::Case one({test::source_folder() + "/" + scene, overrides, 1}, test::shipped_plugins());
+  runs::PreparedScene one({test::source_folder() + "/" + scene, overrides, 1}, test::shipped_plugins());
   const auto turn_over = [&](scenes::LoadedScene& loaded) {
     for (std::size_t d = 2; turned_over && d < loaded.scene.positions.size(); d += 3)
       loaded.scene.positions[d] = -400 - loaded.scene.positions[d];
   };
-  EXPECT_EQ(one.open(turn_over), runs::Case::State::ready);
-  const Solution s = one.solve();
+  EXPECT_EQ(one.prepare(turn_over), runs::PreparedScene::State::ready);
+  const Solution s = runs::find_equilibrium(one);
   EXPECT_TRUE(s.balance.balanced) << s.reason;
   return find_growth(one.assembler(), {s.x}, make_factorisation).per_power;
 }

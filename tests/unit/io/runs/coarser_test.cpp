@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
 #include "io/runs/meshes.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -16,11 +17,11 @@ namespace {
 
 constexpr const char* kPanel = "dead-weight-panel.toml";
 
-std::unique_ptr<Case> opened(const std::string& scene, std::vector<std::string> overrides) {
-  auto one = std::make_unique<Case>(
+std::unique_ptr<PreparedScene> opened(const std::string& scene, std::vector<std::string> overrides) {
+  auto one = std::make_unique<PreparedScene>(
       CaseSource{test::source_folder() + "/gear-library/scenes/" + scene, std::move(overrides), 1},
       test::shipped_plugins());
-  EXPECT_EQ(one->open(), Case::State::ready) << one->diagnostics().render(false);
+  EXPECT_EQ(one->prepare(), PreparedScene::State::ready) << one->diagnostics().render(false);
   return one;
 }
 
@@ -60,8 +61,9 @@ TEST(HalvedCells, LeaveAGearOfWhichANodeIsCalledByItsNumber) {
 TEST(CarriedOver, StretchesNothingThatWasNotStretched) {
   auto coarse = opened(kPanel, {"parts.net.cells=[8,8]", "analysis.solver=newton"});
   auto fine = opened(kPanel, {"parts.net.cells=[16,16]"});
-  const Solution s = coarse->solve();
-  const auto carried = carried_over(coarse->loaded(), coarse->positions(s.x), fine->loaded());
+  const Solution s = find_equilibrium(*coarse);
+  const auto carried =
+      carried_over(coarse->loaded(), coarse->assembler().node_positions(s.x), fine->loaded());
   ASSERT_TRUE(carried);
   std::vector<double> x = fine->assembler().start();
   fine->assembler().place(fine->assembler().displacements(*carried), x);
@@ -112,8 +114,8 @@ std::size_t nodes_of(const Scene& scene) { return scene.positions.size() / 3; }
 
 TEST(CoarserMeshes, LeaveOddNumbersWhereHalfOfThemDoesNotFit) {
   const CaseSource source{test::source_folder() + "/tests/unit/io/runs/odd-panels.toml", {}, 1};
-  Case finest(source, test::shipped_plugins());
-  ASSERT_EQ(finest.open(), Case::State::ready) << finest.diagnostics().render(false);
+  PreparedScene finest(source, test::shipped_plugins());
+  ASSERT_EQ(finest.prepare(), PreparedScene::State::ready) << finest.diagnostics().render(false);
   Registry& registry = test::shipped_plugins();
   Meshes meshes(source, finest.loaded(), registry);
   const Scene* const coarse = meshes.scene(1);
@@ -126,8 +128,8 @@ TEST(CoarserMeshes, LeaveOddNumbersWhereHalfOfThemDoesNotFit) {
 TEST(CoarserMeshes, OfOddNumbersCarryAFlatSketch) {
   const CaseSource source{
       test::source_folder() + "/gear-library/scenes/" + kPanel, {"parts.net.cells=[7,7]"}, 1};
-  Case finest(source, test::shipped_plugins());
-  ASSERT_EQ(finest.open(), Case::State::ready) << finest.diagnostics().render(false);
+  PreparedScene finest(source, test::shipped_plugins());
+  ASSERT_EQ(finest.prepare(), PreparedScene::State::ready) << finest.diagnostics().render(false);
   Registry& registry = test::shipped_plugins();
   Meshes meshes(source, finest.loaded(), registry);
   ASSERT_TRUE(meshes.scene(1));
@@ -140,7 +142,7 @@ TEST(CoarserMeshes, OfOddNumbersCarryAFlatSketch) {
 
 TEST(CoarserMeshes, LeadToACrossedTubeBetweenTwoRings) {
   auto tube = opened("verification/tractrix-between-rings.toml", {});
-  const Solution s = tube->solve();
+  const Solution s = find_equilibrium(*tube);
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
 }
 
@@ -150,11 +152,11 @@ TEST(CoarserMeshes, LeadToTheAnswerThatIsFoundWithoutThem) {
   auto with = same, without = same;
   with.push_back("analysis.strategy=auto"), without.push_back("analysis.solver=newton");
   auto a = opened(kPanel, with), b = opened(kPanel, without);
-  const Solution sa = a->solve(), sb = b->solve();
+  const Solution sa = find_equilibrium(*a), sb = find_equilibrium(*b);
   EXPECT_EQ(sa.status, SolveStatus::converged) << sa.reason;
   ASSERT_GT(sa.cost.stages.size(), 1u);
   EXPECT_EQ(sa.cost.stages.back().unknowns, a->plan().unknowns);
-  const auto xa = a->positions(sa.x), xb = b->positions(sb.x);
+  const auto xa = a->assembler().node_positions(sa.x), xb = b->assembler().node_positions(sb.x);
   for (std::size_t d = 0; d < xa.size(); ++d) EXPECT_NEAR(xa[d], xb[d], 1e-7);
 }
 

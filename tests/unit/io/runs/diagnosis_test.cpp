@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -17,9 +18,9 @@ using Change = std::function<void(scenes::LoadedScene&)>;
 
 Solution solution_of(const std::string& scene, std::vector<std::string> overrides,
                      const Change& change = {}) {
-  Case one({test::source_folder() + "/" + scene, std::move(overrides), 1}, test::shipped_plugins());
-  EXPECT_EQ(one.open(change), Case::State::ready) << one.diagnostics().render(false);
-  return one.solve();
+  PreparedScene one({test::source_folder() + "/" + scene, std::move(overrides), 1}, test::shipped_plugins());
+  EXPECT_EQ(one.prepare(change), PreparedScene::State::ready) << one.diagnostics().render(false);
+  return find_equilibrium(one);
 }
 
 bool has_sign(const Solution& s, const char* words) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Loss factors of materials: one mass on one rope, whose swings fall by exp(-π η) each at 10 Hz.
-#include "io/runs/case.hpp"
+#include "io/runs/march.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -37,14 +38,14 @@ std::vector<std::string> bounce(double f, const std::vector<std::string>& more) 
 /// Mean logarithmic decrement of its swings, after the first one, which begins slack.
 double decrement(double f, const std::vector<std::string>& more) {
   const double omega = 2 * std::numbers::pi * f, sag = kGravity / (omega * omega);
-  Case one({kBounce, bounce(f, more), 1}, test::shipped_plugins());
-  EXPECT_EQ(one.open(), Case::State::ready) << one.diagnostics().render(false);
+  PreparedScene one({kBounce, bounce(f, more), 1}, test::shipped_plugins());
+  EXPECT_EQ(one.prepare(), PreparedScene::State::ready) << one.diagnostics().render(false);
   std::vector<double> z, lows;
   MarchWatch watch;
   watch.on_output = [&](const Snapshot& at) {
-    z.push_back(-10 - sag - one.positions({at.x.begin(), at.x.end()})[5]);
+    z.push_back(-10 - sag - one.assembler().node_positions({at.x.begin(), at.x.end()})[5]);
   };
-  const MarchResult r = one.march(watch);
+  const MarchResult r = march(one, watch);
   EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
   for (std::size_t i = 1; i + 1 < z.size(); ++i)
     if (z[i] > z[i - 1] && z[i] >= z[i + 1]) {
@@ -75,8 +76,8 @@ TEST(MaterialDamping, IsTurnedOffByOneKey) {
 }
 
 std::string said_of(const std::vector<std::string>& more) {
-  Case one({kBounce, bounce(10, more), 1}, test::shipped_plugins());
-  EXPECT_EQ(one.open(), Case::State::ready) << one.diagnostics().render(false);
+  PreparedScene one({kBounce, bounce(10, more), 1}, test::shipped_plugins());
+  EXPECT_EQ(one.prepare(), PreparedScene::State::ready) << one.diagnostics().render(false);
   EXPECT_EQ(one.diagnostics().render(false), "");
   return one.material_damping();
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Rayleigh's damping C = α M + β K on one mass and one spring, which has a closed form.
-#include "io/runs/case.hpp"
+#include "io/runs/march.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -19,18 +20,19 @@ constexpr double kOmega = 10, kSag = 9.80665 / (kOmega * kOmega);  // [rad/s], [
 
 /// How far it has sunk after a time [m].
 double sunk(double alpha, double beta, double t, const std::string& more = "analysis.dense=false") {
-  Case one({kRayleighBounce,
-            {"analysis.integrator=newmark", "analysis.mass_damping=" + std::to_string(alpha),
-             "analysis.stiffness_damping=" + std::to_string(beta), "analysis.duration=" + std::to_string(t),
-             "analysis.adaptive=false", "analysis.step=0.001", "analysis.tolerance=1e-9", more},
-            1},
-           test::shipped_plugins());
-  EXPECT_EQ(one.open(), Case::State::ready) << one.diagnostics().render(false);
-  const MarchResult r = one.march({});
+  PreparedScene one(
+      {kRayleighBounce,
+       {"analysis.integrator=newmark", "analysis.mass_damping=" + std::to_string(alpha),
+        "analysis.stiffness_damping=" + std::to_string(beta), "analysis.duration=" + std::to_string(t),
+        "analysis.adaptive=false", "analysis.step=0.001", "analysis.tolerance=1e-9", more},
+       1},
+      test::shipped_plugins());
+  EXPECT_EQ(one.prepare(), PreparedScene::State::ready) << one.diagnostics().render(false);
+  const MarchResult r = march(one, {});
   EXPECT_EQ(r.status, MarchStatus::finished) << r.reason;
   std::vector<double> x = one.assembler().start();
   one.assembler().place(r.u, x);
-  return -10 - one.positions(x)[5];
+  return -10 - one.assembler().node_positions(x)[5];
 }
 
 /// sag (1 − e^(−ζωt) (cos ω't + ζω/ω' sin ω't)),  ζ = α/(2ω) + βω/2,  ω' = ω √(1 − ζ²)

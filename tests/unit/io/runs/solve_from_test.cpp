@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -21,15 +22,16 @@ constexpr double kStraight = -10;
 /// [m].
 double middle(double sketch, std::optional<double> start, const std::vector<std::string>& settings) {
   const std::string file = "tests/unit/io/runs/pressed-bars.toml";
-  Case one({test::source_folder() + "/" + file, settings, 1}, test::shipped_plugins());
+  PreparedScene one({test::source_folder() + "/" + file, settings, 1}, test::shipped_plugins());
   const auto z_of = [](std::vector<double>& x) -> double& { return x.at(5); };  // of node 1 of three
-  EXPECT_EQ(one.open([&](scenes::LoadedScene& loaded) { z_of(loaded.scene.positions) = sketch; }),
-            Case::State::ready);
-  std::vector<double> x = one.positions(one.assembler().start());
+  EXPECT_EQ(one.prepare([&](scenes::LoadedScene& loaded) { z_of(loaded.scene.positions) = sketch; }),
+            PreparedScene::State::ready);
+  std::vector<double> x = one.assembler().node_positions(one.assembler().start());
   if (start) z_of(x) = *start;
-  const Solution s = start ? one.solve_from(one.assembler().displacements(x)) : one.solve();
+  const Solution s =
+      start ? find_equilibrium_near(one, one.assembler().displacements(x)) : find_equilibrium(one);
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
-  std::vector<double> end = one.positions(s.x);
+  std::vector<double> end = one.assembler().node_positions(s.x);
   return z_of(end);
 }
 

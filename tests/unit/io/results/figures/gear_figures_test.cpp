@@ -229,9 +229,10 @@ TEST(GearFigures, AddUp) {
 }
 
 TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
-  runs::Case plain({netloft::test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
-                   netloft::test::shipped_plugins());
-  ASSERT_EQ(plain.open(), runs::Case::State::ready);
+  runs::PreparedScene plain(
+      {netloft::test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
+      netloft::test::shipped_plugins());
+  ASSERT_EQ(plain.prepare(), runs::PreparedScene::State::ready);
   const auto& scene = plain.loaded().scene;
   EXPECT_TRUE(collect_gear(plain.loaded(), plain.assembler(),
                            ask_elements(scene, plain.assembler(), plain.assembler().start()))
@@ -240,9 +241,9 @@ TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
 
 // Tensions of members are in balance over a part; its loads are what else acts on it.
 TEST(PartForces, AreLoadsAndNotTheTensionsOfMembers) {
-  runs::Case taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1},
-                  netloft::test::shipped_plugins());
-  ASSERT_EQ(taut.open(), runs::Case::State::ready);
+  runs::PreparedScene taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1},
+                           netloft::test::shipped_plugins());
+  ASSERT_EQ(taut.prepare(), runs::PreparedScene::State::ready);
   Assembler& assembler = taut.assembler();
   const auto forces = ask_elements(taut.loaded().scene, assembler, assembler.start()).forces;
   ASSERT_EQ(forces.size(), 4);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/results/figures/run_result.hpp"
-#include "io/runs/case.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "tests/verification/solving.hpp"
 
 #include <gtest/gtest.h>
@@ -24,25 +25,25 @@ class HandMade {
 
   HandMade(const std::filesystem::path& file, const Parts& parts,
            const std::vector<std::string>& overrides = {})
-      : case_({file, overrides, 1}, netloft::test::shipped_plugins()) {
-    if (case_.open([&](scenes::LoadedScene& loaded) { loaded.gear = name_parts(loaded, parts); }) !=
-        runs::Case::State::ready)
-      throw std::invalid_argument(case_.diagnostics().render(false));
+      : scene_({file, overrides, 1}, netloft::test::shipped_plugins()) {
+    if (scene_.prepare([&](scenes::LoadedScene& loaded) { loaded.gear = name_parts(loaded, parts); }) !=
+        runs::PreparedScene::State::ready)
+      throw std::invalid_argument(scene_.diagnostics().render(false));
   }
 
-  const scenes::LoadedScene& loaded() { return case_.loaded(); }
+  const scenes::LoadedScene& loaded() { return scene_.loaded(); }
 
   /// Figures at the positions of the sketch.
   std::vector<NamedScalar> at_start() {
-    Assembler& assembler = case_.assembler();
+    Assembler& assembler = scene_.assembler();
     return collect_gear(loaded(), assembler, ask_elements(loaded().scene, assembler, assembler.start()));
   }
   /// The result in equilibrium.
   RunResult solved() {
     RunResult result;
-    result.solution = case_.solve();
+    result.solution = runs::find_equilibrium(scene_);
     EXPECT_EQ(result.solution.status, SolveStatus::converged) << result.solution.reason;
-    collect(loaded(), case_.assembler(), result);
+    collect(loaded(), scene_.assembler(), result);
     return result;
   }
 
@@ -63,7 +64,7 @@ class HandMade {
     return found;
   }
 
-  runs::Case case_;
+  runs::PreparedScene scene_;
 };
 
 /// A scene file of the running test.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/branch.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/tangent.hpp"
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 #include "tests/verification/solving.hpp"
@@ -66,10 +68,10 @@ class BranchTest : public formats::test::Scratch {
     write("s.toml", kTruss);
     variable_.name = "load", variable_.unit = "N", variable_.keys = {{"parts.load.force.z", 1, 0}};
   }
-  std::shared_ptr<runs::Case> opened(const std::vector<VariableValue>& values) {
-    auto one = std::make_shared<runs::Case>(
+  std::shared_ptr<runs::PreparedScene> opened(const std::vector<VariableValue>& values) {
+    auto one = std::make_shared<runs::PreparedScene>(
         runs::CaseSource{folder_ / "s.toml", variable_.overrides(values[0]), 1}, test::shipped_plugins());
-    EXPECT_EQ(one->open(), runs::Case::State::ready) << one->diagnostics().render(false);
+    EXPECT_EQ(one->prepare(), runs::PreparedScene::State::ready) << one->diagnostics().render(false);
     return one;
   }
   /// Follows the loads; heights at all of them.
@@ -80,10 +82,10 @@ class BranchTest : public formats::test::Scratch {
     std::vector<double> heights;
     for (const double load : loads) {
       const std::vector<VariableValue> values{variable_.value_of(load)};
-      const auto the_case = opened(values);
-      const Reached reached = branch.reach(the_case, values);
+      const auto scene = opened(values);
+      const Reached reached = branch.reach(scene, values);
       EXPECT_EQ(reached.solution.status, SolveStatus::converged) << reached.solution.reason;
-      heights.push_back(the_case->positions(reached.solution.x)[3 * 1 + 2]);
+      heights.push_back(scene->assembler().node_positions(reached.solution.x)[3 * 1 + 2]);
       factorisations_.push_back(reached.solution.cost.statistics.factorisations);
       for (const auto& event : reached.events) events_.push_back(event);
       was_continued_.push_back(reached.was_continued);
@@ -124,15 +126,15 @@ TEST_F(BranchTest, EndsAtAFoldWhichIsFoundBetweenTheValuesThatEncloseIt) {
 TEST_F(BranchTest, HasTheTangentOfTheClosedForm) {
   constexpr double kLittle = -1e-5;  // [N]
   const auto here = opened({variable_.value_of(-10)}), near = opened({variable_.value_of(-10 + kLittle)});
-  const Solution at = here->solve();
+  const Solution at = runs::find_equilibrium(*here);
   Statistics spent;
-  const auto tangent = here->tangent_towards(*near, at.x, spent);
+  const auto tangent = runs::tangent_towards(*here, *near, at.x, spent);
   ASSERT_TRUE(tangent);
   EXPECT_EQ(spent.factorisations, 1);
-  const double z = here->positions(at.x)[3 * 1 + 2], l = std::hypot(1, z);
-  EXPECT_NEAR(
-      here->positions(*tangent)[3 * 1 + 2] / kLittle * 2 * kEA * (1 / kL0 - 1 / l + z * z / (l * l * l)), 1,
-      1e-5);
+  const double z = here->assembler().node_positions(at.x)[3 * 1 + 2], l = std::hypot(1, z);
+  EXPECT_NEAR(here->assembler().node_positions(*tangent)[3 * 1 + 2] / kLittle * 2 * kEA *
+                  (1 / kL0 - 1 / l + z * z / (l * l * l)),
+              1, 1e-5);
 }
 // A longer wire between the same ends is slack, and nothing holds what is slack: without the tangent, which
 // moves its end out, steps are halved until the wire stays taut, and each of them takes ten times as many

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/runs/prepared_scene.hpp"
+#include "io/runs/watch.hpp"
+
+#include <limits>
+
+namespace netloft::runs {
+
+/// Goes through time by the analysis of the scene, from `from`, or from the start of the scene if that is
+/// null. `work` bounds all steps together (step_methods.hpp has the unit).
+MarchResult march(PreparedScene& scene, const MarchWatch& outputs, const Watch& watch = {},
+                  const MarchState* from = nullptr, double work = std::numeric_limits<double>::infinity());
+
+/// Makes elements remember displacements `u` as the last accepted state.
+void remember(PreparedScene& scene, std::span<const double> u);
+
+}  // namespace netloft::runs

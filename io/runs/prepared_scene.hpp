@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+#include "framework/judging/verdict.hpp"
+#include "framework/scene/scene_plan.hpp"
+#include "framework/search/variant_problems.hpp"
+#include "io/formats/toml/diagnostics.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace netloft::runs {
+
+class Meshes;
+
+/// A scene file, the changes to it, and the threads that work on it.
+struct CaseSource {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;  // "path=value", as --set takes them
+  int threads = 1;                     // of the assembly and of large factorisations
+};
+
+/// A scene that is ready to be evaluated: read, checked, planned and assembled. equilibrium.hpp and march.hpp
+/// solve it. It cannot be moved, because the assembler refers to the scene.
+class PreparedScene {
+ public:
+  enum class State { ready, wrong_input, refused };
+  struct Seconds {
+    double reading = 0, setup = 0;
+  };
+
+  /// `make` makes matrices' factorisations. Scenes that share one (keep_analyses) order and analyse a common
+  /// pattern once.
+  PreparedScene(CaseSource source, Registry& registry, MakeFactorisation make = {});
+  ~PreparedScene();
+  PreparedScene(const PreparedScene&) = delete;
+  PreparedScene& operator=(const PreparedScene&) = delete;
+
+  /// Reads, checks and assembles. `change` may alter the scene between reading and planning, such as its
+  /// start or its water. If the state is not `ready`, diagnostics() has the reasons.
+  State prepare(const std::function<void(scenes::LoadedScene&)>& change = {});
+  const formats::Diagnostics& diagnostics() const { return diagnostics_; }
+
+  scenes::LoadedScene& loaded() { return loaded_; }
+  const scenes::LoadedScene& loaded() const { return loaded_; }
+  const CaseSource& source() const { return source_; }
+  const ScenePlan& plan() const { return plan_; }
+  Assembler& assembler() { return *assembler_; }
+  const Assembler& assembler() const { return *assembler_; }
+  Registry& registry() { return registry_; }
+  const MakeFactorisation& factorisations() const { return make_; }
+  /// Which loss factors of materials count in the motion, or why none does. Empty if no part has one.
+  const std::string& material_damping() const { return material_damping_; }
+  const Seconds& seconds() const { return seconds_; }
+
+  /// The scene and its coarser meshes, for a search.
+  VariantSource variants();
+  /// Takes over what a search found for the quantities that the scene leaves open (Scene::settings). Their
+  /// values change, and the assembler is made anew.
+  void adopt(const Solution& solution);
+
+ private:
+  State read();
+  State assemble();
+  void plan_terms();
+  std::vector<std::string> unused() const;
+  void set_length_in_bill(const Setting& setting);
+
+  CaseSource source_;
+  Registry& registry_;
+  formats::Diagnostics diagnostics_;
+  scenes::LoadedScene loaded_;
+  ScenePlan plan_;
+  std::string material_damping_;
+  std::unique_ptr<Assembler> assembler_;
+  std::unique_ptr<Meshes> meshes_;
+  MakeFactorisation make_;
+  Seconds seconds_;
+};
+
+/// What `--solver newton:method=classic` and `--strategy auto:restarts=6` stand for: analysis.solver and
+/// analysis.newton.method as overrides. `key` is "solver" or "strategy". Throws std::invalid_argument with a
+/// sentence when the specification is not understood.
+std::vector<std::string> overrides_of(const std::string& key, const std::string& specification);
+
+}  // namespace netloft::runs

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/motion/time_march.hpp"
+#include "framework/search/search.hpp"
+
+#include <atomic>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace netloft::runs {
+
+/// Callbacks of a search or a motion, and the flag that interrupts it. All of them may be empty.
+struct Watch {
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(const IterationRecord&)> on_iteration = {};
+  KeptPoint* kept = nullptr;  // receives the best point so far
+  std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};  // after every stage
+  /// After every step in time, with the name of the run.
+  std::function<void(const StepRecord&, const std::string& run)> on_step = {};
+  /// Receives the processor time that is allowed from now on [s]; infinite at the end of the search.
+  std::function<void(double)> on_budget = {};
+};
+
+}  // namespace netloft::runs
