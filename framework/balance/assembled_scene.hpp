@@ -5,7 +5,7 @@
 
 namespace netloft {
 
-/// What is solved: a scene, the sum of its elements, and what factorises its matrices.
+/// A scene, the assembler of its elements, and the factory of the factorisations of its matrices.
 struct AssembledScene {
   const Scene& scene;
   Assembler& assembler;

@@ -9,57 +9,58 @@
 
 namespace netloft {
 
-/// A step in time as a problem in u: rates follow u, everything else is known.
+/// A step in time as a problem in u: the rates are linear in u, and everything else is known.
 ///   F(t, u, v₀ + cv u, a₀ + ca u) = 0                                            (1)
 struct StepProblem {
   double t;
   std::span<const double> v0, a0;
   double cv, ca;
-  std::span<const double> mass;  // of each unknown [kg]: ca times it is a stiffness that rounding meets
-  MovingState* state;            // where positions and rates of the moment are kept
-  double least_load;             // [N] that tolerances are a part of, at the least
-  /// The step whose mean forces F has (netloft_motion::solve_between): u is then its middle, and `after` is
-  /// kept up with it. Null: forces at u.
+  std::span<const double> mass;  // of each unknown [kg]; ca times mass is a stiffness that rounding acts on
+  MovingState* state;            // receives positions and rates
+  double least_load;             // lower bound of the load to which tolerances are relative [N]
+  /// The step of which F is the mean force (netloft_motion::solve_between). Then u is the midpoint of the
+  /// step, and `after` is updated with it. Null: F is the force at u.
   struct Ends {
     StepEnds ends;
     double begin = 0, end = 0;                 // [s]
-    std::vector<double> u, x_before, x_after;  // at the beginning; over all dofs
+    std::vector<double> u, x_before, x_after;  // u at the beginning [m]; x over all dofs [m]
   };
   Ends* between = nullptr;
 };
 
-/// Where the nodes are at displacements u of the unknowns, and how they move: at rest, displaced from the
-/// start; in a step in time (1), with rates that follow u; or displaced from positions next to the
-/// equilibrium, of which differences then have the digits that positions round off.
+/// Positions and rates of the nodes at displacements u of the unknowns. There are three cases: at rest,
+/// displaced from the start; in a step in time (1), with rates that follow from u; and displaced from
+/// positions near the equilibrium. In the third case, differences of positions have the digits that positions
+/// round off.
 class Configuration {
  public:
   explicit Configuration(Assembler& assembler) : assembler_(assembler), x_(assembler.start()) {}
 
-  /// From now on u is that of a step, until the next.
+  /// From now on, u belongs to this step.
   void begin(const StepProblem& step);
-  /// From now on u counts from positions `base`. Not where bodies carry nodes.
+  /// From now on, u is relative to the positions `base`. Not allowed if bodies carry nodes.
   void count_from(std::vector<double> base);
-  /// Lets nodes be where u [m] has them.
+  /// Moves the nodes to the displacements u [m].
   void place(std::span<const double> u);
 
-  /// Over all degrees of freedom, as u was last placed [m].
+  /// Positions over all degrees of freedom after the last call of `place` [m].
   const std::vector<double>& x() const { return x_; }
-  /// What x rounds off [m]; empty where displacements count from the start.
+  /// Low-order part of the positions x [m]; empty if displacements are relative to the start.
   const std::vector<double>& low_digits() const { return x_low_; }
   const Kinematics& motion() const { return motion_; }
-  /// Of the step whose mean forces are asked for; null: forces are those at u.
+  /// The step whose mean forces are evaluated. Null: forces are evaluated at u.
   const StepEnds* between() const { return step_.between ? &step_.between->ends : nullptr; }
   bool is_in_time() const { return step_.state != nullptr; }
-  /// Displacements from the start of a scene at rest.
+  /// Whether the scene is at rest and displacements are relative to its start.
   bool is_from_start() const { return base_.empty() && !is_in_time(); }
-  /// Loads of a motion that tolerances are a part of, at the least [N].
+  /// Lower bound of the load to which tolerances are relative, in a motion [N].
   double least_load() const { return step_.least_load; }
-  /// What the inertia of an unknown adds to its stiffness [N/m].
+  /// Stiffness by the inertia of an unknown [N/m].
   double stiffness_of_inertia(std::size_t unknown) const {
     return is_in_time() ? step_.ca * step_.mass[unknown] : 0;
   }
-  /// Length whose last digit is the rounding of an unknown that has the coordinate x: the coordinate, or the
-  /// difference of two, where positions keep all their digits [m].
+  /// Length whose last digit is the rounding error of an unknown with the coordinate x [m]: the coordinate
+  /// itself, or a difference of two coordinates if positions have a low-order part.
   double rounded_length(double x) const { return base_.empty() ? std::abs(x) : base_extent_; }
 
  private:
@@ -69,8 +70,8 @@ class Configuration {
   StepProblem step_{};
   Kinematics motion_;
   std::vector<double> x_, v_, a_;
-  std::vector<double> base_, x_low_;  // empty: u counts from the start
-  double base_extent_ = 0;            // of elements there [m]
+  std::vector<double> base_, x_low_;  // empty: u is relative to the start
+  double base_extent_ = 0;            // largest extent of an element at base_ [m]
 };
 
 }  // namespace netloft

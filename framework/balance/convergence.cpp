@@ -10,8 +10,8 @@ namespace netloft {
 
 namespace {
 
-// Chosen: rounding goes up and down from one point to the next; a step that still converges, if only
-// linearly, halves the residual or better.
+// Chosen: rounding errors fluctuate from one point to the next, whereas a step that still converges, even if
+// only linearly, reduces the residual at least by half.
 constexpr double kFalls = 0.5;
 
 }  // namespace

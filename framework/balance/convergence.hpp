@@ -5,43 +5,43 @@ namespace netloft {
 
 enum class Convergence { none, at_round_off, within_tolerance };
 
-/// What convergence is judged by: norms of a node's force, the largest of all nodes [N].
+/// The quantities that decide on convergence: norms of nodal forces, each the largest of all nodes [N].
 struct Imbalance {
   double residual = 0;      // r
-  double load = 0;          // F, of forces that do not depend on the state and of reactions
-  double rounding = 0;      // b, what rounding of the positions can make of the residual at most
-  bool is_driven = true;    // some force acts that is not the elements' own: weight, drag, pressure
-  bool is_in_time = false;  // a step in time, whose inertia rounds, too
+  double load = 0;          // F, the largest of the dead loads and the reactions
+  double rounding = 0;      // b, upper bound of the residual that rounding of the positions can cause
+  bool is_driven = true;    // whether an external force acts, such as weight, drag or pressure
+  bool is_in_time = false;  // whether this is a step in time, whose inertia rounds, too
 };
 
-/// The tolerance (1) of an equilibrium, where nobody says another.
+/// Default tolerance ε of (1).
 inline constexpr double kTolerance = 1e-10;
 
-/// Whether forces balance, to a tolerance ε of the load: (1) to (4), and (5) below where a solver finds no
-/// way on.
+/// Decides whether forces balance to a tolerance ε of the load, by (1) to (4):
 ///   within tolerance:  r ≤ ε F                                                            (1)
 ///   at round-off:      r ≤ min(b, β F)                                                    (2)
-/// At rest neither counts unless
-///   b ≤ β F,   β = kMatters:                                                              (3)
-/// where stiffness times the rounding of positions is not small against the load, tensions are not known, and
-/// a small residual is luck. β is the least imbalance that matters (imbalance.hpp). Rounding in a step in
-/// time passes with the step, so that (3) is not asked of it.
-/// A gear that nothing loads but its own rounding rests where
-///   F ≤ b and r ≤ b, nothing driving it                                                   (4)
-/// An infinite load excuses nothing.
+/// At rest, both require
+///   b ≤ β F,   β = kMatters                                                               (3)
+/// If stiffness times the rounding of positions is not small compared with the load, tensions are
+/// undetermined and a small residual is accidental. β is the least imbalance that matters (imbalance.hpp). A
+/// step in time does not require (3), because its rounding error ends with the step.
+/// A gear without external forces, loaded by nothing but rounding errors, is at rest if
+///   F ≤ b and r ≤ b                                                                       (4)
+/// No gear with an infinite load has converged.
 Convergence convergence_of(const Imbalance& i, double tolerance);
 
-/// At round-off, what still falls by half from one point to the next is not all rounding: that of stiff parts
-/// hides how far soft ones are from balance, and an iteration had better go on.
+/// Whether an iteration may stop. At round-off, a residual that still falls by half from one point to the
+/// next is more than rounding error: the rounding of stiff parts hides the imbalance of soft parts, so that
+/// the iteration should continue.
 bool may_stop(Convergence c, double residual, double residual_before);
 
-/// Twines that flicker between slack and taut can leave a residual that no step reduces. Where the solver has
-/// given up, the tangent of an energy is positive definite and a full step of Newton's method raises the
-/// residual (`no_step_helps` in assessment.cpp asks that), it is as good as round-off if (3) holds, r ≤ β F,
-/// and the energy g that a Newton step would gain is next to nothing:
+/// Twines that alternate between slack and taut can leave a residual that no step reduces. Such a point
+/// counts as converged to round-off if the solver has given up, the tangent of an energy is positive
+/// definite, a full Newton step raises the residual (`no_step_helps` in assessment.cpp checks these three),
+/// and (3), r ≤ β F and (5) hold. g is the energy that a Newton step would gain, L the size of the gear:
 ///   g ≤ ε₀ F L,   ε₀ = kTolerance                                                         (5)
-/// with L the size of the gear. By g ≈ ½ r δ the place is off by δ ≈ 2e-7 L where r = β F; a smaller r allows
-/// more, with a stiffness of F/L up to √(2 ε₀) L.
+/// With g ≈ ½ r δ, the error of the positions is δ ≈ 2e-7 L at r = β F. A smaller r allows a larger error, up
+/// to √(2 ε₀) L at a stiffness of F/L.
 bool has_nothing_to_gain(const Imbalance& i, double gain, double size);
 
 }  // namespace netloft

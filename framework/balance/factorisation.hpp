@@ -14,18 +14,19 @@
 
 namespace netloft {
 
-/// What is known of a matrix before it is factorised. Of the first two, the lower triangle is given.
+/// Properties of a matrix that are known before it is factorised. For the first two classes, the lower
+/// triangle is given.
 enum class MatrixClass { positive_definite, symmetric, unsymmetric };
 
 enum class FactorStatus { ok, not_positive_definite, singular, out_of_memory, failed };
 
 struct FactorResult {
   FactorStatus status = FactorStatus::ok;
-  std::int32_t column = -1;           // unknown at which it stopped, in the caller's numbering; -1 not known
-  std::int32_t negative_pivots = -1;  // negative eigenvalues of a symmetric matrix; -1 not known
+  std::int32_t column = -1;           // unknown at which it stopped, in the caller's numbering; -1: unknown
+  std::int32_t negative_pivots = -1;  // number of negative eigenvalues of a symmetric matrix; -1: unknown
 };
 
-/// The same as plugins see it.
+/// The status as the C interface encodes it.
 inline netloft_factor factor_code(FactorStatus status) {
   switch (status) {
     case FactorStatus::ok:
@@ -45,20 +46,21 @@ class Factorisation {
  public:
   virtual ~Factorisation() = default;
 
-  /// What it is, for people: "CHOLMOD supernodal LLT 3.0.14, METIS on the node graph".
+  /// Name of the method and the library, for people: "CHOLMOD supernodal LLT 3.0.14, METIS on the node
+  /// graph".
   virtual std::string description() const = 0;
 
-  /// Orders and analyses the pattern, which must outlive this object. Throws std::runtime_error when it
-  /// cannot.
+  /// Orders and analyses the pattern, which must outlive this object. Throws std::runtime_error if this
+  /// fails.
   virtual void analyse(const SparsePattern& pattern) = 0;
 
-  /// Factorises `values`, pattern.value_slots() long. On failure the last good factor is gone.
+  /// Factorises `values`, which has pattern.value_slots() entries. A failure discards the previous factor.
   virtual FactorResult factorise(std::span<const double> values) = 0;
 
-  /// Solves with the last good factor; `rhs` and `x` have `size` entries and may be the same array.
+  /// Solves with the last successful factor; `rhs` and `x` have `size` entries and may be the same array.
   virtual void solve(std::span<const double> rhs, std::span<double> x) = 0;
 
-  /// Non-zeros of the factor and floating-point operations of one factorisation; 0 when not known.
+  /// Non-zeros of the factor and floating-point operations of one factorisation; 0 if unknown.
   virtual double factor_entries() const { return 0; }
   virtual double factor_flops() const { return 0; }
 };

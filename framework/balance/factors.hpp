@@ -10,24 +10,24 @@
 
 namespace netloft {
 
-/// Factorises matrices of one pattern, and solves with the last of them: a factorisation for each class of
-/// matrix, made and analysed when it is first wanted. Counts and times every call.
+/// Factorises matrices of one pattern and solves with the last factor. There is one factorisation for each
+/// class of matrix, made and analysed at its first use. Counts and times every call.
 class Factors {
  public:
-  /// Calls are counted in `statistics`, which has to outlive this object.
+  /// Counts the calls in `statistics`, which has to outlive this object.
   Factors(MakeFactorisation make, Statistics& statistics) : make_(std::move(make)), statistics_(statistics) {}
 
-  /// Factorises `values` over the entries of the pattern, which stays the same. A symmetric matrix is taken
-  /// for positive definite unless it may be indefinite.
+  /// Factorises `values` over the entries of the pattern, which must be the same in every call. A symmetric
+  /// matrix counts as positive definite unless `may_be_indefinite`.
   netloft_factor factorise(const SparsePattern& pattern, bool may_be_indefinite,
                            std::span<const double> values);
-  /// Solves with the last factor. False: there is none, and x is not touched.
+  /// Solves with the last factor. Returns false and leaves x unchanged if there is none.
   bool solve(std::span<const double> rhs, std::span<double> x);
-  /// As if nothing had been factorised before.
+  /// Drops the last factor.
   void forget() { last_ = nullptr; }
 
   const FactorResult& last_result() const { return result_; }
-  /// What the last factorisation is, for people; "none" without.
+  /// Description of the last factorisation, for people; "none" if there was none.
   std::string description() const { return last_ ? last_->description() : "none"; }
 
  private:
@@ -35,7 +35,7 @@ class Factors {
 
   MakeFactorisation make_;
   Statistics& statistics_;
-  std::array<std::unique_ptr<Factorisation>, 3> by_class_;  // null until wanted
+  std::array<std::unique_ptr<Factorisation>, 3> by_class_;  // null until first used
   Factorisation* last_ = nullptr;
   FactorResult result_;
 };

@@ -10,30 +10,30 @@ namespace netloft {
 
 struct JudgedPoint;  // assessment.hpp
 
-/// Why a solver was told to stop.
+/// Reason for which the host stopped a solver.
 enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, unsettled };
 
-/// What of an equilibrium is asked, and what is accepted as one.
+/// Which properties of an equilibrium are examined, and which equilibria are accepted.
 struct Judging {
-  bool ask_growth = true;        // whether a small disturbance grows, where forces have no energy
-  bool accept_swinging = false;  // whether one about which something swings is an answer
-  JudgedPoint* known = nullptr;  // the one whose stability was decided last; null: not kept
+  bool ask_growth = true;        // examine whether a small disturbance grows, if forces have no energy
+  bool accept_swinging = false;  // accept an equilibrium about which something oscillates
+  JudgedPoint* known = nullptr;  // the point whose stability was decided last; null: not stored
 };
 
-/// When to stop.
+/// Limits of one solve.
 struct Limits {
   double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
-  // Chosen: of one solve. `auto` goes on with what it ends.
+  // Chosen for one solve. `auto` continues an attempt that this limit ended.
   int iterations = 1000;
-  double seconds = std::numeric_limits<double>::infinity();  // of the processor that the user allows
+  double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  // that its nodes may go in all steps together, over the gear's size: what goes farther has no rest
+  // Largest sum of the lengths of all steps over the gear's size; a gear that exceeds it has no rest.
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // null: work is not limited
   double work = std::numeric_limits<double>::infinity();  // budget, in units of the model
-  Judging judging = {};                                   // of the point where it stopped
+  Judging judging = {};                                   // for the final point
 
-  /// Which of them is reached after so many iterations and seconds, and what was spent in all.
+  /// The limit that is reached after so many iterations and seconds, and `spent` operations.
   Stop reached(int iterations_done, double seconds_spent, const Statistics& spent) const {
     if (interrupt && interrupt->load()) return Stop::interrupted;
     if (iterations_done >= iterations) return Stop::iterations;

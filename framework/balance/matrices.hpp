@@ -8,37 +8,37 @@
 
 namespace netloft {
 
-/// The matrices of a problem, over the entries of its pattern: the tangent K and its convex part K₊ of the
-/// last evaluations that kept them, and the linear stiffness M, the metric, which is evaluated at the start
-/// when it is first needed. Solvers ask for sums of them:
+/// The matrices of a problem, over the entries of its pattern: the tangent K and its convex part K₊, each of
+/// the last evaluation that computed it, and the metric M, the linear stiffness, which is evaluated at the
+/// start of the scene at its first use. Solvers use sums of them:
 ///   A + σ M,   A = K, K₊ or 0                                                            (1)
 ///   K + θ (K₊ − K) + σ M                                                                 (2)
 class Matrices {
  public:
-  /// Time is counted in `statistics`, which has to outlive this object. No iteration allocates, whichever
-  /// matrix it is the first to want; memory that is not wanted is not touched.
+  /// Counts time in `statistics`, which has to outlive this object. Reserves memory for every matrix, so that
+  /// no iteration allocates; memory of matrices that nobody uses is never touched.
   Matrices(Assembler& assembler, Statistics& statistics);
 
-  /// Where an evaluation puts a matrix.
+  /// Storage in which an evaluation writes a matrix.
   std::vector<double>& slots(MatrixKind kind);
-  /// (1) of NETLOFT_EXACT, NETLOFT_CONVEX or NETLOFT_NONE, valid until the next sum; empty where no
-  /// evaluation has kept A.
+  /// (1) for NETLOFT_EXACT, NETLOFT_CONVEX or NETLOFT_NONE, valid until the next sum; empty if A has not been
+  /// evaluated.
   std::span<const double> shifted(int matrix, double shift);
-  /// (2), likewise.
+  /// (2), valid until the next sum; empty if K or K₊ has not been evaluated.
   std::span<const double> between(double blend, double shift);
-  /// y = (1) x over the unknowns. False: there is no such matrix.
+  /// y = (1) x over the unknowns. Returns false if A has not been evaluated.
   bool multiply(int matrix, double shift, const double* x, double* y);
-  /// y[i] = sum of the absolute values in row i of (1), likewise.
+  /// y[i] = sum of the absolute values in row i of (1). Returns false if A has not been evaluated.
   bool row_sums(int matrix, double shift, double* y);
 
-  /// M is there from here on.
+  /// Evaluates M unless this was done before.
   void need_metric();
-  /// M is evaluated anew when it is next needed: what elements are made of has changed.
+  /// Discards M, because the properties of elements have changed. It is evaluated again at its next use.
   void forget_metric() {
     metric_.clear();
     diagonal_.clear();
   }
-  /// An entry of the diagonal of M, which is there [N/m].
+  /// Entry on the diagonal of M, which must have been evaluated [N/m].
   double metric_at(std::int32_t unknown) const { return diagonal_[static_cast<std::size_t>(unknown)]; }
 
  private:

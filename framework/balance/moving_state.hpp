@@ -4,8 +4,8 @@
 
 namespace netloft {
 
-/// Positions and rates of all degrees of freedom at one moment, out of those of the unknowns and the guides.
-/// Mass damping, the force c M v, is what inertia gives for an acceleration c v: it is added to a.
+/// Positions and rates of all degrees of freedom at one moment, computed from those of the unknowns and the
+/// guides. Mass damping, the force c M v, equals the inertia of an acceleration c v and is added to a.
 class MovingState {
  public:
   MovingState(const Assembler& assembler, double mass_damping)
@@ -26,7 +26,7 @@ class MovingState {
   double t() const { return t_; }
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& v() const { return v_; }
-  /// For evaluations; the matrix is ∂F/∂u where rates follow u by dv/du = cv, da/du = ca.
+  /// Arguments of an evaluation. Its matrix is ∂F/∂u for rates with dv/du = cv, da/du = ca.
   Kinematics motion(double cv = 0, double ca = 0) const {
     return {t_, v_.data(), a_.data(), 1, cv, ca + mass_damping_ * cv};
   }
@@ -37,11 +37,11 @@ class MovingState {
   std::vector<double> x_, v_, a_;
 };
 
-/// The middle of a step whose mean forces did its work (netloft_motion::solve_between).
+/// Midpoint of a step whose mean forces did the work of the step (netloft_motion::solve_between).
 struct MeanStep {
   double t = 0;                   // [s]
-  std::vector<double> u, v, a;    // of the unknowns, as the scheme took them there [m], [m/s], [m/s²]
-  std::vector<double> reactions;  // mean forces of the holds, over all dofs [N]; empty: nothing is guided
+  std::vector<double> u, v, a;    // of the unknowns, by the scheme [m], [m/s], [m/s²]
+  std::vector<double> reactions;  // mean forces of the holds, over all dofs [N]; empty: no node is guided
 };
 
 }  // namespace netloft

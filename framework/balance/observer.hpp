@@ -8,10 +8,10 @@
 
 namespace netloft {
 
-/// The accepted point of the scene itself that came closest to balance so far, for whoever has to end a
-/// solver that does not come back.
+/// The accepted point of the scene closest to balance so far. It is the result of a run that is stopped from
+/// outside because its solver does not return.
 struct KeptPoint {
-  std::vector<double> u;           // displacements of the unknowns [m]; empty: there was none
+  std::vector<double> u;           // displacements of the unknowns [m]; empty: no point yet
   double residual = 0, scale = 0;  // [N]
   void keep(std::span<const double> at, double at_residual, double at_scale) {
     if (!u.empty() && !(at_residual * scale < residual * at_scale)) return;
@@ -21,10 +21,10 @@ struct KeptPoint {
   }
 };
 
-/// Who gets a report of every accepted point, while a solver works.
+/// Receives a report of every accepted point while a solver works.
 struct Observer {
   std::function<void(const IterationRecord&)> on_iteration = {};
-  KeptPoint* kept = nullptr;  // null: points are not kept
+  KeptPoint* kept = nullptr;  // null: no point is stored
 };
 
 }  // namespace netloft

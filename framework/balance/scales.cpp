@@ -7,7 +7,7 @@ namespace netloft {
 
 namespace {
 
-/// Between coordinates of the start; what is no place of a node is left out.
+/// Largest distance between coordinates of the start, without degrees of freedom that are no positions.
 double largest_distance(const Assembler& assembler) {
   const std::vector<double>& x = assembler.start();
   double largest = 1;

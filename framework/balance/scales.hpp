@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// Calls visit(node, norm of the node's entries, first, last) for entries begin … end of a vector over the
-/// degrees of freedom, which come node by node.
+/// Calls visit(node, norm of the node's entries, first, last) for the entries begin … end of a vector over
+/// the degrees of freedom, which are ordered by node.
 template <class Visit>
 void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end, std::span<const double> v,
                Visit&& visit) {
@@ -24,28 +24,28 @@ void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end,
   }
 }
 
-/// Longest extent of an element along an axis, at positions x over all degrees of freedom [m].
+/// Longest extent of an element along an axis at positions x over all degrees of freedom [m].
 double largest_extent(const Assembler& assembler, std::span<const double> x);
 
-/// Lengths and loads of a scene as it starts, against which residuals and steps are held.
+/// Lengths and loads of a scene at its start, to which residuals and steps are compared.
 class Scales {
  public:
   explicit Scales(Assembler& assembler);
 
-  /// Longest extent of an element [m]; 1 where there is none.
+  /// Longest extent of an element [m]; 1 if there is none.
   double element_size() const { return element_size_; }
-  /// Largest distance between coordinates [m], 1 at least.
+  /// Largest distance between coordinates [m], at least 1.
   double gear_size() const { return gear_size_; }
   /// Largest nodal sum of the forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }
 
   /// Nodal sums of the forces that drive the gear: those that do not depend on the state, and those without
-  /// an energy (drag).
+  /// an energy, such as drag.
   struct DrivingLoad {
     double largest = 0, sum = 0;  // over nodes [N]
   };
   DrivingLoad driving_load();
-  /// Whether some force acts that is not of elements alone: at positions x, as it is asked for first.
+  /// Whether an external force acts on the elements. The first call decides, at its positions x.
   bool is_driven(std::span<const double> x);
 
  private:
@@ -53,7 +53,7 @@ class Scales {
 
   Assembler& assembler_;
   double element_size_ = 1, gear_size_ = 1, dead_load_ = 0;
-  std::optional<bool> is_driven_;  // once it was asked for
+  std::optional<bool> is_driven_;  // empty before the first call
 };
 
 }  // namespace netloft

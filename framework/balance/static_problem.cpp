@@ -82,7 +82,7 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   interface_.step_length = [](void* host, const double* du) {
     return static_cast<StaticProblem*>(host)->step_length(du);
   };
-  // No iteration allocates; memory that is not wanted is not touched.
+  // Reserved so that no iteration allocates; memory that is not used is not touched.
   for (auto* vector : {&reactions_of_, &gradient_}) vector->reserve(residual_.size());
 }
 
@@ -130,7 +130,7 @@ int StaticProblem::evaluate_both(const double* u, double* energy, double* residu
   return find_forces(request, u, residual);
 }
 
-/// Mean forces of a step are the gradient of nothing: solvers are to weigh them like those without energy.
+/// The mean forces of a step are no gradient of an energy: solvers treat them like forces without energy.
 Request StaticProblem::begin_evaluation(const double* u, double* energy) {
   statistics_.energies += energy != nullptr;
   bad_numbers_ = met_error_ = false;
@@ -143,7 +143,8 @@ Request StaticProblem::begin_evaluation(const double* u, double* energy) {
   return request;
 }
 
-/// Into `residual` those of the unknowns; of all, which include the reactions, the last are kept.
+/// Writes the forces of the unknowns into `residual`. Forces of all degrees of freedom, with the reactions,
+/// remain in residual_.
 int StaticProblem::find_forces(const Request& asked, const double* u, double* residual, double* gradient) {
   Request request = asked;
   auto& all = request.conservative_only ? gradient_ : residual_;
@@ -192,7 +193,7 @@ int StaticProblem::row_sums(int matrix, double shift, double* y) {
   return matrices_.row_sums(matrix, shift, y) ? NETLOFT_OK : NETLOFT_ERROR;
 }
 
-/// Tolerances are a part of the reactions at u, whichever point was evaluated last.
+/// Computes the reactions at u unless the last evaluation was there: tolerances are relative to them.
 void StaticProblem::find_reactions(const double* u, const double* residual) {
   if (!std::equal(u, u + size(), reactions_of_.begin(), reactions_of_.end())) {
     gradient_.resize(configuration_.x().size());
@@ -254,26 +255,27 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
             });
   const Convergence c = convergence_of(imbalance_of(b), limits_.tolerance);
   b.at_round_off = c == Convergence::at_round_off;
-  b.balanced = c != Convergence::none && !has_run_away(x);  // where rounding would excuse anything
+  b.balanced = c != Convergence::none && !has_run_away(x);  // far away, rounding would excuse any residual
   return b;
 }
 
-/// What drives the gear is asked for only where it matters: with no more load than rounding.
+/// Determines what drives the gear only if it matters, which is when the load is no more than rounding error.
 Imbalance StaticProblem::imbalance_of(const Balance& b) {
   return {b.residual, b.scale, b.floor, b.scale > b.floor || scales_.is_driven(configuration_.x()),
           configuration_.is_in_time()};
 }
 
-/// Forces come from differences of coordinates: stiffness x rounding of the position is what they are worth;
-/// of the difference, where positions keep all their digits.
+/// Forces are computed from differences of coordinates, so that their error is the stiffness times the
+/// rounding error of a position, or of a difference if positions have a low-order part.
 double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> x) const {
   const auto i = static_cast<std::size_t>(unknown);
   const double stiffness = matrices_.metric_at(unknown) + configuration_.stiffness_of_inertia(i);
   return 4 * std::numeric_limits<double>::epsilon() * stiffness * configuration_.rounded_length(x[i]);
 }
 
-/// What a load F has moved by d is held by a stiffness of F/d. Against that which the load itself gives a
-/// gear of length L, as weight does to a pendulum, it is F/d ≤ kMatters F/L: nothing holds what drives it.
+/// A load F that has moved by d is balanced by a stiffness of F/d. The load itself gives a gear of length L
+/// the stiffness F/L, as weight does to a pendulum. The gear has run away if F/d ≤ kMatters F/L, because then
+/// nothing resists the load.
 bool StaticProblem::has_run_away(std::span<const double> x) const {
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i)

@@ -13,7 +13,8 @@
 
 namespace netloft {
 
-/// NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC, where all forces of a scene are.
+/// NETLOFT_CONSERVATIVE if all forces of the scene are conservative, NETLOFT_SYMMETRIC if its matrix is
+/// symmetric.
 std::uint32_t traits_of(const Assembler& assembler);
 
 /// A solver with its parameters.
@@ -22,18 +23,17 @@ struct SolverChoice {
   const void* parameters = nullptr;
 };
 
-/// Lets `solver` work on a problem, and says on whose account as long as it does (plugin_call.hpp).
+/// Calls the solver, and attributes the call to its plugin while it lasts (plugin_call.hpp).
 netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem);
 
-/// How far a residual is from balance, by node. Loads are the dead loads on nodes and the reactions of held
-/// ones.
+/// Imbalance of the nodes at a point. Loads are the dead loads on nodes and the reactions of held nodes.
 struct Balance {
   double residual = 0;        // largest nodal residual [N]
   double scale = 0;           // largest nodal load [N]
   std::uint32_t worst = 0;    // node of the largest residual
-  double floor = 0;           // what rounding of the positions is worth [N]
+  double floor = 0;           // bound of the residual by rounding of the positions [N]
   bool balanced = false;      // by convergence.hpp
-  bool at_round_off = false;  // but not within the tolerance
+  bool at_round_off = false;  // balanced at round-off, but not within the tolerance
 
   Convergence convergence() const {
     if (!balanced) return Convergence::none;
@@ -41,20 +41,20 @@ struct Balance {
   }
 };
 
-/// The largest moves of a node from one accepted point to the next, summed up.
+/// Sum of the largest nodal moves from one accepted point to the next.
 class PathLength {
  public:
-  /// [m], up to u.
+  /// Length of the path up to u [m].
   double up_to(std::span<const double> u);
 
  private:
-  std::vector<double> last_;  // u of the point before
+  std::vector<double> last_;  // u of the previous point
   double sum_ = 0;            // [m]
 };
 
-/// r(u) = 0 of a static scene, or of a step in time: what a solver sees, with the host's statistics behind
-/// it. Counts and times every call, and decides on convergence. Where nodes are, what is large, the matrices
-/// and their factors are parts with names of their own.
+/// r(u) = 0 of a static scene or of a step in time, behind the C interface that a solver sees. Counts and
+/// times every call, and decides on convergence. Its members `Configuration`, `Scales`, `Matrices` and
+/// `Factors` hold positions, scales, matrices and their factors.
 class StaticProblem {
  public:
   StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits, Observer observer = {});
@@ -66,35 +66,36 @@ class StaticProblem {
   const char* solver_message() const { return message_; }
   /// Whether forces overflowed in the last evaluation.
   bool met_bad_numbers() const { return bad_numbers_; }
-  /// The last evaluation ended with an element's error, which the assembler's fault tells.
+  /// Whether the last evaluation ended with an error of an element; Assembler::fault describes it.
   bool met_error() const { return met_error_; }
   void keep_message(const char* text);
   std::string factorisation_name() const { return factors_.description(); }
   const FactorResult& last_factor() const { return factors_.last_result(); }
 
-  /// Residual over all dofs and energy at displacements u, computed anew. False: it met bad numbers, or see
-  /// the assembler's fault.
+  /// Recomputes positions and residual over all dofs and the energy at displacements u. Returns false if
+  /// numbers were not finite or an element failed, which Assembler::fault describes.
   bool recompute(std::span<const double> u, std::vector<double>& x, std::vector<double>& residual,
                  double& energy);
   Balance balance(std::span<const double> x, std::span<const double> residual);
-  /// A balance as convergence.hpp judges it.
+  /// The balance in terms of convergence.hpp.
   Imbalance imbalance_of(const Balance& b);
   Scales& scales() { return scales_; }
   const Scales& scales() const { return scales_; }
-  /// From now on this step is the problem, until the next.
+  /// From now on, this step is the problem.
   void begin(const StepProblem& step);
-  /// From now on u counts from positions `base`, where the problem is all but solved (Configuration).
+  /// From now on, u is relative to the positions `base`, near the solution of the problem (Configuration).
   void count_from(std::vector<double> base);
-  /// Over all dofs at u [m].
+  /// Positions of all dofs at displacements u [m].
   const std::vector<double>& positions(std::span<const double> u);
-  /// What those of the last evaluation round off [m]; empty where displacements count from the start.
+  /// Low-order part of the positions of the last evaluation [m]; empty if displacements are relative to the
+  /// start.
   const std::vector<double>& low_digits() const { return configuration_.low_digits(); }
-  /// The next solution starts without a factor, as if nothing had been solved before.
+  /// The next solution starts without a factor.
   void forget_factor() { factors_.forget(); }
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
-  /// The linear stiffness is evaluated anew when it is next needed: what elements are made of has changed.
+  /// Discards the linear stiffness, because the properties of elements have changed.
   void forget_metric() { matrices_.forget_metric(); }
-  /// The exact tangent at u, factorised with `shift` times the metric.
+  /// Factorises the exact tangent at u plus `shift` times the metric.
   netloft_factor factorise_at(std::span<const double> u, double shift);
 
  private:
@@ -130,13 +131,13 @@ class StaticProblem {
   Factors factors_;
   std::vector<IterationRecord> history_;
   Stop stop_ = Stop::none;
-  int iterations_before_ = 0;  // of steps that are done
+  int iterations_before_ = 0;  // iterations of previous steps
   PathLength path_;
   bool bad_numbers_ = false, met_error_ = false;
   double begun_ = 0, begun_cpu_ = 0;  // [s]
   char message_[256] = "";
   std::vector<double> u_, residual_, gradient_;
-  std::vector<double> reactions_of_;  // u that the reactions in residual_ are of; empty: of none
+  std::vector<double> reactions_of_;  // displacements u of the reactions in residual_; empty: no reactions
 };
 
 }  // namespace netloft

@@ -9,19 +9,19 @@ inline double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Processor time of the whole process, all threads [s].
+/// Processor time of the whole process, summed over its threads [s].
 inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// What a solve cost, counted and timed by the host, the same for every solver.
+/// Cost of a solve, counted and timed by the host in the same way for every solver.
 struct Statistics {
   int iterations = 0;
   int energies = 0, residuals = 0, matrices = 0;  // evaluations
   int factorisations = 0, refused_factorisations = 0, solves = 0;
   double assembly_seconds = 0, analysis_seconds = 0, factorisation_seconds = 0, solve_seconds = 0;
-  double total_seconds = 0, total_cpu_seconds = 0;  // the host's last checks included
-  double solver_cpu_seconds = 0;                    // without them
+  double total_seconds = 0, total_cpu_seconds = 0;  // including the host's final checks
+  double solver_cpu_seconds = 0;                    // without the host's final checks
 
-  /// Adds what another solve cost.
+  /// Adds the cost of another solve.
   void add(const Statistics& other) {
     iterations += other.iterations;
     energies += other.energies;
@@ -40,7 +40,7 @@ struct Statistics {
   }
 };
 
-/// Adds the wall time of its life to one account.
+/// Adds the wall time of its lifetime to an account.
 class Timed {
  public:
   explicit Timed(double& account) : account_(account), start_(wall_seconds()) {}
@@ -53,14 +53,14 @@ class Timed {
   double start_;
 };
 
-/// One accepted point.
+/// Report of one accepted point.
 struct IterationRecord {
   int iteration = 0;
   double residual = 0;  // largest nodal residual [N]
   double scale = 0;     // largest nodal load [N]
   double energy = 0;    // [J]
   int factorisations = 0;
-  double seconds = 0;  // since the start of the solve
+  double seconds = 0;  // wall time since the start of the solve
   char note[32] = "";
 };
 

@@ -9,18 +9,18 @@ namespace netloft {
 
 class Assembler;
 
-/// What each operation of a solve costs, in operations of a factorisation: known before anything is solved,
-/// the same on every machine and for every run. The unit in which budgets are told is one Newton iteration of
-/// the scene as it is written,
+/// Cost of each operation of a solve, in floating-point operations of a factorisation. It is known before the
+/// first solution and the same on every machine and in every run. Budgets are given in units of one Newton
+/// iteration of the original scene:
 ///   unit = factorisation + solution + matrix + residual of that scene                       (1)
 ///   work = Σ count × cost / unit                                                            (2)
 struct WorkModel {
   double factorisation = 1, solution = 0, matrix = 0, residual = 0;  // [floating-point operations]
-  double unit = 1;                                                   // (1), of the scene as it is written
+  double unit = 1;                                                   // (1), of the original scene
 
   double of_iteration() const { return factorisation + solution + matrix + residual; }
-  /// (2). Factorisations that end early count in full: they did most of the work. An energy costs what a
-  /// residual does, and nothing beside one.
+  /// (2). Factorisations that end early count in full, because most of their work was done. An energy costs
+  /// as much as a residual, and nothing in addition to one.
   double of(const Statistics& statistics) const {
     const int evaluations = std::max(statistics.residuals, statistics.energies);
     return (statistics.factorisations * factorisation + statistics.solves * solution +
@@ -29,23 +29,22 @@ struct WorkModel {
   }
 };
 
-/// The model of a scene, by the factorisation of its tangent: F operations and N entries of the factor, known
-/// when the pattern is analysed; and by the size of its elements, S = Σ elements × active terms × (degrees of
-/// freedom)².
+/// The cost model of a scene. F is the number of operations of the factorisation of the tangent and N the
+/// number of entries in the factor, both known from the analysis of the pattern. S = Σ elements × active
+/// terms × (degrees of freedom)² measures the elements.
 ///   factorisation = F + (a or b) N                                                          (3)
 ///   solution = a N,   residual = c S,   matrix = d S                                        (4)
-/// The four constants are times in operations of a large factorisation, which makes 20 of them in a
-/// nanosecond: a solution has 4 N, but waits for memory, and so does b, of Cholesky's factor (CHOLMOD), where
-/// a is that of LU (multifrontal). tests/bench/work_model.cpp prints both sides. On panels in still water and
-/// in a current and on a trawl, of 216 to 100 000 unknowns, an iteration took 0.6 to 1.4 times the seconds
-/// that the model has for it, a factorisation 0.7 to 1.6, a solution 0.3 to 4.5, a matrix 0.5 to 3.2 and a
-/// residual 0.5 to 2.2 times.
+/// The four constants are times, in operations of a large factorisation, which makes 20 of them per
+/// nanosecond. A solution has 4 N operations but waits for memory. So does a factorisation: its constant is b
+/// for Cholesky's factor (CHOLMOD) and a for L U (multifrontal). tests/bench/work_model.cpp prints the times
+/// of this model and the measured ones: for panels and a trawl of 216 to 100 000 unknowns, they agree to a
+/// factor of 1.7 for iterations and factorisations, and 4.5 for the other operations.
 ///
-/// `unit` is that of the scene itself (1). Where F is not known before the first factorisation, F and N are
-/// those of nested dissection of a square grid of n nodes, with the unknowns of three axes each: 31/4 n log₂
-/// n and 829/84 n^(3/2) for a symmetric matrix of numbers, twice as many for an unsymmetric one (A. George,
-/// Nested dissection of a regular finite element mesh, SIAM J. Numer. Anal. 10, 1973). A `make` that keeps
-/// analyses hands this one to the solver.
+/// `unit` is (1) of the scene itself. If the factorisation does not report F before its first use, F and N
+/// are those of nested dissection of a square grid of n nodes with three unknowns each: 31/4 n log₂ n and
+/// 829/84 n^(3/2) for a symmetric matrix of numbers, twice as many for an unsymmetric one (A. George, Nested
+/// dissection of a regular finite element mesh, SIAM J. Numer. Anal. 10, 1973). A `make` that caches analyses
+/// reuses this analysis in the solver.
 WorkModel make_work_model(const Assembler& assembler, const MakeFactorisation& make);
 
 }  // namespace netloft

@@ -8,7 +8,7 @@ namespace netloft::conformance {
 
 namespace {
 
-/// "energy", "force[4]" … of the first number in `lane` that is not finite; empty when all are.
+/// Name of the first row in `lane` that is not finite, "force[4]"; empty if all are finite.
 std::string not_finite(const std::vector<double>& values, const char* name, std::size_t lane) {
   for (std::size_t row = 0; row * kLanes < values.size(); ++row)
     if (!std::isfinite(values[at(row, lane)])) return std::string(name) + "[" + std::to_string(row) + "]";
@@ -22,7 +22,7 @@ std::string not_finite(const Answer& a, std::size_t lane) {
   return {};
 }
 
-/// The first answer to these states that is not finite. Outside the domain is an answer, too.
+/// Error of the first answer to these states that is not finite. An answer outside the domain is valid.
 std::string fault_of_terms(const Bench& b, const States& s) {
   for (const auto& term : b.type.terms)
     for (const auto want : wants_of(term)) {
@@ -48,7 +48,8 @@ std::string fault_of_outputs(const Bench& b, const States& s) {
   return {};
 }
 
-/// Nodes of each lane in one point, then lane by lane, since one element outside its domain speaks for all.
+/// Sets one lane at a time to the given states, because one element outside its domain answers for its
+/// whole tile.
 std::string fault_one_by_one(Bench& b, const States& all) {
   for (std::size_t lane = 0; lane < all.count; ++lane) {
     States one = b.tiles[all.first / kLanes];
@@ -65,8 +66,8 @@ States collapsed(const Bench& b, States s) {
   return s;
 }
 
-/// At rest as far as the description tells: nodes one length apart, those of a rope on one line, others along
-/// the axes; nothing moves.
+/// States at rest, as far as the description defines them: nodes one length apart, on one line for ropes,
+/// along the axes for others; nothing moves.
 States resting(const Bench& b, const States& like) {
   States s = b.blank(like.first, like.count);
   const bool straight = b.type.element.stencil == NETLOFT_BAR_PAIR;
@@ -133,8 +134,8 @@ Finding outputs_finite(Bench& b) {
 }
 
 Finding collapsed_finite(Bench& b) {
-  if (b.dofs() == 3) return nothing_to_ask("one node cannot collapse");
-  if (b.type.is_on_body()) return nothing_to_ask("a body cannot collapse");
+  if (b.dofs() == 3) return not_applicable("one node cannot collapse");
+  if (b.type.is_on_body()) return not_applicable("a body cannot collapse");
   for (const auto& s : b.tiles)
     if (auto fault = fault_one_by_one(b, collapsed(b, s)); !fault.empty()) return failed(fault);
   return {};
@@ -153,13 +154,13 @@ Finding defaults_are_allowed(Bench& b) {
 Finding refuses_wrong_parameters(Bench& b) {
   for (const auto& p : b.type.parameters) {
     if ((p.flags & NETLOFT_REQUIRED) && !is_refused_missing(b, p))
-      return failed(std::string(p.name) + " is required, and not missed");
+      return failed(std::string(p.name) + " is required, but the element is made without it");
     if (p.kind != NETLOFT_REAL) continue;
     for (const double wrong : wrong_values(p))
       if (!is_refused(b, p, wrong))
-        return failed(std::string(p.name) + " = " + number_text(wrong) + " is taken");
+        return failed(std::string(p.name) + " = " + number_text(wrong) + " is accepted");
   }
-  return b.type.parameters.empty() ? nothing_to_ask("the element has no parameters") : Finding{};
+  return b.type.parameters.empty() ? not_applicable("the element has no parameters") : Finding{};
 }
 
 }  // namespace netloft::conformance

@@ -45,7 +45,7 @@ void Bench::make_elements() {
       refusal = e.what();
       const std::size_t part = sample.part[e.element];
       sampler.data(sample, e.element);
-      // Defaults may be refused together: somebody has to say how much.
+      // Defaults may be refused in combination, so that parameters are drawn as well.
       if (tries % 10 == 9) sample.parameters[part] = sampler.parameters(std::max<std::size_t>(part, 1));
     } catch (const Escaped& e) {
       escape = e.what();
@@ -63,21 +63,21 @@ void Bench::make_states() {
     remember(s);
     tiles.push_back(std::move(s));
   }
-  for (std::size_t tile = 1; tile < tiles.size(); tile += 2)  // a ground that passes half of the elements
+  for (std::size_t tile = 1; tile < tiles.size(); tile += 2)  // half of the elements see a moving ground
     tiles[tile].ground = {sampler.uniform(0.5, 2), sampler.uniform(-1, 1), 0};
 }
 
-/// Draws the states again that are outside the domain of some term.
+/// Draws states again until all terms are inside their domain.
 void Bench::settle(States& s) {
   for (int tries = 0; tries < kTriesPerState; ++tries) {
     bool settled = true;
     for (const auto& term : type.terms) settled = settled && is_settled(s, term);
     if (settled || !error.empty() || !escape.empty()) return;
   }
-  error = "of " + std::to_string(kTriesPerState) + " states drawn, none was inside the domain of all terms";
+  error = "all of " + std::to_string(kTriesPerState) + " sampled states are outside the domain of some term";
 }
 
-/// Every other element has a past: what it remembers of a place not far from here.
+/// Gives every other element a memory, from a state nearby.
 void Bench::remember(States& s) {
   if (s.memory.empty()) return;
   std::vector<double> step(kLanes, 0.0);
@@ -127,7 +127,7 @@ std::string Bench::place(const netloft_term& term, const States& s, std::size_t 
 }
 
 double Bench::spacing(const States& s, std::size_t lane) const {
-  if (type.is_on_body()) return 1;  // its rotation is no place
+  if (type.is_on_body()) return 1;  // a rotation is not a position
   double least = dofs() == 3 ? 1 : size(s, lane) * 1e9;
   for (std::size_t p = 0; p < dofs(); p += 3)
     for (std::size_t q = 0; q < p; q += 3) {
@@ -201,7 +201,7 @@ Finding judged_defaults(std::span<const netloft_parameter> table, std::size_t by
 }
 
 Finding no_more_threads_than(const Threads& before) {
-  if (before.empty()) return nothing_to_ask("this system does not show the threads of a program");
+  if (before.empty()) return not_applicable("this system does not show the threads of a program");
   Threads more;
   std::ranges::set_difference(threads_now(), before, std::back_inserter(more));
   return more.empty() ? Finding{} : failed(std::to_string(more.size()) + " more threads");

@@ -10,32 +10,32 @@
 
 namespace netloft::conformance {
 
-/// Threads of this program by their numbers, in ascending order; none where the system does not show them.
+/// Numbers of the threads of this program, in ascending order; empty if the system does not report them.
 using Threads = std::vector<int>;
 Threads threads_now();
 int number_of_this_thread();
 /// Waits until the system no longer shows a thread that was joined.
 void wait_until_gone(int thread);
 
-/// One element type on the bench: a family of sampled elements, each in a sampled state in which all terms
-/// have a force.
+/// The fixture of the element checks: a family of sampled elements, each in a sampled state at which all
+/// terms are inside their domain.
 struct Bench {
   Bench(const ElementType& type, const ConformanceOptions& options);
 
   std::size_t dofs() const { return static_cast<std::size_t>(type.dofs()); }
-  /// Whether a degree of freedom is one of the rotation of a body.
+  /// Whether a degree of freedom belongs to the rotation of a body.
   bool is_turn(std::size_t dof) const { return type.is_on_body() && dof / 3 == 1; }
   /// "term elastic, element 12"
   std::string place(const netloft_term& term, const States& states, std::size_t lane) const;
-  /// Shortest distance between two nodes of a lane [m]; 1 m for a node or a body. Never below 1e-6 of the
+  /// Shortest distance between two nodes of a lane [m]; 1 m for a single node or a body. At least 1e-6 of the
   /// size.
   double spacing(const States& states, std::size_t lane) const;
   double size(const States& states, std::size_t lane) const {
     return sampler.size(sample, states.first + lane);
   }
-  /// Largest force of each lane, here and at three states not far from here [N].
+  /// Largest force of each lane, in this state and in three states nearby [N].
   std::vector<double> force_scale(const netloft_term& term, const States& states);
-  /// States of the same shape without content.
+  /// States of the same shape, filled with zeros.
   States blank(std::uint32_t first, std::uint32_t count) const;
   /// A random field [dof][64] of size 1 in every node.
   std::vector<double> random_field();
@@ -45,11 +45,11 @@ struct Bench {
   Sampler sampler;
   Threads threads_before;
   Sample sample;
-  std::unique_ptr<Specimen> specimen;  // null: see `refusal` or `escape`
+  std::unique_ptr<Specimen> specimen;  // null if refused or failed, see `refusal` and `escape`
   std::vector<States> tiles;
   std::string refusal;  // why no elements could be made
-  std::string escape;   // which exception came out of the plugin
-  std::string error;    // which evaluation ended in an error
+  std::string escape;   // the exception that the plugin threw
+  std::string error;    // the evaluation that failed
 
  private:
   void make_elements();
@@ -59,15 +59,15 @@ struct Bench {
   bool is_settled(States& states, const netloft_term& term);
 };
 
-/// states + step·direction, [dof][64] with a step per lane. The current moves along its derivative with
-/// depth.
+/// states + step·direction, [dof][64] with one step per lane. The current follows its derivative with respect
+/// to depth.
 States moved(const States& states, const std::vector<double>& direction, const std::vector<double>& step);
 
 bool same_bits(double a, double b);
 /// Whether lane `i` of one array holds the same bits as lane `j` of another.
 bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j);
 
-/// The worst figure of a check and where it was found. What is not a number is worse than anything.
+/// The worst figure of a check and its place. NaN counts as infinite.
 class Worst {
  public:
   explicit Worst(double limit) : limit_(limit) {}
@@ -90,7 +90,7 @@ class Worst {
   std::string where_;
 };
 
-/// |a| / |b|, zero when both are.
+/// |a| / |b|; zero if a is zero.
 double ratio(double a, double b);
 std::string number_text(double value);
 

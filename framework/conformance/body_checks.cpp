@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Elements on rigid bodies: is a rotation a rotation, whatever numbers it is written in?
+// Checks of elements on rigid bodies: results may not depend on the numbers in which a rotation is expressed.
 #include "framework/conformance/carried_answers.hpp"
 #include "framework/conformance/checks.hpp"
 
@@ -10,7 +9,7 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr const char* kNoBody = "the element stands on no body";
+constexpr const char* kNoBody = "the element is not on a body";
 constexpr double kTurn = 6.283185307179586;
 
 using V = Vec3<double>;
@@ -23,13 +22,14 @@ void write(std::vector<double>& field, std::size_t first, std::size_t lane, cons
   for (std::size_t k = 0; k < 3; ++k) field[at(first + k, lane)] = value[static_cast<int>(k)];
 }
 
-/// Where a rotation vector is near a full turn its rate says little of the spin: such lanes are left out.
+/// Whether a rotation vector is close to a full turn, at which its rate does not determine the angular
+/// velocity.
 bool is_near_a_turn(const V& psi) {
   const double turns = norm(psi) / kTurn;
   return turns > 0.5 && std::abs(turns - std::round(turns)) < 0.1;
 }
 
-/// The pose and motion of a body in one lane, free of how its rotation is written.
+/// Position and motion of a body in one lane, independent of its rotation vector.
 struct Moving {
   V x, v, a, omega, alpha, current, current_dz;
 };
@@ -55,11 +55,11 @@ void write_body(const Moving& m, const V& psi, States& s, std::size_t lane) {
   write(s.current_dz, 0, lane, m.current_dz);
 }
 
-/// The moment that a residual stands for, and the residual of a moment.
+/// The moment that belongs to a generalised force on a rotation vector.
 V moment_of(const V& psi, const V& generalised) { return rate_of_spin(-psi, generalised); }
 
-/// Carries every lane of a tile, and the answer there, by `carry(motion, psi)`, which changes the motion and
-/// returns the new rotation vector, and `turn(vector, is_axial)`.
+/// Transforms every lane of a tile and its answer. `carry(motion, psi)` changes the motion and returns the
+/// new rotation vector; `turn(vector, is_axial)` transforms a force or moment.
 template <class Carry, class Turn>
 void carry_lanes(const States& from, const Answer& answer, const Carry& carry, const Turn& turn, States& to,
                  Answer& expected) {
@@ -76,7 +76,7 @@ void carry_lanes(const States& from, const Answer& answer, const Carry& carry, c
   }
 }
 
-/// Draws rotations again that are near a full turn.
+/// Draws again rotations that are close to a full turn.
 States away_from_turns(Bench& b, States s) {
   for (std::size_t lane = 0; lane < s.count; ++lane)
     for (V psi = read(s.x, 3, lane); is_near_a_turn(psi); psi = read(s.x, 3, lane)) {
@@ -87,8 +87,8 @@ States away_from_turns(Bench& b, States s) {
   return s;
 }
 
-/// The world turned by `by` as a whole: about z alone where gravity, a bed or a current over depth makes up
-/// special.
+/// Compares a term in the rotated world. `by` is about z for terms that distinguish the vertical: gravity, a
+/// bed or a current that varies with depth.
 void note_in_turned_world(Bench& b, const netloft_term& term, States s, const V& by, Worst& worst) {
   const auto turn = [&](const V& w, bool) { return rotated(by, w); };
   const auto carry = [&](Moving& m, const V& psi) {
@@ -107,7 +107,7 @@ void note_in_turned_world(Bench& b, const netloft_term& term, States s, const V&
 }  // namespace
 
 Finding body_turns_with_the_world(Bench& b) {
-  if (!b.type.is_on_body()) return nothing_to_ask(kNoBody);
+  if (!b.type.is_on_body()) return not_applicable(kNoBody);
   Worst worst(kMotionLimit);
   for (const auto& term : b.type.terms)
     for (const auto& tile : b.tiles) {
@@ -125,9 +125,9 @@ Finding body_turns_with_the_world(Bench& b) {
   return judged(worst, "all terms act from outside");
 }
 
-/// One full turn more, or two, are none.
+/// One or two additional full turns change nothing.
 Finding full_turns_change_nothing(Bench& b) {
-  if (!b.type.is_on_body()) return nothing_to_ask(kNoBody);
+  if (!b.type.is_on_body()) return not_applicable(kNoBody);
   Worst worst(kMotionLimit);
   for (const auto& term : b.type.terms)
     for (const auto& tile : b.tiles)
@@ -146,11 +146,12 @@ Finding full_turns_change_nothing(Bench& b) {
   return judged(worst, "there are no terms");
 }
 
-/// Reflected at y = 0, the body of the other side: what is axial reverses x and z, all else y.
+/// Compares with the mirror image at y = 0, which is the body of the other side: axial vectors reverse x and
+/// z, all others y.
 Finding sides_mirror_each_other(Bench& b) {
   const auto is_side = [](const netloft_datum& d) { return std::string_view(d.name) == datum::kSide.name; };
   const auto at = std::ranges::find_if(b.type.data, is_side);
-  if (!b.type.is_on_body() || at == b.type.data.end()) return nothing_to_ask("the element has no side");
+  if (!b.type.is_on_body() || at == b.type.data.end()) return not_applicable("the element has no side");
   Sample other = b.sample;
   for (double& side : other.data[static_cast<std::size_t>(at - b.type.data.begin())]) side = -side;
   const Specimen mirrored(b.type, other);
@@ -182,7 +183,7 @@ Finding sides_mirror_each_other(Bench& b) {
 
 namespace {
 
-/// ½ q̇·M q̇ of every lane, where M is the derivative of the force by acceleration.
+/// ½ q̇·M q̇ of every lane, where M is the derivative of the force with respect to acceleration.
 std::vector<double> kinetic_energy(const Bench& b, const netloft_term& term, const States& s) {
   States as_rates = s;
   as_rates.a = s.v;
@@ -194,7 +195,7 @@ std::vector<double> kinetic_energy(const Bench& b, const netloft_term& term, con
   return energy;
 }
 
-/// The state a time later.
+/// The state after a time t.
 States later(States s, double t) {
   for (std::size_t i = 0; i < s.x.size(); ++i) {
     s.x[i] += t * (s.v[i] + 0.5 * t * s.a[i]);
@@ -205,10 +206,11 @@ States later(States s, double t) {
 
 }  // namespace
 
-/// What inertia takes in power is kinetic energy, also when it turns: r·q̇ = d/dt (½ q̇·M q̇), in water at rest.
+/// The power of inertia is the rate of kinetic energy, also in rotation: r·q̇ = d/dt (½ q̇·M q̇), in water at
+/// rest.
 Finding inertia_makes_kinetic_energy(Bench& b) {
   constexpr double kLimit = 1e-6, kStep = 1e-4;
-  if (!b.type.is_on_body()) return nothing_to_ask(kNoBody);
+  if (!b.type.is_on_body()) return not_applicable(kNoBody);
   Worst worst(kLimit);
   for (const auto& term : b.type.terms)
     for (States s : b.tiles) {

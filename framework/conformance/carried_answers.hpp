@@ -7,17 +7,18 @@
 
 namespace netloft::conformance {
 
-/// Allowed difference of two answers that must be the same but for rounding.
+/// Largest allowed difference of two answers that must be equal up to rounding.
 inline constexpr double kMotionLimit = 1e-8;
 
 inline bool is_from_outside(const netloft_term& term) { return term.traits & NETLOFT_FROM_OUTSIDE; }
 
-/// What a term can say of a state without a matrix.
+/// All outputs of a term except its matrix.
 inline std::uint32_t all_of(const netloft_term& term) {
   return NETLOFT_WANT_FORCE | (term.traits & NETLOFT_CONSERVATIVE ? std::uint32_t{NETLOFT_WANT_ENERGY} : 0u);
 }
 
-/// Largest difference of two answers in a lane, over the force of the lane (energy: times its size).
+/// Largest difference of two answers in a lane, relative to the force of the lane; for energies, to the force
+/// times the size.
 inline double difference(const Bench& b, const Answer& one, const Answer& two, const States& s, double scale,
                          std::size_t lane) {
   double worst = 0;
@@ -28,7 +29,7 @@ inline double difference(const Bench& b, const Answer& one, const Answer& two, c
   return std::max(worst, ratio(one.energy[lane] - two.energy[lane], energy));
 }
 
-/// Notes how much the answer to `there` differs from `expected`, the answer here carried there.
+/// Compares the answer at `there` with `expected`, the answer at `s` after the same transformation.
 inline void compare(Bench& b, const netloft_term& term, const States& s, const Answer& expected,
                     const States& there, Worst& worst) {
   const Answer found = b.specimen->evaluate(term, there, all_of(term));

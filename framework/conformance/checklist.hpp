@@ -6,17 +6,16 @@
 
 namespace netloft::conformance {
 
-/// One question, asked at a bench of elements or of laws.
+/// One check, for an element, a law or a method.
 template <class Bench>
 struct Check {
   const char* name;
   Finding (*run)(Bench&);
-  std::vector<const char*>
-      leans_on;  // skipped when one of these failed or was itself skipped for that reason
+  std::vector<const char*> depends_on;  // skipped if one of these failed, or was skipped for that reason
   const char* hint;
 };
 
-/// Names of checks that failed, and of those left out because of them.
+/// Names of checks that failed, and of those skipped as a consequence.
 class Doubtful {
  public:
   void add(std::string name) { names_.push_back(std::move(name)); }
@@ -31,7 +30,7 @@ class Doubtful {
   std::vector<std::string> names_;
 };
 
-/// Names the check that is being made, from any thread, as long as it lives.
+/// Publishes the name of the running check to all threads during its lifetime.
 class UnderWay {
  public:
   explicit UnderWay(const char* name);
@@ -45,10 +44,10 @@ CheckResult run(const Check<Bench>& check, Bench& bench, Doubtful& doubtful) {
   CheckResult r;
   r.name = check.name;
   r.hint = check.hint;
-  if (const char* first = doubtful.among(check.leans_on)) {
+  if (const char* first = doubtful.among(check.depends_on)) {
     doubtful.add(check.name);
     r.skipped = true;
-    r.detail = std::string("leans on ") + first;
+    r.detail = std::string("depends on ") + first;
     return r;
   }
   const UnderWay under_way(check.name);

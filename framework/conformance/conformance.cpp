@@ -12,7 +12,7 @@ namespace {
 
 using namespace conformance;
 
-// Order matters: a check stands below those that it leans on.
+// The order matters: a check follows those that it depends on.
 const std::vector<Check<Bench>>& table() {
   static const std::vector<Check<Bench>> checks = {
       {"defaults-are-allowed",
@@ -90,8 +90,7 @@ const std::vector<Check<Bench>>& table() {
       {"tangent-is-derivative",
        tangent_is_derivative,
        {"no-hidden-state", "constant-where-claimed"},
-       "differentiate the force once more; is the part from the turning direction (T/l) there, and are cu, "
-       "cv "
+       "differentiate the force once more; does it include the change of direction (T/l), and are cu, cv "
        "and ca used?"},
       {"symmetric-where-claimed",
        symmetric_where_claimed,
@@ -100,11 +99,11 @@ const std::vector<Check<Bench>>& table() {
       {"convex-is-positive",
        convex_is_positive,
        {"no-hidden-state"},
-       "leave out what pushes: clamp T/l at zero"},
+       "omit the part in compression: clamp T/l at zero"},
       {"metric-is-constant",
        metric_is_constant,
        {"no-hidden-state"},
-       "the metric is the stiffness of the element as made, whatever its state"},
+       "the metric is the stiffness of the unloaded element, independent of its state"},
       {"metric-bounds-convex",
        metric_bounds_convex,
        {"convex-is-positive", "metric-is-constant"},
@@ -124,7 +123,7 @@ const std::vector<Check<Bench>>& table() {
       {"forces-sum-to-zero",
        forces_sum_to_zero,
        {"force-is-gradient", "translation-changes-nothing"},
-       "what one node is pulled by, the others must be pulled back by"},
+       "the force on one node must be balanced by forces on the others"},
       {"moments-sum-to-zero",
        moments_sum_to_zero,
        {"rotation-turns-the-force", "forces-sum-to-zero"},
@@ -150,10 +149,8 @@ const std::vector<Check<Bench>>& table() {
       {"members-make-their-term",
        members_make_their_term,
        {"force-is-gradient"},
-       "the term with the trait `of_members` is the sum over the declared members: look at number, rest "
-       "length "
-       "at "
-       "this time, and both stiffnesses"},
+       "the term with the trait `of_members` is the sum over the declared members: check number, rest length "
+       "at this time, and both stiffnesses"},
       {"collapsed-finite",
        collapsed_finite,
        {"outputs-finite"},
@@ -191,7 +188,7 @@ bool ConformanceReport::passed() const {
 
 namespace {
 
-/// Kinds of laws that the element must be tried with: all that some slot takes, one after the other.
+/// The kinds of laws with which the element is tested: all kinds that its slots accept.
 std::vector<std::uint32_t> law_kinds(const ElementType& type) {
   std::uint32_t accepted = 0;
   for (const auto& slot : type.laws) accepted |= slot.accepts;
@@ -211,7 +208,7 @@ ConformanceReport check_with_law(const ElementType& type, const ConformanceOptio
   return report;
 }
 
-/// What failed with another kind of law fails.
+/// Adds failures with another kind of law to a report.
 void add_failures(ConformanceReport& report, ConformanceReport other) {
   for (std::size_t i = 0; i < report.checks.size(); ++i) {
     const CheckResult& c = other.checks[i];
@@ -258,7 +255,7 @@ UnderWay::UnderWay(const char* name) { under_way = name; }
 UnderWay::~UnderWay() { under_way = nullptr; }
 
 Finding judged(const Worst& worst, const char* nothing_noted) {
-  if (worst.count() == 0) return nothing_to_ask(nothing_noted);
+  if (worst.count() == 0) return not_applicable(nothing_noted);
   return {worst.figure() <= worst.limit(), false, worst.figure(), worst.limit(), worst.where()};
 }
 

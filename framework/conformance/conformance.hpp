@@ -10,21 +10,22 @@
 namespace netloft {
 
 struct ConformanceOptions {
-  std::uint64_t seed = 1;  // of the sampled parameters, data and states; the same seed gives the same report
+  std::uint64_t seed = 1;  // of the sampled parameters, data and states; one seed always gives one report
   int elements = 100;      // sampled elements, 1 … 640
   int directions = 3;      // directions of each directional check, 1 … 100
   bool timings = true;
-  std::uint32_t law_kind = 0;  // in the slots of an element; 0: every kind that they take, in turn
+  std::uint32_t law_kind =
+      0;  // of the laws in the slots of an element; 0: every kind that they accept, in turn
 };
 
-/// Answer to one question about an element. A check that leans on one that failed is skipped, so that one
-/// mistake shows as one failure.
+/// Result of one check. A check is skipped if one that it depends on failed, so that one mistake shows as one
+/// failure.
 struct CheckResult {
   std::string name;  // "force-is-gradient"
   bool passed = false, skipped = false;
-  double figure = 0, limit = 0;  // the worst found, and what is allowed; both zero for questions of yes or no
-  std::string detail;            // where the worst was found, or why the check was skipped
-  std::string hint;              // what to look for in the element
+  double figure = 0, limit = 0;  // the worst figure and its limit; both zero for yes-or-no checks
+  std::string detail;            // where the worst figure occurred, or why the check was skipped
+  std::string hint;              // a likely cause
 };
 
 struct TermTiming {
@@ -41,37 +42,36 @@ struct ConformanceReport {
   bool passed() const;
 };
 
-/// Does an element keep what its description promises? Everything asked is sampled from the description, see
-/// sampler.hpp. Never throws on account of the element; an element that crashes takes the program with it.
+/// Checks that an element keeps the promises of its description, with samples from the description
+/// (sampler.hpp). Failures of the element never throw; an element that crashes ends the program.
 ConformanceReport check_element(const ElementType& type, const ConformanceOptions& options = {});
 
-/// The same of a hydrodynamic law. Its elements are 64 flows of each sampled set of parameters.
+/// Checks a hydrodynamic law, with 64 flows for each sampled set of parameters.
 ConformanceReport check_law(const LawType& type, const ConformanceOptions& options = {});
 
-/// The same of a solver, which is given small problems with known answers; see practice.hpp.
+/// Checks a solver, with small problems whose solutions are known (practice.hpp).
 ConformanceReport check_solver(const SolverType& type, const ConformanceOptions& options = {});
 
-/// The same of an integrator, which is given a motion that is known; see practice_motion.hpp.
+/// Checks an integrator, with a motion that is known (practice_motion.hpp).
 ConformanceReport check_integrator(const IntegratorType& type, const ConformanceOptions& options = {});
 
-/// The same of a strategy, which is given searches of small scenes; see practice_search.hpp.
+/// Checks a strategy, with searches of small scenes (practice_search.hpp).
 ConformanceReport check_strategy(const StrategyType& type, const ConformanceOptions& options = {});
 
-/// The same of the file that a plugin came from.
+/// Checks the file of a plugin.
 ConformanceReport check_file(const std::filesystem::path& file);
 
-/// The check that is being made, for those who must explain a crash; null between checks.
+/// The check that is running, for the report of a crash; null between checks.
 const char* check_under_way();
 
-/// Names of all checks, in the order they are made: of elements, of laws, of solvers, of integrators, of
-/// strategies.
+/// Names of all checks in their order: of elements, laws, solvers, integrators and strategies.
 std::vector<std::string> conformance_checks();
 std::vector<std::string> law_checks();
 std::vector<std::string> solver_checks();
 std::vector<std::string> integrator_checks();
 std::vector<std::string> strategy_checks();
 
-/// One line per failed check; empty when all passed.
+/// One line per failed check; empty if all passed.
 std::string failures(const ConformanceReport& report);
 
 }  // namespace netloft

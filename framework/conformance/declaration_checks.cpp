@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Does an element read of its parameters no more than its table declares? The host fills nothing else in.
+// Checks that an element reads only the parameters that its table declares, because the host fills no others.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -18,7 +18,8 @@ bool same_answer(const Answer& a, const Answer& b, std::size_t count) {
   return true;
 }
 
-/// The first term or output that two families of the same elements answer differently; empty: none does.
+/// The first term or output with different answers from two families of the same elements; empty if there is
+/// none.
 std::string first_difference(const Bench& b, const Specimen& other, const States& s) {
   for (const auto& term : b.type.terms)
     for (const auto want : wants_of(term))
@@ -32,7 +33,7 @@ std::string first_difference(const Bench& b, const Specimen& other, const States
   return {};
 }
 
-/// What changes when bytes that no row declares hold something else; empty: nothing does.
+/// The function whose result changes with the bytes that no row declares; empty if there is none.
 std::string reader_of(const Bench& b, const ByteRange& range) {
   Sample spoilt = b.sample;
   spoilt.spoilt = {range};
@@ -55,7 +56,7 @@ std::string undeclared_text(const ByteRange& range) {
 
 Finding reads_what_it_declares(Bench& b) {
   const auto ranges = undeclared(b.type.parameters, b.type.element.parameter_bytes);
-  if (ranges.empty()) return nothing_to_ask("its table declares every byte of its parameters");
+  if (ranges.empty()) return not_applicable("its table declares every byte of its parameters");
   std::string fault;
   for (const auto& range : ranges)
     if (const auto reader = reader_of(b, range); !reader.empty())

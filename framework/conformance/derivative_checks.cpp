@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Derivatives are compared with central differences over a sweep of steps, each state by the best of them:
-// large steps suffer from curvature, small ones from rounding, and a kink spoils only the steps that reach
-// over it. A state that still fails while the differences to its two sides disagree by as much lies on a kink
-// and is left out; more than a tenth of all may not.
+// Derivatives are compared with central differences over a range of steps, and the best step counts for each
+// state: large steps suffer from curvature, small ones from rounding, and a kink affects only steps that
+// reach over it. A state that still fails, and at which the one-sided differences disagree by as much, is on
+// a kink and is ignored; at most a tenth of all states may be.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kSteps[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};  // over the distance of the nodes
+constexpr double kSteps[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};  // relative to the distance of the nodes
 constexpr double kKinkStep = 1e-5;
 constexpr double kDerivativeLimit = 1e-6;
 constexpr double kLeftOutLimit = 0.1;
@@ -29,7 +28,7 @@ double packed_or_full(const netloft_term& term, const std::vector<double>& matri
   return matrix[at(row * (row + 1) / 2 + column, lane)];
 }
 
-/// Notes the error of one lane, unless it lies on a kink.
+/// Collects the errors of lanes that are not on a kink.
 class Ledger {
  public:
   Ledger() : worst_(kDerivativeLimit) {}
@@ -46,7 +45,7 @@ class Ledger {
     if (static_cast<double>(left_out_) > kLeftOutLimit * all && left_out_ > 1)
       return failed(std::to_string(left_out_) + " of " + number_text(all) + " states lie on kinks");
     Finding f = judged(worst_, nothing_noted);
-    if (left_out_) f.detail += "; left out on kinks: " + std::to_string(left_out_);
+    if (left_out_) f.detail += "; ignored on kinks: " + std::to_string(left_out_);
     return f;
   }
 
@@ -59,7 +58,7 @@ class Ledger {
 
 namespace {
 
-/// Energy along a direction: the best central difference against the slope that the force promises.
+/// Energy along a direction: the best central difference compared with the slope by the force.
 class EnergySlope {
  public:
   EnergySlope(Bench& b, const netloft_term& term, const States& s)
@@ -129,7 +128,7 @@ Finding force_is_gradient(Bench& b) {
 
 namespace {
 
-/// With respect to what a force is differentiated: the field, the trait that reads it, and its factor.
+/// The variable of a derivative: the field, the trait of terms that read it, and its factor.
 struct Variable {
   std::vector<double> States::*field;
   std::uint32_t trait;
@@ -137,7 +136,7 @@ struct Variable {
   double factor;
 };
 
-// Factors other than 1, so that a term that forgets them is found.
+// The factors differ from 1, so that a term that ignores them is found.
 const Variable kVariables[] = {
     {&States::x, 0, {0.7, 0, 0}, 0.7},
     {&States::v, NETLOFT_READS_VELOCITY, {0, 1.3, 0}, 1.3},
@@ -147,7 +146,7 @@ const Variable kVariables[] = {
 /// Which entries of a column are compared.
 using Rows = std::function<bool(std::size_t row, std::size_t column)>;
 
-/// The tangent of a tile, column by column, against differences of the force.
+/// The tangent of a tile, column by column, compared with differences of the force.
 class ForceSlope {
  public:
   ForceSlope(Bench& b, const netloft_term& term, const States& s, const Variable& variable)
@@ -239,7 +238,7 @@ void judge_tangents(Bench& b, const netloft_term& term, const Rows& rows, Ledger
 
 }  // namespace
 
-/// Of a packed tangent only the triangle that is there; the other half is a check of its own.
+/// Checks only the stored triangle of a packed tangent; symmetric-where-claimed checks the other one.
 Finding tangent_is_derivative(Bench& b) {
   Ledger ledger;
   for (const auto& term : b.type.terms) {
@@ -257,7 +256,7 @@ Finding symmetric_where_claimed(Bench& b) {
     if ((term.traits & NETLOFT_SYMMETRIC) && !(term.traits & NETLOFT_CONSTANT))
       judge_tangents(
           b, term, [](std::size_t r, std::size_t c) { return r < c; }, ledger);
-  return ledger.finding("no tangent is said to be symmetric");
+  return ledger.finding("no tangent is declared symmetric");
 }
 
 Finding constant_where_claimed(Bench& b) {
@@ -275,15 +274,16 @@ Finding constant_where_claimed(Bench& b) {
                    [&] { return b.place(term, s, i % kLanes) + ": the force moves with the nodes"; });
     }
   }
-  return judged(worst, "no term is said to be constant");
+  return judged(worst, "no term is declared constant");
 }
 
 namespace {
 
-/// One leg of a path: work of the force by the midpoint rule in `pieces` pieces, and its sum of magnitudes.
+/// A straight piece of a path: work of the force by the midpoint rule in `pieces` pieces, and the sum of its
+/// absolute values.
 struct StageRecord {
   Lanes work = Lanes(kLanes, 0.0), effort = Lanes(kLanes, 0.0);
-  bool inside = true;  // the domain
+  bool inside = true;  // whether all points are inside the domain
 };
 
 StageRecord walk(const Bench& b, const netloft_term& term, const States& from,
@@ -304,9 +304,9 @@ StageRecord walk(const Bench& b, const netloft_term& term, const States& from,
   return leg;
 }
 
-/// Work must equal the change of energy on every leg; then it is zero round every closed path, also round one
-/// that crosses from slack to taut. Legs are shorter than half the distance of the nodes, so that nothing
-/// collapses on the way. Error per lane, or -1 when a leg left the domain.
+/// The work must equal the change of energy on every piece of a path; then it is zero on every closed path,
+/// also on one that changes from slack to taut. Pieces are shorter than half the distance of the nodes, so
+/// that no element collapses. Returns the error per lane, or −1 if a piece left the domain.
 Lanes energy_not_accounted_for(const Bench& b, const netloft_term& term, const States& from,
                                const std::vector<double>& direction, const Lanes& length, int pieces) {
   const StageRecord leg = walk(b, term, from, direction, length, pieces);
@@ -334,7 +334,8 @@ Finding no_work_round_a_closed_path(Bench& b) {
         const std::vector<double> direction = b.random_field();
         Lanes length(kLanes, 0.0), best(kLanes, 1e300);
         for (std::size_t lane = 0; lane < s.count; ++lane) length[lane] = 0.4 * b.spacing(s, lane);
-        for (int pieces = 16; pieces <= 262144; pieces *= 4) {  // energies may turn sharply where slack ends
+        for (int pieces = 16; pieces <= 262144;
+             pieces *= 4) {  // energies can bend sharply at the end of slack
           const Lanes error = energy_not_accounted_for(b, term, s, direction, length, pieces);
           bool done = true;
           for (std::size_t lane = 0; lane < s.count; ++lane) {

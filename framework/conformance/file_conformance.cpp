@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a plugin's file promises, beyond what the loader insists on.
+// Checks of the file of a plugin, beyond those of the loader.
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/exports.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kNamed = 3;
 
-/// "exports 12 symbols beside netloft_plugin_v1: a, b, c …"
+/// "exports 12 more than netloft_plugin_v1: a, b, c …"
 std::string sentence(const std::vector<std::string>& extra) {
   std::string text = "exports " + std::to_string(extra.size()) + " more than netloft_plugin_v1: ";
   for (std::size_t i = 0; i < std::min(extra.size(), kNamed); ++i) text += (i ? ", " : "") + extra[i];
@@ -28,9 +28,8 @@ CheckResult exports_one_symbol(const std::filesystem::path& file) {
   r.passed = names.empty();
   if (!r.passed) r.detail = sentence(names);
   r.hint =
-      "compile with the flags of `netloft --cflags` or with netloft_add_plugin: what is exported may be "
-      "taken "
-      "for a symbol of the same name in another plugin";
+      "compile with the flags of `netloft --cflags` or with netloft_add_plugin: an exported symbol may be "
+      "taken for a symbol of the same name in another plugin";
   return r;
 }
 

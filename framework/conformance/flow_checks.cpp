@@ -15,8 +15,8 @@ bool feels_water(const netloft_term& term) {
   return (term.traits & NETLOFT_READS_CURRENT) && !(term.traits & NETLOFT_FROM_OUTSIDE);
 }
 
-/// The same water and the same velocity at all nodes of an element, no acceleration: what is passive may take
-/// energy out of such a flow only.
+/// The same water and velocity at all nodes of an element, without acceleration. A passive element can only
+/// take energy out of such a flow.
 States in_uniform_flow(const Bench& b, const netloft_term& term, States s) {
   for (std::size_t d = 0; d < b.dofs(); ++d)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -24,7 +24,7 @@ States in_uniform_flow(const Bench& b, const netloft_term& term, States s) {
       s.v[at(d, lane)] = term.traits & NETLOFT_READS_VELOCITY ? s.v[at(d % 3, lane)] : 0;
       s.a[at(d, lane)] = s.current_dz[at(d, lane)] = 0;
       if (b.type.is_on_body() && d / 3 == 1)
-        s.v[at(d, lane)] = s.current[at(d, lane)] = 0;  // it does not turn
+        s.v[at(d, lane)] = s.current[at(d, lane)] = 0;  // without rotation
     }
   return s;
 }
@@ -55,7 +55,7 @@ Finding no_force_without_flow(Bench& b) {
   return judged(worst, kNoCurrent);
 }
 
-/// Power of the physical force, minus the residual r, seen from the water: -r·(v - c) may not be positive.
+/// The power of the physical force −r relative to the water, −r·(v − c), may not be positive.
 Finding never_gains_energy(Bench& b) {
   Worst worst(kFlowLimit);
   for (const auto& term : b.type.terms) {
@@ -77,17 +77,17 @@ Finding never_gains_energy(Bench& b) {
   return judged(worst, kNoCurrent);
 }
 
-/// Reports weigh by it where a law is asked beyond its range.
+/// Reports use the extents of lanes to weigh laws that are used beyond their range.
 Finding says_how_much_it_stands_for(Bench& b) {
-  if (b.type.laws.empty()) return nothing_to_ask("it has no place for a law");
+  if (b.type.laws.empty()) return not_applicable("it has no slot for a law");
   for (const auto& term : b.type.terms)
     if (term.traits & NETLOFT_READS_CURRENT)
       for (const auto& tile : b.tiles) b.specimen->evaluate(term, tile, NETLOFT_WANT_FORCE);
   const AskedLanes& asked = b.specimen->asked();
-  if (asked.told == 0) return nothing_to_ask("it tells its laws nothing of it");
+  if (asked.told == 0) return not_applicable("it passes no extents to its laws");
   if (asked.wrong > 0)
     return failed(std::to_string(asked.wrong) + " of " + std::to_string(asked.told) +
-                  " lanes stand for no metres of twine and no area of netting");
+                  " lanes have no positive length of twine or area of netting");
   return {};
 }
 

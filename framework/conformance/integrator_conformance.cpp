@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// What an integrator promises: its steps follow a motion that is known, at the order and with the estimate it
-// speaks of, gain no energy, remember nothing, and say so when they cannot be made.
+// Checks of an integrator: its steps follow a known motion with the declared order and error estimate, create
+// no energy, have no memory, and report failures.
 #include "framework/conformance/checklist.hpp"
 #include "framework/conformance/method_bench.hpp"
 #include "framework/conformance/practice_motion.hpp"
@@ -20,7 +19,7 @@ struct IntegratorBench : MethodBench {
   IntegratorBench(const IntegratorType& t, const ConformanceOptions& o)
       : MethodBench(t.parameters, t.integrator.parameter_bytes, o), scheme(t.integrator), type(t) {}
 
-  /// OK, or what the first step that failed said.
+  /// Runs a motion. Returns OK, or the status of the first step that failed.
   int run(PracticeMotion& motion, const std::vector<double>& lengths, double end) {
     return guarded("step", NETLOFT_ERROR,
                    [&] { return motion.run(scheme, parameters.data(), lengths, end); });
@@ -57,7 +56,7 @@ Finding fills_every_output(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   if (const int status = b.run(motion, {0.01}, 0.02); status != NETLOFT_OK)
     return failed("a step of a linear oscillator returned " + std::to_string(status));
-  return motion.is_finite() ? Finding{} : failed("u_new, v_new or a_new holds what is no number");
+  return motion.is_finite() ? Finding{} : failed("u_new, v_new or a_new contains NaN or infinity");
 }
 
 Finding leaves_the_start_alone(IntegratorBench& b) {
@@ -74,12 +73,12 @@ double error_with(IntegratorBench& b, const PracticeSwing& like, int steps) {
   return motion.t < kSpan * (1 - 1e-9) ? std::numeric_limits<double>::infinity() : motion.error();
 }
 
-/// Power of the step with which the error at the end shrinks.
+/// The observed order: the power of the step to which the error at the end is proportional.
 double order_of(IntegratorBench& b, const PracticeSwing& like) {
   return std::log2(error_with(b, like, 128) / error_with(b, like, 256));
 }
 
-/// Orders are seen to this.
+/// Accuracy of observed orders.
 constexpr double kOrderSeen = 0.2;
 
 Finding converges(IntegratorBench& b) {
@@ -104,12 +103,12 @@ Finding keeps_its_order_under_a_load(IntegratorBench& b) {
   return keeps_its_order(b, kPushed, "a motion under a load that grows");
 }
 
-/// A step that is too long may be refused, but not be shortened in secret.
+/// A step that is too long may be refused, but not be shortened silently.
 Finding goes_all_the_way(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   const double stable = b.stable_step(2), h = stable > 0 ? std::min(0.2, 0.5 * stable) : 0.2;
-  if (b.run(motion, {h}, 3) != NETLOFT_OK) return nothing_to_ask("it refuses long steps");
-  return up_to(motion.error(), 1, "of where it is after 3 s in steps of " + std::to_string(h) + " s");
+  if (b.run(motion, {h}, 3) != NETLOFT_OK) return not_applicable("it refuses long steps");
+  return up_to(motion.error(), 1, "error of the position after 3 s in steps of " + std::to_string(h) + " s");
 }
 
 double error_between(IntegratorBench& b, int steps) {
@@ -118,7 +117,7 @@ double error_between(IntegratorBench& b, int steps) {
   return motion.error_between;
 }
 
-/// A cubic has no more than four.
+/// The order within a step is at most four, because of the cubic interpolation.
 Finding answers_between_steps(IntegratorBench& b) {
   const double ends = std::min(4.0, order_of(b, kFree));
   const double here = std::log2(error_between(b, 128) / error_between(b, 256));
@@ -126,7 +125,7 @@ Finding answers_between_steps(IntegratorBench& b) {
                "order " + std::to_string(here) + " within steps, " + std::to_string(ends) + " at their ends");
 }
 
-constexpr double kWhere = 0.5;  // [s] where velocities and accelerations are all there
+constexpr double kWhere = 0.5;  // time at which neither velocities nor accelerations vanish [s]
 
 double estimate_with(IntegratorBench& b, int steps) {
   PracticeMotion motion(kFree);
@@ -136,7 +135,7 @@ double estimate_with(IntegratorBench& b, int steps) {
 
 Finding estimate_shrinks_as_said(IntegratorBench& b) {
   const double coarse = estimate_with(b, 50), fine = estimate_with(b, 100);
-  if (coarse == 0 && fine == 0) return nothing_to_ask("it gives no estimate of its errors");
+  if (coarse == 0 && fine == 0) return not_applicable("it gives no estimate of its errors");
   const double seen = std::log2(coarse / fine);
   return up_to(
       std::abs(seen - b.order()), kOrderSeen,
@@ -146,7 +145,7 @@ Finding estimate_shrinks_as_said(IntegratorBench& b) {
 Finding estimate_is_honest(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   b.run(motion, {0.02}, kWhere);
-  if (motion.estimated == 0) return nothing_to_ask("it gives no estimate of its errors");
+  if (motion.estimated == 0) return not_applicable("it gives no estimate of its errors");
   return up_to(motion.error() / motion.estimated, 3, "error after 25 steps over the sum of their estimates");
 }
 
@@ -156,7 +155,7 @@ Finding gains_no_energy(IntegratorBench& b) {
   return up_to(motion.energy(), 1.05, "energy after 2000 steps of a free motion over that of the start");
 }
 
-/// Steps at most as long as it says; if any is stable, long ones of a hundred over the frequency.
+/// Uses steps of the declared stable length; if all steps are stable, long ones of 100 over the frequency.
 Finding stable_as_it_says(IntegratorBench& b) {
   const double fastest = 2, stable = b.stable_step(fastest);
   const double h = stable > 0 ? 0.8 * stable : 100 / fastest;
@@ -169,7 +168,7 @@ Finding stable_as_it_says(IntegratorBench& b) {
 Finding says_when_a_step_fails(IntegratorBench& b) {
   PracticeMotion motion({.fails = NETLOFT_OUTSIDE_DOMAIN});
   return b.run(motion, {0.01}, 0.01) != NETLOFT_OK ? Finding{}
-                                                   : failed("a step without forces counts as found");
+                                                   : failed("it reports success for a step without forces");
 }
 
 Finding stops_at_an_error_of_a_step(IntegratorBench& b) {
@@ -204,7 +203,7 @@ Finding remembers_nothing_in_scratch(IntegratorBench& b) {
 }
 
 Finding explicit_means_explicit(IntegratorBench& b) {
-  if (!b.type.is_explicit()) return nothing_to_ask("it does not say that it is explicit");
+  if (!b.type.is_explicit()) return not_applicable("it does not say that it is explicit");
   PracticeMotion motion(kFree);
   b.run(motion, {0.01}, 0.02);
   return motion.solves == 0 ? Finding{} : failed("it calls `solve`");
@@ -216,7 +215,7 @@ Finding steps_nothing(IntegratorBench& b) {
   return status == NETLOFT_OK ? Finding{} : failed("returned " + std::to_string(status));
 }
 
-// Order matters: a check stands below those that it leans on.
+// The order matters: a check follows those that it depends on.
 const std::vector<Check<IntegratorBench>>& integrator_table() {
   static const std::vector<Check<IntegratorBench>> checks = {
       {"defaults-are-allowed",
@@ -230,15 +229,15 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"fills-every-output",
        fills_every_output,
        {"no-exception-escapes"},
-       "a step gives next_u, next_v and next_a, each in full, whatever stood there"},
+       "a step sets next_u, next_v and next_a, each completely"},
       {"leaves-the-start-alone",
        leaves_the_start_alone,
        {"fills-every-output"},
-       "a step may be refused and made again: u, v and a are not yours to change"},
+       "a step may be refused and repeated: do not change u, v and a"},
       {"converges",
        converges,
        {"fills-every-output"},
-       "masses on springs: shorter steps must come nearer to the motion; are all powers of h there?"},
+       "masses on springs: shorter steps must reduce the error; are all powers of h present?"},
       {"keeps-its-order-with-damping",
        keeps_its_order_with_damping,
        {"converges"},
@@ -251,11 +250,11 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"answers-between-steps",
        answers_between_steps,
        {"converges"},
-       "outputs between steps lie on the cubic through both ends: next_v has to be the rate of next_u there"},
+       "outputs between steps are on the cubic through both ends: next_v must be the rate of next_u there"},
       {"goes-all-the-way",
        goes_all_the_way,
        {"converges"},
-       "the step is as long as `h` says; where that is too long, return Step::shorter"},
+       "the step has the length `h`; if that is too long, return Step::shorter"},
       {"estimate-shrinks-as-said",
        estimate_shrinks_as_said,
        {"converges"},
@@ -263,7 +262,7 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"estimate-is-honest",
        estimate_is_honest,
        {"converges"},
-       "`error` must not be much below the error that a step makes; the control of steps relies on it"},
+       "`error` must not be much below the actual error of a step; the step control relies on it"},
       {"gains-no-energy",
        gains_no_energy,
        {"converges"},
@@ -275,11 +274,11 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"says-when-a-step-fails",
        says_when_a_step_fails,
        {"no-exception-escapes"},
-       "look at what `solve` and `accelerate` return; Step::shorter says that the step was not found"},
+       "check the results of `solve` and `accelerate`; Step::shorter reports that the step was not found"},
       {"stops-at-an-error",
        stops_at_an_error_of_a_step,
        {"no-exception-escapes"},
-       "an error of the host ends the step with an error; no shorter step will do"},
+       "an error of the host ends the step with an error; a shorter step does not help"},
       {"no-hidden-state",
        integrator_has_no_hidden_state,
        {"fills-every-output"},
@@ -287,11 +286,11 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"remembers-nothing-in-scratch",
        remembers_nothing_in_scratch,
        {"no-hidden-state"},
-       "scratch is room within a step: a march that goes on from a file must go on alike"},
+       "scratch is memory within a step: a march that continues from a file must give the same results"},
       {"explicit-means-explicit",
        explicit_means_explicit,
        {"fills-every-output"},
-       "leave traits(NETLOFT_EXPLICIT) away, or use `accelerate`"},
+       "remove traits(NETLOFT_EXPLICIT), or use `accelerate`"},
       {"steps-nothing", steps_nothing, {"no-exception-escapes"}, "a scene may have no unknowns at all"},
       {"starts-no-threads",
        method_starts_no_threads,
@@ -301,7 +300,7 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
   return checks;
 }
 
-/// Over unknowns and steps.
+/// Time per unknown and step.
 TermTiming time_stepping(IntegratorBench& b) {
   constexpr int kSteps = 100;
   constexpr std::uint32_t kUnknowns = 300;

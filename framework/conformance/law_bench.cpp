@@ -20,8 +20,7 @@ void normalise(double (&a)[3]) {
   for (double& c : a) c /= length;
 }
 
-/// Turns the unit vector `W` to where the flow of this kind comes from; `across` is left at right angles to
-/// t.
+/// Turns the unit vector `W` to the direction of this kind of flow; `across` is perpendicular to t.
 void turn(Special special, const double (&t)[3], double (&W)[3]) {
   double across[3];
   for (std::size_t i = 0; i < 3; ++i) across[i] = W[i] - dot(W, t) * t[i];
@@ -123,8 +122,7 @@ std::vector<double> LawBench::force_scale(std::size_t part, const Flows& flows) 
     Flows other = flows;
     const std::vector<double> field = random_field();
     for (std::size_t i = 0; i < field.size(); ++i) other.flow[i] = reach(flows, i % kLanes) * field[i];
-    for (double& S : other.solidity)
-      S = k % 2 ? std::max(S, 0.2) : S;  // netting without twines feels nothing
+    for (double& S : other.solidity) S = k % 2 ? std::max(S, 0.2) : S;  // netting without twines has no force
     const LawAnswer a = evaluate(part, other, false);
     for (std::size_t i = 0; i < a.force.size(); ++i)
       scale[i % kLanes] = std::max(scale[i % kLanes], std::abs(a.force[i]));

@@ -10,26 +10,28 @@ struct Flows {
   std::vector<double> flow, direction, diameter, solidity;
 };
 
-/// What a law said of them. Rows that it did not write are no numbers.
+/// The answer of a law. Rows that it did not write are NaN.
 struct LawAnswer {
   bool ok = false;
-  std::string thrown;  // what came out of the law, if something did
+  std::string thrown;  // the exception that the law threw, if any
   std::vector<double> force, d_flow, d_direction, d_solidity;
 };
 
-/// One law on the bench, with sampled parameters and flows. Speeds are from 1 cm/s to 5 m/s, diameters from 1
-/// mm to 10 cm, solidities from 0 to 0.9, one in four zero. Of eight flows one is none at all, one runs along
-/// the direction, one across it, two miss these by a millionth, one is a thousand times slower.
+/// The fixture of the law checks, with sampled parameters and flows. Speeds are from 1 cm/s to 5 m/s,
+/// diameters from 1 mm to 10 cm, solidities from 0 to 0.9, one in four zero. Of eight flows, one is zero, one
+/// is along the direction, one across it, two differ from these by a millionth, and one is a thousand times
+/// slower.
 struct LawBench {
   LawBench(const LawType& type, const ConformanceOptions& options);
 
   LawAnswer evaluate(std::size_t part, const Flows& flows, bool derivatives) const;
-  /// The plain call, into arrays of the caller. False: it failed or threw.
+  /// Calls the law with arrays of the caller. Returns false if it failed or threw.
   bool call(std::size_t part, const netloft_law_tile& flow, std::string& thrown) const;
   /// "parameters 3, flow 12 (along the direction)"
   std::string place(std::size_t part, std::size_t lane) const;
-  /// Speed over which a flow is varied [m/s], and the largest force at that speed.
+  /// Speed over which a flow is varied [m/s].
   double reach(const Flows& flows, std::size_t lane) const;
+  /// Largest force of each lane at that speed [N].
   std::vector<double> force_scale(std::size_t part, const Flows& flows);
   std::vector<double> random_field();
 
@@ -45,7 +47,7 @@ struct LawBench {
   Flows sample();
 };
 
-/// What an array of the answer was before the law wrote to it.
+/// Value in arrays of the answer before the law writes to them.
 double not_written();
 
 }  // namespace netloft::conformance

@@ -5,13 +5,13 @@
 
 namespace netloft::conformance {
 
-// Does the force bend without a kink, and are its derivatives right? (law_derivative_checks.cpp)
+// Derivatives: is the force without kinks, and are its derivatives correct? (law_derivative_checks.cpp)
 Finding law_has_no_kink(LawBench&);
 Finding d_flow_is_derivative(LawBench&);
 Finding d_direction_is_derivative(LawBench&);
 Finding d_solidity_is_derivative(LawBench&);
 
-// Is it the force of water? (law_flow_checks.cpp)
+// Physics: is it the force of water? (law_flow_checks.cpp)
 Finding law_needs_flow(LawBench&);
 Finding law_never_gains_energy(LawBench&);
 Finding rotation_turns_the_force_of_a_law(LawBench&);

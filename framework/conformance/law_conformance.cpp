@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// What a law promises: whether it answers and keeps its manners, and the table of all that it is asked.
+// Checks of a law: whether it answers and keeps to its outputs, and the table of all checks.
 #include "framework/conformance/checklist.hpp"
 #include "framework/conformance/law_checks.hpp"
 #include "framework/conformance/timing.hpp"
@@ -19,7 +18,7 @@ bool same_lane(const LawAnswer& a, std::size_t i, const LawAnswer& b, std::size_
          same_lane(a.d_direction, i, b.d_direction, j) && same_lane(a.d_solidity, i, b.d_solidity, j);
 }
 
-/// Asks `question(part, flows)` of all sets of parameters; it returns a fault or nothing.
+/// Calls `question(part, flows)` for all sets of parameters; it returns a fault or an empty string.
 template <class Question>
 Finding ask_all(LawBench& b, Question&& question) {
   for (std::size_t part = 0; part < b.tiles.size(); ++part)
@@ -60,7 +59,7 @@ Finding law_outputs_are_finite(LawBench& b) {
   });
 }
 
-/// Lanes from `count` on keep what was there, whatever their inputs.
+/// Lanes from `count` on must not change, whatever their inputs.
 Finding law_writes_nothing_past_count(LawBench& b) {
   return ask_all(b, [&](std::size_t part, const Flows& all) -> std::string {
     for (const std::uint32_t count : {1u, 3u, 31u, 63u}) {
@@ -70,7 +69,7 @@ Finding law_writes_nothing_past_count(LawBench& b) {
       for (const auto* values : {&a.force, &a.d_flow, &a.d_direction, &a.d_solidity})
         for (std::size_t i = 0; i < values->size(); ++i)
           if (i % kLanes >= count && !std::isnan((*values)[i]))
-            return "of " + std::to_string(count) + " flows, lane " + std::to_string(i % kLanes) +
+            return "with " + std::to_string(count) + " flows, lane " + std::to_string(i % kLanes) +
                    " was written";
     }
     return {};
@@ -83,15 +82,16 @@ Finding law_has_no_hidden_state(LawBench& b) {
     b.evaluate(part, b.tiles.front(), true);
     const LawAnswer after = b.evaluate(part, f, true);
     for (std::size_t lane = 0; lane < f.count; ++lane)
-      if (!same_lane(before, lane, after, lane)) return b.place(part, lane) + ": asked twice, answers differ";
+      if (!same_lane(before, lane, after, lane))
+        return b.place(part, lane) + ": two calls give different answers";
     return {};
   });
 }
 
-/// Answers may not change when bytes that no row of the table declares hold something else.
+/// Answers must not depend on bytes that no row of the table declares.
 Finding law_reads_what_it_declares(LawBench& b) {
   const auto ranges = undeclared(b.type.parameters, b.type.law.parameter_bytes);
-  if (ranges.empty()) return nothing_to_ask("its table declares every byte of its parameters");
+  if (ranges.empty()) return not_applicable("its table declares every byte of its parameters");
   return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
     const LawAnswer before = b.evaluate(part, f, true);
     for (const auto& range : ranges) {
@@ -108,7 +108,7 @@ Finding law_reads_what_it_declares(LawBench& b) {
 
 Finding law_is_the_same_in_any_lane(LawBench& b) {
   return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
-    Flows turned = f;  // lane i stands where 63 - i stood
+    Flows turned = f;  // lanes in reverse order
     for (auto field : {&Flows::flow, &Flows::direction, &Flows::diameter, &Flows::solidity})
       for (std::size_t i = 0; i < (f.*field).size(); ++i)
         (turned.*field)[at(i / kLanes, kLanes - 1 - i % kLanes)] = (f.*field)[i];
@@ -125,12 +125,12 @@ Finding law_has_the_same_force_alone(LawBench& b) {
     const LawAnswer with = b.evaluate(part, f, true), alone = b.evaluate(part, f, false);
     for (std::size_t lane = 0; lane < f.count; ++lane)
       if (!same_lane(with.force, lane, alone.force, lane))
-        return b.place(part, lane) + ": differs from alone";
+        return b.place(part, lane) + ": differs from the force without derivatives";
     return {};
   });
 }
 
-// Order matters: a check stands below those that it leans on.
+// The order matters: a check follows those that it depends on.
 const std::vector<Check<LawBench>>& law_table() {
   static const std::vector<Check<LawBench>> checks = {
       {"defaults-are-allowed",
@@ -164,12 +164,12 @@ const std::vector<Check<LawBench>>& law_table() {
       {"same-in-any-lane",
        law_is_the_same_in_any_lane,
        {"no-hidden-state"},
-       "an answer may not depend on its place among the 64, nor on its neighbours"},
+       "an answer may not depend on its lane, nor on its neighbours"},
       {"same-force-without-derivatives",
        law_has_the_same_force_alone,
        {"no-hidden-state"},
        "compute the force in one way only"},
-      {"no-force-without-flow", law_needs_flow, {"no-hidden-state"}, "nothing flows, nothing pushes"},
+      {"no-force-without-flow", law_needs_flow, {"no-hidden-state"}, "without flow, the force must be zero"},
       {"no-kink",
        law_has_no_kink,
        {"no-hidden-state"},
@@ -185,11 +185,11 @@ const std::vector<Check<LawBench>>& law_table() {
       {"d-solidity-is-derivative",
        d_solidity_is_derivative,
        {"no-hidden-state"},
-       "differentiate the force by the solidity; zero where it does not matter"},
+       "differentiate the force by the solidity; zero if it does not matter"},
       {"never-gains-energy",
        law_never_gains_energy,
        {"no-force-without-flow"},
-       "the force of a law is the physical one: it points with the flow"},
+       "the force of a law is the physical one: its component along the flow is positive"},
       {"rotation-turns-the-force",
        rotation_turns_the_force_of_a_law,
        {"no-force-without-flow"},
@@ -197,11 +197,11 @@ const std::vector<Check<LawBench>>& law_table() {
       {"odd-in-flow",
        law_is_odd_in_flow,
        {"rotation-turns-the-force"},
-       "a flow from the other side pushes as hard to the other side"},
+       "a reversed flow must reverse the force"},
       {"even-in-direction",
        law_is_even_in_direction,
        {"odd-in-flow"},
-       "a twine has no head, netting no upper side: t and -t are the same"},
+       "twines and netting have no front and no back: t and -t must give the same force"},
   };
   return checks;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Derivatives of a law are compared with central differences over a sweep of steps, each flow by the best of
-// them: large steps suffer from curvature, small ones from rounding.
+// Derivatives of a law are compared with central differences over a range of steps, and the best step counts
+// for each flow: large steps suffer from curvature, small ones from rounding.
 #include "framework/conformance/law_checks.hpp"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace {
 constexpr double kLawKinkStep = 1e-6, kKinkLimit = 1e-3;
 constexpr double kSlopeLimit = 1e-5;
 
-/// flows + step·field in one of their arrays, a step per lane.
+/// flows + step·field in one of their arrays, with one step per lane.
 Flows varied(const Flows& from, std::vector<double> Flows::*array, const std::vector<double>& field,
              const std::vector<double>& step, double sign) {
   Flows to = from;
@@ -33,8 +32,8 @@ double largest(const std::array<double, 3>& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-/// A derivative along a field of variations against the best of central differences, over the force at
-/// `reach`. `promised(answer, lane, row)` is the derivative times the field.
+/// Compares a derivative along a field of variations with the best central difference, relative to the force
+/// at `reach`. `promised(answer, lane, row)` is the derivative times the field.
 template <class Promised>
 void compare_slopes(LawBench& b, std::size_t part, std::vector<double> Flows::*array,
                     const std::vector<double>& field, bool by_speed, Promised&& promised, Worst& worst) {
@@ -67,7 +66,7 @@ double along_field(const std::vector<double>& matrix, const std::vector<double>&
 
 }  // namespace
 
-/// Slopes to both sides of each flow, the special ones above all, must agree.
+/// One-sided slopes must agree on both sides of each flow, in particular of the special ones.
 Finding law_has_no_kink(LawBench& b) {
   Worst worst(kKinkLimit);
   for (std::size_t part = 0; part < b.tiles.size(); ++part)
@@ -100,7 +99,7 @@ Finding d_flow_is_derivative(LawBench& b) {
   return judged(worst, "");
 }
 
-/// Directions are unit vectors: only what turns them counts.
+/// Directions are unit vectors, so that only perpendicular variations count.
 Finding d_direction_is_derivative(LawBench& b) {
   Worst worst(kSlopeLimit);
   for (std::size_t part = 0; part < b.tiles.size(); ++part)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Is the force of a law that of water: none without flow, passive, the same from every side?
+// Checks of the physics of a law: no force without flow, passive, the same from every side.
 #include "framework/conformance/law_checks.hpp"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace {
 
 constexpr double kFlowRounding = 1e-10;
 
-/// Force with one array turned over, against `sign` times the force as it is.
+/// Compares the force for a reversed array with `sign` times the original force.
 Finding compare_turned_over(LawBench& b, std::vector<double> Flows::*array, double sign) {
   Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {
@@ -27,7 +26,7 @@ Finding compare_turned_over(LawBench& b, std::vector<double> Flows::*array, doub
   return judged(worst, "");
 }
 
-/// Every vector of an array [3][64], turned about z.
+/// Rotates every vector of an array [3][64] about z.
 void turn_flow(std::vector<double>& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -52,7 +51,7 @@ Finding law_needs_flow(LawBench& b) {
   return judged(worst, "");
 }
 
-/// Power of the force seen from the water, F·W, may not be negative.
+/// The power of the force relative to the water, F·W, may not be negative.
 Finding law_never_gains_energy(LawBench& b) {
   Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {

@@ -21,14 +21,15 @@ bool same_lane(const Answer& a, std::size_t i, const Answer& b, std::size_t j) {
          same_lane(a.matrix, i, b.matrix, j) && same_lane(a.memory, i, b.memory, j);
 }
 
-/// The first lane below `count` in which two answers differ; `count` when there is none.
+/// The first lane below `count` in which two answers differ; `count` if there is none.
 std::size_t first_difference(const Answer& a, const Answer& b, std::size_t count) {
   std::size_t lane = 0;
   while (lane < count && same_lane(a, lane, b, lane)) ++lane;
   return lane;
 }
 
-/// Asks every term of every tile for everything; `ask(term, states, want)` returns a fault or nothing.
+/// Calls `ask(term, states, want)` for all terms, tiles and combinations of outputs; it returns a fault or an
+/// empty string.
 template <class Ask>
 Finding ask_all(Bench& b, Ask&& ask) {
   for (const auto& term : b.type.terms)
@@ -54,16 +55,16 @@ Finding no_hidden_state(Bench& b) {
     b.specimen->evaluate(term, moved(s, b.random_field(), step), want);
     const Answer after = b.specimen->evaluate(term, s, want);
     const std::size_t lane = first_difference(before, after, s.count);
-    return lane == s.count ? "" : b.place(term, s, lane) + ": asked twice, answers differ";
+    return lane == s.count ? "" : b.place(term, s, lane) + ": two calls give different answers";
   });
 }
 
 namespace {
 
-constexpr double kCanary = -7.25e-300;  // small, so that whatever is added to it shows
+constexpr double kCanary = -7.25e-300;  // small, so that any number added to it is visible
 constexpr std::size_t kMargin = 4 * kLanes;
 
-/// An array with canaries in front, behind, and in all lanes from `count` on; zero where a term may add.
+/// An array surrounded by canaries, also in all lanes from `count` on; zero where a term may add.
 struct Guarded {
   Guarded(std::size_t rows, std::size_t count) : values(rows * kLanes + 2 * kMargin, kCanary) {
     for (std::size_t row = 0; row < rows; ++row)
@@ -80,8 +81,7 @@ struct Guarded {
   std::vector<double> values;
 };
 
-/// Calls a term past the helper of Specimen, into guarded arrays and from inputs that are no numbers from
-/// `count` on.
+/// Calls a term with guarded arrays, and with inputs that are NaN from lane `count` on.
 std::string trespass(const Bench& b, const netloft_term& term, States s, std::uint32_t count,
                      std::uint32_t want) {
   for (const auto field : kFields)
@@ -125,7 +125,7 @@ double largest(const std::vector<double>& values, std::size_t lane) {
   return most;
 }
 
-/// Something of the size of the answer to be added to, different in every entry.
+/// Fills an array with numbers of the size of the answer, different in every entry.
 void prefill(std::vector<double>& values, const std::vector<double>& like) {
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = (largest(like, i % kLanes) + 1) * (1 + 0.01 * static_cast<double>(i / kLanes % 7));
@@ -181,12 +181,12 @@ struct Shuffled {
     }
     copy_lane(b.tiles[from / kLanes], from % kLanes, states[to / kLanes], to % kLanes);
   }
-  std::vector<std::size_t> order;  // place in `states` -> element of the bench
+  std::vector<std::size_t> order;  // index in `states` -> element of the fixture
   Sample sample;
   std::vector<States> states;
 };
 
-/// The same elements over one ground, which is a tile's: they may change places between tiles then.
+/// The states with a common ground velocity, so that elements can be moved between tiles.
 States over(States s, const std::vector<double>& ground) {
   s.ground = ground;
   return s;
@@ -234,14 +234,14 @@ Finding same_in_any_lane(Bench& b) {
 
 namespace {
 
-/// Whether `part`, asked for alone, has the same bits as when asked for with other things.
+/// Whether one output has the same bits with and without other outputs.
 Finding same_alone(Bench& b, std::uint32_t part, std::vector<double> Answer::*values) {
   return ask_all(b, [&](const netloft_term& term, const States& s, std::uint32_t want) -> std::string {
     if (!(want & part)) return {};
     const Answer alone = b.specimen->evaluate(term, s, part), with = b.specimen->evaluate(term, s, want);
     for (std::size_t lane = 0; lane < s.count; ++lane)
       if (!same_lane(alone.*values, lane, with.*values, lane))
-        return b.place(term, s, lane) + ": differs from alone";
+        return b.place(term, s, lane) + ": differs from the same output alone";
     return {};
   });
 }
@@ -256,8 +256,8 @@ namespace {
 
 constexpr int kRoundsPerThread = 50, kRoundsApart = 10;
 
-/// One thread's share: evaluates its tile again and again. Now and then it waits for the other one, which a
-/// busy machine may begin when this one had ended.
+/// Evaluates a tile repeatedly in one of two threads. The threads wait for each other from time to time,
+/// because a busy machine could start the second one after the first has ended.
 std::size_t count_differences(const Bench& b, const netloft_term& term, const States& s, std::uint32_t want,
                               const Answer& expected, std::barrier<>& both) {
   std::size_t differences = 0;
@@ -297,8 +297,8 @@ Finding same_from_two_threads(Bench& b) {
 
 namespace {
 
-/// Whether no thread and no program began while `work` was done. The system numbers both in the order in
-/// which they begin: of two threads of our own, one before and one after, the second has the next number.
+/// Whether no thread and no process begins during `work`. The system numbers both in order of their
+/// beginning: if nothing else begins, a thread before and a thread after the work have consecutive numbers.
 template <class Work>
 bool nothing_begins_during(Work&& work) {
   int before = 0, after = 0;
@@ -311,9 +311,10 @@ bool nothing_begins_during(Work&& work) {
 
 enum class Starts { none, some, unknown };
 
-/// Whether `work` starts threads, however short their lives are. Other programs begin threads, too, so the
-/// same is asked of as long a time without work: it once has to see nothing begin with `work`, or often
-/// without, before it did with. Where others begin something all the time, it cannot be told.
+/// Whether `work` starts threads, however short-lived. Because other programs start threads as well, the same
+/// time is also observed without work. `work` starts none if once nothing begins during it; it starts some if
+/// nothing begins without work kProof times before that. The answer is unknown if other programs start
+/// threads all the time.
 template <class Work>
 Starts threads_started_by(Work&& work) {
   using Clock = std::chrono::steady_clock;
@@ -345,7 +346,7 @@ Finding starts_no_threads(Bench& b) {
       for (const auto& term : b.type.terms) b.specimen->evaluate(term, b.tiles[0], NETLOFT_WANT_FORCE);
   });
   if (started == Starts::some) return failed("a thread is started during an evaluation");
-  if (started == Starts::unknown) return nothing_to_ask("other programs start threads all the time");
+  if (started == Starts::unknown) return not_applicable("other programs start threads all the time");
   return {};
 }
 
@@ -371,7 +372,8 @@ Finding missing_inputs_are_zero(Bench& b) {
         worst.note(ratio(c.force[i] - a.force[i], largest(moving.force, i % kLanes)),
                    [&] { return b.place(term, s, i % kLanes); });
       if (term.traits & NETLOFT_CONSTANT) continue;
-      // A matrix by rates is asked for at rest, too: masses, and what damps a small disturbance.
+      // Matrices with respect to rates are needed at rest as well: masses, and the damping of small
+      // disturbances.
       const Answer there = b.specimen->evaluate(term, zero, NETLOFT_WANT_TANGENT, kAllFactors);
       const Answer none = b.specimen->evaluate(term, missing, NETLOFT_WANT_TANGENT, kAllFactors);
       for (std::size_t i = 0; i < there.matrix.size(); ++i)

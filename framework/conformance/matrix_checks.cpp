@@ -20,7 +20,7 @@ Eigen::MatrixXd matrix_of(const Bench& b, const netloft_term& term, const Answer
   return m;
 }
 
-/// How far the least eigenvalue lies below zero, over the largest entry of `scale`.
+/// The amount by which the least eigenvalue is negative, relative to the largest entry of `scale`.
 double negativity(const Eigen::MatrixXd& m, const Eigen::MatrixXd& scale) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (m + m.transpose()),
                                                              Eigen::EigenvaluesOnly);
@@ -44,7 +44,7 @@ Finding convex_is_positive(Bench& b) {
       }
     }
   }
-  return judged(worst, "no term gives a convex part");
+  return judged(worst, "no term has a convex part");
 }
 
 Finding metric_is_constant(Bench& b) {
@@ -63,7 +63,7 @@ Finding metric_is_constant(Bench& b) {
       }
     }
   }
-  return judged(worst, "no term gives a metric");
+  return judged(worst, "no term has a metric");
 }
 
 Finding metric_bounds_convex(Bench& b) {
@@ -80,7 +80,7 @@ Finding metric_bounds_convex(Bench& b) {
       }
     }
   }
-  return judged(worst, "no term gives both a metric and a convex part");
+  return judged(worst, "no term has both a metric and a convex part");
 }
 
 }  // namespace netloft::conformance

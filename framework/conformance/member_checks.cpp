@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Do the members that an element declares make up its term of members?
+// Checks that the members that an element declares make up its term of members.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -10,13 +9,13 @@ namespace netloft::conformance {
 
 namespace {
 
-/// What the members of a lane give together, and the same of the element's term.
+/// Sum of the forces and energies of the members of a lane.
 struct Pull {
   double energy = 0;
   std::vector<double> force;  // by degree of freedom
 };
 
-/// Adds a member at a state of its element; false where it has no length and so no direction.
+/// Adds a member at a state of its element. Returns false if it has no length and therefore no direction.
 ///   l = ‖w‖, w = Σ c x,  E = ½ number T (l − l₀),  f_i = number c_i T w/l     (netloft_member)
 bool add_member(const netloft_member& m, const States& s, std::size_t lane, Pull& sum) {
   double w[3] = {};
@@ -33,7 +32,7 @@ bool add_member(const netloft_member& m, const States& s, std::size_t lane, Pull
   return true;
 }
 
-/// The terms of members of all lanes; empty arrays: one of them has no force here.
+/// Sum of the terms of members for all lanes.
 Answer answer_of_terms(const Bench& b, const States& s) {
   Answer sum;
   sum.energy.assign(kLanes, 0.0);
@@ -49,7 +48,7 @@ const netloft_term& term_of_members(const ElementType& type) {
                        [](const netloft_term& t) { return (t.traits & NETLOFT_OF_MEMBERS) != 0; });
 }
 
-/// How far the members are from their term: of the force, or of the energy over the element's size.
+/// Difference of the members from their term: of the forces, or of the energies over the size of the element.
 double difference(const Answer& term, const Pull& members, std::size_t lane, double size) {
   double off = std::abs(term.energy[lane] - members.energy) / size;
   for (std::size_t d = 0; d < members.force.size(); ++d)
@@ -75,10 +74,9 @@ void compare(Bench& b, const States& s, Worst& worst) {
 
 }  // namespace
 
-/// Rounding of positions of 10 m in an element of 1 mm leaves 1e-12 of the strain; laws have more digits than
-/// the limit asks for.
+/// Rounding of positions of 10 m in an element of 1 mm is 1e-12 of the strain, far below the limit.
 Finding members_make_their_term(Bench& b) {
-  if (b.type.element.member_count == 0) return nothing_to_ask("the element declares no members");
+  if (b.type.element.member_count == 0) return not_applicable("the element declares no members");
   Worst worst(1e-6);
   for (const auto& s : b.tiles) compare(b, s, worst);
   return judged(worst, "no state");

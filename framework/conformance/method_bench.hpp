@@ -4,7 +4,7 @@
 
 namespace netloft::conformance {
 
-/// A solver or an integrator with its defaults.
+/// A solver, an integrator or a strategy with its defaults.
 class MethodBench {
  public:
   MethodBench(std::span<const netloft_parameter> table, std::size_t bytes, const ConformanceOptions& o)
@@ -17,13 +17,13 @@ class MethodBench {
   ParameterBlock parameters;
 
  protected:
-  /// What `call` returns; a fault when something came out of it that must not.
+  /// The result of `call`, or `otherwise` if it threw.
   template <class Call>
   int guarded(const char* function, int otherwise, Call&& call) {
     try {
       return call();
     } catch (...) {
-      thrown = std::string("an exception came out of `") + function + "`";
+      thrown = std::string("`") + function + "` threw an exception";
       return otherwise;
     }
   }

@@ -9,17 +9,17 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kLowDigits = 1e-3;  // far more than positions round off, that it can be seen [spacing]
+constexpr double kLowDigits = 1e-3;  // relative to the distance of nodes; far above rounding, to be visible
 constexpr const char* kAllFromOutside = "all terms act from outside";
 
-/// Whether the nodes only act on each other: no weight, no water, no inertia.
+/// Whether the nodes act only on each other: no weight, no water, no inertia.
 bool is_internal(const Bench& b, const netloft_term& term) {
   return !b.type.is_on_body() &&
          !(term.traits & (NETLOFT_FROM_OUTSIDE | NETLOFT_NEEDS_GRAVITY | NETLOFT_NEEDS_FLOW |
                           NETLOFT_READS_CURRENT | NETLOFT_READS_ACCELERATION | NETLOFT_NEEDS_WAVES));
 }
 
-/// Of two answers, by the better one; infinite where neither is any.
+/// Difference from the nearer of two answers; infinite if there is none.
 double least_difference(const Bench& b, const Answer& found, const Answer& one, const Answer& other,
                         const States& s, double scale, std::size_t lane) {
   double least = std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ double least_difference(const Bench& b, const Answer& found, const Answer& one, 
   return least;
 }
 
-/// What stands over a bed takes its bed along.
+/// Moves the elements together with the bed below them.
 States translated(const Bench& b, States s, const double (&by)[3]) {
   for (std::size_t d = 0; d < b.dofs(); ++d)
     for (std::size_t lane = 0; lane < s.count && !b.is_turn(d); ++lane) s.x[at(d, lane)] += by[d % 3];
@@ -37,7 +37,7 @@ States translated(const Bench& b, States s, const double (&by)[3]) {
   return s;
 }
 
-/// Every vector of a field [dof][64] turned about z.
+/// Rotates every vector of a field [dof][64] about z.
 void turn(std::vector<double>& field, double angle) {
   const double c = std::cos(angle), sine = std::sin(angle);
   for (std::size_t i = 0; i + 2 * kLanes < field.size(); ++i) {
@@ -95,7 +95,7 @@ Finding translation_changes_nothing(Bench& b) {
 
 Finding rotation_turns_the_force(Bench& b) {
   Worst worst(kMotionLimit);
-  if (b.type.is_on_body()) return nothing_to_ask("bodies have a check of their own");
+  if (b.type.is_on_body()) return not_applicable("bodies have a check of their own");
   for (const auto& term : b.type.terms) {
     if (is_from_outside(term)) continue;
     for (const auto& s : b.tiles) {

@@ -175,7 +175,7 @@ PracticeProblem::Matrix PracticeProblem::shifted(int matrix, double shift) const
   return K;
 }
 
-/// Gauss without pivoting: the chain's matrices are dominated by their diagonals, or refused.
+/// Gaussian elimination without pivoting: the matrices of the chain are diagonally dominant, or refused.
 int PracticeProblem::factorise(int matrix, double shift) {
   ++factorisations;
   factor_ = shifted(matrix, shift);
@@ -192,7 +192,7 @@ int PracticeProblem::factorise(int matrix, double shift) {
   return NETLOFT_FACTOR_OK;
 }
 
-/// The chain is its own convex part.
+/// The matrix blend of the chain, which is its own convex part.
 int PracticeProblem::factorise_between(double, double shift) {
   const bool are_kept = (kept_ & NETLOFT_WANT_TANGENT) && (kept_ & NETLOFT_WANT_CONVEX);
   return are_kept ? factorise(NETLOFT_EXACT, shift) : NETLOFT_FACTOR_FAILED;
@@ -234,7 +234,7 @@ int PracticeProblem::progress(const double* u, const double* r) {
   const auto own = residual(u, false);
   for (std::uint32_t i = 0; i < n_; ++i) {
     const double error = std::abs(r[i] - own[i]) / like_.load;
-    worst_report = error <= worst_report ? worst_report : error;  // also when it is no number
+    worst_report = error <= worst_report ? worst_report : error;  // NaN counts as worse
   }
   stopped_ = true;
   if (imbalance(reported) <= kPracticeTolerance) return NETLOFT_ARRIVED;

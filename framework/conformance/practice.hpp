@@ -8,49 +8,49 @@
 
 namespace netloft::conformance {
 
-/// What a practice problem is like, beyond a chain of springs.
+/// Properties of a practice problem, beyond a chain of springs.
 struct Practice {
   double stiffness = 100;      // k [N/m]
   double load = 1;             // f [N], on every mass
   double stiffening = 0;       // c [N/m³]
-  double wall = 0;             // where the energy becomes infinite, for every mass [m]; 0: nowhere
+  double wall = 0;             // position at which the energy is infinite, for every mass [m]; 0: none
   double swirl = 0;            // a force without an energy, s (u_{i+1} − u_{i−1}) [N/m]
-  double grip = 0;             // S [N/m], stiffness that is there only near a place, for every mass
-  double runaway = 0;          // l [m], the load is f (1 + u²/l²); 0: it does not grow
-  double buckling = 0;         // h [N/m], the last unknown is no mass but a deflection v that buckles
+  double grip = 0;             // S [N/m], a stiffness near one position only, for every mass
+  double runaway = 0;          // l [m], the load is f (1 + u²/l²); 0: it is constant
+  double buckling = 0;         // h [N/m], the last unknown is a deflection v that buckles, without mass
   bool no_factor = false;      // no matrix can be factorised
   bool no_number = false;      // every evaluation away from the start overflows
-  int interrupted_after = -1;  // iterations after which the user says stop; -1: never
+  int interrupted_after = -1;  // iterations before the user interrupts; -1: never
   std::uint32_t unknowns = 12;
 };
 
-/// A problem small enough to be known in full, behind the same functions as a scene:
+/// A problem with a known solution, behind the same functions as a scene:
 ///   E(u) = Σ k/2 e² + c/4 e⁴ − Σ f u − b Σ log(1 − u/w),  e = u_i − u_{i−1},  u_0 = 0     (1)
 ///        + Σ F²/S γ(S (u − a)/F) − Σ f u³/(3 l²) − h/2 v² + q/4 v⁴,  γ(x) = x atan x − log(1 + x²)/2
 ///   r = ∂E/∂u + s (u_{i+1} − u_{i−1})                                                    (2)
-/// b = 0.1 J, F = 100 N, q = 100 h/m²; all others of Practice. The places a = R (2 x − x²) + d, at the
-/// fraction x of the chain, lie d = 25 mm past the equilibrium of its springs alone, R = 0.72 m. Without
-/// runaway and buckling the energy is convex: there is one equilibrium. The metric is the stiffness k of the
-/// chain. It keeps statistics like the host of a scene.
+/// b = 0.1 J, F = 100 N, q = 100 h/m²; all others are members of Practice. The positions a = R (2 x − x²) +
+/// d, at the fraction x of the chain, are d = 25 mm beyond the equilibrium of its springs alone, R = 0.72 m.
+/// Without runaway and buckling, the energy is convex and has one minimum. The metric is the stiffness k of
+/// the chain. The problem counts calls like the host of a scene.
 class PracticeProblem {
  public:
   explicit PracticeProblem(const Practice& like);
 
   netloft_problem& interface() { return interface_; }
   std::uint32_t size() const { return n_; }
-  /// Largest residual over the load at u; infinite outside the wall.
+  /// Largest residual at u relative to the load; infinite outside the wall.
   double imbalance(const std::vector<double>& u) const;
   const std::vector<double>& u() const { return u_; }
   double load() const { return like_.load; }
   double energy(const double* u) const;
-  /// A small deflection v grows: where h − 3 q v² > 0. All else in (1) is stable wherever it is stationary.
+  /// Whether a small deflection v grows: h − 3 q v² > 0. All other stationary points of (1) are stable.
   bool is_unstable(const double* u) const;
   bool told_to_stop() const { return stopped_; }
 
   int iterations = 0, evaluations = 0, factorisations = 0;
-  int evaluations_after_stop = 0;  // calls of `evaluate` after `progress` said no
-  double worst_report = 0;         // error of a residual given to `progress`, over the load
-  std::vector<double> reported;    // the last point given to `progress`
+  int evaluations_after_stop = 0;  // calls of `evaluate` after `progress` ended the iteration
+  double worst_report = 0;         // largest error of a residual passed to `progress`, relative to the load
+  std::vector<double> reported;    // the last point passed to `progress`
 
  private:
   using Matrix = std::vector<double>;  // n x n, row by row
@@ -82,8 +82,8 @@ class PracticeProblem {
   std::uint32_t n_, masses_;
   netloft_problem interface_{};
   std::vector<double> u_;
-  Matrix matrix_, metric_, factor_;  // of the last evaluation, constant, last factorised
-  std::uint32_t kept_ = 0;           // wants of all evaluations
+  Matrix matrix_, metric_, factor_;  // of the last evaluation; constant; last factorised
+  std::uint32_t kept_ = 0;           // union of `want` of all evaluations
   bool stopped_ = false;
   char message_[256] = "";
 };

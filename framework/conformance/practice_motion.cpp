@@ -137,7 +137,7 @@ int PracticeMotion::accelerate(double time, const double* u_at, const double* v_
   return like_.fails;
 }
 
-/// F is linear in u: u ← u − F/(dF/du).
+/// Solves F = 0, which is linear in u: u ← u − F/(dF/du).
 int PracticeMotion::solve(double time, const double* v0, double cv, const double* a0, double ca,
                           double* u_at) {
   ++solves;

@@ -9,44 +9,47 @@
 
 namespace netloft::conformance {
 
-/// What a practice motion is like.
+/// Properties of a practice motion.
 struct PracticeSwing {
-  double damping = 0;          // ζ, fraction of the critical one
-  double push = 0;             // f [m/s²], grows in proportion to time
-  int fails = NETLOFT_OK;      // what every function of the host answers
+  double damping = 0;          // ζ, fraction of the critical damping
+  double push = 0;             // f [m/s²], proportional to time
+  int fails = NETLOFT_OK;      // the status that every function of the host returns
   std::uint32_t unknowns = 3;  // with ω = 1, 1.5, 2 … rad/s, and u = 1, ½, ⅓ … m at the start
 };
 
-/// Masses on springs, whose motion is known in full, behind the same functions as a scene:
+/// Masses on springs with a known motion, behind the same functions as a scene:
 ///   F = m (a + 2 ζ ω v + ω² u − f t) = 0,  m = 2 kg                                     (1)
 /// for each unknown by itself. With f = 0 or ζ = 0:
 ///   u = e^(−ζωt) (A cos ω't + B sin ω't) + f t/ω²,  ω' = ω √(1 − ζ²)                    (2)
-/// Between ends of steps the host draws the cubic through positions and velocities, after a quarter of a step
+/// Between the ends of a step, the host uses the cubic through positions and velocities. After a quarter of a
+/// step
 ///   u = (27 uₙ + 5 uₙ₊₁)/32 + h (9 vₙ − 3 vₙ₊₁)/64                                         (3)
-/// Mean forces of a step, of netloft_motion::solve_between, are (1) at its middle, for springs are linear,
-/// and
+/// The mean forces of a step (netloft_motion::solve_between) are (1) at its middle, because springs are
+/// linear, plus
 ///   m ω² χ/2 (uₙ₊₁ − uₙ − h r),  r ← r + ν ((uₙ₊₁ − uₙ)/h − r) at the end of the step        (4)
-/// Outputs of a step and scratch hold no numbers before it, so that what is left out or kept is seen.
+/// Outputs of a step and scratch are NaN before the step, so that omitted outputs and memory in scratch are
+/// found.
 class PracticeMotion {
  public:
   explicit PracticeMotion(const PracticeSwing& like);
 
   netloft_motion& interface() { return interface_; }
-  /// Steps of these lengths in turn, up to `end` or the first that fails: its status, else OK.
+  /// Makes steps of these lengths in turn up to `end`. Returns OK or the status of the first step that
+  /// failed.
   int run(const netloft_integrator& scheme, const void* parameters, const std::vector<double>& lengths,
           double end);
-  /// Largest distance from (2) at the time reached, over the start [m/m].
+  /// Largest distance from (2) at the current time, relative to the start [m/m].
   double error() const;
-  /// Energy over that of the start.
+  /// Energy relative to that of the start.
   double energy() const;
   bool is_finite() const;
-  /// The start of every step is as it was after it.
+  /// Whether no step changed its start.
   bool left_alone() const { return left_alone_; }
 
   int solves = 0;
   double t = 0;
-  double estimate = 0, estimated = 0;  // largest estimate of the last step, sum over all of them [m]
-  double error_between = 0;            // largest within a step, of the cubic (3) [m]
+  double estimate = 0, estimated = 0;  // largest estimated error of the last step; sum over all steps [m]
+  double error_between = 0;            // largest error within a step, of the cubic (3) [m]
   bool clears_scratch = true;
   std::vector<double> u, v, a;
 
@@ -75,7 +78,7 @@ class PracticeMotion {
   netloft_motion interface_{};
   std::vector<double> start_, next_u_, next_v_, next_a_, error_;
   std::vector<double> rates_;  // r of (4) [m/s]
-  double memory_ = 0;          // ν of the step that is made
+  double memory_ = 0;          // ν of the current step
   std::deque<std::vector<double>> scratch_;
   bool left_alone_ = true;
   char message_[256] = "";

@@ -12,10 +12,10 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kSearchTolerance = 1e-8;        // of the analysis, over the load on a mass
+constexpr double kSearchTolerance = 1e-8;        // of the analysis, relative to the load on a mass
 constexpr std::uint32_t kIterations = 30;        // of the analysis
 constexpr double kStageCost = 0.1;               // of an evaluation, in iterations
-constexpr std::size_t kRoom = 256, kGuard = 64;  // of the message, and behind it
+constexpr std::size_t kRoom = 256, kGuard = 64;  // size of the message, and of the guard behind it
 
 bool is_finite(const double* u, std::size_t n) {
   return std::all_of(u, u + n, [](double v) { return std::isfinite(v); });
@@ -27,7 +27,7 @@ double largest_residual(const std::vector<double>& r) {
   return most;
 }
 
-/// Value at the fraction x of a chain whose masses stand at 1/n, 2/n … 1 and whose fixed end is at rest.
+/// Value at the fraction x of a chain with masses at 1/n, 2/n … 1 and a fixed end at rest.
 double at_fraction(const double* u, std::uint32_t n, double x) {
   const double place = x * n;
   const auto below = static_cast<std::uint32_t>(place);
@@ -85,7 +85,7 @@ std::uint32_t PracticeSearch::size_of(std::uint32_t level) const {
   return (masses >> std::min(level, scene_.levels - 1)) + deflections;
 }
 
-/// Half as many masses carry twice the load each, on springs twice as long.
+/// The coarser chain: half as many masses with twice the load, on springs of twice the length.
 Practice PracticeSearch::practice(const netloft_variant& v) const {
   Practice like = scene_.like;
   const double coarser = std::exp2(level_of(v)), cap = v.stiffness_cap > 0 ? v.stiffness_cap : HUGE_VAL;
@@ -140,7 +140,7 @@ void PracticeSearch::check_order() {
   if (knows_budget_) note(Slip::after_budget, "asks for a stage after the work was used up");
 }
 
-/// Checks a stage that is to be solved; whether the host must refuse it.
+/// Checks a stage to be solved. Returns whether the host must refuse it.
 bool PracticeSearch::is_refused(const netloft_stage& s) {
   end_own_method();
   check_order();
@@ -195,7 +195,7 @@ int PracticeSearch::solve(netloft_stage* stage) {
   return NETLOFT_OK;
 }
 
-/// What calls itself as it was called does so for ever.
+/// Whether a strategy calls itself in the same way as it was called, which never ends.
 bool PracticeSearch::is_itself(std::string strategy, const char* parameters,
                                const netloft_stage& stage) const {
   if (strategy.find('/') == std::string::npos) strategy += "/" + strategy;
@@ -206,7 +206,7 @@ bool PracticeSearch::is_itself(std::string strategy, const char* parameters,
                         : std::equal(start_.begin(), start_.end(), stage.u);
 }
 
-/// Any other strategy is one stage, or finds nothing to do and returns at once.
+/// Any other strategy is one stage, or returns at once without work.
 int PracticeSearch::call(const char* strategy, const char* parameters, netloft_stage* stage) {
   if (!strategy || !*strategy) note(Slip::out_of_range, "calls a strategy without a name");
   if (strategy && is_itself(strategy, parameters, *stage))
@@ -249,7 +249,7 @@ netloft_ending PracticeSearch::step_to_balance(PracticeProblem& problem, netloft
   }
 }
 
-/// Writes what came of a stage, and keeps what the strategy has met and knows from it.
+/// Writes the result of a stage, and records what the strategy knows from it.
 void PracticeSearch::judge(const PracticeProblem& problem, netloft_stage& s, netloft_ending ending) {
   const std::vector<double> u(s.u, s.u + size_of(s.variant.level));
   const Rank found = rank(problem, s.u, tolerance_of(s));
@@ -294,7 +294,7 @@ int PracticeSearch::assess(netloft_stage* stage) {
   return NETLOFT_OK;
 }
 
-/// As many iterations as there is work for; each is taken for a factorisation.
+/// Limits iterations by the work that is left; each counts as a factorisation.
 int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   if (is_refused(*stage)) return fail("the host broke down");
   const double budget = stage->work > 0 ? stage->work : left();
@@ -308,7 +308,7 @@ int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   return NETLOFT_OK;
 }
 
-/// The work of a strategy's own method is counted when it has ended.
+/// Counts the work of a strategy's own method, after it has ended.
 void PracticeSearch::end_own_method() {
   std::fill(growing_.begin(), growing_.end(), std::numeric_limits<double>::quiet_NaN());  // valid until now
   if (!own_) return;
@@ -332,7 +332,7 @@ int PracticeSearch::transfer(std::uint32_t from, const double* u, std::uint32_t 
   return NETLOFT_OK;
 }
 
-/// Less than the cheapest iteration is nothing.
+/// Work that is left; less than the cheapest iteration counts as none.
 double PracticeSearch::left() const {
   const double left = scene_.budget - spent_;
   return left < (1 + kStageCost) * std::exp2(1 - double(scene_.levels)) ? 0 : left;

@@ -7,24 +7,24 @@
 
 namespace netloft::conformance {
 
-/// Fills memory that nobody may write.
+/// Fills memory that must not be written.
 inline constexpr char kUntouched = 0x5a;
 
-/// A scene for strategies to practise on.
+/// A scene for the strategies under test.
 struct PracticeScene {
   Practice like = {};
-  std::uint32_t levels = 1;        // meshes, each with half as many masses as the one before
+  std::uint32_t levels = 1;        // number of meshes, each with half as many masses as the previous one
   double budget = 2000;            // work of the search
-  int interrupted_at = -1;         // number of the stage in which the user interrupts, from 0; -1: never
-  bool breaks = false;             // every stage ends in an error of the host
-  bool others_decline = false;     // every other strategy returns at once: it finds nothing to do
-  bool knows_growth = true;        // the disturbance that grows is handed out
-  std::uint32_t claims = 0;        // traits of the search beyond those that the problem has
-  std::vector<double> start = {};  // empty: from the sketch
-  std::string by = {};             // type of the strategy that practises, if it may not call itself
+  int interrupted_at = -1;         // index of the stage in which the user interrupts; -1: never
+  bool breaks = false;             // whether every stage ends with an error of the host
+  bool others_decline = false;     // whether every other strategy returns at once, without work
+  bool knows_growth = true;        // whether the host provides the growing disturbance
+  std::uint32_t claims = 0;        // traits of the search in addition to those of the problem
+  std::vector<double> start = {};  // empty: the initial shape
+  std::string by = {};             // type of the strategy under test, if it may not call itself
 };
 
-/// What a strategy has done that it must not, by the promise that it breaks.
+/// Mistakes of a strategy, by the promise that they break.
 enum class Slip {
   stage_without_name,
   stage_not_filled,  // size of a struct, or no displacements
@@ -34,17 +34,17 @@ enum class Slip {
   start_no_number,
   answer_no_number,
   answer_of_variant,
-  after_interrupt,  // a stage was asked for after one had said that the user interrupts
-  after_budget      // a stage was asked for although no work was left, and the strategy knew
+  after_interrupt,  // a stage was requested after one had reported an interrupt
+  after_budget      // a stage was requested without work left, which the strategy knew
 };
 
 /// A search of a practice problem: the chain of practice.hpp, its variants and its coarser meshes, solved by
 /// Newton's method with whole steps and |K| in place of an indefinite K,
 ///   u ← u − |K|⁻¹ r.
 /// An iteration on the finest mesh costs 1, on the next 1/2, and so on; every stage and every assessment
-/// costs a tenth of that besides; once the user has interrupted no work is left. The cap on stiffness lowers
-/// k and S, the factor on the current lowers s and half of f. It offers no members. All that is asked and
-/// answered is kept, to be judged.
+/// costs a tenth in addition. After an interrupt, no work is left. The cap on stiffness reduces k and S, the
+/// factor on the current reduces s and half of f. The search offers no members. All requests and answers are
+/// recorded for the checks.
 class PracticeSearch {
  public:
   explicit PracticeSearch(const PracticeScene& scene);
@@ -56,20 +56,21 @@ class PracticeSearch {
   std::uint32_t traits() const { return interface_.traits; }
 
   const std::vector<std::vector<double>>& answers() const { return answers_; }
-  /// Largest residual of the scene itself over its load, of the best answer; infinite if there is none.
+  /// Largest residual of the best answer in the scene itself, relative to its load; infinite without an
+  /// answer.
   double imbalance() const;
-  /// Whether an equilibrium of the scene itself was met that no answer is as good as: a stable one where no
-  /// answer is stable, or any where none is an equilibrium.
+  /// Whether some stage met an equilibrium of the scene itself that is better than all answers: a stable one
+  /// if no answer is stable, or any if no answer is an equilibrium.
   bool has_kept_an_equilibrium() const;
-  /// The first sentence about a slip; empty if there was none.
+  /// A sentence about the first mistake; empty if there was none.
   std::string slip(Slip kind) const;
   std::string any_slip() const { return slips_.empty() ? "" : slips_.begin()->second; }
-  /// Whether the start, the struct of the search and what lies behind the message are as they were.
+  /// Whether the start, the struct of the search and the guard behind the message are unchanged.
   bool is_left_alone() const;
-  /// All that was asked and answered, bit by bit.
+  /// A record of all requests and answers, bit by bit.
   const std::string& trace() const { return trace_; }
 
-  /// Stages after which the host ends a strategy that goes round in circles, by an error.
+  /// Number of stages after which the host ends a strategy that does not terminate, with an error.
   static constexpr int kMostStages = 10000;
   int stages = 0;  // calls of solve, call and problem
 
@@ -118,7 +119,7 @@ class PracticeSearch {
   PracticeScene scene_;
   netloft_search interface_{}, as_made_{};
   std::vector<double> start_, growing_;
-  std::unique_ptr<PracticeProblem> own_;  // of a strategy that brings a method of its own
+  std::unique_ptr<PracticeProblem> own_;  // of a strategy with a method of its own
   double own_cost_ = 1;                   // of its factorisations
   double spent_ = 0;
   bool interrupted_ = false, knows_interrupt_ = false, knows_budget_ = false;

@@ -13,7 +13,7 @@ struct Usual {
   double least, most;
 };
 
-/// What a parameter of this unit is about in fishing gears. Other units: 0.1 to 10.
+/// Usual values of a parameter in fishing gears, by unit; 0.1 to 10 for other units.
 constexpr Usual kUsual[] = {
     {"N", 1e2, 1e5},   {"N/m", 1e2, 1e5},   {"N/m2", 1e8, 1e10}, {"Pa", 1e8, 1e10},
     {"m", 0.01, 1},    {"m2", 1e-4, 1},     {"m3", 1e-4, 1},     {"kg", 1, 100},
@@ -40,8 +40,9 @@ bool has_default(const netloft_parameter& p) {
 
 }  // namespace
 
-double ParameterSampler::uniform(double lo,
-                                 double hi) {  // not std::uniform_real_distribution: the same everywhere
+double ParameterSampler::uniform(
+    double lo,
+    double hi) {  // not std::uniform_real_distribution, which differs between libraries
   return lo + (hi - lo) * (static_cast<double>(random_() >> 11) * 0x1p-53);
 }
 
@@ -64,8 +65,8 @@ std::size_t ParameterSampler::parts() const {
 Values ParameterSampler::parameters(std::size_t part) {
   Values values;
   for (const auto& p : table_) {
-    if (p.kind > NETLOFT_TABLE) continue;  // a kind that nothing is known of keeps its default
-    const auto before = random_;           // a table, of any length, moves no other sample
+    if (p.kind > NETLOFT_TABLE) continue;  // an unknown kind keeps its default
+    const auto before = random_;           // so that the length of a table does not change other samples
     const bool leave_out = part == 0 || (p.kind != NETLOFT_CHOICE && uniform(0, 1) < 0.5);
     if (!leave_out || !has_default(p)) values[p.name] = value(p, part);
     if (p.kind == NETLOFT_TABLE) random_ = before;
@@ -185,13 +186,13 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
     s.a[at(d, lane)] = uniform(-1, 1);
     s.current[at(d, lane)] = uniform(-1, 1);
     s.current_dz[at(d, lane)] = uniform(-0.1, 0.1);
-    if (!s.swing.empty()) s.swing[at(d, lane)] = 10 * s.current_dz[at(d, lane)];  // moves no other sample
+    if (!s.swing.empty()) s.swing[at(d, lane)] = 10 * s.current_dz[at(d, lane)];  // draws no random number
   }
   if (type_.is_on_body()) turn(s, lane);
   for (std::size_t node = 0; 6 * (node + 1) * kLanes <= s.bed.size(); ++node) lay_bed(s, node, length, lane);
 }
 
-/// A bed that a node is as often in as above.
+/// Draws a bed, which is above the node as often as below.
 void Sampler::lay_bed(States& s, std::size_t node, double length, std::size_t lane) {
   s.bed[at(6 * node, lane)] = s.x[at(3 * node + 2, lane)] + length * uniform(-0.5, 0.5);
   for (std::size_t k = 1; k < 6; ++k)

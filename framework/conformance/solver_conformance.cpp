@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// What a solver promises: it finds the equilibria of problems that have one, ends when told to, reports what
-// is true, and says so when it cannot.
+// Checks of a solver: it finds equilibria that exist, ends when the host stops it, and reports its outcome
+// correctly.
 #include "framework/conformance/checklist.hpp"
 #include "framework/conformance/method_bench.hpp"
 #include "framework/conformance/practice.hpp"
@@ -65,7 +64,7 @@ Finding comes_back_from_outside(SolverBench& b) { return solves(b, kWalled); }
 
 Finding solves_without_an_energy(SolverBench& b) {
   if (b.needs(NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC))
-    return nothing_to_ask("it says that it needs an energy or a symmetric tangent");
+    return not_applicable("it says that it needs an energy or a symmetric tangent");
   return solves(b, kSwirling);
 }
 
@@ -88,7 +87,7 @@ Finding stops_when_told(SolverBench& b) {
     p.interrupted_after = after;
     PracticeProblem problem(p);
     const int outcome = b.solve(problem);
-    if (problem.iterations < after) continue;  // it gave up or arrived by itself
+    if (problem.iterations < after) continue;  // it ended by itself
     if (problem.iterations > after || problem.evaluations_after_stop > 0)
       return failed("went on for " + std::to_string(problem.iterations - after) + " iterations and " +
                     std::to_string(problem.evaluations_after_stop) + " evaluations");
@@ -123,14 +122,14 @@ Finding says_progress(SolverBench& b) {
   return problem.iterations > 0 ? Finding{} : failed("ended without a single call of `progress`");
 }
 
-/// It must come back, and with the truth.
+/// The solver must return, and with a correct outcome.
 Finding gives_up(SolverBench& b, const Practice& p, const char* where) {
   PracticeProblem problem(p);
   const int outcome = b.solve(problem);
   if (outcome < NETLOFT_STOPPED || outcome > NETLOFT_SOLVER_ERROR)
     return failed(std::string(where) + ": " + std::to_string(outcome) + " is no outcome");
   if (outcome == NETLOFT_STOPPED && !problem.told_to_stop())
-    return failed(std::string(where) + ": says that it was stopped, and was not");
+    return failed(std::string(where) + ": it reports that the host stopped it, which is not true");
   return {};
 }
 
@@ -160,7 +159,7 @@ Finding solves_nothing(SolverBench& b) {
   return outcome == NETLOFT_STOPPED ? Finding{} : failed("returned outcome " + std::to_string(outcome));
 }
 
-// Order matters: a check stands below those that it leans on.
+// The order matters: a check follows those that it depends on.
 const std::vector<Check<SolverBench>>& solver_table() {
   static const std::vector<Check<SolverBench>> checks = {
       {"defaults-are-allowed",
@@ -174,47 +173,47 @@ const std::vector<Check<SolverBench>>& solver_table() {
       {"says-progress",
        says_progress,
        {"no-exception-escapes"},
-       "call `progress` once for every point you accept, the first one included"},
+       "call `progress` once for every accepted point, including the first"},
       {"solves-a-linear-problem",
        solves_a_linear_problem,
        {"says-progress"},
-       "a chain of springs: is the sign of the step right? r is the gradient of the energy, minus the force"},
+       "a chain of springs: check the sign of the step. r is the gradient of the energy, minus the force"},
       {"solves-a-stiffening-problem",
        solves_a_stiffening_problem,
        {"solves-a-linear-problem"},
-       "the matrix grows along the way: is a step that raises the energy taken back?"},
+       "the stiffness changes along the path: is a step that raises the energy rejected?"},
       {"comes-back-from-outside",
        comes_back_from_outside,
        {"solves-a-linear-problem"},
-       "where `evaluate` says outside_domain there are no forces; try a shorter step"},
+       "if `evaluate` returns outside_domain, there are no forces; try a shorter step"},
       {"solves-without-an-energy",
        solves_without_an_energy,
        {"solves-a-linear-problem"},
-       "drag has no energy; if that is beyond the method, say needs(NETLOFT_CONSERVATIVE)"},
+       "drag has no energy; a method that requires one declares needs(NETLOFT_CONSERVATIVE)"},
       {"starts-at-the-answer",
        starts_at_the_answer,
        {"solves-a-linear-problem"},
-       "begin at `problem.u()`, and ask `progress` before the first step"},
+       "start at `problem.u()`, and call `progress` before the first step"},
       {"stops-when-told",
        stops_when_told,
        {"says-progress"},
-       "when `progress` says no, return Outcome::stopped and evaluate nothing more"},
+       "when `progress` ends the iteration, return Outcome::stopped and evaluate nothing more"},
       {"ends-where-it-reported",
        ends_where_it_reported,
        {"stops-when-told"},
-       "leave in `problem.u()` the point that was last given to `progress`"},
+       "leave in `problem.u()` the last point passed to `progress`"},
       {"reports-what-is-true",
        reports_what_is_true,
        {"says-progress"},
-       "give `progress` the residual of that very point, not of the one before or of a trial"},
+       "pass `progress` the residual of the same point, not of the previous one or of a trial"},
       {"gives-up-without-a-factor",
        gives_up_without_a_factor,
        {"says-progress"},
-       "look at what `factorise` returns; Outcome::linear_solve says that it failed"},
+       "check the result of `factorise`; return Outcome::linear_solve if it failed"},
       {"gives-up-when-numbers-overflow",
        gives_up_when_numbers_overflow,
        {"says-progress"},
-       "bound the search for a step; Outcome::left_domain or step_too_short says that it failed"},
+       "bound the search for a step; return Outcome::left_domain or step_too_short if it failed"},
       {"no-hidden-state",
        solver_has_no_hidden_state,
        {"says-progress"},
@@ -228,7 +227,7 @@ const std::vector<Check<SolverBench>>& solver_table() {
   return checks;
 }
 
-/// Over unknowns and iterations.
+/// Time per unknown and iteration.
 TermTiming time_solving(SolverBench& b, const Practice& like, const char* name) {
   int iterations = 1;
   const double spent = least_nanoseconds([&] { return PracticeProblem(like); },

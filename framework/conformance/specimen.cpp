@@ -10,9 +10,8 @@ namespace netloft::conformance {
 namespace {
 
 constexpr std::uint32_t kMessage = 256;
-constexpr double kTime = 1;  // [s] at which everything is evaluated
-
-/// Runs a function of the plugin; what it throws becomes a status.
+constexpr double kTime = 1;  // time of all evaluations [s]
+/// Calls a function of the plugin, and converts an exception into a status.
 template <class Call>
 int guarded(std::string& message, Call&& call) {
   try {
@@ -198,7 +197,7 @@ void turn_ground(States& s, double angle) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const auto b = [&](std::size_t k) -> double& { return s.bed[at(row + k, lane)]; };
       turn(b(1), b(2));
-      double yx = b(4);  // R H Rᵀ, by columns and then by rows
+      double yx = b(4);  // R H Rᵀ, first columns and then rows
       turn(b(3), yx);
       turn(b(4), b(5));
       turn(b(3), b(4));

@@ -5,7 +5,7 @@ namespace netloft::conformance {
 
 namespace {
 
-// Twelve masses are few for coarser meshes to be worth their while.
+// Twelve masses are too few for coarser meshes to pay off.
 const PracticeScene kLong{.like = {.stiffness = 45500, .unknowns = 256}, .levels = 2};
 
 }  // namespace
@@ -16,7 +16,7 @@ const std::vector<NamedScene>& scenes() {
       {"a chain that Newton's method does not solve at once", kGripped},
       {"a chain with two meshes", kTwoMeshes},
       {"a column that buckles", kBuckling},
-      {"a column of which the host does not know how it buckles", kBucklingUnseen},
+      {"a buckling column whose growing disturbance the host does not provide", kBucklingUnseen},
       {"a chain without an equilibrium", kRunaway},
       {"a chain in a current", kFlowing}};
   return all;

@@ -26,14 +26,15 @@ struct StrategyBench : MethodBench {
   std::uint64_t seed;
 };
 
-/// A scene to practise on, and what a report calls it.
+/// A practice scene, and its name in reports.
 struct NamedScene {
   const char* name;
   PracticeScene scene;
 };
 
 inline const PracticeScene kLinear{};
-// Newton's method diverges from the sketch and converges over caps on stiffness, each ten times the last.
+// Newton's method diverges from the initial shape and converges over caps on stiffness, each ten times the
+// previous one.
 inline const PracticeScene kGripped{.like = {.grip = 1e4}};
 inline const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
 inline const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};
@@ -42,11 +43,11 @@ inline const PracticeScene kBucklingUnseen{.like = {.buckling = 10, .unknowns = 
 inline const PracticeScene kRunaway{.like = {.runaway = 0.05}};
 inline const PracticeScene kFlowing{.like = {.swirl = 5}};
 
-/// Every kind of scene once.
+/// One scene of every kind.
 const std::vector<NamedScene>& scenes();
-/// Scenes of which one solve each is enough.
+/// Scenes that one solve each brings to equilibrium.
 const std::vector<NamedScene>& easy_scenes();
-/// All of `scenes`, and the same ones with little work and with a user who interrupts.
+/// All of `scenes`, plus the same ones with little work and with an interrupt by the user.
 std::vector<NamedScene> all_scenes();
 
 }  // namespace netloft::conformance

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// What a strategy promises: it finds an equilibrium where one solve does, hands over what it has found and
-// nothing else, asks only for what there is, and ends when the work is used up or the user interrupts.
+// Checks of a strategy: it finds the equilibria that one solve finds, answers with those only, requests only
+// what exists, and ends when the work is used up or the user interrupts.
 #include "framework/conformance/checklist.hpp"
 #include "framework/conformance/strategy_bench.hpp"
 
@@ -14,13 +13,14 @@ namespace netloft {
 namespace conformance {
 namespace {
 
-/// What a scene may be said to have without having it: nothing in the search depends on these.
+/// Traits that a scene may have without any effect on the search.
 constexpr std::uint32_t kMayBeClaimed =
     NETLOFT_SEARCH_REMEMBERS | NETLOFT_SEARCH_FLOWS | NETLOFT_SEARCH_COMPRESSION;
 
 const char* const kNoScene = "it needs traits that no practice search has";
 
-/// Runs the strategy on every scene that it takes; `fault_of(search, status)` says what was wrong.
+/// Runs the strategy on every scene that it accepts; `fault_of(search, status)` returns a fault or an empty
+/// string.
 Finding over(StrategyBench& b, const std::vector<NamedScene>& scenes,
              const std::function<std::string(const PracticeSearch&, int)>& fault_of) {
   bool any = false;
@@ -34,7 +34,7 @@ Finding over(StrategyBench& b, const std::vector<NamedScene>& scenes,
     if (const std::string fault = fault_of(search, status); !fault.empty())
       return failed(fault + ", on " + name);
   }
-  return any ? Finding{} : nothing_to_ask(kNoScene);
+  return any ? Finding{} : not_applicable(kNoScene);
 }
 
 Finding never(StrategyBench& b, Slip slip) {
@@ -54,14 +54,15 @@ Finding strategy_lets_no_exception_escape(StrategyBench& b) {
 
 constexpr double kBalancedSearch = 1e-7;  // ten times the tolerance of the search
 
-/// Skipped where the strategy asks for nothing: it has no use of a scene without a current, or so small.
+/// Skipped if the strategy requests nothing, because it does not apply to a scene without a current, or so
+/// small.
 Finding is_answered(StrategyBench& b, PracticeScene scene) {
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
   PracticeSearch search(scene);
-  if (!b.takes(search)) return nothing_to_ask(kNoScene);
+  if (!b.takes(search)) return not_applicable(kNoScene);
   const int status = b.run(search);
   if (status == NETLOFT_OK && search.stages == 0 && search.answers().empty())
-    return nothing_to_ask("it asks for no stage of such a scene");
+    return not_applicable("it asks for no stage of such a scene");
   Finding f;
   f.figure = search.imbalance();
   f.limit = kBalancedSearch;
@@ -71,9 +72,9 @@ Finding is_answered(StrategyBench& b, PracticeScene scene) {
   return f;
 }
 
-/// A strategy may have no use for some of these scenes, but must have one for at least one.
+/// A strategy may not apply to some of these scenes, but must apply to at least one.
 Finding answers_easy_searches(StrategyBench& b) {
-  Finding worst = nothing_to_ask(kNoScene);
+  Finding worst = not_applicable(kNoScene);
   bool takes_any = false;
   for (const auto& [name, scene] : easy_scenes()) {
     Finding f = is_answered(b, scene);
@@ -82,10 +83,12 @@ Finding answers_easy_searches(StrategyBench& b) {
     if (!f.passed) return f;
     if (!f.skipped && f.figure >= worst.figure) worst = std::move(f);
   }
-  return worst.skipped && takes_any ? failed("asks for no stage of any easy scene, and answers none") : worst;
+  return worst.skipped && takes_any ? failed("it requests no stage and gives no answer in all easy scenes")
+                                    : worst;
 }
 
-/// The equilibrium of a chain with a grip, by stages with ten times the stiffness each, and 1e-4 away.
+/// The equilibrium of a chain with a grip, by stages with ten times the stiffness each, and displaced by
+/// 1e-4.
 std::vector<double> near_the_answer(const PracticeScene& scene) {
   PracticeSearch search(scene);
   std::vector<double> u(scene.like.unknowns, 0.0);
@@ -101,7 +104,7 @@ std::vector<double> near_the_answer(const PracticeScene& scene) {
   return u;
 }
 
-/// Where whole steps of Newton's method converge, and from the sketch do not.
+/// From this start, full Newton steps converge; from the initial shape, they do not.
 Finding answers_from_a_start(StrategyBench& b) {
   PracticeScene scene = kGripped;
   scene.start = near_the_answer(kGripped);
@@ -133,7 +136,7 @@ Finding no_equilibrium_is_no_error(StrategyBench& b) {
               });
 }
 
-/// Also where what it calls finds nothing to do, and costs nothing, or is itself.
+/// Includes scenes in which the called strategies return at once without work, or are the strategy itself.
 Finding comes_to_an_end(StrategyBench& b) {
   NamedScene idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
   idle.scene.others_decline = true;
@@ -141,7 +144,7 @@ Finding comes_to_an_end(StrategyBench& b) {
   all.push_back(idle);
   return over(b, all, [](const PracticeSearch& search, int) -> std::string {
     if (search.stages >= PracticeSearch::kMostStages)
-      return "asks for stage after stage without using any work";
+      return "requests stage after stage without using any work";
     return search.slip(Slip::calls_itself);
   });
 }
@@ -191,7 +194,7 @@ Finding strategy_has_no_hidden_state(StrategyBench& b) {
 
 using Setting = std::pair<std::string, Value>;
 
-/// Both ends of every range that has ends, and every word and truth value.
+/// Both ends of every bounded range, and every word and truth value.
 std::vector<Setting> bounds_of(const std::vector<netloft_parameter>& table) {
   std::vector<Setting> all;
   for (const auto& p : table)
@@ -228,14 +231,15 @@ Finding survives_its_bounds(StrategyBench& b) {
   for (const auto& setting : bounds)
     if (const std::string fault = fault_at(b, setting); !fault.empty())
       return failed(fault + ", with " + setting.first + " at an end of its range");
-  return bounds.empty() ? nothing_to_ask("none of its parameters has a range with ends") : Finding{};
+  return bounds.empty() ? not_applicable("none of its parameters has a bounded range") : Finding{};
 }
 
 // ---------------------------------------------------------------- explain
 
 constexpr std::size_t kExplainGuard = 64;
 
-/// Calls `explain` with so much room; what is wrong with where it wrote, or with what it asked for.
+/// Calls `explain` with a text of the given size. Returns an error in the places written or in the requests
+/// made.
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
@@ -254,7 +258,7 @@ std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std
 }
 
 Finding explains(StrategyBench& b, bool asks) {
-  if (!b.type.strategy.explain) return nothing_to_ask("it has no explain");
+  if (!b.type.strategy.explain) return not_applicable("it has no explain");
   for (const auto& [name, scene] : scenes())
     for (const std::uint32_t room : {8192u, 16u, 1u})
       if (const std::string fault = fault_of_explaining(b, scene, room, asks); !fault.empty())
@@ -265,7 +269,7 @@ Finding explains(StrategyBench& b, bool asks) {
 Finding explains_within_its_room(StrategyBench& b) { return explains(b, false); }
 Finding explains_without_solving(StrategyBench& b) { return explains(b, true); }
 
-// Order matters: a check stands below those that it leans on.
+// The order matters: a check follows those that it depends on.
 const std::vector<Check<StrategyBench>>& strategy_table() {
   static const std::vector<Check<StrategyBench>> checks = {
       {"defaults-are-allowed",
@@ -279,23 +283,23 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"fills-its-stages",
        fills_its_stages,
        {"no-exception-escapes"},
-       "a stage and its variant begin with their own sizes, and bring displacements of their level"},
+       "a stage and its variant begin with their own sizes, and contain displacements of their level"},
       {"answers-easy-searches",
        answers_easy_searches,
        {"no-exception-escapes"},
-       "one stage of the scene itself solves each; hand where it ended to `answer`"},
+       "one stage of the scene itself solves each; pass its final point to `answer`"},
       {"answers-from-a-start",
        answers_from_a_start,
        {"answers-easy-searches"},
-       "begin at `search.start()`: the user may have given displacements that are nearly right"},
+       "start at `search.start()`: the user may have given displacements near the solution"},
       {"answers-with-numbers",
        answers_with_numbers,
        {"no-exception-escapes"},
-       "where a stage has not converged, look at what it left before you hand it on"},
+       "if a stage has not converged, check its result before you use it"},
       {"answers-the-scene-itself",
        answers_the_scene_itself,
        {"answers-easy-searches"},
-       "the equilibrium of an easier variant is a start for the scene, not an answer"},
+       "the equilibrium of an easier variant is an initial guess for the scene, not an answer"},
       {"hands-back-what-it-found",
        hands_back_what_it_found,
        {"answers-easy-searches"},
@@ -304,7 +308,7 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"no-equilibrium-is-no-error",
        no_equilibrium_is_no_error,
        {"no-exception-escapes"},
-       "return as usual when nothing converged; an error is for what the host or the user must repair"},
+       "return as usual if nothing converged; an error is for what the host or the user must repair"},
       {"comes-to-an-end",
        comes_to_an_end,
        {"no-exception-escapes"},
@@ -313,7 +317,7 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"stops-at-an-error",
        stops_at_an_error,
        {"no-exception-escapes"},
-       "an error of the host ends the strategy with an error; no other attempt will do"},
+       "an error of the host ends the strategy with an error; no other attempt helps"},
       {"stops-when-interrupted",
        stops_when_interrupted,
        {"no-exception-escapes"},
@@ -326,11 +330,11 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"names-its-stages",
        names_its_stages,
        {"no-exception-escapes"},
-       "say in `name` what a stage is for: the report has a line for each"},
+       "describe the purpose of a stage in `name`: the report has a line for each"},
       {"asks-for-what-there-is",
        asks_for_what_there_is,
        {"no-exception-escapes"},
-       "levels end below `levels()`, factors lie in [0, 1], a cap of zero means as written"},
+       "levels are below `levels()`, factors in [0, 1]; a cap of zero means that there is none"},
       {"keeps-within-its-work",
        keeps_within_its_work,
        {"no-exception-escapes"},
@@ -357,11 +361,11 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"explains-without-solving",
        explains_without_solving,
        {"no-exception-escapes"},
-       "`explain` says what would be tried; only `run` asks for stages"},
+       "`explain` describes the attempts; only `run` requests stages"},
       {"explains-within-its-room",
        explains_within_its_room,
        {"explains-without-solving"},
-       "write at most `text_size` bytes, a zero at the end among them; the layer of strategy.hpp does"},
+       "write at most `text_size` bytes, including the terminating zero; the layer of strategy.hpp does"},
       {"starts-no-threads",
        method_starts_no_threads,
        {},

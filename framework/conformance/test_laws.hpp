@@ -7,16 +7,16 @@
 
 namespace netloft::conformance {
 
-/// Lanes that a law was asked for, and those of them with an extent that is no positive number.
+/// Lanes for which a law was called, and those of them whose extent is not a positive number.
 struct AskedLanes {
   std::atomic<std::uint64_t> told{0}, wrong{0};
 };
 
-/// Stands in a slot while an element is tested, so that its checks lean on no plugin. With h = D for twines,
-/// 1 for screens:
+/// A law in the slots of an element under test, so that its checks need no plugin. With h = D for twines, 1
+/// for screens:
 ///   F = ½ ρ h (1 + S) [‖W‖ W + 0.5 (W·t) ‖W‖ t]
-/// twice differentiable but at W = 0, takes energy only, uses every input. `asked` counts lanes, if it is not
-/// null, and must outlive the law.
+/// It is twice differentiable except at W = 0, passive, and uses every input. `asked` counts lanes unless it
+/// is null, and must outlive the law.
 netloft_bound_law test_law(std::uint32_t kind, AskedLanes* asked = nullptr);
 
 }  // namespace netloft::conformance

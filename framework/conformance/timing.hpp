@@ -6,8 +6,8 @@
 
 namespace netloft::conformance {
 
-/// What `work` takes with something that `prepare` makes for it anew [ns]. The least of several repeats,
-/// since everything that disturbs a measurement makes it longer.
+/// Time of `work` with an object made by `prepare` for each repeat [ns]: the least of several repeats,
+/// because every disturbance makes a measurement longer.
 template <class Prepare, class Work>
 double least_nanoseconds(Prepare&& prepare, Work&& work) {
   using Clock = std::chrono::steady_clock;
@@ -22,7 +22,7 @@ double least_nanoseconds(Prepare&& prepare, Work&& work) {
   return least;
 }
 
-/// What one of many calls takes [ns].
+/// Mean time of one of many calls [ns].
 template <class Call>
 double least_nanoseconds_of(Call&& call) {
   static constexpr int kCalls = 100;

@@ -12,10 +12,10 @@ namespace netloft {
 
 namespace {
 
-// By (5): the part of its way back to the circle that the estimated error of a Ritz value may be. Chosen: the
-// estimate, which is of first order, may be ten times too small.
+// (5): the estimated error of a Ritz value may be this fraction of its distance from the unit circle. Chosen:
+// the estimate is of first order and may be ten times too small.
 constexpr double kKnown = 0.1;
-// What is left of a vector that is orthogonal already, at least, when it is made so again.
+// Least ratio of lengths before and after the orthogonalisation of a vector that is orthogonal already.
 constexpr double kRemains = 0.5;
 
 int rank(const RitzPair& pair, const Cayley& A, double beyond) {
@@ -52,8 +52,9 @@ void Arnoldi::extend(Eigen::Index steps) {
   for (Eigen::Index k = before; k < steps && !is_exhausted_; ++k) step(k);
 }
 
-/// Orthogonalised twice, which is enough: what gets shorter by that once more was rounding (B. N. Parlett,
-/// The Symmetric Eigenvalue Problem, 1998, section 6.9), and the space holds all of Az.
+/// Orthogonalises twice, which is enough (B. N. Parlett, The Symmetric Eigenvalue Problem, 1998,
+/// section 6.9). If the second pass shortens the vector by half again, the vector was rounding error, and the
+/// space contains all of Az.
 void Arnoldi::step(Eigen::Index k) {
   Eigen::VectorXd next = A_ * Eigen::VectorXd(Q_.col(k)), along;
   for (int i = 0; i < 2; ++i) {
@@ -82,7 +83,7 @@ RitzPair Arnoldi::outermost(double beyond) const {
   Eigen::Index place = 0;
   for (Eigen::Index i = 0; i < size_; ++i) {
     const double rho = std::abs(H_(size_, size_ - 1) * right(size_ - 1, i));
-    // Of unit right eigenvectors, the rows of the inverse are as long as χ is short.
+    // The rows of the inverse belong to unit right eigenvectors; their length is 1/χ.
     const RitzPair pair{solver.eigenvalues()[i], rho, left.row(i).norm()};
     if (A_.is_slow(pair.theta)) continue;
     const auto rank_of = [&](const RitzPair& one) {

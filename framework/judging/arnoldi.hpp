@@ -6,7 +6,8 @@
 
 namespace netloft {
 
-/// An eigenvalue of A with a vector, as a Krylov space has them; numbers in brackets are those of growth.hpp.
+/// An eigenvalue of A with its eigenvector, computed in a Krylov space. Equation numbers are those of
+/// growth.hpp.
 struct RitzPair {
   std::complex<double> theta;
   double residual = std::numeric_limits<double>::infinity();  // ρ of (5)
@@ -14,21 +15,22 @@ struct RitzPair {
   Eigen::VectorXcd vector = {};
 
   double beyond() const { return std::abs(theta) - 1; }
-  /// By (5).
+  /// Whether (5) holds.
   bool is_known() const;
 };
 
-/// An orthonormal basis Q of z, Az, A²z, … in the inner product (8), with A Q = Q H on it. Its memory serves
-/// one space after the other.
+/// An orthonormal basis Q of z, Az, A²z, … in the inner product (8), with A Q = Q H. One object serves
+/// several spaces in turn, with the same memory.
 class Arnoldi {
  public:
   explicit Arnoldi(Cayley& A) : A_(A) {}
 
   void begin(const Eigen::VectorXd& z);
-  /// To so many steps in all.
+  /// Extends the space to `steps` steps in total.
   void extend(Eigen::Index steps);
-  /// Of those beyond the circle by more than `beyond` that are known one that diverges, else the outermost;
-  /// if there is none, the outermost of all. What is slow for A is left out. Without a number: A has none.
+  /// The Ritz pair to judge by. If some pairs are known and lie beyond the unit circle by more than `beyond`,
+  /// this is one that diverges, else the outermost of them; otherwise it is the outermost of all pairs. Pairs
+  /// that are slow for A are ignored. NaN if A or its eigenvalues could not be computed.
   RitzPair outermost(double beyond) const;
 
  private:

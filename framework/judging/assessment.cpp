@@ -12,7 +12,8 @@ namespace netloft {
 
 namespace {
 
-/// A direction is neutral when the linear stiffness times what a matrix rounds off makes it stable.
+/// A direction is neutral if the rounding error of a matrix, as a multiple of the linear stiffness, makes it
+/// stable.
 Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
   const netloft_factor shifted = problem.factorise_at(u, kRoundingOfMatrix);
@@ -25,10 +26,10 @@ bool is_convex_at(StaticProblem& problem, std::span<const double> u) {
   return stability == Stability::stable || stability == Stability::neutral;
 }
 
-/// Where the solver finds no way on, at a convex place, and the host none either: its own step of Newton's
-/// leads away from balance, for what is slack here is taut there, and what it would gain,
+/// Whether a solver that found no step to the balance is right. The place is convex, but the full Newton step
+/// increases the residual because members change between slack and taut, and the energy that it would gain,
 ///   g = ½ r·K⁻¹ r,                                                                        (1)
-/// is next to nothing (convergence.hpp).
+/// is negligible (convergence.hpp).
 bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<double> u) {
   if (!problem.conservative() || !has_nothing_to_gain(problem.imbalance_of(a.balance), 0, 1) ||
       !is_convex_at(problem, u))
@@ -43,7 +44,8 @@ bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<doub
          problem.balance(x, residual).residual > a.balance.residual;
 }
 
-/// Estimates how far u is from the equilibrium; the factor that its stability was found by is used again.
+/// Estimates the distance between u and the equilibrium, with the factor of the stability check if there is
+/// one.
 void find_correction(Assessment& a, StaticProblem& problem, const AssembledScene& scene,
                      std::vector<double> u) {
   std::vector<double> step(u.size());
@@ -76,8 +78,8 @@ Stability stability_of(GrowthVerdict verdict) {
   }
 }
 
-/// Of a gear that has come to rest at x: what moves on from there is resisted by friction with that past, not
-/// with the one before the gear came there.
+/// Growth about a point at which the gear has come to rest: the elements remember that point (friction), and
+/// not the state from which the gear came.
 Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double gear_size) {
   Assembler& assembler = scene.assembler;
   const std::vector<double> past = assembler.memory();
@@ -87,7 +89,7 @@ Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, dou
   return growth;
 }
 
-/// Where forces have no energy.
+/// Stability if forces have no energy.
 void find_what_grows(Assessment& a, const AssembledScene& scene, double gear_size) {
   Growth growth = find_growth_at_rest(scene, a, gear_size);
   a.stability = stability_of(growth.verdict);
@@ -97,8 +99,8 @@ void find_what_grows(Assessment& a, const AssembledScene& scene, double gear_siz
   a.growing = {std::move(growth.mode), std::move(growth.mode_later), growth.rate, growth.frequency};
 }
 
-/// Whether `a` is the equilibrium that was judged: they are in one place, and the estimated errors of both,
-/// which are distances from the equilibrium, reach from one to the other.
+/// Whether `a` is the equilibrium that was judged before: both are in one place, and their distance is no
+/// larger than the sum of their estimated errors.
 bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem& problem,
              const AssembledScene& scene) {
   const Assessment& before = judged.assessment;
@@ -108,7 +110,7 @@ bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem
                         apart <= kSamePlace * problem.scales().gear_size());
 }
 
-/// What is left open is asked again.
+/// Whether the stability needs no second examination.
 bool is_decided(Stability s) {
   return s == Stability::stable || s == Stability::swinging || s == Stability::unstable;
 }
@@ -118,7 +120,7 @@ void take_stability(Assessment& a, const Assessment& of) {
   a.growing = of.growing;
 }
 
-/// Where the solver ended there are no forces, or none that are numbers.
+/// Assessment of a point at which forces are undefined or not finite.
 void judge_without_forces(Assessment& a, const StaticProblem& problem, const AssembledScene& of) {
   const auto& [scene, assembler, make] = of;
   if (!problem.met_bad_numbers()) {
@@ -139,14 +141,14 @@ SolveStatus status_of(const Assessment& a, const StaticProblem& problem, const J
   return problem.stop() == Stop::interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
 }
 
-/// Where the tangent of an energy was first found not to be positive definite.
+/// Sentence about a tangent that is not positive definite, with the node where this was found.
 std::string first_not_convex(const StaticProblem& problem, const Assembler& assembler, const Scene& scene) {
   return "its tangent is not positive definite, first met at " +
          assembler.node_name(scene,
                              assembler.numbering().node(Dof(std::max(0, problem.last_factor().column))));
 }
 
-/// Counts of `now` that `before` had not.
+/// Counts of `now` minus those of `before`.
 Statistics since(const Statistics& before, const Statistics& now) {
   Statistics b;
   b.energies = now.energies - before.energies;

@@ -8,67 +8,68 @@ namespace netloft {
 
 enum class SolveStatus { converged, unstable, not_converged, interrupted };
 
-/// Whether a small disturbance of an equilibrium decays. Where forces have an energy, its tangent tells;
-/// where they have none, growth.hpp, and then `stable` means that nothing was found that grows. `swinging`:
-/// what grows most goes round, as an empty cod-end flaps (Growth::swings); the gear comes to rest nowhere
-/// near, but its motion may stay small.
+/// Whether a small disturbance of an equilibrium decays: by the tangent if forces have an energy, else by
+/// growth.hpp, and then `stable` means that no growing disturbance was found. `swinging` means that the
+/// motion that grows most oscillates, as an empty cod-end flaps (Growth::swings): the gear comes to rest
+/// nowhere near, but its motion may remain small.
 enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
 
-/// What a small disturbance of u turns into that grows, where forces have no energy.
+/// The motion into which a small disturbance of u grows, if forces have no energy.
 struct GrowingMotion {
-  std::vector<double> mode;        // over the unknowns, of length 1; empty: nothing is known to grow
-  std::vector<double> mode_later;  // where it swings, a quarter of a period later; else empty
-  double rate = 0;                 // [1/s]; zero where nothing flows
-  double frequency = 0;            // with which it swings [rad/s]
+  std::vector<double> mode;        // over the unknowns, of length 1; empty: no growing motion is known
+  std::vector<double> mode_later;  // a quarter of a period later, if it oscillates; else empty
+  double rate = 0;                 // [1/s]; zero if no fluid moves
+  double frequency = 0;            // of the oscillation [rad/s]
 };
 
-/// The Newton step that is left at a point: an estimate of how far it is from the equilibrium.
+/// The remaining Newton step at a point: an estimate of its distance from the equilibrium.
 struct StepLeft {
-  std::vector<double> x;                                     // after it, over all dofs; empty: not known
-  std::vector<double> x_low;                                 // what that rounds off
+  std::vector<double> x;                                     // after the step, over all dofs; empty: unknown
+  std::vector<double> x_low;                                 // low-order part of x
   double length = std::numeric_limits<double>::quiet_NaN();  // its largest nodal move [m]
 };
 
-/// What the host makes of a point, whoever found it.
+/// The host's assessment of a point, independent of how the point was found.
 struct Assessment {
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
-  std::string reason;    // a sentence
-  std::string at_fault;  // what is furthest from balance, could not be evaluated, or moves most in what grows
+  std::string reason;  // a sentence
+  std::string
+      at_fault;  // node or element of the largest residual, of undefined forces, or of the largest growth
   std::vector<double> x, residual;  // over all dofs [m], [N]
-  std::vector<double> x_low;        // what x rounds off [m]; empty: not known
+  std::vector<double> x_low;        // low-order part of x [m]; empty: unknown
   double energy = 0;                // [J]
   Balance balance;
   GrowingMotion growing;
   StepLeft correction;
-  Statistics judging;  // counts of what this took
+  Statistics judging;  // cost of the assessment
 };
 
-/// The last equilibrium whose stability was decided, where forces have no energy: what ends there again, as
-/// far as is known, has it.
+/// The last equilibrium whose stability was decided, if forces have no energy. A solver that ends there again
+/// receives the same verdict.
 struct JudgedPoint {
   Assessment assessment;
-  std::vector<double> memory;  // what elements remembered
+  std::vector<double> memory;  // of the elements
 };
 
-/// Where it rests, for linear_motion.hpp.
+/// The point and its remaining Newton step, as input of linear_motion.hpp.
 RestPlace rest_place(const Assessment& a, double gear_size);
 
-/// Forces balance there, whether or not it is stable.
+/// Whether forces balance, stable or not.
 inline bool is_stationary(const Assessment& a) {
   return a.status == SolveStatus::converged || a.status == SolveStatus::unstable;
 }
 
-/// Whether or not the scene accepts that.
+/// Whether an oscillation grows, accepted or not.
 inline bool flutters(const Assessment& a) { return a.stability == Stability::swinging; }
 
-/// Judges displacements u of the unknowns, at which a solver ended with `outcome`: recomputes the residual,
-/// holds it against convergence.hpp, asks of what is balanced whether it is stable, and estimates how far it
-/// is from the equilibrium. NETLOFT_STOPPED for a point that no solver is behind.
+/// Assesses displacements u of the unknowns, at which a solver ended with `outcome`: recomputes the residual,
+/// applies convergence.hpp, determines the stability of a balanced point, and estimates its distance from the
+/// equilibrium. `outcome` is NETLOFT_STOPPED for a point that no solver has found.
 Assessment assess(StaticProblem& problem, const AssembledScene& scene, const Judging& how,
                   std::span<const double> u, netloft_outcome outcome);
 
-/// The same of a point of the scene, within limits.tolerance.
+/// Assesses a point of the scene to the tolerance limits.tolerance.
 Assessment assess_static(const AssembledScene& scene, std::span<const double> u, const Limits& limits);
 
 const char* name_of(SolveStatus status);

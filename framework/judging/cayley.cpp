@@ -12,10 +12,10 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-// By (7).
+// Rounding error of K in (7), relative to its entries.
 constexpr double kRoundingOfK = 10 * std::numeric_limits<double>::epsilon();
 
-/// Without the zeros of the pattern.
+/// Copies a matrix without the zeros of the pattern.
 Eigen::SparseMatrix<double> make_sparse(const SparsePattern& p, std::span<const double> values) {
   Eigen::SparseMatrix<double> A(p.size, p.size);
   A.reserve(static_cast<Eigen::Index>(p.entries()));

@@ -8,36 +8,44 @@
 
 namespace netloft {
 
-/// How far σ of (4) may be off |s|: where it is further, another σ is for it.
+/// Largest ratio between σ of (4) and |s|. Beyond it, a different σ finds s.
 inline constexpr double kOff = 10;
 
-/// A of (4) of growth.hpp, on vectors (y, v) whose length is that of (8).
+/// A of (4) in growth.hpp, on vectors (y, v). Lengths are those of an energy,
+///   ‖(y, v)‖² = yᵀ(K₊ + σ²M) y + vᵀM v,   K₊ the convex part of K                          (8)
+/// In this norm A enlarges no vector if K = K₊ and C damps. In other norms, a transient looks like growth.
 class Cayley {
  public:
   Cayley(const SparsePattern& pattern, const LinearMotion& motion, Factorisation& factor, Statistics& cost);
-
-  /// False: K + σC + σ²M has no factor.
+  /// Sets σ. Returns false if K + σC + σ²M has no factor.
   bool set(double sigma);
   Eigen::Index unknowns() const { return K_.rows(); }
-  /// Of the space that the norm (8) sees: what has no mass has no velocity there.
+  /// Dimension of the space in the norm (8): unknowns without mass have no velocity in it.
   Eigen::Index dimension() const { return dimension_; }
   Eigen::VectorXd operator*(const Eigen::VectorXd& z);
-  /// B z of the inner product zᵀ B z.
+  /// B z for the inner product zᵀ B z.
   Eigen::VectorXd weighed(const Eigen::VectorXd& z) const;
   bool is_damped() const { return motion_.is_damped; }
-  /// s of an eigenvalue μ.
+  /// The rate s that belongs to an eigenvalue μ.
   std::complex<double> rate(std::complex<double> mu) const { return sigma_ * (mu - 1.0) / (mu + 1.0); }
-  /// Whether an eigenvalue μ is left to a smaller σ, as (5a) says.
+  /// Whether an eigenvalue μ is slower than σ/10 and therefore left to a smaller σ: with masses of 1, w = σy
+  /// and all ω ≪ σ, A is close to
+  ///   (w, v) → (w + 2v, v − 2Kw/σ²),   μ = 1 ± 2iω/σ                                        (5a)
+  /// but zᵀAz of unit vectors ranges from 0 to 2. Ritz values may lie anywhere in that range with small
+  /// errors by (5).
   bool is_slow(std::complex<double> mu) const { return std::abs(rate(mu)) < sigma_ / kOff; }
-  /// A vector with a share in every direction, the same on every machine.
+  /// A vector with a component in every direction, the same on every machine.
   Eigen::VectorXd start() const;
-  /// By (7): whether a change of K as small as it is known would undo what grows by s along y.
+  /// Whether an error of K that must be expected would stop the growth by s along y: the rounding of K, or,
+  /// for a divergence, the change of K over the remaining Newton step δ, at most as far as one place extends
+  /// (kSamePlace), because a small imbalance leaves a long step along a soft mode:
+  ///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y|‖   or   0 < yᵀ(s²M + sC) y ≤ yᵀ(K(x + δ) − K(x)) y       (7)
   bool is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const;
 
  private:
   using Sparse = Eigen::SparseMatrix<double>;
   const LinearMotion& motion_;
-  Sparse K_, C_, M_, convex_, K_error_, norm_;  // the last: K₊ + σ²M of (8)
+  Sparse K_, C_, M_, convex_, K_error_, norm_;  // norm_: K₊ + σ²M of (8)
   Eigen::Index dimension_;
   Factorisation& factor_;
   Statistics& cost_;

@@ -6,15 +6,15 @@
 
 namespace netloft {
 
-/// The Newton step that is left at u:
+/// The remaining Newton step at u:
 ///   K(u) du = −r(u)                                                                     (1)
-/// Near an equilibrium du is the way to it but for O(|du|²): an estimate of the error of whatever solver
-/// ended at u. K is the exact tangent, of any definiteness. False: no factor or no numbers; du is then
-/// meaningless. Booked with `problem`.
+/// Near an equilibrium, u + du is the equilibrium up to O(|du|²), so that du estimates the error of any
+/// solver that ended at u. K is the exact tangent and may be indefinite. Returns false if K has no factor or
+/// du is not finite; du is then meaningless. The statistics of `problem` count the cost.
 bool find_correction(StaticProblem& problem, std::span<const double> u, std::span<const double> residual,
                      std::span<double> du);
 
-/// The same where the problem holds a good factor of K(u) already.
+/// The same if the last factorisation of the problem was that of K(u).
 bool solve_for_correction(StaticProblem& problem, std::span<const double> residual, std::span<double> du);
 
 struct NodeDistance {
@@ -22,15 +22,15 @@ struct NodeDistance {
   std::uint32_t node = 0;
 };
 
-/// The node whose places in x and y, vectors over all dofs, are furthest from one another. Rotations of rigid
-/// bodies are no places: they count through the nodes that the body carries.
+/// The node whose positions in x and y, vectors over all dofs, are furthest apart. Rotations of rigid bodies
+/// are no positions: they count through the nodes that the body carries.
 NodeDistance furthest_node(const Scene& scene, const Numbering& numbering, std::span<const double> x,
                            std::span<const double> y);
 double largest_node_distance(const Scene& scene, const Numbering& numbering, std::span<const double> x,
                              std::span<const double> y);
 
-/// What is one place, of the gear's size: about an equilibrium energies go with the square of a distance, and
-/// they are as good as the tolerance.
+/// Largest distance of points that count as one place, relative to the size of the gear. Near an equilibrium,
+/// the energy grows with the square of the distance, and energies are exact to the tolerance.
 inline const double kSamePlace = std::sqrt(kTolerance);
 
 }  // namespace netloft

@@ -4,7 +4,7 @@
 
 namespace netloft {
 
-/// One solve on the way to an answer: of the scene itself, or of an easier one.
+/// One solve of a strategy: of the scene itself, or of an easier variant.
 struct StageRecord {
   std::string name;    // "tension only"
   std::string solver;  // "newton/newton"
@@ -12,19 +12,19 @@ struct StageRecord {
   SolveStatus status = SolveStatus::not_converged;
   std::string reason;
   Statistics statistics;
-  netloft_variant variant{};  // of the scene that was solved
+  netloft_variant variant{};  // the variant of the scene that was solved
   double work = 0;            // in the units of work.hpp
 };
 
-/// What an answer cost, and by which stages it was found.
+/// Cost of a solution, and the stages that led to it.
 struct Cost {
-  Statistics statistics;            // the solver's own counts, and the time of everything
+  Statistics statistics;            // the solver's own counts, and the time of all stages
   double work = 0;                  // of all stages, in the units of work.hpp
   std::vector<StageRecord> stages;  // if there were several; `statistics` is then their sum
 
-  /// Adds what was spent after this.
+  /// Adds the cost of later stages.
   void add(const Cost& later);
-  /// Adds what was spent before this, and in vain.
+  /// Adds the cost of earlier stages, which failed.
   void add_before(const Cost& earlier);
 };
 

@@ -13,28 +13,28 @@ namespace netloft {
 
 namespace {
 
-// σ of (4): the least, and by how much another is tried where it is an eigenvalue: any other will do. What is
-// slower than 1e-4/s, tenfold in six hours, is not seen.
-constexpr double kLeastSigma = 1e-3, kAside = 1.3;
-// Steps of Arnoldi's, and as many again if these do not tell; powers over which growth is measured, and how
-// often at most.
+// Least σ of (4), and the factor by which another σ is tried if K + σC + σ²M is singular. Growth slower than
+// 1e-4/s, which is tenfold in six hours, is not found.
+constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
+// Steps of the Arnoldi iteration, doubled once if they do not decide; number of powers of A over which growth
+// is measured, and of such measurements.
 constexpr int kSteps = 24;
-// How far beyond the unit circle a Ritz value is looked at: half of where the band (6) ends with σ kOff times
-// off |s|, a fifth of what it is at its best. Growth by powers that still falls by this from one measure to
-// the next may be passing.
+// Ritz values further beyond the unit circle than this are examined. It is half of the value at the end of
+// the band (6) if σ differs from |s| by the factor kOff, and a fifth of the value at σ = |s|. Growth by
+// powers that falls by this fraction between two measurements may be transient.
 constexpr double kBeyond = (kGrows - 1) / kOff;
-// c of (6) where the band of marginal growth ends.
+// c of (6) at the end of the band of marginal growth.
 constexpr double kLeastShare = (kGrows * kGrows - 1) / (kGrows * kGrows + 1);
 
 using Vector = Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-/// A vector under powers of A, kept at length 1.
+/// A vector under powers of A, scaled to length 1.
 class Powers {
  public:
   Powers(Cayley& A) : A_(A), z_(A.start()) {}
 
-  /// Growth per power, averaged over so many.
+  /// Average growth per power over `powers` powers.
   double grow(int powers) {
     double logarithm = 0;
     for (int k = 0; k < powers; ++k) {
@@ -63,7 +63,7 @@ class Powers {
   Vector z_;
 };
 
-/// The largest entry of y has no imaginary part then.
+/// Stores y as the mode, rotated such that its largest entry is real.
 void take_mode(const Eigen::VectorXcd& y, Growth& g) {
   Eigen::Index largest = 0;
   y.cwiseAbs2().maxCoeff(&largest);
@@ -77,7 +77,7 @@ void take_mode(const Eigen::VectorXcd& y, Growth& g) {
 Growth growth_of(const RitzPair& pair, const Cayley& A) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
-  if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};  // powers saw it grow
+  if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};  // although its powers grow
   Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));
   g.per_power = std::sqrt((1 + c) / (1 - c));  // (6)
@@ -92,7 +92,8 @@ Growth growth_of(const RitzPair& pair, const Cayley& A) {
   return g;
 }
 
-/// Where the largest Ritz value is not known.
+/// Verdict by powers of A, if the largest Ritz value is not known. Growth that falls from 24 powers to the
+/// next 24 may be transient.
 Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   Powers powers(A);
   const GrowthVerdict verdict = powers.judge();
@@ -102,8 +103,8 @@ Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   return growth_of(arnoldi.outermost(kBeyond), A);
 }
 
-/// With the residual that A itself leaves: rounding keeps that of the recurrence, which is as small, from
-/// holding.
+/// Replaces the residual of a Ritz pair by that of A itself: rounding errors can make the residual of the
+/// recurrence too small.
 RitzPair checked(Cayley& A, RitzPair pair) {
   const Vector real = pair.vector.real(), imaginary = pair.vector.imag();
   Eigen::VectorXcd rest = -pair.theta * pair.vector;
@@ -115,7 +116,7 @@ RitzPair checked(Cayley& A, RitzPair pair) {
   return pair;
 }
 
-/// For the σ that A has.
+/// Verdict for the current σ of A.
 Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
   arnoldi.begin(A.start());
   for (const int steps : {kSteps, 2 * kSteps}) {
@@ -130,7 +131,8 @@ Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
 
 double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
 
-/// Steps to the greatest σ, the first that is as fast as what may grow: it sees kOff times as far.
+/// Number of steps from the least σ to the greatest, which is the first that exceeds the fastest possible
+/// rate.
 int steps_of_sigma(double fastest) {
   int steps = 0;
   while (sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;
@@ -150,12 +152,12 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, con
   const auto is_decided = [&] {
     return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
   };
-  // What swings does not hide what diverges more slowly.
+  // The loop continues after an oscillation, because a slower divergence takes precedence.
   for (int step = steps_of_sigma(fastest_growth(pattern, motion, kLeastShare)); step >= 0 && !is_decided();
        --step) {
     const double sigma = sigma_at(step);
     Growth growth{.verdict = GrowthVerdict::unknown};
-    if (A.set(sigma) || A.set(kAside * sigma)) growth = growth_by(A, arnoldi);
+    if (A.set(sigma) || A.set(kOtherSigma * sigma)) growth = growth_by(A, arnoldi);
     const bool diverges = growth.grows() && !growth.swings();
     if (growth.verdict > most.verdict || diverges) most = std::move(growth);
   }

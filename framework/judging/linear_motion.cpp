@@ -14,8 +14,8 @@ namespace {
 
 // τ of (2) [s]
 constexpr double kFollows = 1e-3;
-// Of the metric in the norm (8), for what nothing else keeps: midway between what a matrix rounds off and the
-// least stiffness that matters.
+// Multiple of the metric in the norm (8), for directions without any other stiffness: the geometric mean of
+// the rounding error of a matrix and of the least stiffness that matters.
 const double kLittle = std::sqrt(kRoundingOfMatrix * kMatters);
 
 bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
@@ -62,8 +62,8 @@ std::vector<double> largest_by_column(const SparsePattern& p, std::span<const do
   return largest;
 }
 
-/// What of C drives an unknown and does not damp it: the most by which a diagonal entry is below zero, or one
-/// beside it above what two diagonal ones keep in check.
+/// The part of C that drives an unknown: the largest amount by which a diagonal entry is below zero, or by
+/// which an entry beside the diagonal exceeds the geometric mean of the two diagonal entries.
 std::vector<double> what_damping_drives(const SparsePattern& p, std::span<const double> C) {
   std::vector<double> drives(static_cast<std::size_t>(p.size));
   const auto damped = [&](std::int32_t i) { return std::max(0.0, C[find_slot(p, i, i)]); };
@@ -76,7 +76,7 @@ std::vector<double> what_damping_drives(const SparsePattern& p, std::span<const 
   return drives;
 }
 
-/// (2)
+/// Adds (2) for unknowns with neither mass nor damping.
 void let_follow(const SparsePattern& p, std::span<const double> metric, LinearMotion& m) {
   std::vector<bool> follows(static_cast<std::size_t>(p.size), true);
   const auto each = [&](auto&& visit) {
@@ -93,7 +93,7 @@ void let_follow(const SparsePattern& p, std::span<const double> metric, LinearMo
   });
 }
 
-/// a + t (b - a); what is empty is zero.
+/// a + t (b − a); an empty vector is zero.
 std::vector<double> between(std::span<const double> a, std::span<const double> b, double t) {
   std::vector<double> there(a.begin(), a.end());
   there.resize(std::max(a.size(), b.size()));
@@ -101,7 +101,7 @@ std::vector<double> between(std::span<const double> a, std::span<const double> b
   return there;
 }
 
-/// K_error; empty where the step is not known, or elements are not defined where it leads.
+/// K_error; empty if the step is not known, or elements are undefined at its end.
 std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& at,
                                         const std::vector<double>& K) {
   if (at.after.empty()) return {};
@@ -154,7 +154,7 @@ bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, const Ma
 }
 
 bool linearise(Assembler& assembler, const RestPlace& at, LinearMotion& m) {
-  const std::size_t slots = assembler.value_slots();  // more than the pattern has
+  const std::size_t slots = assembler.value_slots();  // more than those of the pattern
   std::vector<double> metric(slots);
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->assign(slots, 0.0);
   const double* low = at.x_low.empty() ? nullptr : at.x_low.data();

@@ -7,42 +7,51 @@
 
 namespace netloft {
 
-/// Values, in one pattern, of the matrices of (1) and (8) of growth.hpp, whose numbers are meant here.
+/// Values of the matrices of (1) and (8), in one pattern. Equation numbers are those of growth.hpp.
 struct LinearMotion {
   std::vector<double> K, C, M;  // [N/m], [N s/m], [kg]
-  std::vector<double> convex;   // symmetric positive definite, about what K is [N/m]
-  std::vector<double> K_error;  // what K changes by from here to where the equilibrium is; empty: not known
-  bool is_damped = true;        // some element damps
+  std::vector<double> convex;   // symmetric positive definite, an approximation of K [N/m]
+  std::vector<double> K_error;  // change of K over the remaining Newton step; empty: unknown
+  bool is_damped = true;        // whether some element damps
 };
 
-/// A place next to an equilibrium, over all dofs.
+/// A point near an equilibrium, over all dofs.
 struct RestPlace {
   std::span<const double> x;
-  std::span<const double> x_low = {};  // what x rounds off; empty: not known
-  std::span<const double> after = {};  // x after the Newton step that is left; empty: not known
+  std::span<const double> x_low = {};  // low-order part of x; empty: unknown
+  std::span<const double> after = {};  // x after the remaining Newton step; empty: unknown
   std::span<const double> after_low = {};
-  double fraction = 1;  // of that step, at most as far as one place reaches
+  double fraction = 1;  // of that step, such that it does not leave the place (kSamePlace)
 };
 
-/// The matrices there. False: see the assembler's fault.
+/// Evaluates the matrices at a point. Returns false if an element failed, which Assembler::fault describes.
 bool linearise(Assembler& assembler, const RestPlace& place, LinearMotion& motion);
 
-/// That `linearise` evaluates at most: those of a motion, the linear stiffness, and K where the equilibrium
-/// is.
+/// Largest number of matrices that `linearise` evaluates: those of a motion, the linear stiffness, and K
+/// after the remaining step.
 inline constexpr int kMatricesOfMotion = 6;
 
-/// What a matrix that is assembled from many elements may round off, of its largest entry.
+/// Rounding error of a matrix that is assembled from many elements, relative to its largest entry.
 inline constexpr double kRoundingOfMatrix = 1e-9;
 
-/// By (9), whose factorisations are counted in `cost`.
+/// Whether no disturbance grows because the energy (8) of cayley.hpp falls:
+///   M and K symmetric, K and M positive definite, C + Cᵀ positive semidefinite             (9)
+/// by Cholesky factorisations, which `cost` counts. A positive definite K + Kᵀ is not enough: s² = −1 ± ib of
+/// K = [1 −b; b 1] grows for any b.
 bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion,
                          const MakeFactorisation& make, Statistics& cost);
 
-/// The largest |s| of (6c) with Re s/|s| of at least `fraction`, by every unknown alone [1/s]; zero: nothing
-/// can grow so.
+/// The largest |s| that can grow with c = Re s/|s| of at least `fraction` [1/s]; zero: nothing can. With K =
+/// K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny, the real part of (1) over s is
+///   Re s (m + k/|s|²) + Re d + Re(n/s) = 0,   m, k ≥ 0                                    (6a)
+///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
+///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)
+/// for any K₊, the stiffness of taut members, and any C that damps. The result is the largest estimate of
+/// (6c) by one unknown alone, which may be ten times too small, a factor that the greatest σ covers. An
+/// unknown without mass follows K by C.
 double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double fraction);
 
-/// Calls visit(row, column, value) for every entry, those above the diagonal of a symmetric one included.
+/// Calls visit(row, column, value) for every entry of the whole matrix, symmetric or not.
 template <class Visit>
 void for_entries(const SparsePattern& p, std::span<const double> values, Visit&& visit) {
   for (std::int32_t c = 0; c < p.size; ++c)

@@ -27,21 +27,21 @@ std::string what_rounds(const Assessment& a) { return a.x_low.empty() ? "positio
 std::string why_not_balanced(const Assessment& a) {
   if (a.balance.residual > a.balance.floor) return "";
   return "; rounding of the " + what_rounds(a) + " alone is worth " + newtons(a.balance.floor) +
-         ": its stiffness is too high for what it carries";
+         ": the stiffness of the gear is too high for its load";
 }
 
 std::string why_round_off(const Assessment& a) {
   if (!a.balance.at_round_off) return "";
   if (a.balance.residual <= a.balance.floor)
-    return "; at the round-off of the " + what_rounds(a) + ", which the tolerance is below";
-  return "; no step brings it closer, and what one could gain is below the rounding of the energy";
+    return "; this is the round-off of the " + what_rounds(a) + ", and the tolerance is below it";
+  return "; no step brings it closer, and the energy that a step could gain is below its round-off";
 }
 
 std::string what_of_stability(const Assessment& a) {
   if (a.stability == Stability::neutral)
-    return "; something in it can move without any force (slack netting or rope)";
+    return "; some part can move without any force (slack netting or rope)";
   if (a.stability == Stability::marginal)
-    return "; it is close to where small disturbances begin to grow: whether they do is not certain";
+    return "; it is close to the limit of stability: whether small disturbances grow is not certain";
   return "";
 }
 
@@ -56,15 +56,15 @@ std::string why_it_stopped(const StaticProblem& problem) {
     case Stop::interrupted:
       return "interrupted";
     case Stop::ran_away:
-      return "it runs away: nothing holds what drives it";
+      return "the gear runs away: nothing resists the forces that drive it";
     case Stop::unsettled:
-      return "it goes on moving and does not come to rest";
+      return "the gear keeps moving and does not come to rest";
     default:
       return "the solver stopped by itself";
   }
 }
 
-/// How far each node goes in what grows.
+/// Amplitude of each node in the growing motion.
 std::vector<double> node_moves(const Assessment& a, const Assembler& assembler) {
   std::vector<double> squares;
   for (const auto* u : {&a.growing.mode, &a.growing.mode_later})
@@ -143,7 +143,7 @@ std::string reason_of(const Assessment& a, const std::string& ending, const std:
   if (!a.balance.balanced) return ending + "; " + balance + why_not_balanced(a);
   const std::string balanced = balance + why_round_off(a) + what_of_stability(a);
   if (a.stability == Stability::swinging && a.status == SolveStatus::converged)
-    return balanced + "; it does not rest there: " + why_unstable;
+    return balanced + "; the gear does not rest there: " + why_unstable;
   if (a.status != SolveStatus::unstable) return balanced;
   return "a stationary point, but not a stable one: " + why_unstable + "; " + balanced;
 }

@@ -6,7 +6,7 @@ namespace netloft {
 
 constexpr const char* kTimeIsOver = "the time limit was reached";
 
-/// Why a solver returned, as a sentence: "the limit of 300 iterations was reached".
+/// The reason for which a solver returned, as a sentence: "the limit of 300 iterations was reached".
 std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
                          const Scene& scene);
 
@@ -14,11 +14,11 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
 /// 900 nodes move a tenth as far or more"
 std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
 
-/// The node that what grows moves furthest. Something must grow.
+/// The node with the largest amplitude in the growing motion, which must exist.
 std::string where_it_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
 
-/// The sentence on an assessment whose status and stability are known. `ending` is why the solver returned,
-/// `why_unstable` what says that it is not stable.
+/// The sentence on an assessment whose status and stability are known. `ending` says why the solver returned,
+/// `why_unstable` why the point is not stable.
 std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
                       const std::string& why_unstable);
 

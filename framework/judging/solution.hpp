@@ -4,39 +4,39 @@
 
 namespace netloft {
 
-/// Another place where the gear is in equilibrium that is not unstable.
+/// Another equilibrium of the gear that is not unstable.
 struct OtherShape {
   double energy = 0;           // [J]
-  double distance = 0;         // of its furthest node from where the solution has it [m]
+  double distance = 0;         // largest distance of a node from its position in the solution [m]
   std::string furthest;        // that node
-  int times = 1;               // that it was found
+  int times = 1;               // number of restarts that found it
   std::vector<double> x = {};  // positions over all dofs
 };
 
-/// What was found by looking for other shapes, and by which rule the solution was chosen among them
+/// Result of the search for other equilibria, and the rule by which the solution was chosen
 /// (framework/search/shapes.hpp).
 struct Shapes {
-  bool by_energy = false;       // the least; else the first that was found
-  int restarts = 0, times = 1;  // that the solution was found, the first time included
+  bool by_energy = false;       // the one of least energy; else the one found first
+  int restarts = 0, times = 1;  // times: how often the solution was found, including the first time
   std::vector<OtherShape> others;
 };
 
-/// What a solver leaves besides the point where it ended.
+/// The course of a solver, besides its final point.
 struct SolverRun {
-  Stop stop = Stop::none;  // why it was told to stop
+  Stop stop = Stop::none;  // why the host stopped it
   std::vector<IterationRecord> history;
-  std::string factorisation = "none";  // that it used last, for people
+  std::string factorisation = "none";  // the last one it used, for people
 };
 
-/// Where a solver ended, what the host makes of it, and what it cost.
+/// The final point of a solver, its assessment and its cost.
 struct Solution : Assessment {
-  std::vector<double> u;  // displacements of the unknowns that x stands for
+  std::vector<double> u;  // displacements of the unknowns, of which x are the positions
   SolverRun run;
   Cost cost;
-  bool does_not_settle = false;  // given up because it went on and on (Limits::path), or its motions were
+  bool does_not_settle = false;  // given up because it kept moving (Limits::path), or its motions did
   Shapes shapes;
-  std::vector<double> factors;           // of the settings of the scene, at which this is its equilibrium
-  std::vector<std::string> diagnostics;  // what may be why it did not converge, by whoever knows the parts
+  std::vector<double> factors;           // of the settings of the scene at this equilibrium
+  std::vector<std::string> diagnostics;  // possible reasons for which it did not converge
 };
 
 }  // namespace netloft

@@ -6,26 +6,25 @@
 
 namespace netloft {
 
-/// Of positions, while they are looked for: what a double has room for, or also what it rounds off
+/// Precision of positions during a solve: double precision, or in addition a low-order part
 /// (StaticProblem::count_from).
 enum class Positions { plain, compensated };
 
-/// Where a solver begins.
+/// Initial guess of a solver.
 struct StartPoint {
-  std::span<const double> u = {};  // displacements of the unknowns; empty: none, the start of the scene
+  std::span<const double> u = {};  // displacements of the unknowns; empty: the start of the scene
   Positions positions = Positions::plain;
 };
 
-/// Why a solver cannot work on problems with these traits (traits_of): it needs an energy, say. Empty: it
-/// can.
+/// The reason for which a solver cannot work on problems with these traits (traits_of), for example because
+/// it needs an energy. Empty if it can.
 std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t problem_traits);
 
-/// Lets `solver` find the static equilibrium of a scene, recomputes the residual where it ended and judges
-/// it. How far from the equilibrium a balanced point is estimated to be, says `correction`. A stationary
-/// point whose tangent is not positive definite is called unstable, and so is one about which something
-/// grows, where forces have no energy (Judging::ask_growth). A solver that is unfit is not started, and
-/// nothing is computed. What elements remember (friction) does not change: an equilibrium is one of the past
-/// that the scene had.
+/// Lets `solver` find the static equilibrium of a scene, and assesses its final point; `correction` estimates
+/// the distance of a balanced point from the equilibrium. A stationary point is unstable if its tangent is
+/// not positive definite, or, if forces have no energy, if a disturbance grows (Judging::ask_growth). An
+/// unfit solver is not started, and nothing is computed. The memory of elements (friction) does not change:
+/// the equilibrium depends on the past that the scene had.
 Solution solve_static(const AssembledScene& scene, SolverChoice solver, const Limits& limits,
                       StartPoint start = {}, Observer observer = {});
 

@@ -8,9 +8,11 @@ namespace netloft {
 
 namespace {
 
-// Steps of the march that another one is compared with, over its own: longer where they may be.
+// Ratio of step lengths between the march used for comparison and this one; longer unless stability bounds
+// the steps.
 constexpr double kLonger = 2, kShorter = 0.5;
-// By how much the mean steps of both must differ: what is alike cannot tell how far it is off.
+// Least relative difference of the mean steps of both marches. Marches with similar steps give no error
+// estimate.
 constexpr double kTold = 0.1;
 
 }  // namespace
@@ -40,7 +42,7 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
 
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state) {
-  if (!(std::abs(longer - 1) >= kTold)) return;  // nor where it is not known
+  if (!(std::abs(longer - 1) >= kTold)) return;  // also if the ratio is not known
   for (std::size_t i = 0; i < here.size(); i += 3) {
     const double apart =
         std::hypot(here[i] - there[i], here[i + 1] - there[i + 1], here[i + 2] - there[i + 2]);

@@ -9,11 +9,12 @@ namespace netloft {
 
 namespace {
 
-/// Part of a step over which the power of winches is found: so short that a rope which bears load stays taut
-/// when as much is paid out, and long enough for differences of energies to keep 10 digits.
+/// Fraction of a step over which the power of winches is evaluated: short enough for a loaded rope to stay
+/// taut while it is paid out, and long enough for differences of energies to have 10 digits.
 constexpr double kPartOfStep = 1e-4;
 
-/// What resists a rate and no flow of water; it has no memory, so that any point can be asked.
+/// Whether a term resists a velocity, without flow of water and without memory, so that it can be evaluated
+/// at any point.
 bool is_damper(const netloft_term& term) {
   return (term.traits & NETLOFT_READS_VELOCITY) && (term.traits & NETLOFT_NEEDS_MOTION) &&
          !(term.traits & (NETLOFT_NEEDS_FLOW | NETLOFT_READS_GROUND));
@@ -84,9 +85,9 @@ void EnergyBudget::retract() {
   std::swap(now_, next_);
 }
 
-/// (7): at both ends of a step what energies gain per time while nothing moves. The difference over a whole
-/// step would be that of elements stretched by all that is hauled in the step: in a stiff rope that strain is
-/// many times the one it bears, and the energy rises with its square.
+/// Adds (7) by the power at both ends of a step, which is ∂E/∂t at rest. A difference over the whole step
+/// would stretch elements by everything that is hauled in during the step: in a stiff rope, that strain is
+/// many times the actual one, and the energy rises with its square.
 bool EnergyBudget::add_winches(const MeanStep* mean) {
   if (mean) return add_winches_of_means(mean->t);
   const double h = next_.t - now_.t;
@@ -96,7 +97,8 @@ bool EnergyBudget::add_winches(const MeanStep* mean) {
   return true;
 }
 
-/// ∂E/∂t of a moment, by the one-sided difference that is exact for a quadratic; `h` [s] leads into the step.
+/// ∂E/∂t at a moment, by the one-sided difference that is exact for a quadratic; `h` [s] points into the
+/// step.
 bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   const double tau = kPartOfStep * h;
   double here = 0, near = 0, far = 0;
@@ -107,8 +109,8 @@ bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   return true;
 }
 
-/// Of a step by mean forces, which are taken at time `middle`: the change of the energies that mean forces do
-/// not account for.
+/// Adds (7) for a step by mean forces at time `middle`: the part of the energy change that is not the work of
+/// mean forces.
 bool EnergyBudget::add_winches_of_means(double middle) {
   double early[2], late[2];
   if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, next_.t, late[0], false) ||
@@ -137,7 +139,8 @@ bool EnergyBudget::add_ends() {
   return true;
 }
 
-/// (8); the rates of what is guided are those of its way, for which nothing is missing between them and it.
+/// Adds (8). The rates of guided degrees of freedom are their displacements over the step length, because
+/// nothing is missing between them and the guide.
 bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   state_.set(mean.t, mean.u, mean.v, mean.a);
   middle_ = state_.x();
@@ -162,7 +165,8 @@ bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   return true;
 }
 
-/// q takes unknowns as displacements and held dofs as positions: of those only guided ones ever change.
+/// q contains displacements of unknowns and positions of held degrees of freedom, of which only guided ones
+/// change.
 void EnergyBudget::place(double t, std::span<const double> u, std::span<const double> v,
                          std::span<const double> a, Moment& to) {
   const auto put = [](std::span<const double> own, std::vector<double>& all) {
@@ -179,7 +183,7 @@ void EnergyBudget::place(double t, std::span<const double> u, std::span<const do
   to.v = state_.v();
 }
 
-/// (5)
+/// Adds (5).
 bool EnergyBudget::add_works() {
   const double h = next_.t - now_.t;
   middle_.resize(now_.x.size());
@@ -211,7 +215,7 @@ void EnergyBudget::find_mean_rates() {
   }
 }
 
-/// (4), with the velocity in the middle of the step: M v there, by the masses of its end and of its start.
+/// Adds (4). M v at the mean velocity of the step is evaluated with the masses at its end and at its start.
 bool EnergyBudget::find_entrained() {
   find_mean_rates();
   Kinematics as_rates;
@@ -229,7 +233,7 @@ bool EnergyBudget::restate(double t, std::span<const double> u, std::span<const 
   return find_forces(now_);
 }
 
-/// state_ stands at the moment.
+/// r_M(0, v) at the moment m, at which state_ has been set.
 bool EnergyBudget::find_turning(Moment& m) {
   m.turning.clear();
   if (!assembler_.has_bodies()) return true;
@@ -239,7 +243,7 @@ bool EnergyBudget::find_turning(Moment& m) {
   return sum_force(inertia_, m.x, {.time = m.t, .v = all_v.data(), .a = all_a.data()}, m.turning);
 }
 
-/// state_ stands at the moment.
+/// Forces at the moment m, at which state_ has been set.
 bool EnergyBudget::find_forces(Moment& m) {
   const Kinematics motion = state_.motion();
   for (std::size_t k = 0; k < work_.size(); ++k)
@@ -284,7 +288,7 @@ bool EnergyBudget::sum_force(const Account& account, const std::vector<double>& 
   return true;
 }
 
-/// Work between now_ and next_, by the trapezoidal rule, of the degrees of freedom after the first `from`.
+/// Work between now_ and next_ by the trapezoidal rule, of the degrees of freedom from index `from` on.
 double EnergyBudget::done(const std::vector<double>& before, const std::vector<double>& after,
                           std::size_t from) const {
   double sum = 0;

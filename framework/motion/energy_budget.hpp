@@ -8,70 +8,71 @@
 
 namespace netloft {
 
-/// Where energy is and where it has gone since the start. With r_k the residual of term k, q the degrees of
-/// freedom, and sums over the steps by the trapezoidal rule,
+/// Energy budget of a motion since its start. r_k is the residual of term k, q are the degrees of freedom,
+/// and integrals are sums over steps by the trapezoidal rule.
 ///   Σ_k ∫ r_k·dq = ∫ reaction·dq          over all terms, from F = 0                     (1)
 ///   stored_k = E_k                        terms with an energy                           (2)
 ///   kinetic = ½ v·M v                                                                    (3)
 ///   entrained = ∫ r_M(0, v)·dq − ½ ∫ v·(dM/dt) v dt
-///                                         what added mass takes from the gear as it turns (4)
-///   dissipated_k = ∫ r_k·dq               drag, damping, friction; negative: they push   (5)
-///     of dampers r_k in the middle of each step, at the rate Δx/h: what sets in within a step, at the speed
-///     of its end, would else be counted as if it had acted half of the way
-///   work_of_holds = ∫ reaction·dq         of those that are moved                        (6)
+///                                         energy taken by added mass as the gear turns   (4)
+///   dissipated_k = ∫ r_k·dq               drag, damping, friction; negative if they drive (5)
+///   work_of_holds = ∫ reaction·dq         of moving holds                                (6)
 ///   work_of_winches = ∫ ∂E/∂t dt          lengths that change in time                    (7)
-///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     what the scheme took: zero if (1) held at all times
-/// r_M(0, v) is what inertia gives without acceleration: of rigid bodies that turn, whose (4) is then zero.
-/// For the trapezoidal rule on a linear system (1) holds exactly, and so does the budget.
+///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     taken by the scheme; zero if (1) held at all times
+/// r_M(0, v) is the inertia force without acceleration, of turning rigid bodies; the second term of (4)
+/// balances it. Dampers in (5) are evaluated in the middle of each step at the rate Δx/h, because a force
+/// that sets in within a step must not count as if it had acted for half of the step. For the trapezoidal
+/// rule on a linear system, (1) and the budget hold exactly.
 ///
-/// Of a scheme whose mean forces do the work of a step (MeanStep), sums are over those and not by the
-/// trapezoidal rule: of each step with ends 0 and 1, f in its middle and h its length,
-///   (5) f_k·Δq,   (6) reaction·Δq,   (7) the change of E(x₁) and E(x₀) from their own times to the middle's
+/// If a scheme uses mean forces (MeanStep), the budget sums their work instead. For a step with the ends 0
+/// and 1, the forces f in its middle and the length h:
+///   (5) f_k·Δq,   (6) reaction·Δq,   (7) change of E(x₁) and E(x₀) from their own times to the middle's
 ///   (4) h f_M·½(v₀ + v₁) − Δ(3),  f_M the force of inertia                               (8)
-/// so that (1) holds to the tolerance of the solver, and `numerical` is what the damping of the scheme took.
+/// Then (1) holds to the tolerance of the solver, and `numerical` is the energy taken by the damping of the
+/// scheme.
 class EnergyBudget {
  public:
   EnergyBudget(Assembler& assembler, double mass_damping);
 
-  /// Takes a state as the beginning. False: see the assembler's fault().
+  /// Begins the budget at a state. Returns false if an element failed, which Assembler::fault describes.
   bool begin(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
-  /// A step has led to a new state, by the mean forces of `mean` if that is not null.
+  /// Adds a step to a new state, made with the mean forces of `mean` unless that is null.
   bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
                const MeanStep* mean = nullptr);
-  /// The last step is not made: back to the state before it.
+  /// Undoes the last `advance`.
   void retract();
-  /// Finds the forces of the last state anew, once elements remember it.
+  /// Evaluates the forces of the last state again, after elements have stored it in their memory.
   bool refresh() { return find_forces(now_); }
-  /// The last state again, whose rotations are counted in another way now.
+  /// Sets the last state again, with rotations expressed in a different way.
   bool restate(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
 
-  /// Names and values [J], in one order.
+  /// Names and values [J], in the same order.
   std::vector<std::string> names() const;
   std::vector<double> values() const;
-  /// What there is and what has been done so far, for who asks whether it can be.
+  /// Energies, and works done so far, for the energy judge.
   struct Totals {
     double kinetic = 0, stored = 0, numerical = 0;
-    std::vector<double> given;  // by holds, by winches, by each force without an energy; negative: taken
+    std::vector<double> given;  // work of holds, of winches, of each force without an energy; negative: taken
   };
   Totals totals() const;
-  /// Everything that `begin` at the same state does not find, and back.
+  /// Everything that `begin` at the same state does not determine.
   std::vector<double> sums() const;
   void set_sums(std::span<const double> sums);
 
  private:
-  /// All active terms of one name. An energy has a value of the moment, everything else a sum of work.
+  /// All active terms of one name. An energy has a current value; other terms have a sum of work.
   struct Account {
     std::string name;
     std::vector<std::pair<std::size_t, std::size_t>> terms;  // (family, term)
     bool in_the_middle = false;                              // a damper of (5)
     double value = 0, first = 0;
   };
-  /// A state, and the forces there over all dofs, as residuals.
+  /// A state, and its forces over all dofs, as residuals.
   struct Moment {
     double t = 0;
     std::vector<double> x, v, q, rates;           // q, rates: of unknowns and guided dofs
     std::vector<std::vector<double>> works;       // per account of work_
-    std::vector<double> damping, holds, turning;  // turning: r_M(0, v) of (4), where there are bodies
+    std::vector<double> damping, holds, turning;  // turning: r_M(0, v) of (4), if there are bodies
   };
 
   void place(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,

@@ -7,16 +7,16 @@
 
 namespace netloft {
 
-/// Whether a motion has energy that nobody gave it. Steps are looked at singly, each for n like it; with Δ
-/// over such a step, sums over them, and maxima over time,
+/// Decides whether a motion contains energy that nothing supplied. Single steps are examined, each of which
+/// represents n steps; Δ is the change over an examined step, sums are over those, and maxima over time.
 ///   made = −Σ n Δnumerical                                                                (1)
 ///   given = K₀ + max(E₀ − E) + Σ_k max(Σ n Δgiven_k)     E stored, k holds, winches, forces  (2)
-///   lost: made > ½ given + W, ten looks in a row, or at the last                             (3)
-/// W [J] is a work too small to speak of; ten, because a stable scheme may overshoot in its first steps, if
-/// they are far longer than the periods it skips, and takes the energy back in those that follow. Of the
-/// scenes in gear-library/scenes/dynamics, by all schemes and accuracies, motions whose path is found within
-/// 2 % make up to 0.15 of what they are given; those that make ½ all go on to make 0.8 to 3·10⁸ times as
-/// much as was given, and lose their path by 4 % of its extent or more.
+///   lost: made > ½ given + W, ten times in a row, or at the last examination                (3)
+/// W [J] is a negligible work. Ten, because a stable scheme may overshoot in its first steps if they are far
+/// longer than the periods of the fast modes, and takes that energy back in the following steps. In
+/// gear-library/scenes/dynamics, with all schemes and accuracies, motions whose path is accurate to 2 % have
+/// made ≤ 0.15 given; motions that reach ½ continue to 0.8 to 3·10⁸, with path errors of 4 % of the extent or
+/// more.
 class EnergyJudge {
  public:
   void begin(const EnergyBudget::Totals& at, double negligible) {
@@ -42,17 +42,18 @@ class EnergyJudge {
     for (std::size_t k = kGiven; k < sums_.size(); k += 2) all += sums_[k + 1];
     return all;
   }
-  /// What energies are measured by: given and W [J].
+  /// The scale of energies: given + W [J].
   double scale() const { return given() + sums_[kNegligible]; }
   bool is_lost(bool at_the_end) const { return sums_[kInARow] >= (at_the_end ? 1 : 10); }
   std::string sentence() const {
     char text[128];
     std::snprintf(text, sizeof text,
-                  "the motion is lost: %.3g J came out of nothing, where %.3g J were given", made(), given());
+                  "the motion is lost: the time scheme created %.3g J, whereas %.3g J were supplied", made(),
+                  given());
     return text;
   }
 
-  /// All that it goes on from, and back.
+  /// The complete state of the judge.
   const std::vector<double>& sums() const { return sums_; }
   void set_sums(std::span<const double> sums) { sums_.assign(sums.begin(), sums.end()); }
 
@@ -60,7 +61,7 @@ class EnergyJudge {
   bool makes_too_much() const { return !(made() <= 0.5 * given() + sums_[kNegligible]); }
 
   enum : std::size_t { kMade, kKinetic, kStored, kReleased, kNegligible, kInARow, kGiven };
-  std::vector<double> sums_;  // from kGiven on: of each k the sum and its maximum
+  std::vector<double> sums_;  // from kGiven on: for each k, the sum and its maximum
 };
 
 }  // namespace netloft

@@ -8,7 +8,7 @@ namespace netloft {
 
 namespace {
 
-constexpr int kLookEvery = 16;  // short steps to one that is judged, where no budget is kept
+constexpr int kLookEvery = 16;  // short steps per examined step, if no budget is kept
 
 }  // namespace
 
@@ -26,7 +26,7 @@ bool EnergyWatch::begin(const MarchState& from, double negligible) {
   return true;
 }
 
-/// That one which is looked at stands for.
+/// Number of steps that an examined step represents.
 double EnergyWatch::steps_per_look() const {
   return settings_.budget || !makes_short_steps_ ? 1 : kLookEvery;
 }
@@ -52,7 +52,7 @@ bool EnergyWatch::look(TransientProblem& problem, const MarchState& from, const 
   return true;
 }
 
-/// (1); in proportion to the length of steps where these are compared with others.
+/// Right side of (1), scaled with the step length in a march for comparison.
 double EnergyWatch::tolerated() const { return settings_.accuracy * settings_.pace * tried_.scale(); }
 
 bool EnergyWatch::restate(const MarchState& state) {
@@ -60,7 +60,7 @@ bool EnergyWatch::restate(const MarchState& state) {
 }
 
 void EnergyWatch::keep_in(MarchState& state, bool refreshes) {
-  if (settings_.budget && refreshes) budget_.refresh();  // else forces are what they were
+  if (settings_.budget && refreshes) budget_.refresh();  // otherwise the forces have not changed
   if (settings_.budget) state.budget = budget_.sums();
   state.judged = judge_.sums();
 }

@@ -14,15 +14,15 @@ namespace netloft {
 namespace {
 
 constexpr int kMostLanczosSteps = 60;
-/// A mode that is orthogonal to the known one begins as a part of kOthers/√n, and has to outgrow it: with
-/// fewer steps than these its residual could be small before it is seen.
+/// Least number of steps. A mode that is orthogonal to the known one starts with a part of kOthers/√n and has
+/// to grow before it is visible; with fewer steps, the residual could be small before that.
 constexpr int kLeastSteps = 12;
 constexpr double kOthers = 0.1, kResidual = 0.05;
-/// Over the largest α: what is left of β by rounding where the vectors so far hold all modes that the first
-/// one had. Going on from there gives copies of modes, over which the QR algorithm may not converge.
+/// Relative to the largest α: β at or below this is rounding error, because the vectors span all modes of the
+/// first one. Further steps would give copies of modes, for which the QR algorithm may not converge.
 constexpr double kExhausted = 1e-10;
 
-/// Numbers in [-1, 1) that look random and are always the same (Knuth's MMIX generator).
+/// Pseudo-random numbers in [−1, 1), always the same (Knuth's MMIX generator).
 std::vector<double> noise(std::size_t size) {
   std::vector<double> x(size);
   std::uint64_t seed = 1;
@@ -33,7 +33,8 @@ std::vector<double> noise(std::size_t size) {
   return x;
 }
 
-/// (1), step by step. Holds M q beside q, which (1) gives as well: one division by M is all a step takes.
+/// The Lanczos iteration (1). Stores M q beside q, which (1) provides as well, so that a step needs one
+/// division by M.
 class Lanczos {
  public:
   Lanczos(const Pencil& pencil, std::vector<double> start)
@@ -81,7 +82,7 @@ class Lanczos {
   }
 
  private:
-  /// Of the Ritz values, by Gershgorin's circles.
+  /// Upper bound of the Ritz values, by Gershgorin's circles.
   double bound() const {
     double largest = 0;
     for (std::size_t k = 0; k < alpha_.size(); ++k)
@@ -107,7 +108,7 @@ void scale(const Pencil& pencil, std::vector<double>& x, double to) {
 
 }  // namespace
 
-/// The steps are made twice, so that their vectors need not be kept.
+/// The steps are made twice, so that their vectors need not be stored.
 HighestMode find_highest_mode(const Pencil& pencil) {
   Lanczos first(pencil, noise(pencil.size));
   for (int k = 0; k < kMostLanczosSteps && !first.has_ended(); ++k) first.step();

@@ -7,14 +7,14 @@
 
 namespace netloft {
 
-/// How a march ended, as a word; sentences about it are made of what follows.
+/// Status at the end of a march.
 enum class MarchStatus { finished, stopped, failed, out_of_time, out_of_work, interrupted };
 const char* name_of(MarchStatus status);
 
 /// "0.25 s"
 std::string seconds_text(double t);
 
-/// "net node 4 moves at 3.2 m/s": the fastest, with velocities v of the unknowns.
+/// "net node 4 moves at 3.2 m/s": the fastest node, by the velocities v of the unknowns.
 std::string fastest_node(const AssembledScene& of, std::span<const double> v);
 
 }  // namespace netloft

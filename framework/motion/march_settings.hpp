@@ -4,24 +4,25 @@
 
 namespace netloft {
 
-/// How time is gone through.
+/// Settings of the integration in time.
 struct MarchSettings {
   double duration = 0;  // [s]
-  double step = 0;      // first or only one [s]; 0: found
+  double step = 0;      // length of the first or only step [s]; 0: chosen by the host
   bool adaptive = true;
-  double accuracy =
-      1e-3;  // of the path: errors of single steps by (2) of step_control.hpp, over the longest element
+  // Accuracy of the path, relative to the longest element; errors of single steps follow from (2) of
+  // step_control.hpp.
+  double accuracy = 1e-3;
   double longest_step = std::numeric_limits<double>::infinity();  // [s]
   double shortest_step = 1e-9;                                    // [s]
-  double output_interval = 0;                                     // [s]; 0: the beginning and the end
-  bool dense = false;       // outputs between steps; otherwise steps end at them
-  bool budget = true;       // keep the energy budget
-  bool judged = true;       // fail once there is energy that nobody gave
-  bool check = false;       // compare with another march, in steps `pace` times as long
-  double pace = 1;          // factor on all lengths of steps
-  double mass_damping = 0;  // c of the force −c M v [1/s]
+  double output_interval = 0;  // [s]; 0: outputs at the beginning and the end
+  bool dense = false;          // outputs lie between steps; otherwise steps end at outputs
+  bool budget = true;          // keep the energy budget
+  bool judged = true;          // fail if the motion contains energy that nothing supplied
+  bool check = false;          // compare with another march, with steps `pace` times as long
+  double pace = 1;             // factor on all step lengths
+  double mass_damping = 0;     // c of the force −c M v [1/s]
 
-  /// Some step's energy is looked at, whether or not a budget of it is kept.
+  /// Whether the energy of some steps is examined, with or without a budget.
   bool watches_energy() const { return judged || adaptive; }
 };
 

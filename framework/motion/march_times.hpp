@@ -7,22 +7,22 @@
 
 namespace netloft {
 
-/// When outputs of a march are written, and where its steps end.
+/// The times at which outputs are written and steps end.
 class MarchTimes {
  public:
-  /// `corners`: times at which what moves the scene has corners [s].
+  /// `corners`: times at which prescribed motions have corners [s].
   MarchTimes(const MarchSettings& settings, std::vector<double> corners);
 
   std::size_t output_count() const;
   double output(std::size_t i) const;
-  /// Whether an output of another march, which may be at other times, is one of this, too.
+  /// Whether a march with these settings has an output at time t of another march.
   bool is_output(double t) const;
-  /// The next end of a step after t, leaving out those that rounding alone has left.
+  /// The next time after t at which a step has to end, without times that differ from t only by rounding.
   double next_corner(double t) const;
 
  private:
   const MarchSettings& settings_;
-  std::vector<double> corners_;  // outputs among them, unless those are between steps
+  std::vector<double> corners_;  // including outputs, unless outputs are dense
 };
 
 }  // namespace netloft

@@ -11,13 +11,13 @@ namespace netloft {
 
 namespace {
 
-// Inertia about an axis over the largest there is, of a body whose masses are those of points on that axis:
-// what rounding leaves of differences of equal numbers.
+// Least inertia about an axis relative to the largest, for a body whose masses are points on that axis: less
+// is rounding error.
 constexpr double kNothing = 1e-12;
 
 using Block3 = Eigen::Matrix3d;
 
-/// Of a body about its centre of mass, in the arm's units [kg]:
+/// Inertia of a body about its centre of mass, in the units of the arm [kg]:
 ///   J = M_qq − M_Xqᵀ M_XX⁻¹ M_Xq,  X its origin, q its rotation times its arm                      (1)
 class OwnMasses {
  public:
@@ -31,7 +31,7 @@ class OwnMasses {
     coupling_ = at(9 * (assembler.numbering().dofs() / 3 + body));
   }
   bool has_mass() const { return is_definite(mass_, mass_.trace()); }
-  /// Along those components of the rotation that can change.
+  /// Whether it has inertia about every axis about which it can turn.
   bool resists_turning(std::uint8_t held) const {
     Block3 J = turning_ - coupling_.transpose() * mass_.inverse() * coupling_;  // (1)
     const double largest = turning_.trace();
@@ -52,7 +52,7 @@ class OwnMasses {
   Block3 mass_, turning_, coupling_;
 };
 
-/// The bodies without what is joined to their points: these are nodes of their own.
+/// The bodies without the nodes that are joined to their points.
 Scene bare_bodies(const Scene& scene) {
   Scene bare = scene;
   for (RigidBody& body : bare.bodies) body.points.clear();

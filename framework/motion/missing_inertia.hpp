@@ -6,18 +6,19 @@
 
 namespace netloft {
 
-/// What a motion would accelerate without bound: it can move, and no element gives it inertia.
+/// A degree of freedom without inertia: it can move, but would be accelerated without bound in a motion.
 struct MissingInertia {
-  std::uint32_t node = 0;                // of a body its origin
+  std::uint32_t node = 0;                // the origin, if it is a body
   std::optional<std::size_t> body = {};  // index in the scene
-  bool is_of_turning = false;            // of a body: about some axis through its centre of mass; else mass
-  bool is_on(const Part& part) const;    // one of its elements has the node
+  bool is_of_turning = false;            // a body without inertia about some axis through its centre of mass
+  bool is_on(const Part& part) const;    // whether one of its elements has the node
 };
 
-/// Bodies that can turn and whose own elements give no inertia about some axis: what is joined to their
-/// points gives a little, and with it turns of any speed, which steps in time would follow. Nodes are looked
-/// at only `with_nodes`: explicit schemes divide by their masses; implicit ones take those without for always
-/// in equilibrium. At the start; none if masses cannot be evaluated there, see the assembler's fault().
+/// Finds bodies that can turn and whose own elements give no inertia about some axis. The elements joined to
+/// their points give a little inertia, with which the body would turn at any speed. Massless nodes are found
+/// only `with_nodes`: explicit schemes divide by their masses, whereas implicit schemes assume them to be in
+/// equilibrium. Masses are those at the start. Returns none if they cannot be evaluated there, see
+/// Assembler::fault.
 std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const ScenePlan& plan,
                                                  Assembler& assembler, bool with_nodes);
 

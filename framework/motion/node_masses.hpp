@@ -7,36 +7,38 @@
 
 namespace netloft {
 
-/// The mass matrix where it couples no nodes: a block of up to 3 x 3 per node, of up to 6 x 6 per rigid body,
-/// added mass included, inverted block by block.
+/// The mass matrix without coupling of nodes: a block of up to 3 x 3 per node, or 6 x 6 per rigid body, with
+/// added mass. Each block is inverted by itself.
 class NodeMasses {
  public:
   explicit NodeMasses(Assembler& assembler);
 
-  /// Masses at positions x over all dofs. False: see the assembler's fault().
+  /// Evaluates the masses at positions x over all dofs. Returns false if that fails, see Assembler::fault.
   bool update(std::span<const double> x);
-  /// a = −M⁻¹ r over the unknowns. A node without mass gets none, if `massless_rest`; else false.
+  /// a = −M⁻¹ r over the unknowns. If some node has no mass, a is zero there with `massless_rest`; otherwise
+  /// the result is false.
   bool accelerate(std::span<const double> residual, std::span<double> a, bool massless_rest);
-  /// y = M⁻¹ x, and y = M x, over the unknowns.
+  /// y = M⁻¹ x over the unknowns.
   void divide(std::span<const double> x, std::span<double> y) const;
+  /// y = M x over the unknowns.
   void multiply(std::span<const double> x, std::span<double> y) const;
 
   /// The diagonal of M, over the unknowns [kg].
   std::vector<double> diagonal() const;
-  /// Whether masses couple nodes: then no block is the truth.
+  /// Whether masses couple nodes, so that the blocks are incomplete.
   bool coupled() const { return coupled_ > 0; }
   /// Nodes with unknowns and no mass, and origins of bodies without inertia.
   std::vector<std::uint32_t> massless_nodes() const;
 
  private:
-  /// Unknowns of one node, or of origin and rotation of one body.
+  /// The unknowns of one node, or of the origin and the rotation of one body.
   struct Node {
     static constexpr std::size_t kNone = ~std::size_t{0};
-    std::array<std::uint32_t, 2> nodes;  // of a body; else the first alone
+    std::array<std::uint32_t, 2> nodes;  // origin and rotation of a body; otherwise the node, twice
     std::size_t body = kNone;
     std::size_t count = 0;
     std::array<std::size_t, 6> unknown{};
-    std::array<std::size_t, 6> axis{};    // 3 to 5: of the second node
+    std::array<std::size_t, 6> axis{};    // 3 to 5: axes of the second node
     std::array<double, 36> inverse = {};  // count x count, row by row
     bool has_mass = false;
   };

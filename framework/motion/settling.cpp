@@ -8,7 +8,7 @@ namespace netloft {
 
 namespace {
 
-/// Residual of the equilibrium at u, told to the host. True: it has seen enough.
+/// Reports the residual of the static equilibrium at u to the host. Returns true if the host stops.
 bool look(netloft_problem& problem, std::span<const double> u, std::vector<double>& residual) {
   double energy = 0;
   if (problem.evaluate(problem.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE, u.data(), &energy,
@@ -18,10 +18,11 @@ bool look(netloft_problem& problem, std::span<const double> u, std::vector<doubl
   return problem.progress(problem.host, u.data(), energy, residual.data(), "in motion") != NETLOFT_GO_ON;
 }
 
-/// What a march says that has gone on for as long as it might.
+/// Reason for a march that reached one of its limits.
 std::string why_not_at_rest(const MarchResult& r) {
   return r.reason +
-         " without coming to rest: schemes that damp fast motions do, as generalized-alpha, or newmark "
+         " without coming to rest: use a scheme that damps fast motions, such as generalized-alpha, or "
+         "newmark "
          "with chi = -0.3";
 }
 
@@ -34,12 +35,12 @@ int settle(const void* parameters, netloft_problem* problem) {
   };
   const MarchState from = state_at_rest(s.scene.assembler, {problem->u, problem->unknowns});
   MarchSettings how = s.march;
-  how.judged = false;  // where it arrives is judged, not how it came there
+  how.judged = false;  // only the equilibrium matters, not the motion that led to it
   const MarchResult r = march(s.scene, s.methods, s.limits, how, watch, &from);
   std::copy(r.u.begin(), r.u.end(), problem->u);
   if (r.status == MarchStatus::stopped) return NETLOFT_STOPPED;
   if (r.status == MarchStatus::interrupted) {
-    look(*problem, r.u, residual);  // the host sees the interrupt there, and says so
+    look(*problem, r.u, residual);  // the host notices and reports the interrupt in this call
     return NETLOFT_STOPPED;
   }
   const bool moved_on = r.status == MarchStatus::finished || r.status == MarchStatus::out_of_time ||

@@ -4,17 +4,16 @@
 
 namespace netloft {
 
-/// A static equilibrium by dynamics: an integrator with artificial damping −c M v until what is left of the
-/// residual is no more than the tolerance allows. It stands before the host as any other solver, so that the
-/// statistics and the verdict are the same.
+/// A static equilibrium by dynamics: an integrator with the artificial damping −c M v, until the residual is
+/// within the tolerance. The host calls it as a solver, so that statistics and verdict are those of any
+/// solver.
 struct Settling {
   AssembledScene scene;
   StepMethods methods;
-  Limits limits;  // of one step's problem
+  Limits limits;  // of the problem of one step
   MarchSettings march;
-  std::int64_t look_every = 20;  // steps between looks at the residual
-
-  /// The descriptor; `this` is what its parameters are.
+  std::int64_t look_every = 20;  // steps between evaluations of the static residual
+  /// The descriptor of this as a solver; its parameters are `this`.
   SolverType as_solver() const;
 };
 

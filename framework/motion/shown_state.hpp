@@ -5,13 +5,13 @@
 
 namespace netloft {
 
-/// A march at an output: where a step ends, or between its ends.
+/// The state of a march at an output, at the end of a step or between its ends.
 class ShownState {
  public:
   ShownState(const Assembler& assembler, double mass_damping) : moving_(assembler, mass_damping) {}
 
   void show(const MarchState& at);
-  /// The cubic through positions and velocities of the ends of a step, at a time between.
+  /// Interpolates positions and velocities at the ends of a step by a cubic, at a time between.
   void show_between(const MarchState& begin, const MarchState& end, double t);
 
   std::span<const double> u() const { return u_; }

@@ -8,16 +8,17 @@ namespace netloft {
 
 namespace {
 
-/// Of the stable step that the stiffest state allows: what goes slack and taut near that step makes energy. A
-/// chain and a mooring line that do were lost at 0.9; the chain made energy at 0.67 and none at 0.45.
+/// Fraction of the stable step for the stiffest state; members that alternate between slack and taut create
+/// energy near the limit. A chain and a mooring line that do so failed at 0.9; the chain created energy at
+/// 0.67 and none at 0.45.
 constexpr double kBelowLimit = 0.6;
-/// a of (2): the usual accuracy, so that most scenes keep their steps. With p of 3, the order of schemes,
-/// errors of a ball that a rope catches and of a net hit by a gust fell by the powers 0.5 and 0.8 of
-/// accuracy, with 2 by 1.1 and 1.3.
+/// a of (2), the usual accuracy, so that most scenes keep their steps. With p = 3, the order of the schemes,
+/// errors of a ball caught by a rope and of a net hit by a gust fell with the powers 0.5 and 0.8 of the
+/// accuracy; with p = 2, with 1.1 and 1.3.
 constexpr double kProportional = 1e-2;
-/// Steps for which a stable step by the tangent is believed. Waves go through as many elements in them, and
-/// what moves at a hundredth of their speed goes less than one element. To ask costs as much as two steps do:
-/// with 16, the hard motions of tests/bench/motions take a tenth longer; with 256, the same steps within
+/// Number of steps for which a stable step by the tangent is used. A wave crosses as many elements in that
+/// time, and anything moving at a hundredth of its speed less than one. The examination costs as much as two
+/// steps: with 16, the hard motions of tests/bench/motions take a tenth longer; with 256, steps agree within
 /// 1e-3.
 constexpr int kBelieved = 64;
 

@@ -7,40 +7,41 @@
 
 namespace netloft {
 
-/// How long the steps of a march are: by the error of each, and by stability where the scheme is not stable
-/// at any length. With error control, a step is rejected if its estimate exceeds the accuracy, and the next
-/// one is
+/// Lengths of the steps of a march, by the error of each step, and by stability if the scheme is not
+/// unconditionally stable. A step is rejected if its estimated error exceeds the accuracy, and the next one
+/// is
 ///   h ← h · 0.9 (accuracy/error)^(1/order), within [1/5, 2] h                              (1)
-/// Where the error of a step is of order p in h, sums over the steps of a path fall with the power (p − 1)/p
-/// of what is allowed for one. Paths shall be as accurate as is asked, so that below a, 1e-2,
+/// If the error of a step is O(h^p), the sum of errors over a path is proportional to the power (p − 1)/p of
+/// the error allowed for a step. The path shall be as accurate as requested, so that below a = 1e-2
 ///   allowed = a (accuracy/a)^(p/(p − 1)),  p = 2 with members that go slack and taut     (2)
 /// (tolerance proportionality: M. Calvo, D. J. Higham, J. I. Montijano, L. Rández, "Stepsize selection for
 /// tolerance proportionality in explicit Runge-Kutta codes", Adv. Comput. Math. 7, 1997).
 class StepControl {
  public:
-  /// `element_size`: the longest element [m], of which the accuracy is a fraction.
+  /// `element_size`: extent of the longest element [m], to which the accuracy is relative.
   StepControl(const MarchSettings& settings, const StepScheme& scheme, double element_size)
       : settings_(settings), scheme_(scheme), element_size_(element_size) {}
 
-  /// (2), over the longest element, and in metres.
+  /// Allowed error of a step by (2), relative to the longest element.
   double allowed() const;
+  /// The same in metres.
   double tolerated() const { return allowed() * element_size_; }
   double element_size() const { return element_size_; }
   double error_over_tolerated(std::span<const double> error) const;
 
-  /// As given; else the time in which the acceleration a leads as far as a step's error may be.
+  /// The given step; otherwise the time in which the acceleration a moves a node by the allowed error.
   double first_step(std::span<const double> a) const;
-  /// After a step h with this error over what is tolerated (1), accepted or not.
+  /// Length of the next step by (1), after a step h with this error relative to the tolerance.
   double next_step(double h, double error) const;
+  /// Length of the next attempt by (1), after a rejected step h.
   double shorter_step(double h, double error) const;
-
-  /// Longest step that is stable: with all members taut, and by a tangent of the last kBelieved steps, which
-  /// has what members do not bound.
+  /// Determines the longest stable step, by the stiffness with all members taut and by the tangent, which
+  /// includes stiffnesses that the members do not bound.
   void find_limit(TransientProblem& problem, MarchState& state);
-  /// After so many steps it has to be found anew.
+  /// Updates the limit by the tangent, every kBelieved steps.
   void follow_tangent(TransientProblem& problem, MarchState& state);
   double limit() const { return limit_; }
-  /// With all members taut; zero: any step is stable [s].
+  /// Longest stable step with all members taut [s]; zero: any step is stable.
   double stable_step() const { return stable_; }
 
  private:

@@ -11,15 +11,15 @@ struct IntegratorChoice {
   const void* parameters = nullptr;
 };
 
-/// Asks an integrator, and says on whose account as long as it works (plugin_call.hpp).
+/// Calls an integrator, and attributes the calls to its plugin while they last (plugin_call.hpp).
 class StepScheme {
  public:
   explicit StepScheme(IntegratorChoice choice) : type_(*choice.type), parameters_(choice.parameters) {}
 
   bool is_explicit() const { return type_.is_explicit(); }
-  /// Power of the step with which the error of one step falls.
+  /// The power of h to which the error of one step is proportional.
   double order() const { return type_.integrator.order(parameters_); }
-  /// The longest that is stable for a motion of angular frequency omega [s]; zero: any is.
+  /// Longest stable step for a motion of angular frequency omega [s]; zero: any step is stable.
   double stable_step(double omega) const {
     const PluginCall call({type_.type.c_str(), "stable_step", nullptr, CallFrame::Kind::method});
     return type_.integrator.stable_step(parameters_, omega);

@@ -15,13 +15,13 @@ namespace netloft {
 
 namespace {
 
-/// Those of a step: a budget of work is that of the march.
+/// Limits of one step, without the budget of work, which is that of the whole march.
 Limits without_work(Limits limits) {
   limits.model = nullptr;
   return limits;
 }
 
-/// Times at which what moves the scene has corners [s].
+/// Times at which prescribed motions have corners [s].
 std::vector<double> corners_of(const AssembledScene& of, const Winches& winches) {
   std::vector<double> all = of.scene.corners_in_time();
   for (const auto& family : of.assembler.families()) family->add_corners_in_time(all);
@@ -29,7 +29,7 @@ std::vector<double> corners_of(const AssembledScene& of, const Winches& winches)
   return all;
 }
 
-/// One march; members are steps in the order they happen.
+/// One march. The methods follow the order of events in a step.
 class March {
  public:
   March(const AssembledScene& of, const StepMethods& methods, const Limits& limits,
@@ -60,12 +60,12 @@ class March {
       while (state_.t < settings_.duration && !has_ended()) {
         if (!shorten_rotations() || !make_step()) break;
         write_outputs();
-        tell_of_step();
+        report_step();
       }
     return finish();
   }
 
-  /// Goes on to a time or beyond it, without outputs; false: it has failed, or was interrupted.
+  /// Continues to the time t or beyond, without outputs. Returns false if it failed or was interrupted.
   bool reach(double t) {
     assembler_.set_memory(state_.memory);
     winches_.restore();
@@ -111,7 +111,7 @@ class March {
     return true;
   }
 
-  /// The march that this one is compared with goes on from where it was; its first step comes later.
+  /// Continues the march for comparison from its last state; its first step follows later.
   bool begin_other() {
     if (!settings_.check) return true;
     other_settings_ = settings_of_comparison(settings_, scheme_.has_limit());
@@ -134,7 +134,7 @@ class March {
     state_.other.clear();
   }
 
-  /// (1) of achieved_accuracy.hpp at an output; false: interrupted.
+  /// Updates (1) of achieved_accuracy.hpp at an output. Returns false if interrupted.
   bool compare_paths(double t) {
     if (!other_ || !other_->times_.is_output(t)) return true;
     const std::vector<double> own = assembler_.memory();
@@ -155,7 +155,8 @@ class March {
     result_.start = {b.residual, b.scale, assembler_.node_name(scene_, b.worst)};
   }
 
-  /// Between two steps, when the last one has been told: positions and velocities stay as they are.
+  /// Shortens rotation vectors between two steps, after the last step was reported; positions and velocities
+  /// do not change.
   bool shorten_rotations() {
     if (!assembler_.shorten_rotations(state_.u, state_.v, state_.a)) return true;
     return energy_.restate(state_) || fail_at_fault();
@@ -170,7 +171,7 @@ class March {
       return end(MarchStatus::out_of_work, "the budget of work was spent at t = " + seconds_text(state_.t));
     return is_over_;
   }
-  /// By this march and the one that it is compared with.
+  /// Work of this march and of the march for comparison.
   Statistics work_done() const {
     Statistics all = problem_.statistics();
     if (other_) all.add(other_->problem_.statistics());
@@ -190,21 +191,21 @@ class March {
           !energy_.look(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
-      if (status != NETLOFT_OK && has_ended()) return false;  // that, and not the step, is why
+      if (status != NETLOFT_OK && has_ended()) return false;  // a limit and not the step is the reason
       if (status < 0) return fail_in_step();
       ++state_.rejected;
       if (!settings_.adaptive) return fail_at("the step " + seconds_text(h) + " is too long: " + trouble());
       state_.h = status == NETLOFT_OK ? control_.shorter_step(h, error) : 0.25 * h;
       if (state_.h < settings_.shortest_step)
-        return fail_at("no step longer than " + seconds_text(settings_.shortest_step) +
-                       " serves: " + trouble());
+        return fail_at("all steps down to " + seconds_text(settings_.shortest_step) +
+                       " failed: " + trouble());
     }
   }
 
-  /// With winches that hold tensions, until their speeds and what they bear agree.
+  /// Tries a step, again and again until the speeds of winches that hold a tension agree with their tensions.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
-    // Of the ropes as they are at the beginning of this step, whether or not the march has come from far.
+    // The metric of the ropes as they are at the beginning of this step, also in a march that was resumed.
     problem_.algebra().forget_metric();
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);
@@ -234,7 +235,7 @@ class March {
     const int status = scheme_.step(m);
     if (status != NETLOFT_OK) return status;
     for (std::size_t i = 0; i < error_.size(); ++i)
-      if (is_shared(assembler_, i)) error_[i] = 0;  // of another unit, and without a memory
+      if (is_shared(assembler_, i)) error_[i] = 0;  // has another unit and no memory
     double sum = 0;
     for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
     return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
@@ -257,7 +258,7 @@ class March {
     if (!find_mean_forces()) return fail_at_fault();
     if (!winches_.empty()) winches_.accept();
     if (const std::string why = winches_.obstacle(); !why.empty()) return fail_at(why);
-    if (!problem_.accept(state_.u)) return fail_at("an element does not tell its members");
+    if (!problem_.accept(state_.u)) return fail_at("an element does not report its members");
     problem_.state().set(t, state_.u, state_.v, state_.a);
     if (!assembler_.remember(problem_.state().x(), problem_.state().motion())) return fail_at_fault();
     control_.follow_tangent(problem_, state_);
@@ -266,7 +267,7 @@ class March {
     return true;
   }
 
-  /// Of the step that was made, before elements remember its end; for outputs within it.
+  /// Mean forces of the last step for outputs within it, before elements store its end in their memory.
   bool find_mean_forces() {
     has_means_ = problem_.is_between() && times_.output(state_.outputs) <= state_.t;
     return !has_means_ || problem_.find_step_forces(state_.t, state_.u, state_.v, state_.a, mean_forces_);
@@ -285,7 +286,7 @@ class March {
     }
   }
 
-  /// From here on nothing depends on how the march has come here but through what is kept.
+  /// Stores the state. From here on, the march depends on its past only through the stored state.
   void keep() {
     problem_.algebra().forget_factor();
     state_.memory = assembler_.memory();
@@ -300,16 +301,16 @@ class March {
   void write_checkpoint(double t) {
     show(t);
     keep();
-    tell(t, &state_);
+    report(t, &state_);
   }
   void write_between(double t) {
     show(t);
     find_forces();
     ++state_.outputs;
-    tell(t, nullptr);
+    report(t, nullptr);
   }
 
-  /// At the end of the last step, once for all outputs within it.
+  /// Evaluates the forces at the end of the last step, once for all outputs within it.
   void find_forces() {
     if (forces_after_ == state_.steps) return;
     forces_after_ = state_.steps;
@@ -320,7 +321,7 @@ class March {
 
   void show(double t) { t == state_.t ? shown_.show(state_) : shown_.show_between(next_, state_, t); }
 
-  void tell(double t, const MarchState* state) {
+  void report(double t, const MarchState* state) {
     if (!watch_.on_output) return;
     const std::vector<WinchMoment> winches = winches_.moments(t);
     watch_.on_output(
@@ -333,7 +334,7 @@ class March {
          state,
          winches});
   }
-  void tell_of_step() {
+  void report_step() {
     if (is_over_ || !watch_.on_step) return;
     if (watch_.on_step({state_.t, state_.t - next_.t, settings_.duration, state_.steps, state_.rejected,
                         wall_seconds() - begun_},
@@ -343,7 +344,7 @@ class March {
 
   std::string trouble() const {
     if (problem_.message()[0]) return problem_.message();
-    if (winches_are_lost_) return "no speed of the winches goes with what they bear";
+    if (winches_are_lost_) return "no speed of the winches agrees with their tensions";
     if (!problem_.trouble().empty()) return problem_.trouble();
     return scheme_.is_explicit() ? "motions grow without bound" : "the step does not settle";
   }
@@ -387,20 +388,20 @@ class March {
   TransientProblem problem_;
   StepControl control_;
   EnergyWatch energy_;
-  MarchState state_, next_;  // next_: the end of the step that is tried; after it, the state before
+  MarchState state_, next_;  // next_: end of the attempted step; once it is accepted, the state before it
   ShownState shown_;
   Winches winches_;
   MarchTimes times_;
   std::vector<double> error_, residual_, mean_forces_;
-  std::int64_t forces_after_ = -1;  // steps, that residual_ is of
+  std::int64_t forces_after_ = -1;  // number of steps at the evaluation of residual_
   double begun_ = wall_seconds(), cpu_begun_ = cpu_seconds();
   bool is_over_ = false, winches_are_lost_ = false, has_means_ = false;
   MarchResult result_;
   MarchSettings other_settings_;
   MarchWatch nobody_;
-  MarchState other_start_;  // of the march that this one is compared with, if both are at the beginning
+  MarchState other_start_;  // start of the march for comparison, if both begin
   std::unique_ptr<March> other_;
-  std::string other_lost_;  // why
+  std::string other_lost_;  // the reason for which the march for comparison failed
 };
 
 }  // namespace

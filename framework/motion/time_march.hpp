@@ -14,16 +14,16 @@
 
 namespace netloft {
 
-/// What makes the steps of a march.
+/// The methods by which a march makes its steps.
 struct StepMethods {
   IntegratorChoice integrator;
-  SolverChoice solver;  // of implicit steps
+  SolverChoice solver;  // for implicit steps
 };
 
-/// Where forces are asked for, at the end of a step: positions between two ends are smooth but in balance
-/// with nothing, and a stiff twine turns their smallest error into a force. Where the forces of a step are
-/// means over it, so are the reactions: they are what the momentum of the step came from, while forces at its
-/// end ring from step to step with what is too fast for it.
+/// Forces at the end of a step. They are not evaluated at outputs between two ends: interpolated positions
+/// are smooth but not in balance, and a stiff twine turns their smallest error into a force. If a scheme uses
+/// mean forces, the reactions are means, too: they explain the change of momentum in the step, whereas forces
+/// at its end oscillate from step to step with modes that are too fast for it.
 struct ForceMoment {
   double t;                             // [s]
   std::span<const double> x, residual;  // over all dofs: positions [m], reactions of held ones [N]
@@ -36,22 +36,22 @@ struct Snapshot {
   std::span<const double> u;
   std::span<const double> x, v;  // over all dofs: positions [m], velocities [m/s]
   ForceMoment forces;            // at t if a step ends there, else at the end of the step around t
-  const EnergyBudget* budget;    // null if it is not kept; of the last step's end if outputs are dense
-  const MarchState* state;       // to go on from; null: go on from that of an earlier snapshot
+  const EnergyBudget* budget;    // null: none is kept; at the end of the last step if outputs are dense
+  const MarchState* state;       // from which to continue; null: continue from an earlier snapshot
   std::span<const WinchMoment> winches = {};
 };
 
-/// A step that was made.
+/// Report of an accepted step.
 struct StepRecord {
   double t, h, end;  // [s]
   std::int64_t steps, rejected;
   double seconds;  // wall time so far
 };
 
-/// How far the beginning was from an equilibrium: forces at rest there, by node.
+/// Imbalance of forces at rest at the beginning of a march.
 struct StartBalance {
-  double residual = 0, load = 0;  // largest that is out of balance, largest load on a node [N]
-  std::string node;               // that of the residual; empty: not known, the march went on from a file
+  double residual = 0, load = 0;  // largest nodal residual, largest nodal load [N]
+  std::string node;               // of the residual; empty: unknown, the march continues from a file
 };
 
 struct MarchResult {
@@ -60,26 +60,25 @@ struct MarchResult {
   std::vector<double> u;
   double t = 0;
   std::int64_t steps = 0, rejected = 0;
-  double shortest = 0, longest = 0;  // steps that were made [s]
+  double shortest = 0, longest = 0;  // accepted steps [s]
   StartBalance start;
-  double stable_step = 0;  // longest stable one with all members taut [s]; 0: any is
+  double stable_step = 0;  // longest stable step with all members taut [s]; 0: any step is stable
   AchievedAccuracy accuracy;
   Statistics statistics;
 };
 
-/// Who looks on. Both may be empty.
+/// Receivers of reports. Both may be empty.
 struct MarchWatch {
   std::function<void(const Snapshot&)> on_output;
   std::function<bool(const StepRecord&, std::span<const double> u)> on_step;  // true: stop here
 };
 
-/// Goes through time from `from`, or from the start at rest if that is null. Steps end at outputs (unless
-/// they are dense) and where a guide, the current or a table in time has a corner. step_control.hpp says how
-/// long they are, energy_watch.hpp how their energy is looked at.
-/// With `check` the host goes through time a second time, to know the error of the path by (1) of
-/// achieved_accuracy.hpp; that costs half as much again where the other's steps are twice as long. A march
-/// whose energy comes out of nothing (energy_judge.hpp) has failed, however smoothly it steps on.
-/// `limits.work` bounds all steps together, where there is a model of it.
+/// Integrates in time from `from`, or from the start at rest if that is null. Steps end at outputs, unless
+/// outputs are dense, and at the corners of guides, currents and tables in time. step_control.hpp determines
+/// their lengths, energy_watch.hpp examines their energy. With `check`, the host integrates a second time to
+/// estimate the error of the path by (1) of achieved_accuracy.hpp; this costs half as much again if the
+/// second march has steps twice as long. A march with energy that nothing supplied (energy_judge.hpp) fails.
+/// `limits.work` bounds the work of all steps together, if there is a model of it.
 MarchResult march(const AssembledScene& scene, const StepMethods& methods, const Limits& limits,
                   const MarchSettings& settings, const MarchWatch& watch, const MarchState* from = nullptr);
 

@@ -17,7 +17,7 @@ const char* trouble_of(netloft_outcome outcome, Stop stop) {
     case NETLOFT_STOPPED:
       return stop == Stop::interrupted ? "interrupted" : "too many iterations in a step";
     case NETLOFT_STEP_TOO_SHORT:
-      return "no way to the balance of a step was found";
+      return "the solver found no balance of a step";
     case NETLOFT_LINEAR_SOLVE:
       return "the matrix of a step could not be factorised";
     case NETLOFT_LEFT_DOMAIN:
@@ -27,9 +27,10 @@ const char* trouble_of(netloft_outcome outcome, Stop stop) {
   }
 }
 
-/// At the end of a step in whose middle its equation holds. Twice the middle less the beginning would ring
-/// from step to step for ever. A quarter of a step beyond the middle, what is off falls by √½ from step to
-/// step, λ² + λ/2 + 1/2 = 0, and a value that moves evenly is a quarter of a step behind.
+/// The value of a shared unknown at the end of a step whose equation holds in its middle. Twice the middle
+/// minus the beginning would oscillate from step to step without decay. With a quarter of a step beyond the
+/// middle, errors decay by √½ per step, λ² + λ/2 + 1/2 = 0, and a value with a constant rate lags a quarter
+/// of a step behind.
 double end_of_shared(double middle, double h, double v) { return middle + 0.25 * h * v; }
 
 }  // namespace
@@ -99,7 +100,7 @@ int TransientProblem::start(double t, std::span<const double> u, std::span<const
   return status;
 }
 
-/// F is linear in a: M a = −F(t, u, v, 0).
+/// Solves M a = −F(t, u, v, 0), because F is linear in a.
 int TransientProblem::accelerate_at(double t, std::span<const double> u, std::span<const double> v,
                                     std::span<double> a, bool massless_rest) {
   state_.set(t, u, v, zero_);
@@ -115,7 +116,7 @@ int TransientProblem::solve(double t, const double* v0, double cv, const double*
   return solve_step({t, {v0, size()}, {a0, size()}, cv, ca, {}, &state_, least_load_}, u);
 }
 
-/// The unknown is the middle of the step, m: its end is 2 m - u, and rates are counted from there.
+/// Solves for the middle m of the step. Its end is 2 m − u, and the rates are expressed by m.
 int TransientProblem::solve_between(const double* v0, double cv, const double* a0, double ca, double damping,
                                     double memory, double* u) {
   const netloft_motion& m = interface_;
@@ -235,9 +236,9 @@ double TransientProblem::highest_frequency_at(std::span<const double> u) {
 
 std::string TransientProblem::obstacle_to_explicit(const Scene& scene) {
   if (!masses_.update(assembler_.start())) return assembler_.fault_sentence(scene);
-  if (masses_.coupled()) return "masses couple nodes, which no explicit scheme can divide by";
+  if (masses_.coupled()) return "masses couple nodes, so that an explicit scheme cannot divide by them";
   if (const auto nodes = masses_.massless_nodes(); !nodes.empty())
-    return scene.node_name(nodes.front()) + " has no mass, which no explicit scheme can divide by";
+    return scene.node_name(nodes.front()) + " has no mass, so that an explicit scheme cannot accelerate it";
   return "";
 }
 

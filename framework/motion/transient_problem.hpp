@@ -10,12 +10,11 @@
 
 namespace netloft {
 
-/// F(t, u, v, a) = 0 of a scene that moves: what an integrator sees, with the host's statistics behind it.
-/// Residuals and masses come from the assembler; algebraic problems of steps go to whichever solver was
-/// chosen.
+/// F(t, u, v, a) = 0 of a moving scene, as an integrator sees it, with the host's statistics. The assembler
+/// evaluates residuals and masses; the chosen solver solves the algebraic problems of steps.
 class TransientProblem {
  public:
-  /// `limits` are those of one step's problem, and its solver's tolerance.
+  /// `limits` are those of the problem of one step, with the tolerance of its solver.
   TransientProblem(Assembler& assembler, double mass_damping, SolverChoice solver,
                    const MakeFactorisation& make, Limits limits);
 
@@ -27,34 +26,34 @@ class TransientProblem {
   Statistics statistics() const;
   const char* message() const { return message_; }
   void keep_message(const char* text);
-  /// Why the last step's problem was not solved, if it was not.
+  /// The reason for which the problem of the last step was not solved, if so.
   const std::string& trouble() const { return trouble_; }
 
-  /// Accelerations at a state; nodes without mass get none. OK, OUTSIDE_DOMAIN or ERROR.
+  /// Accelerations at a state; zero for nodes without mass. Returns OK, OUTSIDE_DOMAIN or ERROR.
   int start(double t, std::span<const double> u, std::span<const double> v, std::span<double> a);
-  /// Of the forces in the last evaluation, that of `start` without inertia.
+  /// Balance of the forces in the last evaluation; after `start`, without inertia.
   Balance balance() { return algebra_.balance(state_.x(), residual_); }
-  /// Highest angular frequency that the linear stiffness and the masses at the start allow [rad/s].
+  /// Highest angular frequency of the linear stiffness and the masses at the start [rad/s].
   double highest_frequency();
-  /// The same of the tangent where it rests at displacements u, which need not bound other states. Begins at
-  /// the mode that highest_frequency() has found, which has to be called before; so it is the same whenever a
-  /// march gets here.
+  /// Highest angular frequency of the tangent at rest at displacements u, which other states may exceed
+  /// [rad/s]. It starts from the mode of highest_frequency(), which has to be called before, so that the
+  /// result does not depend on the past of the march.
   double highest_frequency_at(std::span<const double> u);
-  /// What makes explicit schemes impossible here; empty: nothing.
+  /// The reason for which explicit schemes cannot be used; empty if they can.
   std::string obstacle_to_explicit(const Scene& scene);
-  /// Raises what tolerances are a part of to the loads in `residual`, over all dofs [N].
+  /// Raises the load to which tolerances are relative to the loads in `residual`, over all dofs [N].
   void note_loads(std::span<const double> residual);
-  /// Of the step that ends at displacements u, before it is accepted, if its forces were means; null if not,
-  /// and if there are no forces: see the assembler's fault().
+  /// The mean step that ends at displacements u, before it is accepted. Null if the step did not use mean
+  /// forces, or if an element failed (Assembler::fault).
   const MeanStep* mean_step(std::span<const double> u);
-  /// Whether the forces of the last step were means.
+  /// Whether the last step used mean forces.
   bool is_between() const { return is_between_; }
-  /// The forces that the last step was made with, over all dofs [N]: their means over it, or those at its end
-  /// (t, u, v, a). False: see the assembler's fault().
+  /// The forces with which the last step was made, over all dofs [N]: means over the step, or forces at its
+  /// end (t, u, v, a). Returns false if an element failed, see Assembler::fault.
   bool find_step_forces(double t, std::span<const double> u, std::span<const double> v,
                         std::span<const double> a, std::span<double> residual);
-  /// A step that ends at displacements u is accepted: members remember it if its forces were means. False:
-  /// an element does not tell its members.
+  /// Accepts a step that ends at displacements u. Elements store the stretch of their members if the forces
+  /// were means. Returns false if an element does not report its members.
   bool accept(std::span<const double> u);
   double least_load() const { return least_load_; }
   void set_least_load(double load) { least_load_ = load; }
@@ -78,8 +77,8 @@ class TransientProblem {
   SolverChoice solver_;
   StaticProblem algebra_;
   StepProblem::Ends ends_;
-  double memory_ = 0;        // of members, asked for with the step that is tried
-  bool is_between_ = false;  // its forces are means
+  double memory_ = 0;        // `memory` of the attempted step, for the members
+  bool is_between_ = false;  // whether the step uses mean forces
   MeanStep mean_;
   NodeMasses masses_;
   netloft_motion interface_{};

@@ -9,11 +9,11 @@ namespace netloft {
 
 namespace {
 
-constexpr double kSettled = 1e-3;   // of the largest speed: a thousandth of the band, far less than it is off
-constexpr int kMostTries = 12;      // with one S, beyond those that measure it; half of them are rare
-constexpr double kMeasured = 0.02;  // of the largest speed, over which S is measured
-constexpr int kSweeps = 30;  // over the winches, for (2) and (3): they are coupled weakly, by the gear alone
-constexpr double kLeastLeft = 0.05;  // of the rope: with less, its bars are so stiff that no step is found
+constexpr double kSettled = 1e-3;  // speed error relative to the largest speed, a thousandth of the band
+constexpr int kMostTries = 12;  // with one S, without those that measure it; half of them are rarely needed
+constexpr double kMeasured = 0.02;   // change of speed to measure S, relative to the largest speed
+constexpr int kSweeps = 30;          // over the winches, for (2) and (3); only the gear couples them, weakly
+constexpr double kLeastLeft = 0.05;  // of the rope; with less, its bars are too stiff for any step
 
 double straight_between(const std::vector<std::array<double, 2>>& rows, double t) {
   const auto next = std::upper_bound(rows.begin(), rows.end(), t,
@@ -79,7 +79,7 @@ void Winches::add_corners(std::vector<double>& times) const {
     }
 }
 
-/// Of a winch that follows speeds or lengths, in a step without a corner of its table.
+/// Speed of a winch that follows speeds or lengths, in a step without a corner of its table.
 double Winches::given_speed(std::size_t k) const {
   const WinchStage& stage = *ropes_[k].stage;
   if (stage.follows == Follows::speed) {
@@ -109,17 +109,17 @@ void Winches::begin(double t, double h) {
   write();
 }
 
-/// (2)
+/// w of (2).
 double Winches::speed_at(std::size_t k, double tension) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double e = tension - ropes_[k].wanted, beyond = std::max(std::abs(e) - stage.dead_band, 0.0);
   return stage.max_speed * std::copysign(std::min(beyond / stage.band, 1.0), e);
 }
 
-/// By how much the tension may be off that was found in a try [N].
+/// Error that the tension of an attempt may have [N].
 double Winches::doubt(std::size_t k) const { return tolerance_ * std::max(ropes_[k].wanted, ropes_[k].T); }
 
-/// As well as forces of a step are known.
+/// Whether the speeds satisfy (2), as accurately as the forces of a step are known.
 bool Winches::is_settled() const {
   for (const std::size_t k : holding_) {
     const WinchStage& stage = *ropes_[k].stage;
@@ -164,7 +164,7 @@ void Winches::take(std::span<const double> tensions) {
   }
 }
 
-/// By the change from the try before to this one.
+/// Broyden's update of S, by the change from the previous attempt to this one.
 void Winches::improve_slopes(std::span<const double> tensions) {
   if (slopes_.empty() || last_w_.empty()) return;
   double square = 0, largest = 0;  // change of speeds, and what it does to a tension over its doubt
@@ -181,7 +181,8 @@ void Winches::improve_slopes(std::span<const double> tensions) {
   }
 }
 
-/// One winch after the other runs a little faster than in the first try; at last all as (2) and (3) say.
+/// Measures S: each winch in turn runs a little faster than in the first attempt. At the end, all speeds
+/// follow from (2) and (3).
 Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
   const std::size_t n = ropes_.size(), done = measured_.size() / n;
   if (measured_.empty())
@@ -205,7 +206,7 @@ Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
   return Verdict::again;
 }
 
-/// (2) of (3), winch by winch.
+/// Solves (2) with T̄ by (3), winch by winch.
 void Winches::solve_all() {
   std::vector<double> w = last_w_;
   for (int sweep = 0; sweep < kSweeps; ++sweep)
@@ -218,7 +219,7 @@ void Winches::solve_all() {
   for (const std::size_t k : holding_) ropes_[k].w = w[k];
 }
 
-/// Where the others have changed the tension by so much.
+/// Solves (2) for one winch, whose tension has been changed by the others.
 double Winches::solve_one(std::size_t k, double others) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double S = std::min(slope(k, k), 0.0);
@@ -242,7 +243,7 @@ void Winches::accept() {
 std::string Winches::obstacle() const {
   for (std::size_t k = 0; k < ropes_.size(); ++k)
     if (!(ropes_[k].now > kLeastLeft))
-      return "the winch of " + scene_.winches[k].part + " has hauled in all of it";
+      return "the winch of " + scene_.winches[k].part + " has hauled in all of its rope";
   return "";
 }
 

@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// A real that is given under this name; null: none is.
+/// The real number that is given under this name, or null.
 inline const double* find_number(const Values& values, const std::string& name) {
   const auto at = values.find(name);
   return at == values.end() ? nullptr : std::get_if<double>(&at->second);

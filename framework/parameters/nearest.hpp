@@ -37,10 +37,10 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace detail
 
-/// The candidate a person most likely meant by `word`: at most a third of its letters wrong (one in a short
-/// word). None when nothing is near. Of equally near candidates the first is taken.
+/// The candidate that `word` most likely means: at most a third of its letters are wrong (one in a short
+/// word). Nothing if no candidate is near. The first of equally near candidates is taken.
 inline std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
-  constexpr std::size_t kLongestWord = 64;  // bounds the work done for nonsense
+  constexpr std::size_t kLongestWord = 64;  // bounds the work for meaningless input
   if (word.empty() || word.size() > kLongestWord) return std::nullopt;
   std::size_t limit = std::min(std::max<std::size_t>(1, word.size() / 3), word.size() - 1);
   const std::string* best = nullptr;

@@ -86,7 +86,8 @@ std::size_t column_count(const netloft_parameter& p) {
   return n;
 }
 
-/// Samples ascend by their first column; those on a grid, within one value of it, by the second.
+/// Whether two samples are in order: increasing in the first column, or, on a grid, in the second column for
+/// equal values of the first.
 bool may_follow(const netloft_parameter& p, const std::vector<double>& row, const std::vector<double>& next) {
   if (next[0] > row[0]) return true;
   return p.arguments == 2 && next[0] == row[0] && next[1] > row[1];
@@ -114,7 +115,7 @@ std::string list_choices(const netloft_parameter& p) {
   return text;
 }
 
-/// Of a text that is made of several words: one that is none of them.
+/// Error in a text made of several words: the first word that is not one of the choices.
 std::optional<std::string> several_fault(const netloft_parameter& p, const std::string& text) {
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, '+');) {

@@ -17,8 +17,8 @@ namespace netloft {
 /// A sampled curve: rows of equal length, the first column increasing.
 using Samples = std::vector<std::vector<double>>;
 
-/// The value of a parameter as given by a user, by kind: real (in SI units), integer, boolean, or text
-/// (choices, too).
+/// The value of a parameter given by a user. Its type depends on the kind of the parameter: real (in SI
+/// units), integer, boolean, text (also for choices), or samples.
 using Value = std::variant<double, std::int64_t, bool, std::string, Samples>;
 using Values = std::map<std::string, Value>;
 
@@ -31,7 +31,7 @@ std::string allowed(const netloft_parameter& parameter);
 /// The default in words: "required", "1e-4 x twine.EA", "classic".
 std::string default_of(const netloft_parameter& parameter);
 
-/// Room that a value of a kind takes in a parameter struct; zero for a kind that is not known.
+/// Size of a value in a parameter struct, by kind; zero for an unknown kind.
 std::size_t bytes_of(std::uint32_t kind);
 
 /// Bytes of a parameter struct from `begin` up to `end`.
@@ -39,11 +39,11 @@ struct ByteRange {
   std::size_t begin, end;
 };
 
-/// The bytes of a parameter struct that no row of its table declares, in order; padding is among them.
+/// The ranges of bytes of a parameter struct that no row of its table declares, including padding.
 std::vector<ByteRange> undeclared(std::span<const netloft_parameter> table, std::size_t bytes);
 
-/// The parameter struct that a plugin reads, filled with values and defaults. Copies have memory of their
-/// own.
+/// The parameter struct that a plugin reads, filled with values and defaults. The block owns copies of texts
+/// and tables.
 class ParameterBlock {
  public:
   /// Errors (missing, unknown, out of range) are appended to `faults`; a block with errors must not be used.
@@ -53,12 +53,13 @@ class ParameterBlock {
   ParameterBlock& operator=(ParameterBlock&&) = default;
 
   const void* data() const { return bytes_.get(); }
-  /// Overwrites bytes that no row declares, which a plugin must not read; or makes them zero again.
+  /// Overwrites bytes that no row declares, which a plugin must not read.
   void spoil(const ByteRange& range);
+  /// Sets such bytes to zero again.
   void clear(const ByteRange& range);
   /// The value of a real, integer, choice or boolean parameter as stored.
   double number(const netloft_parameter& parameter) const;
-  /// The numbers of a table as stored, row by row, which may change while a plugin reads none of them.
+  /// The numbers of a table as stored, row by row. They may be changed between calls of the plugin.
   std::span<double> table(const netloft_parameter& parameter) const;
 
  private:

@@ -7,8 +7,8 @@ namespace netloft {
 
 /// A path in time: the displacement from the start. With τ = (t − t₀)/H between two knots a time H apart,
 ///   d = h₀₀ d₀ + h₁₀ H v₀ + h₀₁ d₁ + h₁₁ H v₁,   h the cubic Hermite polynomials in τ         (1)
-/// and on with the speed of the last knot beyond the ends. A speed that changes linearly between knots is
-/// reproduced as it is: its path is a parabola.
+/// Beyond the ends it continues with the speed of the first or last knot. A speed that is linear between
+/// knots is reproduced exactly: its path is a parabola.
 struct Course {
   using Point = std::array<double, 3>;
   struct Knot {

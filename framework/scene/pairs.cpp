@@ -8,8 +8,7 @@ namespace netloft {
 
 namespace {
 
-/// Two neighbouring elements: their numbers, and for each node of the pair the element and corner that it is
-/// taken from.
+/// Two neighbouring elements: their numbers, and the element and corner of each node of the pair.
 struct Pair {
   std::size_t first, second;
   std::vector<std::pair<std::size_t, std::size_t>> corners;  // (element, corner)

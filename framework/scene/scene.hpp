@@ -29,8 +29,8 @@ struct SceneWater {
 
 /// Velocity of the water over depth and time, linear between samples and constant beyond them.
 ///   c(z, t) = profile(z) factor(t) + drift(t) + tow                                               (1)
-/// Without samples the profile and the drift are zero and the factor is one: still water. A gear that is
-/// towed stands in the scene, and what is still over the ground passes it with the velocity `tow`.
+/// Without samples the profile and the drift are zero and the factor is one: still water. A towed gear is at
+/// rest in the scene, and water at rest over the ground passes it with the velocity `tow`.
 struct Current {
   struct Sample {
     double z;                        // [m]
@@ -54,19 +54,19 @@ struct Current {
   bool is_uniform() const;
   /// Velocity at height z and its derivative with respect to z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
-  /// How far the water has moved since time zero [m], in as much as it moves as one: by `tow` and `drifts`,
-  /// and by a profile that is the same at all heights.
+  /// Displacement of the water since time zero [m], by the parts that are the same everywhere: `tow`,
+  /// `drifts`, and a profile that is the same at all heights.
   std::array<double, 3> carried(double t) const;
 };
 
-/// The bed of the sea: z_b = −depth + slope_x x + slope_y y, and a relief over it where there is one.
+/// The sea bed: z_b = −depth + slope_x x + slope_y y, plus a relief if there is one.
 struct SeaBed {
   bool is_there = false;
   double depth = 0;                 // [m]
   double slope_x = 0, slope_y = 0;  // dz_b/dx, dz_b/dy
-  Surface relief = {};              // height above that plane over x and y [m]; at its edges beyond them
+  Surface relief = {};              // height above that plane over x and y [m]; constant beyond its edges
 
-  /// z_b, its two derivatives and the three second ones at a place.
+  /// z_b, its two first and three second derivatives at (x, y).
   std::array<double, 6> at(double x, double y) const;
 };
 
@@ -85,11 +85,11 @@ struct Part {
   std::vector<std::uint32_t> nodes;  // scene nodes of the elements, one after another
   ElementData data;
   std::map<std::string, LawChoice> laws = {};  // by slot name; absent: the slot's default
-  bool companion = false;                      // rides on the part of the same name before it
-  double viscosity_ratio = 1;  // of the viscosity that it meets to that of the water, in models of gears
+  bool companion = false;                      // rides on the preceding part of the same name
+  double viscosity_ratio = 1;  // effective viscosity over that of the water, in models of gears
 };
 
-/// The part a node was first made for, and its number within that part.
+/// The part for which a node was first made, and its number in that part.
 struct NodeLabel {
   std::uint32_t part = 0, id = 0;
 };
@@ -103,8 +103,8 @@ struct Guide {
 
 enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 
-/// A rigid body: its origin is a node of the scene, and it carries others. How it is turned are three more
-/// unknowns, a rotation vector (netloft/rotation.hpp), which is no node of the scene.
+/// A rigid body: its origin is a node of the scene, and it carries other nodes. Its orientation adds three
+/// unknowns, a rotation vector (netloft/rotation.hpp), which is not a node of the scene.
 struct RigidBody {
   struct Point {
     std::uint32_t node;
@@ -115,23 +115,22 @@ struct RigidBody {
   std::array<double, 3> rotation = {};  // at the start, from its own axes to those of the world [rad]
   std::uint8_t held_rotation = 0;       // components of the rotation vector that cannot change
   std::vector<Point> points;
-  std::uint32_t rotation_node = 0;  // of an assembler, which has set it: where the rotation is kept
-
-  /// What a turn by one radian moves by, so that rotations and their moments compare with lengths and forces:
-  /// the longest way from its origin to a point, 1 m if there is none [m].
+  std::uint32_t rotation_node = 0;  // number of the rotation in the assembler, which sets it
+  /// Displacement by a turn of one radian, with which rotations and moments are scaled to lengths and forces:
+  /// the largest distance between the origin and a point, 1 m if there is none [m].
   double arm() const;
 };
 
-/// A number of the scene that is not given but found with the equilibrium: the data of a part are multiplied
-/// by a factor, so that a held node bears a given force.
+/// A number of the scene that is found together with the equilibrium: the data of a part are multiplied by a
+/// factor such that a held node carries a given force.
 struct Setting {
   std::string name;        // "length of warp", for sentences
-  std::string part;        // and its companions, which have its name
-  std::string datum;       // of those of them that have it, "rest_length"
+  std::string part;        // name of the part and its companions
+  std::string datum;       // name of the data that are multiplied, "rest_length"
   std::string unit;        // of the sum of the data over the elements of the part
-  std::uint32_t node = 0;  // of the scene, held along all axes
-  double wanted = 0;       // size of the reaction of its hold [N]
-  double factor = 1;       // by which the data were multiplied since the scene was read
+  std::uint32_t node = 0;  // in the scene, held along all axes
+  double wanted = 0;       // magnitude of the reaction of its hold [N]
+  double factor = 1;       // by which the data have been multiplied since the scene was read
 };
 
 /// The model: parts on nodes in water, with holds, guides and bodies. It is plain data, made by the reader of
@@ -140,7 +139,7 @@ struct Scene {
   std::string name;
   SceneWater water;
   Current current;
-  std::shared_ptr<const WaterField> waves = {};  // of a scene that moves; null: there are none
+  std::shared_ptr<const WaterField> waves = {};  // if the scene moves; null: no waves
   std::array<double, 3> ground = {};             // velocity at which the ground passes the gear [m/s]
   SeaBed bed = {};
   std::vector<double> positions;   // initial positions, 3 per node [m]
@@ -162,7 +161,7 @@ struct Scene {
   }
   /// Adds a body, which carries its points from then on.
   void add_body(RigidBody body);
-  /// Index of the body with this origin; none: no body has it.
+  /// Index of the body with this origin, if there is one.
   std::optional<std::size_t> body_at(std::uint32_t origin) const;
 
   /// Times at which the path of a guide or the current has a corner, increasing [s].

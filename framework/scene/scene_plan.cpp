@@ -117,12 +117,12 @@ void note_traits(ScenePlan& plan, const FamilyPlan& family, const TermPlan& term
   }
 }
 
-/// What turns has forces that depend on its spin, which no symmetric tangent has room for.
+/// Rotating bodies have forces that depend on their angular velocity, with an unsymmetric tangent.
 void note_turning(ScenePlan& plan, const Scene& scene) {
   const bool is_exact = plan.kind == AnalysisKind::dynamics && plan.tangent == TangentChoice::exact;
   if (!is_exact || scene.bodies.empty() || !plan.symmetric) return;
   plan.symmetric = false;
-  plan.unsymmetric_because = scene.bodies[0].name + ", which turns";
+  plan.unsymmetric_because = scene.bodies[0].name + ", a rotating body";
 }
 
 void count_unknowns(ScenePlan& plan, const Scene& scene) {
@@ -163,11 +163,11 @@ ScenePlan make_scene_plan(const Scene& scene, Registry& registry, TangentChoice 
   return plan;
 }
 
-void ask_mean_forces(ScenePlan& plan, const std::string& integrator) {
+void use_mean_forces(ScenePlan& plan, const std::string& integrator) {
   plan.between = true;
   if (!plan.symmetric) return;
   plan.symmetric = false;
-  plan.unsymmetric_because = integrator + ", whose forces are means of a step";
+  plan.unsymmetric_because = integrator + ", which uses mean forces of a step";
 }
 
 bool ScenePlan::reads_ground() const {

@@ -14,7 +14,7 @@ struct TermPlan {
   std::uint32_t traits = 0;
   bool on = false;
   std::string reason;
-  bool when_it_moves = false;  // of a static analysis: off, but part of how a small disturbance moves
+  bool when_it_moves = false;  // off in a static analysis, but part of the motion of a small disturbance
 };
 
 /// The law in one slot of a family.
@@ -24,11 +24,11 @@ struct LawPlan {
   LawChoice choice;
 };
 
-/// How much of the tangent of forces without an energy (drag) is used: all of it, its symmetric part, or
-/// nothing.
+/// The part of the tangent of forces without an energy (drag) that is used: all of it, its symmetric part, or
+/// none.
 enum class TangentChoice { exact, symmetric, elastic };
 
-/// Whether everything is at rest, or moves in time.
+/// Statics, or motion in time.
 enum class AnalysisKind { statics, dynamics };
 
 /// A number that is shared by all elements of a part and is an unknown.
@@ -45,33 +45,33 @@ struct FamilyPlan {
   std::size_t elements = 0;
   std::vector<TermPlan> terms;
   std::vector<GlobalPlan> globals = {};
-  double viscosity_ratio = 1;  // of all its parts
+  double viscosity_ratio = 1;  // the same for all its parts
 };
 
-/// The families, terms and matrix properties that a scene needs, decided once and printable. Nothing else is
-/// loaded, evaluated or factorised.
+/// The families, terms and matrix properties that a scene needs. Nothing else is loaded, evaluated or
+/// factorised.
 struct ScenePlan {
   std::vector<FamilyPlan> families;
-  std::vector<std::string> not_loaded;  // filled by unused_plugins if it is asked for
+  std::vector<std::string> not_loaded;  // filled by unused_plugins if requested
   std::size_t nodes = 0, held_nodes = 0, bodies = 0, unknowns = 0;
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
-  bool between = false;               // mean forces of steps are asked for: their matrix is not symmetric
+  bool between = false;               // mean forces of steps are used, whose matrix is not symmetric
   std::string unsymmetric_because;    // "priour/triangle drag"
   std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
 
-  /// Whether some term that acts depends on whether the ground passes.
+  /// Whether some active term depends on the motion of the ground.
   bool reads_ground() const;
 };
 
-/// Decides which terms of which families act in an analysis of the scene.
-/// Opens the plugins the scene names. Throws SceneError for parts that are wrong, PluginRefused for plugins.
+/// Decides which terms of which families are active in an analysis of the scene, and loads the plugins that
+/// it names. Throws SceneError for errors in parts, PluginRefused for errors of plugins.
 ScenePlan make_scene_plan(const Scene& scene, Registry& registry,
                           TangentChoice tangent = TangentChoice::exact,
                           AnalysisKind kind = AnalysisKind::statics);
-/// The same of a motion whose integrator asks for mean forces of its steps.
-void ask_mean_forces(ScenePlan& plan, const std::string& integrator);
+/// Adapts the plan to a motion whose integrator uses mean forces of its steps.
+void use_mean_forces(ScenePlan& plan, const std::string& integrator);
 
 /// Plugins that are available but not used by any part of a plan; a printed plan lists them as not loaded.
 std::vector<std::string> unused_plugins(const ScenePlan& plan, const Registry& registry);

@@ -4,16 +4,16 @@
 
 namespace netloft {
 
-/// The water at a place and a time, beside the current.
+/// The motion of the water at a place and a time, in addition to the current.
 struct WaterMotion {
   std::array<double, 3> velocity = {};      // [m/s]
-  std::array<double, 3> acceleration = {};  // of the water that is there [m/s2]
-  std::array<double, 3> velocity_dz = {};   // its velocity's derivative with z [1/s]
+  std::array<double, 3> acceleration = {};  // of the water particle [m/s2]
+  std::array<double, 3> velocity_dz = {};   // derivative of the velocity with respect to z [1/s]
   double surface = 0;                       // height of the surface there [m]
 };
 
-/// Water that swings: what a scene in motion adds to its current. Elements see its velocity, its acceleration
-/// and its surface at their nodes and know nothing else of it.
+/// Water motion that a moving scene adds to its current, such as waves. Elements use its velocity,
+/// acceleration and surface at their nodes only.
 class WaterField {
  public:
   virtual ~WaterField() = default;

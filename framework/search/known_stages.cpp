@@ -10,7 +10,7 @@ namespace netloft {
 
 namespace {
 
-bool ask_the_same(const StageRequest& a, const StageRequest& b) {
+bool are_same(const StageRequest& a, const StageRequest& b) {
   return a.by_strategy == b.by_strategy && a.by == b.by && is_same(a.variant, b.variant) &&
          a.tolerance == b.tolerance && a.path == b.path && a.iterations == b.iterations &&
          a.flags == b.flags && a.parameters == b.parameters && a.start == b.start;
@@ -18,7 +18,7 @@ bool ask_the_same(const StageRequest& a, const StageRequest& b) {
 
 std::size_t numbers_of(const KnownStage& stage) {
   const Solution& s = stage.solution;
-  std::size_t sum = stage.asked.start.size();
+  std::size_t sum = stage.request.start.size();
   for (const auto* v : {&s.u, &s.x, &s.residual, &s.x_low, &s.growing.mode, &s.growing.mode_later,
                         &s.correction.x, &s.correction.x_low})
     sum += v->size();
@@ -29,7 +29,7 @@ std::size_t numbers_of(const KnownStage& stage) {
 
 const KnownStage* KnownStages::find(const StageRequest& request) {
   const auto found = std::find_if(stages_.begin(), stages_.end(),
-                                  [&](const KnownStage& s) { return ask_the_same(s.asked, request); });
+                                  [&](const KnownStage& s) { return are_same(s.request, request); });
   if (found == stages_.end()) return nullptr;
   stages_.splice(stages_.end(), stages_, found);
   return &*found;
@@ -41,7 +41,7 @@ void KnownStages::keep(KnownStage stage) {
     stages_.erase(one);
   };
   const auto before = std::find_if(stages_.begin(), stages_.end(),
-                                   [&](const KnownStage& s) { return ask_the_same(s.asked, stage.asked); });
+                                   [&](const KnownStage& s) { return are_same(s.request, stage.request); });
   if (before != stages_.end()) forget(before);
   stage.solution.cost = {};
   stage.solution.judging = {};

@@ -9,46 +9,45 @@
 
 namespace netloft {
 
-/// What a strategy asks for, but for how much work it may cost.
+/// The request of a strategy for a stage, without the work it may cost and its name.
 struct StageRequest {
-  bool by_strategy = false;  // else by a solver
-  std::string by;            // its type
+  bool by_strategy = false;  // otherwise by a solver
+  std::string by;            // type of the strategy or solver
   Values parameters;
-  netloft_variant variant{};  // seen from the scene as it is written
+  netloft_variant variant{};  // relative to the original scene
   double tolerance = 0, path = 0;
   std::uint32_t iterations = 0, flags = 0;
   std::vector<double> start{};  // displacements of the unknowns
 };
 
-/// What came of it.
+/// The result of a request.
 struct KnownStage {
-  StageRequest asked;
+  StageRequest request;
   Solution solution;
-  bool is_cut_off = false;  // by its budget: there is more to come
-  // Of a strategy:
-  bool has_solution = true;  // it solved some stage of its scene
+  bool is_cut_off = false;  // by its budget, so that it can be continued
+  // For a strategy only:
+  bool has_solution = true;  // whether it solved some stage of its scene
   netloft_ending ending = NETLOFT_ENDED_NOT_CONVERGED;
-  int unsettled = 0;  // stages within it that did not come to rest
+  int unsettled = 0;  // number of its stages that did not come to rest
 };
 
-/// Stages that have been solved in a search, so that none is solved twice. A strategy that was cut off is
-/// called again from the same start: what it has solved costs next to nothing then, and the stage that was
-/// cut off goes on where it ended. What a strategy does by methods of its own is not known, and done again.
+/// Results of stages in a search, so that none is solved twice. A strategy that was cut off is called again
+/// from the same start: it repeats its stages at next to no cost, and the stage that was cut off continues
+/// from its final point. Methods of a strategy's own are not stored, and run again.
 ///
-/// Those that were not asked for longest are forgotten where all together would take more than `most`
-/// numbers.
+/// If all results together exceed `most` numbers, those whose last request is the longest ago are discarded.
 class KnownStages {
  public:
   explicit KnownStages(std::size_t most) : most_(most) {}
 
-  /// Null: it has not been asked for, or is forgotten.
+  /// The stored result, or null if there is none.
   const KnownStage* find(const StageRequest& request);
-  /// In the place of what came of the same request before; without what it cost and how it went on.
+  /// Stores a result in place of an earlier one of the same request, without its cost and history.
   void keep(KnownStage stage);
 
  private:
   std::size_t most_, numbers_ = 0;
-  std::list<KnownStage> stages_;  // in the order in which they were last asked for
+  std::list<KnownStage> stages_;  // in the order of their last request
 };
 
 }  // namespace netloft

@@ -7,17 +7,17 @@
 
 namespace netloft {
 
-/// Coarser meshes of a scene. What divides parts into cells is known to whoever read the scene; a search only
-/// asks for scenes by their level and for positions read from one on another.
+/// Coarser meshes of a scene. Only the reader of the scene knows how parts are divided into cells; a search
+/// requests scenes by their level, and positions interpolated from one level to another.
 class Levels {
  public:
   virtual ~Levels() = default;
-  /// Meshes there may be, at least one. A level below it need not exist: `scene` says.
+  /// Number of meshes, at least one. A level below it may still be missing, for which `scene` returns null.
   virtual unsigned most() const = 0;
-  /// The scene on a level; 0 is the scene's own mesh. Null: there is no such level.
+  /// The scene on a level; 0 is the original mesh. Null if the level does not exist.
   virtual const Scene* scene(unsigned level) = 0;
-  /// Positions of the nodes of one level [m], 3 per node, read off those of another one. Empty: the two are
-  /// not divisions of the same parts.
+  /// Interpolates positions of the nodes of one level [m], 3 per node, to the nodes of another level. Empty
+  /// if the meshes do not divide the same parts.
   virtual std::vector<double> carry(unsigned from, std::span<const double> positions, unsigned to) = 0;
 };
 

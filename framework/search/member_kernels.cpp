@@ -8,9 +8,10 @@ namespace {
 using wide::Eight, wide::Four, wide::Two;
 
 constexpr double kIdentity[8] = {1, 0, 0, 0, 1, 0, 0, 0};
-constexpr std::size_t kBlock = 9, kLine = 6;  // numbers a member
+constexpr std::size_t kBlock = 9, kLine = 6;  // numbers per member
 
-/// A block in registers. Read where it stands: a reference that a call returns is taken for aligned by clang.
+/// A block in registers. It is read by pointers, because clang assumes that a reference returned by a call is
+/// aligned.
 template <class Register>
 struct WideBlock {
   using V = typename Register::V;
@@ -32,7 +33,7 @@ struct WideBlock {
   }
 };
 
-/// a t tᵀ + b I of a line.
+/// K = a t tᵀ + b I of a line.
 template <class Register>
 NETLOFT_INLINE void set_block(const double* line, WideBlock<Register>& K) {
   using Block = WideBlock<Register>;
@@ -49,7 +50,7 @@ NETLOFT_INLINE void set_block(const double* line, WideBlock<Register>& K) {
   K.last = a * line[2] * line[2] + b;
 }
 
-/// The block of nodes p and q is that of q and p.
+/// Adds the blocks of the node pairs. The blocks of (p, q) and (q, p) are equal.
 template <class Register, std::uint32_t kNodes, std::uint32_t kMembers>
 NETLOFT_INLINE void add_to_pairs(const MemberSite& site, const MemberWeights* weights,
                                  const WideBlock<Register> (&K)[kMembers], double* values) {
@@ -100,7 +101,7 @@ NETLOFT_INLINE void add_lines(const MemberTable& table, const double* lines, dou
   for_sites(table, add);
 }
 
-/// The same for one set of instructions.
+/// The kernels for one instruction set.
 #define NETLOFT_KERNELS(name, Register, ...)                                                         \
   struct name {                                                                                      \
     __VA_ARGS__ static void add_blocks(const MemberTable& table, const double* K, double* values) {  \

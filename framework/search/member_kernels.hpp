@@ -10,27 +10,28 @@
 
 namespace netloft {
 
-/// Nodes that members stand on, one member or two one after the other (both directions of a triangle):
-/// places of their coordinates in vectors over all degrees of freedom, 3 each, and of the blocks of their
-/// pairs among the values of the matrix, row by row; -1: none.
+/// The nodes of one member, or of two members that follow each other (both directions of a triangle). `dof`
+/// are the indices of their coordinates in vectors over all degrees of freedom, 3 per node; `block` are the
+/// positions of the 3 x 3 blocks of node pairs among the values of the matrix, row by row, −1 if there is
+/// none.
 struct MemberSite {
   std::uint32_t first = 0, members = 1, nodes = 2;
   std::array<std::int32_t, 9> dof{}, block{};
 };
 
-/// What a member makes of its nodes: c, and number c of netloft_member.
+/// Coefficients c of a member, and number c, by node (netloft_member).
 struct MemberWeights {
   std::array<double, 3> c, number_c;
 };
 
-/// Members as their sites have them.
+/// All members, by site.
 struct MemberTable {
   std::span<const MemberSite> sites;
   std::span<const MemberWeights> weights;
 };
 
-/// Calls visit(site, nodes, members) for all sites, both known at compile time so that loops over them
-/// unroll.
+/// Calls visit(site, nodes, members) for all sites, with both counts known at compile time so that loops over
+/// them unroll.
 template <class Visit>
 NETLOFT_INLINE void for_sites(const MemberTable& table, const Visit& visit) {
   constexpr std::integral_constant<std::uint32_t, 1> one;
@@ -43,8 +44,8 @@ NETLOFT_INLINE void for_sites(const MemberTable& table, const Visit& visit) {
       site.members == 1 ? visit(site, three, one) : visit(site, three, two);
 }
 
-/// Loops over members for the instructions this processor has. K are 9 numbers a member, row by row and
-/// symmetric; lines are 6, (t, f, a, b) of netloft_members.
+/// Loops over members, compiled for one instruction set. K has 9 numbers per member, row by row and
+/// symmetric; lines have 6, (t, f, a, b) of netloft_members.
 struct MemberKernels {
   /// values ← values + Σ number c cᵀ K.
   void (*add_blocks)(const MemberTable& table, const double* K, double* values);
@@ -52,8 +53,9 @@ struct MemberKernels {
   void (*add_lines)(const MemberTable& table, const double* lines, double* forces, double* values);
 };
 
-/// The best there is, and all that run here, the best last.
+/// The fastest kernels for this processor.
 const MemberKernels& member_kernels();
+/// All kernels for this processor, the fastest last.
 std::vector<MemberKernels> member_kernels_here();
 
 }  // namespace netloft

@@ -16,19 +16,19 @@ namespace netloft {
 
 namespace {
 
-/// Its members bear something in this scene.
+/// Whether the type has members and the term of members is active in this scene.
 bool has_members(const ElementFamily& family) {
   return family.type().element.member_count > 0 && family.reads(NETLOFT_OF_MEMBERS);
 }
 
 std::vector<netloft_member> members_of(const ElementFamily& family) {
   const netloft_element& element = family.type().element;
-  std::vector<netloft_member> told(family.size() * element.member_count);
+  std::vector<netloft_member> reported(family.size() * element.member_count);
   const auto count = static_cast<std::uint32_t>(family.size());
   const PluginCall call({family.type().type.c_str(), "members", nullptr, CallFrame::Kind::element});
-  if (element.members(family.self(), 0, 0, count, told.data()) != NETLOFT_OK)
-    throw std::runtime_error(family.type().type + " could not tell its members");
-  return told;
+  if (element.members(family.self(), 0, 0, count, reported.data()) != NETLOFT_OK)
+    throw std::runtime_error(family.type().type + " could not report its members");
+  return reported;
 }
 
 bool bears(const netloft_member& member) { return member.EA != 0 || member.EA_compression != 0; }
@@ -62,8 +62,8 @@ bool MemberProblem::serves(const Scene& scene, const Assembler& assembler) {
   if (!scene.frames.empty()) return false;
   return std::any_of(assembler.families().begin(), assembler.families().end(), [](const auto& family) {
     if (!has_members(*family)) return false;
-    const auto told = members_of(*family);
-    return std::any_of(told.begin(), told.end(), bears);
+    const auto reported = members_of(*family);
+    return std::any_of(reported.begin(), reported.end(), bears);
   });
 }
 
@@ -73,14 +73,14 @@ void MemberProblem::list_members() {
 }
 
 void MemberProblem::list_members(const ElementFamily& family) {
-  const auto told = members_of(family);
+  const auto reported = members_of(family);
   const std::size_t count = family.type().element.member_count;
-  for (std::size_t e = 0; e < family.size(); ++e) add_site(family, e, {&told[e * count], count});
+  for (std::size_t e = 0; e < family.size(); ++e) add_site(family, e, {&reported[e * count], count});
 }
 
-/// Kernels take two members at a time.
+/// Adds the sites of one element, of two members each, as the kernels expect.
 void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
-                             std::span<const netloft_member> told) {
+                             std::span<const netloft_member> reported) {
   MemberSite site;
   site.nodes = static_cast<std::uint32_t>(family.nodes_per_element());
   site.members = 0;
@@ -93,7 +93,7 @@ void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
   for (std::uint32_t i = 0; i < 3 * site.nodes; ++i) site.dof[i] = dof(i, true);
   for (std::uint32_t p = 0; p < site.nodes; ++p)
     for (std::uint32_t q = 0; q < site.nodes; ++q) site.block[3 * p + q] = find_block(site, p, q);
-  for (const netloft_member& m : told) {
+  for (const netloft_member& m : reported) {
     if (!bears(m)) continue;
     if (site.members == 0) site.first = static_cast<std::uint32_t>(members_.size());
     for (std::uint32_t i = 0; i < 3 * site.nodes; ++i)
@@ -128,7 +128,7 @@ void MemberProblem::list_rotations() {
     }
 }
 
-/// By any of its entries that is kept.
+/// Position of a block, derived from any of its entries that the pattern contains.
 std::int32_t MemberProblem::find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const {
   const SparsePattern& pattern = assembler_.pattern();
   for (std::uint32_t entry = 0; entry < 9; ++entry) {
@@ -162,7 +162,7 @@ void MemberProblem::fill_interface() {
   interface_.progress = HostFunction<&MemberProblem::progress>::call;
 }
 
-/// w = Σ c v of all members, v over all degrees of freedom.
+/// w = Σ c v for each member, v over all degrees of freedom.
 void MemberProblem::combine(const double* v, double* w) const {
   for_sites(table(), [&](const MemberSite& site, auto nodes, auto members) {
     std::array<double, 3 * nodes> at;
@@ -187,7 +187,7 @@ int MemberProblem::chords(const double* u, double* w) {
 }
 
 int MemberProblem::changes(const double* step, double* w) {
-  std::copy_n(step, interface_.unknowns, step_.begin());  // what is held stays
+  std::copy_n(step, interface_.unknowns, step_.begin());  // zero for held degrees of freedom
   combine(step_.data(), w);
   return NETLOFT_OK;
 }
@@ -207,7 +207,7 @@ int MemberProblem::evaluate(const double* u, double* residual) {
   return all_finite({residual, x_.size()}) ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
 }
 
-/// No moment turns a body, and its rotation has no part in any other equation.
+/// Fixes the rotations of bodies: no moment turns them, and no other equation depends on them.
 void MemberProblem::keep_attitudes(double* residual) {
   for (const std::size_t i : rotations_) residual[i] = 0;
   for (const std::size_t slot : of_rotations_) tangent_[slot] = 1;

@@ -9,34 +9,34 @@
 
 namespace netloft {
 
-/// A static scene as members and all its other forces apart (netloft_members): what methods see that treat
-/// the tension of a member as an unknown of its own.
+/// A static scene with its members separated from all other forces (netloft_members), for methods that treat
+/// the tension of a member as an unknown:
 ///   r(u) + Σ n c T t = 0                                                                    (1)
-/// r are the terms without NETLOFT_OF_MEMBERS, n, c, T and t those of netloft_member. Counts and times every
-/// call as StaticProblem does, on the same assembler. Everything is at rest, at time zero.
+/// r is the sum of the terms without NETLOFT_OF_MEMBERS; n, c, T and t are those of netloft_member. Counts
+/// and times every call as StaticProblem does, on the same assembler. Everything is at rest, at time zero.
 ///
-/// Rigid bodies move and keep their attitude: c is then constant for members that lead to their points, as
-/// these methods want it, and a board stands upright while the ropes that will hold it come taut. What is
-/// found is a start for a solver that turns them.
+/// Rigid bodies move but do not turn. Thus c is constant for members at their points, as these methods
+/// require, and a board stays upright while its ropes become taut. The result is an initial guess for a
+/// solver that turns the bodies.
 class MemberProblem {
  public:
-  /// Members are those of elements that tell them and whose term of members acts; those without any
-  /// stiffness (a rope at constant tension) are left out.
+  /// Uses the elements that report members and whose term of members is active; members without any stiffness
+  /// (ropes at constant tension) are ignored.
   MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
 
-  /// Whether a scene has members on nodes that move along the axes of the world: no frames.
+  /// Whether a scene has members, and all nodes move along the axes of the world, without frames.
   static bool serves(const Scene& scene, const Assembler& assembler);
 
   netloft_members& interface() { return interface_; }
   const Statistics& statistics() const { return statistics_; }
-  /// Why `progress` told a method to give up.
+  /// The reason for which `progress` stopped a method.
   Stop stop() const { return stop_; }
 
  private:
   void list_members();
   void list_members(const ElementFamily& family);
-  void add_site(const ElementFamily& family, std::size_t element, std::span<const netloft_member> told);
+  void add_site(const ElementFamily& family, std::size_t element, std::span<const netloft_member> reported);
   std::int32_t find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const;
   void list_rotations();
   void fill_interface();
@@ -61,23 +61,23 @@ class MemberProblem {
   Statistics statistics_;
   Factors factors_;
   Stop stop_ = Stop::none;
-  double begun_ = 0, begun_cpu_ = 0, load_ = 0;  // [s], [s]; largest of r in the last evaluation [N]
+  double begun_ = 0, begun_cpu_ = 0, load_ = 0;  // [s], [s], largest entry of r in the last evaluation [N]
 
   std::vector<netloft_member> members_;
   std::vector<std::uint32_t> part_;
-  /// A node that a body carries, at which member `member` has c[k], and the origin of that body, by the first
-  /// of their coordinates in vectors over all degrees of freedom.
+  /// A node on a body, with the coefficient c[k] of `member`, and the origin of that body; each by the index
+  /// of its first coordinate in vectors over all degrees of freedom.
   struct Carried {
     std::size_t member, k, axis;
     std::int32_t point, origin;
   };
   std::vector<Carried> carried_;
   std::vector<std::size_t> rotations_;              // of bodies, among the unknowns
-  std::vector<std::size_t> of_rotations_, beside_;  // their places on the diagonal, and off it
+  std::vector<std::size_t> of_rotations_, beside_;  // slots of their diagonal and off-diagonal entries
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;    // by member
   std::vector<double> x_, step_;          // over all degrees of freedom
-  std::vector<double> tangent_, values_;  // of r; of (1)
+  std::vector<double> tangent_, values_;  // matrix of r, matrix of (1)
 };
 
 }  // namespace netloft

@@ -150,18 +150,19 @@ void RunningSearch::keep_message(const char* text) { std::snprintf(message_, siz
 void RunningSearch::run(const StrategyType& type, const void* parameters) {
   const std::uint32_t lacking = type.strategy.needs & ~interface_.traits;
   if (lacking)
-    throw std::invalid_argument("the strategy " + type.type +
-                                " wants what this scene has not: " + traits_of_search(lacking));
+    throw std::invalid_argument(
+        "the strategy " + type.type +
+        " needs features that this scene does not have: " + traits_of_search(lacking));
   const int status = call_strategy(type, parameters, interface_);
   close();
   if (status == NETLOFT_OK) return;
-  // Of strategies that fail one after the other for one reason, the innermost is named.
+  // If nested strategies fail for one reason, the innermost is named.
   const std::string failed = "the strategy ", why = message_;
   failure_ = why.starts_with(failed) ? why : failed + type.type + " failed" + (why.empty() ? "" : ": ") + why;
   if (!has_any()) throw std::runtime_error(failure_);
 }
 
-/// What a strategy leaves that failed is a state, and no answer.
+/// The best point so far. If the strategy failed, this point is no answer.
 Solution RunningSearch::best() const {
   Solution s = equilibria_.has_any() ? equilibria_.best() : closest_.value_or(Solution{});
   if (!has_any()) s.reason = "the strategy solved no stage of the scene itself";
@@ -174,8 +175,9 @@ Solution RunningSearch::best() const {
   return s;
 }
 
-/// Of strategies that call one another the outermost says so, once. A stage that was under way says itself
-/// that its work or the time was used up. An interrupt may have ended the strategy elsewhere.
+/// The best point with an explanation. If strategies call each other, only the outermost adds it. A stage
+/// that was cut off already reports an exhausted budget or time limit. An interrupt may have ended the
+/// strategy between stages.
 Solution RunningSearch::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;
@@ -183,7 +185,7 @@ Solution RunningSearch::explained() const {
     s.status = SolveStatus::interrupted;
     s.reason = "interrupted; " + s.reason;
   }
-  if (s.does_not_settle) s.reason += "; followed in time it did not come to rest";
+  if (s.does_not_settle) s.reason += "; a simulation in time did not come to rest";
   const bool was_cut_off = s.run.stop == Stop::work, is_used_up = work_left() == 0;
   if (is_used_up && !was_cut_off && !host_.is_interrupted()) s.reason += "; the budget of work is used up";
   if (was_cut_off && !is_used_up) s.reason += "; the strategy ended with work left";
@@ -197,9 +199,9 @@ std::uint32_t RunningSearch::size_of(std::uint32_t level) {
   return variant_problem ? static_cast<std::uint32_t>(variant_problem->assembler->pattern().size) : 0;
 }
 
-/// Without an equilibrium as the last stage of the scene itself: one that was cut off may be farther from
-/// balance than another that had ended. A strategy that solved no stage of its scene may have given up with
-/// work left, and would again.
+/// The ending of the best point, or of the last stage of the scene itself if there is no equilibrium: a stage
+/// that was cut off may be farther from balance than one that had ended. A strategy that solved no stage of
+/// its scene may have given up with work left, and would do so again.
 netloft_ending RunningSearch::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);
@@ -212,13 +214,12 @@ double RunningSearch::work_left() const {
   return host_.is_interrupted() ? 0 : std::max(0.0, budget_ - (host_.spent() - begun_)) / unit_;
 }
 
-/// The stage with what it leaves open, checked. Its variant and its work are those of the scene as it is
-/// written.
+/// Checks a stage and completes it. Variant and work become those relative to the original scene.
 netloft_stage RunningSearch::seen_from_host(const netloft_stage& stage) {
   const netloft_variant& v = stage.variant;
   const bool is_fraction = v.compression >= 0 && v.compression <= 1 && v.current >= 0 && v.current <= 1;
   if (!is_fraction || !(v.stiffness_cap >= 0))
-    throw std::invalid_argument("a variant wants factors in [0, 1] and a cap that is not negative");
+    throw std::invalid_argument("a variant needs factors in [0, 1] and a cap that is not negative");
   if (!host_.variant_problems().find_level(scene_.level + v.level))
     throw std::invalid_argument("there is no level " + std::to_string(v.level));
   netloft_stage seen = stage;
@@ -229,7 +230,7 @@ netloft_stage RunningSearch::seen_from_host(const netloft_stage& stage) {
   return seen;
 }
 
-/// To the tolerance that an answer must have.
+/// Whether a stage solves the scene of this strategy to the tolerance of an answer.
 bool RunningSearch::is_scene_itself(const netloft_stage& stage) const {
   return is_as_written(stage.variant) && stage.tolerance <= tolerance_;
 }
@@ -260,7 +261,8 @@ int RunningSearch::call(const char* strategy, const char* parameters, netloft_st
   const netloft_stage seen = seen_from_host(*stage);
   const StrategyType& type = host_.variant_problems().source().registry->strategy(strategy);
   Values values = host_.given_of(type.type);
-  values.merge(parse_parameters(type.parameters, parameters ? parameters : ""));  // the user's own hold
+  values.merge(
+      parse_parameters(type.parameters, parameters ? parameters : ""));  // values by the user prevail
   std::vector<std::string> faults;
   const ParameterBlock block(type.parameters, type.strategy.parameter_bytes, values, faults);
   if (!faults.empty()) throw std::invalid_argument(faults.front());
@@ -281,13 +283,14 @@ int RunningSearch::call(const char* strategy, const char* parameters, netloft_st
   return NETLOFT_OK;
 }
 
-/// What ended with work left is known: more work would not change it.
+/// Runs a strategy within this one. Its result is stored if it ended with work left, because more work would
+/// not change it.
 KnownStage RunningSearch::run_inner(const StrategyType& type, const void* parameters,
                                     const netloft_stage& seen, StageRequest request) {
   const SearchHost::InnerCall under_way(host_, type.type);
   RunningSearch inner(host_, seen.variant, seen.tolerance, seen.work, seen.u);
   inner.run(type, parameters);
-  KnownStage came{.asked = std::move(request), .solution = inner.best(), .has_solution = inner.has_any()};
+  KnownStage came{.request = std::move(request), .solution = inner.best(), .has_solution = inner.has_any()};
   came.unsettled = inner.unsettled_;
   came.ending = inner.ending();
   const bool has_ended = inner.work_left() > 0 && came.ending != NETLOFT_ENDED_OUT_OF_WORK;
@@ -299,7 +302,8 @@ int RunningSearch::transfer(std::uint32_t from, const double* u, std::uint32_t t
   close();
   const auto moved =
       host_.variant_problems().transfer(scene_.level + from, {u, size_of(from)}, scene_.level + to);
-  if (moved.empty()) throw std::invalid_argument("the meshes of these levels do not divide the same parts");
+  if (moved.empty())
+    throw std::invalid_argument("the meshes of these levels are not divisions of the same parts");
   std::copy(moved.begin(), moved.end(), out);
   return NETLOFT_OK;
 }
@@ -329,7 +333,7 @@ int RunningSearch::members(netloft_stage* stage, netloft_members* members) {
   return NETLOFT_OK;
 }
 
-/// Keeps the record of a method of the strategy's own, which ends here.
+/// Ends a method of the strategy's own, and stores its record.
 void RunningSearch::close() {
   if (!open_problem_ && !open_members_) return;
   const Statistics statistics = open_problem_ ? open_problem_->statistics() : open_members_->statistics();
@@ -367,9 +371,9 @@ int RunningSearch::answer(const double* u) {
   return NETLOFT_OK;
 }
 
-/// An equilibrium of the scene itself for an answer, or of the rest the one that came closest.
+/// Stores an equilibrium of the scene itself until it is answered, and the point closest to balance.
 void RunningSearch::keep(const netloft_stage& stage, const Solution& s) {
-  constexpr std::size_t kMostKept = 8;  // answers follow soon after the stage that found them
+  constexpr std::size_t kMostKept = 8;  // strategies answer soon after the stage that found an equilibrium
   if (is_stationary(s)) {
     if (stationary_.size() == kMostKept) stationary_.erase(stationary_.begin());
     stationary_.push_back(s);

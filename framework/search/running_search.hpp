@@ -11,11 +11,11 @@
 
 namespace netloft {
 
-/// A search as one strategy sees it: a variant of the scene is its scene, a part of the work its budget,
-/// which is told to it in Newton iterations of that scene.
+/// A search as one strategy sees it. The scene of the strategy is a variant of the original scene, and its
+/// budget is part of the total work, expressed in Newton iterations of its scene.
 class RunningSearch {
  public:
-  /// `tolerance`: of its scene; `work`: in iterations of the scene as it is written, as the host counts.
+  /// `tolerance` is that of its scene; `work` is in iterations of the original scene.
   RunningSearch(SearchHost& host, const netloft_variant& scene, double tolerance, double work,
                 const double* start);
   RunningSearch(const RunningSearch&) = delete;
@@ -24,9 +24,9 @@ class RunningSearch {
   netloft_search& interface() { return interface_; }
   void run(const StrategyType& type, const void* parameters);
 
-  /// The best answer; where there is none, the stage of the scene itself that came closest.
+  /// The best answer; if there is none, the stage of the scene itself that came closest to balance.
   Solution best() const;
-  /// With why there is none.
+  /// The same, with the reason for a missing answer.
   Solution explained() const;
   /// Whether some stage of the scene itself has been solved.
   bool has_any() const { return equilibria_.has_any() || closest_.has_value(); }
@@ -55,18 +55,18 @@ class RunningSearch {
 
   SearchHost& host_;
   netloft_variant scene_;
-  std::shared_ptr<VariantProblem> variant_problem_;  // of that
+  std::shared_ptr<VariantProblem> variant_problem_;  // of scene_
   double tolerance_, budget_, begun_, unit_;         // unit_: an iteration of its scene, in work of the host
   netloft_search interface_{};
   char message_[256] = "";
   std::vector<double> growing_;                        // of the last stage
-  std::vector<Solution> stationary_;                   // of the scene itself, not yet answered
-  std::optional<Solution> closest_;                    // of those that are no equilibria
+  std::vector<Solution> stationary_;                   // equilibria of the scene itself, not yet answered
+  std::optional<Solution> closest_;                    // the point closest to balance
   netloft_ending last_ = NETLOFT_ENDED_NOT_CONVERGED;  // of the last stage of the scene itself
-  std::string failure_;                                // of the strategy itself, which ended with an error
-  int unsettled_ = 0;                                  // stages that did not come to rest
+  std::string failure_;                                // why the strategy failed; empty if it did not
+  int unsettled_ = 0;                                  // number of stages that did not come to rest
   EquilibriumChoice equilibria_;
-  // A method of the strategy's own at work: its stage, and on what.
+  // The method of the strategy's own that is running, with its stage and problem.
   netloft_stage open_stage_{};
   std::shared_ptr<VariantProblem> open_variant_;
   std::unique_ptr<StaticProblem> open_problem_;

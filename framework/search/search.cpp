@@ -21,8 +21,8 @@ ParameterBlock block_of(const StrategyUse& use) {
   return block;
 }
 
-/// What a strategy leaves that solved no stage of the scene: the start, judged, with the reason. Whoever
-/// shows a solution needs a place for every node.
+/// The result of a strategy that solved no stage of the scene: the start of the scene, assessed, with the
+/// reason. Callers need a position for every node.
 Solution at_start(SearchHost& host, const netloft_search& search, Solution none) {
   std::vector<double> u(search.unknowns, 0.0);
   if (search.start) u.assign(search.start, search.start + search.unknowns);
@@ -35,14 +35,14 @@ Solution at_start(SearchHost& host, const netloft_search& search, Solution none)
   stage.work = host.options().work;
   Solution start = host.assess(stage);
   start.cost = std::move(none.cost);
-  if (search.unknowns == 0) return start;  // nothing is free: there is no other point
+  if (search.unknowns == 0) return start;  // without unknowns there is no other point
   start.status = none.status == SolveStatus::interrupted ? none.status : SolveStatus::not_converged;
   start.reason = std::move(none.reason);
   start.does_not_settle = none.does_not_settle;
   return start;
 }
 
-/// The equilibrium of a scene that leaves nothing open.
+/// The equilibrium of a scene without open settings.
 Solution find_as_set(const VariantSource& source, const SearchOptions& options, const StrategyUse& strategy,
                      const std::vector<double>& start) {
   SearchHost host(source, options);
@@ -57,7 +57,7 @@ Solution find_as_set(const VariantSource& source, const SearchOptions& options, 
 
 /// One stage of the scene itself, by the solver of the options.
 Solution solve_near(const VariantSource& source, const SearchOptions& options, std::vector<double> u) {
-  constexpr std::uint32_t kNear = 100;  // iterations, as from a point that a user names
+  constexpr std::uint32_t kNear = 100;  // iterations, as from an initial guess by the user
   SearchHost host(source, options);
   netloft_stage stage{};
   stage.size = sizeof stage;
@@ -70,7 +70,7 @@ Solution solve_near(const VariantSource& source, const SearchOptions& options, s
   return host.finish(host.solve(stage, options.solver));
 }
 
-/// The equilibria of a scene with other and other factors of its settings.
+/// The equilibria of a scene for given factors of its settings.
 class SetScenes {
  public:
   SetScenes(const VariantSource& source, const SearchOptions& options, const StrategyUse& strategy)
@@ -95,7 +95,8 @@ class SetScenes {
   }
 
  private:
-  /// From its start as the strategy finds it; from another equilibrium by the solver alone, if that arrives.
+  /// The first equilibrium is found by the strategy; later ones by the solver alone, from another
+  /// equilibrium. If the solver fails, the strategy follows.
   Solution solve(const VariantSource& source, const std::vector<double>& start) {
     Solution near;
     if (has_one_ && !start.empty()) near = spend(solve_near(source, left_, start));
@@ -115,7 +116,7 @@ class SetScenes {
   }
 
   const VariantSource& source_;
-  SearchOptions left_;  // of work and time, what is left
+  SearchOptions left_;  // with the remaining work and time
   const StrategyUse& strategy_;
   double begun_;
   bool has_one_ = false;

@@ -23,42 +23,41 @@ struct StrategyUse {
   Values parameters;
 };
 
-/// The means of a search and the limits on what it spends.
+/// Solver, limits and receivers of a search.
 struct SearchOptions {
-  SolverUse solver;  // of stages that name no other
-  Limits limits;     // of the scene itself; `seconds` and `interrupt` hold for the whole search
+  SolverUse solver;  // for stages that name no solver
+  Limits limits;     // of the scene itself; `seconds` and `interrupt` apply to the whole search
   double work = std::numeric_limits<double>::infinity();  // budget, in the units of work.hpp
   std::function<void(const IterationRecord&)> on_iteration;
-  KeptPoint* kept = nullptr;  // where accepted points of the scene as it is written are kept
-  /// Called after every stage with its record and the displacements of the scene itself where it ended; those
-  /// of a stage on a coarser mesh are read off it.
+  KeptPoint* kept = nullptr;  // receives accepted points of the original scene
+  /// Called after every stage with its record and its final displacements, interpolated to the original mesh
+  /// if the stage was on a coarser one.
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};
-  /// What the user says of solvers and strategies that stages name, by type ("newton/newton"): it holds over
-  /// what the strategy asks for.
+  /// Parameters by the user for solvers and strategies named by stages, by type ("newton/newton"). They
+  /// prevail over those of the strategy.
   std::map<std::string, Values> given = {};
 };
 
-/// Lets a strategy bring a scene to equilibrium, from displacements `start` of its unknowns (empty: from its
-/// sketch), and chooses among its answers (shapes.hpp). The strategy sees a netloft_search: it asks for
-/// stages, each a solve of a variant by a solver within a budget, and hands over equilibria of the scene
-/// itself. The host counts the work of every stage, judges it (verdict.hpp) and keeps its record. Where there
-/// is no answer the solution is the stage of the scene itself that came closest, and says so. All stages see
-/// the same past; the elements of the source (friction) remember the answer at the end. Throws SceneError or
-/// PluginRefused where a stage asks for what cannot be made.
+/// Lets a strategy find the equilibrium of a scene from displacements `start` of its unknowns (empty: from
+/// its initial shape), and chooses among its answers (shapes.hpp). The strategy sees a netloft_search: it
+/// requests stages, each a solve of a variant by a solver within a budget, and reports equilibria of the
+/// scene itself. The host counts the work of every stage, assesses it (verdict.hpp) and stores its record.
+/// Without an answer, the solution is the stage of the scene itself that came closest to balance, with a
+/// reason. All stages use the same memory of elements (friction); the elements of the source store the answer
+/// at the end. Throws SceneError or PluginRefused if a stage cannot be made.
 ///
-/// Of a scene with settings these are found, too (settings.hpp): the answer is then of another scene, with
-/// `Solution::factors`, which the caller makes of his own by set_factors, and whose elements he lets
-/// remember.
+/// If the scene has settings, they are found as well (settings.hpp). The answer then belongs to a different
+/// scene, with `Solution::factors`: the caller applies set_factors to its own scene and lets its elements
+/// store the answer.
 Solution find_equilibrium(const VariantSource& source, const SearchOptions& options,
                           const StrategyUse& strategy, const std::vector<double>& start = {});
 
-/// What a strategy would try in which order and why, a line each; empty where it does not say. Solves
-/// nothing.
+/// Describes the attempts of a strategy, their order and reasons, one per line; empty if the strategy gives
+/// no description. Nothing is solved.
 std::string explain_strategy(const VariantSource& source, const SearchOptions& options,
                              const StrategyUse& strategy);
 
-/// "method=classic,damping=1" as values of a table of parameters. Throws std::invalid_argument with a
-/// sentence.
+/// Parses "method=classic,damping=1" by a table of parameters. Throws std::invalid_argument with a sentence.
 Values parse_parameters(std::span<const netloft_parameter> table, const std::string& text);
 
 }  // namespace netloft

@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-/// A solver that returns at once: what is judged is its start.
+/// A solver that returns at once, so that its start is assessed.
 const SolverType& no_solver() {
   static const SolverType type = [] {
     SolverType none;
@@ -23,12 +23,12 @@ const SolverType& no_solver() {
   return type;
 }
 
-// Of known stages, for each unknown of the scene: some ten points on its own mesh, and less than a factor of
-// netting takes. On a draw of hard cases 32 cost 1 and 2 % more factorisations (small, medium), 128 and 256
-// at most 3 % less.
+// Numbers stored in known stages per unknown of the scene: about ten points on its own mesh, less memory than
+// a factor of netting. On a sample of hard cases, 32 cost 1 and 2 % more factorisations (small, medium), 128
+// and 256 at most 3 % less.
 constexpr std::size_t kNumbersKept = 64;
 
-// Grid sequencing by auto takes two calls for each mesh, and no scene has thirty meshes.
+// Grid sequencing by auto takes two calls per mesh, and no scene has thirty meshes.
 constexpr int kDeepestCall = 64;
 
 bool was_cut_off(const Solution& s) {
@@ -77,7 +77,8 @@ SolverUse SearchHost::solver_of(const netloft_stage& stage) const {
     use.parameters = given_of(use.type->type);
   }
   if (stage.parameters)
-    use.parameters.merge(parse_parameters(use.type->parameters, stage.parameters));  // the user's own hold
+    use.parameters.merge(
+        parse_parameters(use.type->parameters, stage.parameters));  // values by the user prevail
   return use;
 }
 
@@ -105,14 +106,14 @@ Observer SearchHost::observer_of(const netloft_stage& stage) const {
 
 const KnownStage* SearchHost::find_known(const StageRequest& request) {
   const KnownStage* known = known_.find(request);
-  if (known) asked_again_ += variant_problems_.at(as_written())->model.of({.residuals = 1});
+  if (known) repeated_ += variant_problems_.at(as_written())->model.of({.residuals = 1});
   return known;
 }
 
-/// An equilibrium of the scene itself is what was looked for.
+/// Stores a result, except an equilibrium of the scene itself, which ends the search.
 void SearchHost::keep_known(KnownStage stage) {
   const bool is_scene =
-      is_as_written(stage.asked.variant) && stage.asked.tolerance <= options_.limits.tolerance;
+      is_as_written(stage.request.variant) && stage.request.tolerance <= options_.limits.tolerance;
   const bool is_found = is_scene && stage.solution.status == SolveStatus::converged;
   const bool is_interrupted = stage.solution.status == SolveStatus::interrupted;
   if (!is_found && !is_interrupted && !stage.solution.u.empty()) known_.keep(std::move(stage));
@@ -134,9 +135,9 @@ Solution SearchHost::solve(const netloft_stage& stage, const SolverUse& solver) 
   record({stage.name, solver.type->type, size, s.status, s.reason, s.cost.statistics, stage.variant,
           variant_problem->model.of(s.judging)},
          *variant_problem);
-  // Judging a point costs next to nothing.
+  // Assessments of points are not stored, because they cost next to nothing.
   if (solver.type != &no_solver())
-    keep_known({.asked = std::move(request), .solution = s, .is_cut_off = was_cut_off(s)});
+    keep_known({.request = std::move(request), .solution = s, .is_cut_off = was_cut_off(s)});
   if (options_.on_stage && !s.u.empty()) {
     const auto moved = stage.variant.level ? variant_problems_.transfer(stage.variant.level, s.u, 0) : s.u;
     if (!moved.empty()) options_.on_stage(cost_.stages.back(), moved);

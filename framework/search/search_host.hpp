@@ -5,45 +5,44 @@
 
 namespace netloft {
 
-/// All strategies of one search share this: the variants, the solvers, the record of all stages and their
-/// work.
+/// Data shared by all strategies of one search: the variants, the solvers, the records of all stages and
+/// their work.
 class SearchHost {
  public:
   SearchHost(const VariantSource& source, const SearchOptions& options);
 
   VariantProblems& variant_problems() { return variant_problems_; }
   const SearchOptions& options() const { return options_; }
-  double spent() const { return cost_.work + asked_again_; }
-  /// By the user, or the user's time is over.
+  double spent() const { return cost_.work + repeated_; }
+  /// Whether the user interrupted the search or its time is over.
   bool is_interrupted() const;
   bool is_out_of_time() const { return seconds_left() == 0; }
 
-  /// Who solves a stage; throws std::invalid_argument where its parameters are wrong.
+  /// The solver of a stage. Throws std::invalid_argument if its parameters are wrong.
   SolverUse solver_of(const netloft_stage& stage) const;
-  /// What the user says of a solver or a strategy.
+  /// Parameters by the user for a solver or a strategy.
   Values given_of(const std::string& type) const;
-  /// What a stage may use: tolerance and budget are those of the stage, by whoever asks for it.
+  /// Limits of a stage: tolerance and budget of the stage, other limits of the search.
   Limits limits_of(const netloft_stage& stage, const VariantProblem& variant_problem);
-  /// Points of the scene as it is written are kept, of no variant.
+  /// Observer of a stage; it stores points of the original scene only.
   Observer observer_of(const netloft_stage& stage) const;
-  /// What came of the same request before; null: nothing is known of it. To be told costs an evaluation: a
-  /// strategy that asks for the same without end comes to its end.
+  /// The stored result of a request, or null. It costs one evaluation, so that a strategy that repeats one
+  /// request forever ends by its budget.
   const KnownStage* find_known(const StageRequest& request);
   void keep_known(KnownStage stage);
-  /// Solves `stage`, whose variant is seen from the scene as it is written; keeps the record. What is known
-  /// is not solved again, and no stage.
+  /// Solves `stage`, whose variant is relative to the original scene, and stores its record. A known stage is
+  /// neither solved nor recorded again.
   Solution solve(const netloft_stage& stage, const SolverUse& solver);
-  /// Judges the point of a stage by a solver that returns at once.
+  /// Assesses the point of a stage.
   Solution assess(const netloft_stage& stage);
-  /// `stage.work` is what its judgement took.
+  /// Adds a record. On input, `stage.work` is the work of its assessment.
   void record(StageRecord stage, const VariantProblem& variant_problem);
 
-  /// With the sum and the record of all stages.
+  /// Adds the cost and the records of all stages.
   Solution finish(Solution solution) const;
 
-  /// While it lives a strategy is under way that another one called. Throws std::invalid_argument beyond
-  /// kDeepestCall: each call stands on the stack of the one before, and a strategy that calls itself without
-  /// end would use it up.
+  /// Exists while a strategy that was called by another one runs. Throws std::invalid_argument beyond
+  /// kDeepestCall, because a strategy that calls itself without end would use up the stack.
   class InnerCall {
    public:
     InnerCall(SearchHost& host, const std::string& strategy);
@@ -61,10 +60,10 @@ class SearchHost {
   SearchOptions options_;
   VariantProblems variant_problems_;
   KnownStages known_;
-  double asked_again_ = 0;  // work
+  double repeated_ = 0;  // work of requests whose result was known
   double begun_;
   Cost cost_;
-  JudgedPoint judged_;  // of the scene as it is written
+  JudgedPoint judged_;  // of the original scene
   int inner_calls_ = 0;
 };
 

@@ -15,17 +15,20 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-// How the factors are looked for. All are changes of the logarithm of a factor, that is relative ones.
-constexpr double kFirstChange =
-    0.01;  // slopes are measured over this: a change of a tension by some percent,
-           // of which an equilibrium found to 1e-10 of the load leaves 7 digits
-constexpr double kLargestChange = 0.05;   // in one step: from one length of warp to another that differs by 5
-                                          // % Newton's method finds the next equilibrium by itself
-constexpr int kMostHalvings = 3;          // of a step; 1/8 of 5 % is less than slopes were measured over
-constexpr int kMostSteps = 60;            // of 5 %: a factor of 18 up or down
-constexpr double kForceTolerance = 1e-9;  // of the wanted force: ten times what equilibria are found to
+// Constants of the search for factors. Changes are those of the logarithm of a factor, i.e. relative changes.
+// Change over which slopes are measured: it changes a tension by some percent, of which an equilibrium found
+// to 1e-10 of the load leaves 7 digits.
+constexpr double kFirstChange = 0.01;
+// Largest change in one step. From one length of warp to another that differs by 5 %, Newton's method
+// converges.
+constexpr double kLargestChange = 0.05;
+constexpr int kMostHalvings =
+    3;  // of a step; 1/8 of 5 % is less than the change over which slopes are measured
+constexpr int kMostSteps = 60;  // of 5 %: a factor of 18 up or down
+constexpr double kForceTolerance =
+    1e-9;  // relative to the given force; ten times the tolerance of equilibria
 
-/// Factors, what the nodes bear with them, and how far that is from what is wanted.
+/// Factors, the equilibrium for them, and the relative errors of its reactions.
 struct Point {
   VectorXd y, off;  // (1)
   Solution solution;
@@ -39,7 +42,7 @@ std::vector<double> factors_at(const VectorXd& y) {
   return factors;
 }
 
-/// Looks for the factors; members are steps of that.
+/// Finds the factors; the methods are its steps.
 class SettingSearch {
  public:
   SettingSearch(const Scene& scene, const FindWithFactors& find) : scene_(scene), find_(find) {}
@@ -66,7 +69,8 @@ class SettingSearch {
     return point;
   }
 
-  /// J at a point, along the columns of directions(); false: there are no equilibria near it.
+  /// Measures J at a point along the columns of directions(). Returns false if there are no equilibria near
+  /// the point.
   bool measure_slopes(const Point& at) {
     const MatrixXd along = directions(at.y.size());
     MatrixXd slopes(at.y.size(), at.y.size());
@@ -84,8 +88,9 @@ class SettingSearch {
     return true;
   }
 
-  /// First all together, then against each other: warps of equal length pull a gear straight, and what they
-  /// bear together hardly shows in what each bears while one is longer than the other.
+  /// Directions of the measurement: first all factors together, then one against the others. Warps of equal
+  /// length pull a gear straight; while one is longer than the other, their common tension hardly shows in
+  /// each of them.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();
@@ -111,7 +116,7 @@ class SettingSearch {
     }
   }
 
-  /// (2), (3)
+  /// A step by (2), and the update (3).
   Point best_step(const Point& at) {
     VectorXd s = slopes_.fullPivLu().solve(-at.off);
     if (!s.allFinite()) s.setZero();
@@ -132,11 +137,11 @@ class SettingSearch {
     s.cost = cost_;
     if (is_interrupted_) {
       s.status = SolveStatus::interrupted;
-      s.reason = "interrupted while " + list_names() + " was looked for";
+      s.reason = "interrupted during the search for " + list_names();
     } else if (at.is_there && at.distance() > kForceTolerance) {
       s.status = SolveStatus::not_converged;
       s.reason = sentence_at(at);
-      if (!failed_.empty()) s.reason += "; beyond that " + failed_;
+      if (!failed_.empty()) s.reason += "; the next step failed: " + failed_;
     }
     return s;
   }
@@ -147,7 +152,7 @@ class SettingSearch {
     return names;
   }
 
-  /// "no length of warp was found with which its end bears 1.2e+04 N; nearest: 9.1e+03 N at 93.2 m"
+  /// "no length of warp was found at which its end bears 1.2e+04 N; the nearest is 9.1e+03 N, at 93.2 m"
   std::string sentence_at(const Point& at) const {
     std::string text;
     const auto factors = factors_at(at.y);
@@ -168,9 +173,9 @@ class SettingSearch {
   const Scene& scene_;
   const FindWithFactors& find_;
   MatrixXd slopes_;  // J of (2)
-  Cost cost_;        // of all equilibria that were looked for
+  Cost cost_;        // of all equilibria
   bool is_interrupted_ = false;
-  std::string failed_;  // why there was no equilibrium further on
+  std::string failed_;  // reason for which the last step found no equilibrium
 };
 
 template <class Visit>

@@ -8,35 +8,35 @@
 
 namespace netloft {
 
-/// Multiplies data of the scene so that its settings have these factors.
+/// Scales data of the scene such that its settings have these factors.
 void set_factors(Scene& scene, std::span<const double> factors);
 
 /// Sum of the data of a setting over the elements of its part: the length of a rope.
 double amount_of(const Scene& scene, const Setting& setting);
 
-/// An equilibrium of a scene with given factors, and what the nodes of its settings bear there [N].
+/// An equilibrium of a scene for given factors, and the reactions at the nodes of its settings [N].
 struct SetEquilibrium {
   Solution solution;
-  std::vector<double> reactions;  // one per setting; empty: there is no equilibrium
+  std::vector<double> reactions;  // one per setting; empty: no equilibrium was found
 };
 
-/// Finds the equilibrium for these factors, near displacements `start`; where these are empty, from the start
-/// of the scene.
+/// Finds the equilibrium for these factors near displacements `start`, or from the start of the scene if that
+/// is empty.
 using FindWithFactors =
     std::function<SetEquilibrium(std::span<const double> factors, const std::vector<double>& start)>;
 
-/// Finds the factors of the settings of a scene, so that each of their nodes bears what is wanted:
+/// Finds the factors of the settings of a scene for which each of their nodes carries the given force:
 ///   g_k(y) = R_k/T_k − 1 = 0,   y_k = ln of factor k                                             (1)
-/// R_k [N] size of the reaction at the equilibrium, T_k [N] what is wanted. The slopes J of g over y are
-/// measured by one more equilibrium for each setting; steps are then Newton's with these slopes, which learn
-/// from every step (C. G. Broyden, Mathematics of Computation 19, 1965; of one setting this is the secant
-/// method):
+/// R_k [N] is the magnitude of the reaction at the equilibrium, T_k [N] the given force. The slopes J of g
+/// over y are measured with one more equilibrium per setting. Then follow Newton steps with slopes that are
+/// updated in every step (C. G. Broyden, Mathematics of Computation 19, 1965; the secant method if there is
+/// one setting):
 ///   J s = −g,   y' = y + t s,   t ≤ 1 so that no |t s_k| exceeds kLargestChange                  (2)
 ///   J' = J + (g' − g − t J s) sᵀ/(t sᵀs)                                                         (3)
-/// A step to where there is no equilibrium, or that brings the largest |g_k| no nearer to zero, is halved;
-/// where that does not help, the slopes are measured once more there. Every equilibrium is looked for from
-/// the one before. Where none bears what is wanted, the solution is the one that came nearest, not converged,
-/// with a sentence that says how near. Its stages and statistics are those of all.
+/// A step is halved if it finds no equilibrium or does not reduce the largest |g_k|; if that does not help,
+/// the slopes are measured again. Every equilibrium starts from the previous one. If none satisfies (1), the
+/// solution is the nearest one, not converged, with a sentence about its distance. Stages and statistics of
+/// the solution are those of all equilibria.
 Solution find_settings(const Scene& scene, const FindWithFactors& find, const std::vector<double>& start);
 
 }  // namespace netloft

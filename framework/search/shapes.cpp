@@ -11,8 +11,8 @@ namespace netloft {
 
 namespace {
 
-// Of the energy, or of the work of the largest load over the gear's size: what a move within one place leaves
-// of an energy that is stationary.
+// Energies count as equal within this fraction of the energy, or of the work of the largest load over the
+// size of the gear: the change of a stationary energy within one place.
 constexpr double kSameEnergy = kTolerance;
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }

@@ -4,10 +4,10 @@
 
 namespace netloft {
 
-/// Chooses among the equilibria that a strategy answers, by this rule: one that converged before one that is
-/// unstable; among those that converged the one of least energy, if every force has an energy; else the
-/// first. Two are the same shape where no node is further from itself than 1e-5 of the gear's size, or where
-/// what tells them apart moves without any force and their energies are equal.
+/// Chooses among the equilibria that a strategy answers, by this rule: a converged one before an unstable
+/// one; among the converged ones that of least energy, if every force has an energy; otherwise the first. Two
+/// have the same shape if no node is further from itself than 1e-5 of the size of the gear, or if both are
+/// neutral with equal energies, so that they differ by a motion without any force.
 class EquilibriumChoice {
  public:
   /// `gear_size` [m]; `has_energy`: every force has one.
@@ -15,7 +15,7 @@ class EquilibriumChoice {
 
   void add(Solution solution);
   bool has_any() const { return !found_.empty(); }
-  /// With what the others are. There must be one.
+  /// The chosen equilibrium, with a list of the others. There must be at least one.
   Solution best() const;
 
  private:

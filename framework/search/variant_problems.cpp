@@ -23,7 +23,7 @@ std::shared_ptr<VariantProblem> VariantProblems::find_level(unsigned level) {
   return levels_.emplace(level, scene ? make_problem_as_set(*scene) : nullptr).first->second;
 }
 
-/// A coarser scene is as it was read; what the source has been set to, it is set to here.
+/// Makes the problem of a coarser mesh, with the settings of the source.
 std::shared_ptr<VariantProblem> VariantProblems::make_problem_as_set(const Scene& scene) const {
   if (scene.settings.empty()) return make_problem(scene);
   auto own = std::make_unique<Scene>(scene);
@@ -42,7 +42,7 @@ std::shared_ptr<VariantProblem> VariantProblems::at(const netloft_variant& varia
   of_level.level = variant.level;
   if (is_same(variant, of_level)) return level;
   if (last_ && is_same(variant, last_variant_)) return last_;
-  last_.reset();  // its memory is used again
+  last_.reset();  // frees its memory for the next one
   auto easier = std::make_unique<Scene>(made_easier(*level->scene, *source_.registry, variant));
   last_ = make_problem(*easier);
   last_->own_scene = std::move(easier);

@@ -11,40 +11,40 @@
 
 namespace netloft {
 
-/// A variant of a scene, ready to be evaluated, and what its operations cost.
+/// A variant of a scene, ready to be evaluated, with the cost of its operations.
 struct VariantProblem {
   const Scene* scene = nullptr;
   Assembler* assembler = nullptr;
   WorkModel model;
-  // What it owns: all but that of the scene as it is written.
+  // Owned objects, empty for the original scene.
   std::unique_ptr<Scene> own_scene;
   std::unique_ptr<ScenePlan> own_plan;
   std::unique_ptr<Assembler> own_assembler;
 };
 
-/// A search takes its problems from here: the scene with its assembler, and how others like them are made.
+/// The scene with its assembler from which a search makes its variants.
 struct VariantSource {
   const Scene* scene = nullptr;
   Assembler* assembler = nullptr;
   Registry* registry = nullptr;
-  Levels* levels = nullptr;  // null: the scene's own mesh only
+  Levels* levels = nullptr;  // null: no coarser meshes
   MakeFactorisation make;
   TangentChoice tangent = TangentChoice::exact;
   int threads = 1;
 };
 
-/// Makes the variants of a scene when they are first asked for. Each level as it is written is kept, of all
-/// others the last one.
+/// Makes the variants of a scene at their first request. The unmodified scene of each level is stored, of all
+/// other variants the last one.
 class VariantProblems {
  public:
   explicit VariantProblems(VariantSource source);
 
   unsigned most_levels() const { return source_.levels ? source_.levels->most() : 1; }
-  /// Null: there is no such level.
+  /// The problem of a level; null if the level does not exist.
   std::shared_ptr<VariantProblem> find_level(unsigned level);
-  /// The level of the variant must exist. Throws SceneError where the plugins refuse the variant.
+  /// The problem of a variant, whose level must exist. Throws SceneError if a plugin refuses the variant.
   std::shared_ptr<VariantProblem> at(const netloft_variant& variant);
-  /// Displacements of one level read off those of another; empty where that is not possible.
+  /// Displacements of one level interpolated to another; empty if that is not possible.
   std::vector<double> transfer(unsigned from, std::span<const double> u, unsigned to);
 
   const VariantSource& source() const { return source_; }

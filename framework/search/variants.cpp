@@ -54,10 +54,10 @@ double value_of(const Part& part, const ElementType& type, const netloft_paramet
   return faults.empty() ? block.number(parameter) : 0.0;
 }
 
-/// A stiffness of bars counts in newtons, one of hinges or of a ground otherwise.
+/// Whether a stiffness is that of a bar, in newtons, and not of a hinge or of the ground.
 bool is_in_newtons(const netloft_parameter& parameter) { return std::strcmp(parameter.unit, "N") == 0; }
 
-/// Calls visit(part, type, parameter) for every real parameter that has the role.
+/// Calls visit(part, type, parameter) for every real parameter with the role.
 template <class PartOf, class Visit>
 void for_role(PartOf& parts, Registry& registry, std::uint32_t role, Visit&& visit) {
   for (auto& part : parts) {
@@ -67,7 +67,7 @@ void for_role(PartOf& parts, Registry& registry, std::uint32_t role, Visit&& vis
   }
 }
 
-/// Largest stiffness in newtons of the parts of each name; a part and its companions share a name.
+/// Largest stiffness in newtons by name of part; a part and its companions share a name.
 std::map<std::string, double> stiffness_by_name(const Scene& scene, Registry& registry) {
   std::map<std::string, double> largest;
   for_role(scene.parts, registry, NETLOFT_STIFFNESS, [&](const Part& part, const auto& type, const auto& p) {
@@ -88,7 +88,7 @@ void cap_stiffness(Scene& scene, Registry& registry, double cap) {
            [&](Part& part, const auto& type, const auto& p) {
              const auto own = largest.find(part.name);
              if (own == largest.end() || own->second <= cap) return;
-             // A default that follows another stiffness follows it by itself.
+             // A default that is that of another stiffness changes with it.
              const bool given = part.parameters.contains(p.name) || !p.fallback_of;
              const double value = value_of(part, type, p);
              if (given && value > 0) part.parameters[p.name] = std::max(p.lo, value * (cap / own->second));

@@ -5,26 +5,27 @@
 
 namespace netloft {
 
-/// The scene as it is written.
+/// The original scene.
 netloft_variant as_written();
 bool is_as_written(const netloft_variant& variant);
 bool is_same(const netloft_variant& a, const netloft_variant& b);
-/// `inner` seen from within `outer`: levels add up, factors multiply, of two caps the lower one holds.
+/// `inner` relative to `outer`: levels add up, factors multiply, the lower of two caps applies.
 netloft_variant combined(const netloft_variant& outer, const netloft_variant& inner);
-/// What makes it easier: "elements x 4, stiffness up to 120 N, no compression"; empty: as written.
+/// Description of a variant: "elements x 4, stiffness up to 120 N, no compression"; empty for the original
+/// scene.
 std::string text_of(const netloft_variant& variant);
 
-/// The same parts on the same nodes with other numbers (the level is not looked at). Which parameters are
-/// touched, the parameters say themselves by their roles (NETLOFT_STIFFNESS, NETLOFT_COMPRESSION).
+/// The same parts on the same nodes with other numbers; the level is ignored. The roles of parameters
+/// (NETLOFT_STIFFNESS, NETLOFT_COMPRESSION) determine which of them change.
 ///   stiffness_cap  stiffnesses of a part are lowered in proportion, so that none in newtons exceeds it
 ///   compression    at zero the elastic energy under dead loads is convex: one equilibrium
-///   current        a factor on the velocity of the water
+///   current        a factor on the velocities of water and tow
 Scene made_easier(const Scene& scene, Registry& registry, const netloft_variant& variant);
 
 /// Largest stiffness counted in newtons [N]; zero if there is none.
 double largest_stiffness(const Scene& scene, Registry& registry);
 
-/// Whether some part has a stiffness of what is slack that differs from zero.
+/// Whether some part has a stiffness in compression.
 bool resists_compression(const Scene& scene, Registry& registry);
 
 }  // namespace netloft

@@ -18,7 +18,7 @@
 
 namespace netloft::wide {
 
-/// As many doubles as one register holds, at any address.
+/// Vectors as wide as one register, at any address.
 struct Two {
   typedef double V __attribute__((vector_size(16), aligned(8), may_alias));
   static constexpr int kLanes = 2;
@@ -32,7 +32,7 @@ struct Eight {
   static constexpr int kLanes = 8;
 };
 
-/// Sums in pairs, pairs of pairs and so on, so that no addition waits for all others.
+/// Sums in pairs, pairs of pairs and so on, so that additions do not wait for each other.
 NETLOFT_INLINE double sum_of(const Two::V& v) { return v[0] + v[1]; }
 NETLOFT_INLINE double sum_of(const Four::V& v) {
   return sum_of(__builtin_shufflevector(v, v, 0, 1) + __builtin_shufflevector(v, v, 2, 3));
@@ -41,7 +41,7 @@ NETLOFT_INLINE double sum_of(const Eight::V& v) {
   return sum_of(__builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7));
 }
 
-/// Selects the kernels whose instruction sets this processor has, the best last.
+/// The kernels whose instruction sets this processor has, the fastest last.
 template <class Kernels>
 std::vector<Kernels> those_here(const Kernels& plain, [[maybe_unused]] const Kernels& avx2,
                                 [[maybe_unused]] const Kernels& avx512) {

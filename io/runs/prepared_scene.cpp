@@ -79,7 +79,7 @@ void PreparedScene::plan_terms() {
                           is_motion ? AnalysisKind::dynamics : AnalysisKind::statics);
   if (!is_motion && plan_.conservative) take_out_losses(loaded_.scene, registry_);
   if (is_motion && registry_.integrator(dynamics.integrator).asks_mean_forces())
-    ask_mean_forces(plan_, dynamics.integrator);
+    use_mean_forces(plan_, dynamics.integrator);
 }
 
 /// Plugins that neither the plan nor the methods of the analysis need.

@@ -7,14 +7,14 @@ namespace netloft::boards {
 
 void Otter::check(const Parameters& p, const Data&) {
   if (!(p.area > 0) || !(p.chord > 0) || !(p.span > 0))
-    throw std::invalid_argument("a board without area, chord or span");
+    throw std::invalid_argument("a board needs board.area, board.chord and board.span above zero");
   if (p.polar.rows && p.polar_slip.rows)
-    throw std::invalid_argument("polar and polar_slip are two tables of the same forces; give one of them");
+    throw std::invalid_argument("board.polar and board.polar_slip describe the same forces; give only one");
 }
 
 void Otter::gather(const Parameters& p, const Data&, Whole& whole) {
   if (!whole.lift.empty() || !whole.chord.empty() || !whole.ploughing.empty())
-    return;  // of the element before
+    return;  // already read for a previous element
   if (p.polar.rows) {
     const auto attack = Curve::read(p.polar, 0);
     whole.lift = Surface(attack, {0}, Curve::read(p.polar, 1));

@@ -7,34 +7,33 @@
 
 namespace netloft::boards {
 
-/// A board, kite or depressor: a rigid body that is lifted by the water that flows past it. Its axes are x
-/// aft along the chord, y outward, normal to the side of the suction, z up along the span; its origin is the
-/// middle of the projected area S. w is the unit vector of the flow in these axes, u its speed, q = ½ρ S u².
+/// A board, kite or depressor: a rigid body with lift. Its axes are x aft along the chord, y outward, normal
+/// to the suction side, z up along the span; its origin is the middle of the projected area S. w is the unit
+/// vector of the flow in these axes, u its speed, q = ½ρ S u².
 ///   α = atan2(w_y, w_x)   attack,   β = asin w_z   sideslip: flow along the span                        (1)
 ///   F = q (f_D C_D w + f_L (C_L e_L + C_Z e_Z)),   e_L = (−w_y, w_x, 0)/cos β,   e_Z = z − w_z w, unit   (2)
 ///   at (chord (ξ − ½), 0, span η)                                                                        (3)
-/// C_L, C_D, C_Z over α and β from a table, ξ (from the nose) and η (above the middle) over α from another.
-/// A table over α alone counts with the flow across the span, as of a yawed wing of infinite span: C_L, C_D
-/// of α times cos²β (R. T. Jones, NACA TN 1402, 1947), C_Z none. Without a table the board is a flat plate
-/// (plate.hpp) with a drag coefficient C_0 beside,
+/// C_L, C_D, C_Z over α and β are from a table, ξ (from the nose) and η (above the middle) over α from
+/// another. A table over α alone uses the flow across the span, as for a yawed wing of infinite span: C_L,
+/// C_D of α times cos²β (R. T. Jones, NACA TN 1402, 1947), C_Z = 0. Without a table the board is a flat plate
+/// (plate.hpp) with an additional drag coefficient C_0,
 ///   F = q (f_D F_∥ + f_L F_⊥),  F_∥ and F_⊥ along and across w, of C_N sgn(w_y) y + C_0 w                (4)
-/// with the image of the board in the bed, where the scene has one; tables are as they were measured.
-/// Beyond a table its edge goes over into the plate within 20°, and the output `outside` says so.
+/// with the image of the board in the bed if the scene has one; tables are used as measured. Beyond the edge
+/// of a table, the coefficients change to those of the plate within 20°, and the output `outside` is 1.
 ///
-/// The force is taken at four points, (±chord, ±span)/2√3, a quarter each (Gauss): a board that turns, or
-/// stands in a current that changes over its height, feels it. f_L and f_D are for calibration.
+/// The force is evaluated at four points, (±chord, ±span)/2√3, a quarter each (Gauss), so that it depends on
+/// rotation and on a current that varies over the height of the board. f_L and f_D are for calibration.
 ///
-/// A lower edge that sinks into ground which passes is pushed outward by what it ploughs up, at four points
-/// along it of the depth δ in the ground, ĝ being the direction in which the ground passes the point:
+/// If the lower edge sinks into moving ground, ploughing pushes it outward, at four points along the edge at
+/// the depth δ, with ĝ the direction in which the ground passes the point:
 ///   F = ¼ chord s p f (ĝ·y) y,   f = (δ/0.1 m)^n, beyond 0.1 m along its tangent                        (5)
-/// with n = 1 in clay, 2 in sand; s, 1 if nothing is said, is the factor of what the bed is made of there; p
-/// is for calibration, and none without it. The tangent keeps a search for an equilibrium that begins with
-/// boards metres deep from being thrown far off by a square. What carries the board is the contact of its
-/// shoe, seabed/bed on points of it.
+/// n = 1 in clay, 2 in sand; s is the local factor of the ground, 1 by default; p is for calibration and zero
+/// by default. The tangent bounds the force for an initial guess with boards metres deep. The contact of the
+/// shoe, seabed/bed on points of it, carries the board.
 ///
-/// Source: for (1)-(3) the form of FAO, Otter board design and performance (1974); two angles by the
-/// direction of the flow in the board's axes are all that a body in a uniform flow can feel, and they have no
-/// pole where a board works, as attack, heel and trim on a rig have.
+/// Source of (1)-(3): the form of FAO, Otter board design and performance (1974). Two angles of the flow in
+/// the axes of the board determine the force on a body in a uniform flow; unlike attack, heel and trim on a
+/// rig, they have no singularity at working angles.
 struct Otter {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters : solids::Solid {
@@ -71,21 +70,21 @@ struct Otter {
     double speed = 0, attack = 0, sideslip = 0;
   };
   static Flow flow_past(const Data& d, const Body<double>& b);
-  /// Whether a table has no numbers for a flow.
+  /// Whether a flow is outside the range of a table.
   static bool is_outside(const Whole& whole, const Flow& flow);
 };
 
 namespace detail {
 
-/// Force coefficients along w, e_L and e_Z of (2) as one vector in the board's axes, y outward, and where the
-/// force acts.
+/// Force coefficients along w, e_L and e_Z of (2) as one vector in the axes of the board, y outward, and the
+/// point at which the force acts.
 template <class T>
 struct Coefficients {
   Vec3<T> force;
   T at_chord, at_span;  // (3) [m]
 };
 
-/// i of plate.hpp (7), by the clearance of the lower edge of a board that stands upright.
+/// i of plate.hpp (7), by the clearance of the lower edge of an upright board.
 template <class T>
 T image_in_bed(const Otter::Parameters& p, const Body<T>& b) {
   if (!b.bed.is_there) return T(0);
@@ -124,7 +123,7 @@ Coefficients<T> of_table(const Otter::Parameters& p, const Otter::Whole& t, cons
   return c;
 }
 
-/// How far a flow is from what a table covers, over the 20° within which it goes over into the plate.
+/// Weight of the plate for a flow outside a table: a smooth function of the distance over 20°.
 template <class T>
 T share_of_plate(const Otter::Whole& t, const T& alpha, const T& beta) {
   constexpr double kPassage = 0.3490658503988659;  // 20° [rad]
@@ -178,7 +177,7 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
 
 namespace detail {
 
-/// f of (5), of δ/0.1 m > 0.
+/// f of (5) for δ/0.1 m > 0.
 template <class T>
 T resistance(const T& depth, double power) {
   using std::pow;

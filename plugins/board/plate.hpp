@@ -13,22 +13,21 @@ namespace netloft::boards {
 ///   α_s = 38° (1 + A⁴)^−0.16                                                                             (4)
 ///   A → A^(cos 2χ),   tan χ = w_z/w_x                                                                    (5)
 ///   A = (1 + i) span/chord,   i = 1 on the bed, to 0 where its edge is a span above it, by a cubic (7)
-/// and from (1) to (2) by a cubic in the 16° about α_s. The force along the normal acts ahead of the middle,
-/// where the flow comes from, by
+/// A cubic in the 16° about α_s leads from (1) to (2). The force along the normal acts ahead of the middle,
+/// against the flow, by
 ///   Δ = (½ − ξ₀) L K_p c/(K_p c + K_v s),   ξ₀ = ¼ A^1.25/(A^1.25 + 0.48),   L = c_χ (6)
-/// with L the way across the plate along χ, chord cos²χ + span sin²χ.
+/// with L the width of the plate along χ, chord cos²χ + span sin²χ.
 ///
-/// (1) E. C. Polhamus, NASA TN D-3767 (1966): leading-edge suction turned into normal force; K_v is that of
-/// low aspect ratios. (2) L. A. Viterna and R. D. Corrigan, DOE/NASA large wind turbine workshop (1981),
-/// which for a force along the normal is no more than this; C_90 with A' = max(A, 1/A) as there. (3) K_p
-/// after H. B. Helmbold, Jahrbuch der deutschen Luftfahrtforschung (1942): within 5 % of a lattice of
-/// vortices for A = 0.4 to 3 (a test has the lattice). (4) fits the angles at which square plates and wider
-/// ones stall (S. F. Hoerner and H. V. Borst, Fluid-Dynamic Lift, 1985, chapter 17): 34° for A = 1, 24° for
-/// 2, 19° for 3, 38° for slender ones. (5) makes of a plate in a flow along its span one of the reciprocal
-/// aspect ratio. (6): the part K_p acts where the lattice has it at small angles, of which ξ₀ is a fit to
-/// 0.004, the part K_v in the middle. (7): on the bed a board is the half of one of twice the span, the other
-/// half being its mirror image; that this ends at a clearance of a span is a choice. Good to some 20 % near
-/// the greatest lift.
+/// Sources: (1) E. C. Polhamus, NASA TN D-3767 (1966): leading-edge suction turned into normal force; K_v is
+/// that of low aspect ratios. (2) L. A. Viterna and R. D. Corrigan, DOE/NASA large wind turbine workshop
+/// (1981), for a force along the normal; C_90 with A' = max(A, 1/A) as there. (3) K_p after H. B. Helmbold,
+/// Jahrbuch der deutschen Luftfahrtforschung (1942): within 5 % of a vortex lattice for A = 0.4 to 3 (in a
+/// test). (4) fits the stall angles of square and wider plates (S. F. Hoerner and H. V. Borst, Fluid-Dynamic
+/// Lift, 1985, chapter 17): 34° for A = 1, 24° for 2, 19° for 3, 38° for slender ones. (5): a plate in a flow
+/// along its span is one of the reciprocal aspect ratio. (6): the part K_p acts where it does in the lattice
+/// at small angles, to which ξ₀ is a fit within 0.004; the part K_v acts in the middle. (7): on the bed, a
+/// board and its mirror image form one of twice the span; that this ends at a clearance of one span is a
+/// choice. The error is about 20 % near the greatest lift.
 template <class T>
 struct PlateForce {
   T normal;       // C_N, along y where w_y > 0
@@ -50,7 +49,7 @@ PlateForce<T> plate_force(const Vec3<T>& w, double chord, double span, const T& 
   using std::atan, std::cos, std::exp, std::log, std::pow, std::sin, std::sqrt;
   constexpr double kVortex = 3.1, kBreakdown = 0.66322511575784526, kHalfBlend = 0.13962634015954636;
   const T square = w.x * w.x + w.z * w.z, c = sqrt(square), s = w.y < T(0) ? -w.y : w.y;
-  const bool has_way = square > T(1e-20);  // straight from the front there is no way across
+  const bool has_way = square > T(1e-20);  // a flow along the normal has no direction in the plate
   const T cos2 = has_way ? (w.x * w.x - w.z * w.z) / square : T(0);
   const T A = exp(log((1.0 + image) * (span / chord)) * cos2);  // (5), (7)
   const T potential = (2 * M_PI) * A / (2.0 + sqrt(A * A + 4.0));

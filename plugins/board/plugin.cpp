@@ -40,7 +40,7 @@ void add_outputs(ElementTable<Otter>& e) {
       "outward", "N", "force of the water outward, along y of the scene",
       [](const P& p, const D& d, const W& w, const B& b) { return d.side * push_of(p, d, w, b).force.y; });
   e.output_of_whole(
-      "outside", "1", "its tables have no numbers for the direction in which the water flows past it",
+      "outside", "1", "1 if its tables do not cover the direction of the flow, else 0",
       [](const P&, const D& d, const W& w, const B& b) {
         return Otter::is_outside(w, Otter::flow_past(d, b)) ? 1.0 : 0.0;
       },
@@ -61,9 +61,9 @@ void add_board(Plugin& plugin, const char* name, const char* doc) {
          "drag coefficient of brackets and edges, beside what a flat plate has; not with a polar",
          {.lo = 0, .hi = 5, .fallback = 0.05});
   e.real("board.ploughing", &P::ploughing, "N/m",
-         "force of ground that a metre of the lower edge ploughs up 0.1 m deep, across its motion",
+         "force on a metre of the lower edge at a depth of 0.1 m in the ground, across its motion",
          {.lo = 0, .hi = 1e6, .fallback = 0});
-  e.real("board.power", &P::power, "1", "of that depth: 1 in clay, 2 in sand",
+  e.real("board.power", &P::power, "1", "power of the depth in that force: 1 in clay, 2 in sand",
          {.lo = 1, .hi = 3, .fallback = 1});
   e.table("board.polar", &P::polar, "coefficients of lift and drag over the angle of attack",
           {{"attack", "rad"}, {"lift", "1"}, {"drag", "1"}});
@@ -73,8 +73,7 @@ void add_board(Plugin& plugin, const char* name, const char* doc) {
   e.table("board.pressure", &P::pressure,
           "centre of pressure: from the nose over the chord, above the middle over the span",
           {{"attack", "rad"}, {"chord", "1"}, {"span", "1"}});
-  e.grid("board.bottom", &P::bottom,
-         "what the bed is made of: its resistance to ploughing over that here; [bed] bottom gives it",
+  e.grid("board.bottom", &P::bottom, "local factor on the resistance to ploughing; [bed] bottom gives it",
          {{"x", "m"}, {"y", "m"}, {"ploughing", "1"}});
   e.term<Otter::Force, reads_velocity | reads_current | reads_bed | needs_flow | is_drag>(
       "water", "force of the flowing water");

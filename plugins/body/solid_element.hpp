@@ -4,9 +4,9 @@
 
 namespace netloft::bodies {
 
-/// A rigid body that is heavy, buoyant, and slow to move through the water: a clump, a frame, a weight with a
-/// shape. Weight and inertia are those of plugins/common/solid.hpp. With W the velocity of the water past the
-/// origin and e_i the body's axes,
+/// A rigid body with weight, buoyancy, drag and added mass: a clump, a frame, a weight with a shape. Weight
+/// and inertia are those of plugins/common/solid.hpp. With W the velocity of the water past the origin and
+/// e_i the axes of the body,
 ///   F = ½ ρ |W| Σ_i A_i (W·e_i) e_i     at the centre of volume                                   (1)
 ///   M = −½ ρ Σ_i B_i |Ω_i| Ω_i e_i      Ω the spin in its axes                                    (2)
 /// A_i [m²] areas across the axes times their drag coefficients, B_i [m⁵] likewise for turning.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kUnknowns = 10;  // nine coordinates and ξ
 
-/// Residuals of (5) and the volume (6), with their derivatives if T has some.
+/// Residuals of (5) and the volume (6), with their derivatives if T has them.
 template <class T>
 struct Slice {
   Slice(const Front::Parameters& p, const Points<T, 3>& x, const T& front) {

@@ -17,13 +17,12 @@ namespace netloft::catches {
 /// With one corner a behind, t_b = s_a/(s_a − s_b), t_c alike:
 ///   I = s_a t_b t_c/3,  w_a = t_b t_c (1 − (t_b+t_c)/3),  w_b = t_b² t_c/3,  w_c = t_b t_c²/3     (8)
 /// with one ahead, I = s̄ + I(−s) and w_i = ⅓ − w_i(−s), s̄ the mean; with three behind, I = s̄, w_i = ⅓.
-/// p₀ [Pa] a pressure that is given, V [m/s] speed of the water, C_d drag coefficient of the catch; ψ
-/// direction to which the water flows, ξ [m] place of the plane along it, V₀ [m³] the volume of the catch, of
-/// half of it in half a gear; σ [1] what there is of it at a time, as fish come in, straight between the
-/// times of a table, 1 without one. ξ is the same for all triangles of a part: given, or an unknown with (7),
-/// which by the theorem of Gauss is the volume between the plane and the netting where that is closed behind
-/// the plane. Corners counter-clockwise seen from outside. Source: the catch of FEMNET (D. Priour), where ξ
-/// is found by bisection and its tangent left out.
+/// p₀ [Pa] given pressure, V [m/s] speed of the water, C_d drag coefficient of the catch, ψ direction of the
+/// flow, ξ [m] position of the plane along it, V₀ [m³] volume of the catch, of half of it in half a gear; σ
+/// [1] the fraction of V₀ at a given time, linear between the times of a table, 1 without one. ξ is the same
+/// for all triangles of a part: given, or an unknown with (7). By the theorem of Gauss, Σ v is the volume
+/// between the plane and the netting, if that is closed behind the plane. Corners are counter-clockwise seen
+/// from outside. Source: the catch of FEMNET (D. Priour), where ξ is found by bisection without its tangent.
 struct Front {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // ξ
@@ -58,7 +57,7 @@ struct Front {
   };
 };
 
-/// (8); `a` is alone on its side.
+/// (8); corner `a` is alone on its side of the plane.
 template <class T>
 Front::Behind<T> corner_behind(const std::array<T, 3>& s, std::size_t a) {
   const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;

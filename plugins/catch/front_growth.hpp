@@ -6,11 +6,10 @@
 
 namespace netloft::catches {
 
-/// Throws std::invalid_argument unless what grows is a volume, and always there.
+/// Throws std::invalid_argument unless a growth belongs to a volume and is positive at all times.
 inline void check_growth(const netloft_table& growth, double volume) {
   if (growth.rows == 0) return;
-  if (volume == 0)
-    throw std::invalid_argument("catch.growth is of a volume, and none is given: give catch.volume");
+  if (volume == 0) throw std::invalid_argument("catch.growth needs catch.volume, the volume that grows");
   if (!in_time::is_positive(growth))
     throw std::invalid_argument("the catch must have a volume at all times: its growth must be positive");
 }

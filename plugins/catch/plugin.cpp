@@ -13,10 +13,10 @@ void add_front(netloft::Plugin& plugin) {
          "volume of the catch, for which the plane is found; 0: it is given",
          {.lo = 0, .hi = 1e5, .fallback = 0});
   f.table("catch.growth", &Front::Parameters::growth,
-          "how much of the volume there is at a time, as fish come in: straight between the times",
+          "fraction of the volume at a given time, as fish come in: linear between the times",
           {{"t", "s"}, {"share", "1"}});
   f.real("catch.front", &Front::Parameters::front, "m",
-         "place of the plane along the flow; of a volume, where it is first looked for",
+         "position of the plane along the flow; for a given volume, the initial guess",
          {.lo = -1e6, .hi = 1e6, .fallback = 0});
   f.real("catch.direction", &Front::Parameters::direction, "rad",
          "direction to which the water flows, from x towards y", {.lo = -6.3, .hi = 6.3, .fallback = 0});
@@ -27,14 +27,15 @@ void add_front(netloft::Plugin& plugin) {
          {.lo = 0, .hi = 50, .fallback = 0});
   f.real("catch.drag_coefficient", &Front::Parameters::drag_coefficient, "1",
          "pressure divided by the dynamic pressure of that speed", {.lo = 0, .hi = 1e3, .fallback = 1.4});
-  f.global("front", "m", "place of the plane along the flow", "catch.volume", Front::first_front);
+  f.global("front", "m", "position of the plane along the flow", "catch.volume", Front::first_front);
   f.term<Front::Push, netloft::from_outside | netloft::is_drag | netloft::reads_time>(
       "pressure", "outward force of the catch on the netting");
   f.output("pressure", "Pa", "pressure on the netting, reduced for triangles that the plane cuts",
            [](auto& p, auto& d, auto& s) { return Front::on(p, d, s); });
   f.output("volume", "m3", "contribution of the triangle to the volume of the catch",
            [](auto& p, auto& d, auto& s) { return Front::volume(p, d, s); });
-  f.output("front", "m", "place of the plane along the flow", [](auto&, auto&, auto& s) { return s.x[3].x; });
+  f.output("front", "m", "position of the plane along the flow",
+           [](auto&, auto&, auto& s) { return s.x[3].x; });
 }
 
 }  // namespace
@@ -49,10 +50,10 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
          "volume of the catch, instead of meshes; its front is then computed",
          {.lo = 0, .hi = 1e5, .fallback = 0});
   c.table("catch.growth", &Pressure::Parameters::growth,
-          "how much of the volume there is at a time, as fish come in: straight between the times",
+          "fraction of the volume at a given time, as fish come in: linear between the times",
           {{"t", "s"}, {"share", "1"}});
-  c.choice("catch.across", &Pressure::Parameters::across,
-           "axis across the cod-end, which is the same on both sides", {"y", "x", "z"});
+  c.choice("catch.across", &Pressure::Parameters::across, "axis across the cod-end, in which it is symmetric",
+           {"y", "x", "z"});
   c.real("catch.middle", &Pressure::Parameters::middle, "m",
          "position of the middle of the cod-end on that axis", {.lo = -1e5, .hi = 1e5, .fallback = 0});
   c.real("catch.pressure", &Pressure::Parameters::pressure, "Pa", "pressure on the netting from inside",

@@ -12,32 +12,30 @@ namespace netloft::catches {
 ///   r_i = −(φ_i p/2) n,  i = 1, 2, 3                  the part of the force on each corner   (3)
 ///   K_ij = (φ_i p/2) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v            (4)
 ///   φ_i(m) = ∫ N_i over the part of the triangle with s < m, over its area,  φ = Σ φ_i      (5)
-/// p₀ [Pa] a pressure that is given, V [m/s] speed of the water through the gear, C_d drag coefficient of the
-/// catch; s meshes from a corner to the aft end of the netting, through all panels in a row, m meshes of it
-/// that are filled, the front; N_i is linear, 1 at corner i and 0 at the others, so that the force acts in
-/// the middle of the part behind the front, and φ_i = 1/3 where that is all. s is linear in the triangle, so
-/// φ_i is of the unstretched one. Corners counter-clockwise seen from outside. Source: the paper's catch, p
-/// with C_d = 1.4; (3) after Priour, A Finite Element Method for Netting (Springer 2013).
+/// p₀ [Pa] given pressure, V [m/s] speed of the water through the gear, C_d drag coefficient of the catch; s
+/// meshes from a corner to the aft end of the netting, through all panels in a row, m filled meshes, the
+/// front; N_i is linear, 1 at corner i and 0 at the others, so that the force acts at the centroid of the
+/// part behind the front. s is linear in the triangle, so that φ_i is that of the unstretched one. Corners
+/// are counter-clockwise seen from outside. Source: the trawl-gear paper, p with C_d = 1.4; (3) after Priour.
 ///
-/// A follower force without an energy: over a closed surface, or one whose rim is fixed, the sum of (3) is
-/// the gradient of −p × volume and the sum of (4) symmetric, but a catch front that cuts through a cod-end is
-/// a rim that moves. An energy −p Σ x₁·(x₂×x₃)/6 would add forces on that rim that depend on where the origin
-/// is.
+/// The pressure is a follower force without an energy. Over a closed surface, or one with a fixed rim, the
+/// sum of (3) is the gradient of −p × volume and the sum of (4) is symmetric; but a catch front that cuts
+/// through a cod-end is a moving rim. An energy −p Σ x₁·(x₂×x₃)/6 would add forces on that rim that depend on
+/// the origin.
 ///
-/// The front m is a number that all triangles of a part have in common. It is the given number of `meshes`,
-/// or an unknown with the equation that the catch has the given volume:
+/// All triangles of a part share the front m. It is the given number of `meshes`, or an unknown whose
+/// equation is that the catch has the given volume:
 ///   v = (ȳ − y₀) n_y/2,  ȳ = (y₁ + y₂ + y₃)/3         ∮ (y − y₀) dA_y over the triangle      (6)
 ///   r_m = k (Σ φ v − σ V₀) = 0,  k = p/∛V₀                                                (7)
 ///   ∂r_i/∂m = −φ_i′ (p/2) n,   ∂r_m/∂m = k φ′ v                                           (8)
 ///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
-/// V₀ [m³] the volume; σ [1] what there is of it at a time, as fish come in, straight between the times of a
-/// table, 1 without one; y across the cod-end, y₀ its middle. By the theorem of Gauss Σ φ v is the volume
-/// behind the front and any surface across it to which y is tangent: one of straight lines from side to side.
-/// That is exact for every cod-end that is the same on both sides of the plane y = y₀, however it hangs, sags
-/// or pitches, wherever it is, and for the half of one that ends in that plane. Were the cod-end turned by ψ
-/// out of the plane, the volume would change by the area of the front times sin ψ times how far its middle is
-/// from y₀. A triangle that the front cuts counts with its fraction φ and its own middle. k makes (7) a force
-/// that is to the drag on the front as the volume lacking to V₀.
+/// V₀ [m³] volume; σ [1] its fraction at a given time, linear between the times of a table, 1 without one; y
+/// across the cod-end, y₀ its middle. By the theorem of Gauss, Σ φ v is the volume behind the front and a
+/// surface of straight lines from side to side. This is exact for every cod-end that is symmetric about the
+/// plane y = y₀, and for half of one that ends in that plane. If the cod-end is turned by ψ, the error is the
+/// area of the front times sin ψ times the distance of its middle from y₀. A cut triangle counts with its
+/// fraction φ and its own middle. k makes (7) a force whose ratio to the drag on the front is that of the
+/// missing volume to V₀.
 struct Pressure {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // m
@@ -62,9 +60,9 @@ struct Pressure {
   };
 
   /// Throws std::invalid_argument if there is neither pressure nor speed, if the front is given by both or
-  /// none of its parameters, or if something grows that is no volume.
+  /// none of its parameters, or if there is a growth without a volume.
   static void check(const Parameters& p, const Data& d);
-  /// Throws std::invalid_argument if more meshes are filled than there are along the netting.
+  /// Throws std::invalid_argument if more meshes are filled than the netting has along its length.
   static void check_whole(const Parameters& p, const Whole& whole);
   static void gather(const Parameters& p, const Data& d, Whole& whole);
   static double first_front(const Parameters& p, const Whole& whole);

@@ -7,7 +7,7 @@
 
 namespace netloft::axial {
 
-/// A straight elastic twine or rope between two points, w the vector from one to the other; slack bars keep a
+/// A straight elastic twine or rope between two points, w the vector from one to the other. Slack bars have a
 /// small stiffness:
 ///   l = ‖w‖,  t = w/l                                          (1)
 ///   T = EA (l − l₀)/l₀  if l ≥ l₀,  else EA_c (l − l₀)/l₀      (2)

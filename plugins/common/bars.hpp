@@ -19,16 +19,16 @@ namespace netloft::bars {
 ///   r_p = ½ V [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t]   inertia      (5)
 ///     added mass only across the bar, of the chord t; masses lumped at the nodes
 /// D [m] diameter, ρ [kg/m³] density of the material, ρ_w of the water, g [m/s²], η [N s] damping (EA times a
-/// relaxation time), C_a [1] added mass over displaced mass, N ≥ 0 any number, 1 for a rope. The water's own
-/// acceleration is left out: currents are steady. Source: the trawl-gear paper, section 2.3 and eq. (2);
+/// relaxation time), C_a [1] added mass over displaced mass, N ≥ 0 any number, 1 for a rope. (5) has no
+/// acceleration of the water, which `add_waves` adds. Source: the trawl-gear paper, section 2.3 and eq. (2);
 /// Morison et al. 1950.
 struct Lanes {
   double l0[kLanes];                          // [m]
   double EA[kLanes], EA_compression[kLanes];  // N EA, N EA_c [N]
-  double twine[kLanes];                       // N l₀, all that is in the water [m]
+  double twine[kLanes];                       // N l₀, total length in the water [m]
   double volume[kLanes], density[kLanes], diameter[kLanes];
   double damping[kLanes], added_mass[kLanes];  // N η, C_a
-  double loss[kLanes];                         // N times that of loss.hpp
+  double loss[kLanes];                         // N times the loss of loss.hpp
   double surface[kLanes];                      // σ of surface.hpp
 };
 

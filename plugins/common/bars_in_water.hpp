@@ -164,7 +164,7 @@ inline Status add_damping(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// loss.hpp (1), of the rate of strain: rope that runs off a drum as it is stretched loses nothing.
+/// loss.hpp (1) for the strain rate: a rope that runs off a drum under constant strain loses nothing.
 inline Status add_loss(const Lanes& p, const double* growth, netloft_tile& t) {
   const Chords chord(t, p.l0);
   Dampers d;
@@ -207,10 +207,11 @@ inline Status add_inertia(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// What the acceleration u′ of the water does: inertia (5) of water in place of the bar, the other way round.
+/// The force by the acceleration u′ of the water: the inertia (5) of water in place of the bar, with the
+/// opposite sign.
 ///   r_p = −½ V [ρ_w (1 + C_a) u′ − C_a ρ_w (t·u′) t]                                                 (6)
-/// The first part is the pressure of the waves that the bar displaces (Froude and Krylov), in all directions
-/// like its buoyancy; the second is added mass, across it.
+/// The first part is the pressure of the waves on the displaced volume (Froude and Krylov), in all directions
+/// like buoyancy; the second is added mass, across the bar.
 inline Status add_waves(const Lanes& p, netloft_tile& t) {
   if (!t.water_acceleration) return Status::ok;
   const Chords chord(t, p.l0);

@@ -6,14 +6,14 @@
 
 namespace netloft {
 
-/// ln x and eˣ without a branch, a table or a call, so that a compiler takes several lanes of a loop at once:
+/// ln x and eˣ without branches, tables or calls, so that a compiler vectorises loops over lanes:
 ///   x = 2ᵏ m, √½ < m < √2,  f = m − 1,  s = f/(2 + f)
 ///   ln x = k ln 2 + f − ½ f² + s (½ f² + R(s²))                          (1)
 ///   k = round(x/ln 2),  r = x − k ln 2,  c = r − r² P(r²),  eˣ = 2ᵏ (1 + r + r c/(2 − c))     (2)
 /// with the polynomials R and P of fdlibm (Sun Microsystems 1993, e_log.c, e_exp.c; ln 2 in two parts). Both
 /// are within one unit in the last place. Sums and products are rounded one by one, as plugins are compiled
-/// (-ffp-contract=off), so that a number has the same bits in any lane, in a remainder of a loop and on any
-/// processor. Neither looks at its argument; callers bound it or discard the result:
+/// (-ffp-contract=off), so that a number has the same bits in any lane, in the remainder of a loop and on any
+/// processor. Arguments are not checked; callers bound them or discard the result:
 ///   ln x    normal numbers above zero. Zero and subnormal numbers give −709.1; negative and infinite numbers
 ///           and NaN give finite numbers without a meaning, such as ln(−1) = 1420 and ln(NaN) = 710.
 ///   eˣ      |x| < 708. Beyond, it is not 0 or infinity but any number, also a negative one or NaN.
@@ -52,8 +52,8 @@ inline double exp(double x) {
 
 }  // namespace lane
 
-/// A number that depends on one variable v, with its slope in ln v: what Dual<1, 1> is elsewhere, for loops
-/// over lanes. All powers of one number take one logarithm, where the compiler sees that it is the same one.
+/// A number that depends on one variable v, with its slope in ln v; it replaces Dual<1, 1> in loops over
+/// lanes. All powers of one number use one logarithm if the compiler recognises it.
 struct LaneNumber {
   double value = 0, slope = 0;
 
@@ -80,7 +80,7 @@ struct LaneNumber {
   friend bool operator<=(const LaneNumber& a, const LaneNumber& b) { return a.value <= b.value; }
   friend bool operator>=(const LaneNumber& a, const LaneNumber& b) { return a.value >= b.value; }
 
-  /// At zero, where the root has no slope, it is taken as zero.
+  /// At zero, the slope of the root is set to zero.
   friend LaneNumber sqrt(const LaneNumber& a) {
     const double root = std::sqrt(a.value);
     return {root, root > 0 ? 0.5 * a.slope / root : 0};
@@ -92,11 +92,12 @@ struct LaneNumber {
   }
 };
 
-/// x, but not below or above a bound, where it has no slope.
+/// x with a lower bound, below which the slope is zero.
 template <class T>
 T at_least(const T& x, double bound) {
   return x < T(bound) ? T(bound) : x;
 }
+/// x with an upper bound, above which the slope is zero.
 template <class T>
 T at_most(const T& x, double bound) {
   return T(bound) < x ? T(bound) : x;

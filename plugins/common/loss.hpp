@@ -7,18 +7,18 @@
 
 namespace netloft::axial {
 
-/// Damping by the material of a twine or rope, in tension alone (Kelvin and Voigt):
+/// Damping by the material of a taut twine or rope (Kelvin and Voigt):
 ///   T_d = c dl/dt,  c = (EA/l₀) η/(2π f₀) s(ε/ε₁),  ε = l/l₀ − 1                           (1)
 ///   s(y) = y² (3 − 2y) between 0 and 1, constant beyond                                    (2)
-/// η [1] loss factor: what a taut stretch that swings with the frequency f₀ [Hz] loses of its energy in a
-/// radian, so that its amplitude falls by the factor exp(−π η) from one swing to the next. At other
-/// frequencies f the loss is η f/f₀, where fibres and wires keep nearly to η: f₀ is the middle of the band
-/// that is meant. A slack rope resists nothing. Source: Kelvin and Voigt's solid, as in Clough and Penzien,
-/// Dynamics of Structures; that damping sets in over ε₁ and not at once is ours: a step of the force has no
-/// balance on it.
+/// η [1] loss factor: the fraction of its energy that an oscillating taut rope of the frequency f₀ [Hz] loses
+/// per radian, so that its amplitude falls by the factor exp(−π η) per period. At other frequencies f the
+/// loss factor is η f/f₀, whereas that of fibres and wires is nearly constant: f₀ is the middle of the
+/// relevant band. A slack rope has no damping. Source: Kelvin and Voigt's solid, as in Clough and Penzien,
+/// Dynamics of Structures. The gradual onset over ε₁ is ours: a jump of the force would have no balance at
+/// the jump.
 ///
-/// ε₁ is a strain that makes no difference to the swings of a rope in use, at strains of 1e-3 and more, and
-/// over which an implicit step can still see the force rise.
+/// ε₁ is a strain that is negligible for oscillations of a rope in use, at strains of 1e-3 and more, but over
+/// which an implicit step can still resolve the onset.
 inline constexpr double kFullLossStrain = 1e-4;
 
 /// (η/(2π f₀)) EA of one bar [N s].

@@ -9,13 +9,13 @@
 
 namespace netloft::solids {
 
-/// A symmetric tensor by its principal values and axes, which no choice of numbers makes negative.
+/// A symmetric tensor by its principal values and axes, so that it is never indefinite.
 struct Tensor {
   Vec3<double> values;
   std::array<Vec3<double>, 3> axes;
 
-  /// `turned`: the rotation vector that leads from the body's axes to the principal ones [rad]. On the other
-  /// side it is that of the mirror image at the xz plane.
+  /// `turned`: the rotation vector from the axes of the body to the principal ones [rad]. For side = −1 it is
+  /// mirrored at the xz plane.
   Tensor(const Vec3<double>& principal, const Vec3<double>& turned, double side)
       : values(principal), axes(turned_axes(Vec3<double>{side * turned.x, turned.y, side * turned.z})) {}
 
@@ -31,7 +31,7 @@ struct Tensor {
   }
 };
 
-/// What a rigid body is made of: mass and buoyancy at their places, inertia, and the added mass of water.
+/// Properties of a rigid body: mass and buoyancy with their centres, inertia, and added mass of the water.
 struct Solid {
   double mass = 0, volume = 0;                         // [kg], [m3]
   double centre_x = 0, centre_y = 0, centre_z = 0;     // of mass, in the body's axes [m]
@@ -39,16 +39,15 @@ struct Solid {
   double inertia_x = 0, inertia_y = 0, inertia_z = 0;  // about the centre of mass [kg m2]
   double added_x = 0, added_y = 0, added_z = 0;        // added mass along the body's axes [kg]
   double turning_x = 0, turning_y = 0, turning_z = 0;  // added inertia about them [kg m2]
-  // Rotation vectors to the axes in which the three above are principal values: of inertia, of both the
-  // others [rad].
+  // Rotation vectors to the principal axes, of the inertia, and of added mass and added inertia [rad].
   double inertia_turned_x = 0, inertia_turned_y = 0, inertia_turned_z = 0;
   double added_turned_x = 0, added_turned_y = 0, added_turned_z = 0;
-  double added_at_x = 0, added_at_y = 0, added_at_z = 0;  // where added mass has no moment [m]
+  double added_at_x = 0, added_at_y = 0, added_at_z = 0;  // point at which added mass has no moment [m]
 };
 
 /// Datum of elements on bodies.
 struct Sided {
-  double side = 1;  // -1: y is reversed
+  double side = 1;  // −1: mirrored, y is reversed
 };
 
 inline Vec3<double> centre_of_mass(const Solid& p, const Sided& d) {
@@ -67,13 +66,13 @@ struct Weight {
   }
 };
 
-/// Inertia of what the body is made of and of the water that moves with it. With u the velocity, in the
-/// body's axes, of the point a where added mass has no moment, Ω the spin, and the symmetric tensors J of
-/// inertia, A of added mass, B of added inertia,
+/// Inertia of the body and of the water that moves with it. u is the velocity, in the axes of the body, of
+/// the point a at which added mass has no moment, Ω the angular velocity; the symmetric tensors are J of
+/// inertia, A of added mass, B of added inertia:
 ///   F = −m a_c at the centre of mass,  M = −R (J Ω̇ + Ω×J Ω)                                     (2)
 ///   F = −R (A u̇ + Ω×A u) at a,  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                    (3)
-/// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the motion in the scene, not
-/// that past the water: what a steady flow does to the body stands in its coefficients of lift and moment.
+/// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity in the scene, not
+/// relative to the water: the effect of a steady flow is part of the coefficients of lift and moment.
 struct Inertia {
   template <class T>
   static Wrench<T> force(const Solid& p, const Sided& d, const Body<T>& b) {
@@ -97,7 +96,7 @@ struct Inertia {
   }
 };
 
-/// A parameter of a Solid beside its mass and volume.
+/// A parameter of a Solid besides mass and volume.
 struct SolidRow {
   const char *name, *unit, *doc;
   double Solid::*member;
@@ -108,15 +107,15 @@ inline constexpr Real kPlace{.lo = -1e3, .hi = 1e3, .fallback = 0},
 
 inline constexpr SolidRow kSolidRows[] = {
     {"centre_x", "m", "centre of mass, aft of the origin", &Solid::centre_x, kPlace},
-    {"centre_y", "m", "centre of mass, outward of it", &Solid::centre_y, kPlace},
-    {"centre_z", "m", "centre of mass, above it", &Solid::centre_z, kPlace},
+    {"centre_y", "m", "centre of mass, outward of the origin", &Solid::centre_y, kPlace},
+    {"centre_z", "m", "centre of mass, above the origin", &Solid::centre_z, kPlace},
     {"float_x", "m", "centre of volume, aft of the origin", &Solid::float_x, kPlace},
-    {"float_y", "m", "centre of volume, outward of it", &Solid::float_y, kPlace},
-    {"float_z", "m", "centre of volume, above it", &Solid::float_z, kPlace},
+    {"float_y", "m", "centre of volume, outward of the origin", &Solid::float_y, kPlace},
+    {"float_z", "m", "centre of volume, above the origin", &Solid::float_z, kPlace},
     {"inertia_x", "kg m2", "moment of inertia about an axis through the centre of mass along x",
      &Solid::inertia_x, kAmount},
-    {"inertia_y", "kg m2", "about one along y", &Solid::inertia_y, kAmount},
-    {"inertia_z", "kg m2", "about one along z", &Solid::inertia_z, kAmount},
+    {"inertia_y", "kg m2", "the same about an axis along y", &Solid::inertia_y, kAmount},
+    {"inertia_z", "kg m2", "the same about an axis along z", &Solid::inertia_z, kAmount},
     {"added_x", "kg", "added mass of motion along x", &Solid::added_x, kAmount},
     {"added_y", "kg", "added mass of motion along y", &Solid::added_y, kAmount},
     {"added_z", "kg", "added mass of motion along z", &Solid::added_z, kAmount},
@@ -133,28 +132,28 @@ inline constexpr SolidRow kSolidRows[] = {
      &Solid::added_turned_x, kAngle},
     {"added_turned_y", "rad", "the same along y", &Solid::added_turned_y, kAngle},
     {"added_turned_z", "rad", "the same along z", &Solid::added_turned_z, kAngle},
-    {"added_at_x", "m", "where a push makes the added mass move without turning it, aft of the origin",
+    {"added_at_x", "m", "point at which a force on the added mass causes no rotation, aft of the origin",
      &Solid::added_at_x, kPlace},
-    {"added_at_y", "m", "the same, outward of it", &Solid::added_at_y, kPlace},
-    {"added_at_z", "m", "the same, above it", &Solid::added_at_z, kPlace},
+    {"added_at_y", "m", "the same, outward of the origin", &Solid::added_at_y, kPlace},
+    {"added_at_z", "m", "the same, above the origin", &Solid::added_at_z, kPlace},
 };
 
-/// Declares the parameters of a Solid under a prefix such as "body.", the side, and the terms above.
+/// Declares the parameters of a Solid with a prefix such as "body.", the side, and the terms above.
 template <class E>
 void declare_solid(ElementTable<E>& e, const std::string& prefix, Real mass) {
   using P = typename E::Parameters;
-  static std::deque<std::string> names;  // as long as the program
+  static std::deque<std::string> names;  // for the lifetime of the program
   const auto name = [&](const char* own) { return names.emplace_back(prefix + own).c_str(); };
   e.real(name("mass"), static_cast<double P::*>(&Solid::mass), "kg", "mass in air", mass);
   e.real(name("volume"), static_cast<double P::*>(&Solid::volume), "m3", "volume of water it displaces",
          {.lo = 0, .hi = 1e6, .fallback = 0});
   for (const SolidRow& row : kSolidRows)
     e.real(name(row.name), static_cast<double P::*>(row.member), row.unit, row.doc, row.range);
-  e.data("side", static_cast<double E::Data::*>(&Sided::side), "1", "1, or -1 where it is mirrored");
+  e.data("side", static_cast<double E::Data::*>(&Sided::side), "1", "1, or -1 if the body is mirrored");
   const char* needs = names.emplace_back(prefix + "mass " + prefix + "volume").c_str();
   e.template term<Weight, needs_gravity | is_weight>("weight", "weight less buoyancy", needs);
   e.template term<Inertia, reads_velocity | reads_acceleration | needs_motion>(
-      "inertia", "of its mass and of the water that moves with it");
+      "inertia", "inertia of its mass and of the water that moves with it");
 }
 
 }  // namespace netloft::solids

@@ -7,7 +7,8 @@ namespace netloft {
 /// Drag coefficient of a smooth sphere on its frontal area over Re = |W| D/ν, across the drag crisis:
 ///   C_d = 24/Re + 2.6 a/(1 + a^1.52) + 0.411 b^−7.94/(1 + b^−8) + 0.25 c/(1 + c)            (1)
 ///   a = Re/5, b = Re/2.63e5, c = Re/1e6
-/// for Re < 1e6; held above. Source: F. A. Morrison, An Introduction to Fluid Mechanics, Cambridge University
+/// for Re < 1e6; constant above. Source: F. A. Morrison, An Introduction to Fluid Mechanics, Cambridge
+/// University
 /// Press 2013, and "Data correlation for drag coefficient for sphere", Michigan Technological University
 /// 2016.
 template <class T>
@@ -20,7 +21,7 @@ T sphere_drag(const T& reynolds) {
          0.25 * c / (1.0 + c);  // b^−7.94/(1 + b^−8)
 }
 
-/// Re C_d, which is finite at rest, too: 24, Stokes' law, to 1e-7 of it below Re = 1e-3.
+/// Re C_d, which is finite at rest: 24, Stokes' law, with a relative error of 1e-7 below Re = 1e-3.
 template <class T>
 T sphere_phi(const T& Re) {
   return Re < T(1e-3) ? T(24) : Re * sphere_drag(Re);

@@ -7,14 +7,15 @@
 
 namespace netloft::surface {
 
-/// What twines and ropes lose above the surface of the water, z = 0. Each node of an element counts as a cube
-/// of side h, of which the part below the surface is wet:
+/// Drag and buoyancy that twines and ropes lose above the surface of the water, z = 0. Each node of an
+/// element is a cube of side h, of which the part below the surface is wet:
 ///   h³ = V/N,  w = clamp((h/2 − (z − η))/h, 0, 1)                  (1)
 ///   r_p = −σ (1 − w_p) r_p^drag                                    (2)
-///   r_p = σ (1 − w_p) (V/N) ρ_w g e_z          of bars             (3)
-/// V [m³] volume of the element's twines or rope, N its nodes, r^drag the residual of its drag, σ how much of
-/// it counts: 1, or 0 in water without a surface; η [m] height of the surface over z = 0 in waves. Source:
-/// partial immersion of bars and netting in FEMNET (D. Priour), where netting keeps its weight in water.
+///   r_p = σ (1 − w_p) (V/N) ρ_w g e_z          buoyancy of bars    (3)
+/// V [m³] volume of the twines or rope of the element, N its number of nodes, r^drag the residual of its
+/// drag, σ the fraction of the effect: 1, or 0 in water without a surface; η [m] height of the surface above
+/// z = 0 in waves. Source: partial immersion of bars and netting in FEMNET (D. Priour), where netting keeps
+/// its weight in water.
 struct Cube {
   double side;  // h [m]
   double dry(double z) const { return side > 0 ? std::clamp(0.5 + z / side, 0.0, 1.0) : 0; }
@@ -34,14 +35,15 @@ inline double above_surface(const netloft_tile& t, int node, std::size_t i) {
   return t.x[at(3 * node + 2, i)] - (t.surface ? t.surface[at(node, i)] : 0);
 }
 
-/// Whether the cube of a node is under water, or no surface counts for it. `Lanes` has volume and surface.
+/// Whether the cube of a node is under water, or the surface has no effect on it. `Lanes` has volume and
+/// surface.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
   const double z = above_surface(t, node, i);
   return p.surface[i] == 0 || (!(z > 0) && !(8 * -z * z * z < p.volume[i] / N));
 }
 
-/// Most tiles are under water, and cost no more than this.
+/// Whether all nodes of a tile are under water. Most tiles are, and need no more than this test.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t) {
   for (int node = 0; node < N; ++node)
@@ -50,13 +52,13 @@ bool is_wet(const Lanes& p, const netloft_tile& t) {
   return true;
 }
 
-/// The drag of a tile of elements of N nodes, and what of it is lost.
+/// The drag of a tile of elements with N nodes, and the part that is lost.
 template <int N>
 struct Drag {
   static constexpr int dofs = 3 * N;
   double force[dofs * kLanes] = {}, tangent[dofs * dofs * kLanes] = {};
 
-  /// A tile in which the drag leaves its answer here.
+  /// A tile whose outputs are the arrays of this object.
   netloft_tile answer_of(const netloft_tile& t) {
     netloft_tile inner = t;
     inner.energy = nullptr;
@@ -64,7 +66,7 @@ struct Drag {
     inner.tangent = t.tangent ? tangent : nullptr;
     return inner;
   }
-  /// (2) of a node, with the share `dry` and its slope over z.
+  /// (2) for a node, with the dry fraction and its slope over z.
   void take_from(netloft_tile& t, int node, std::size_t lane, double dry, double slope) const {
     for (int axis = 0; axis < 3; ++axis) {
       const int row = 3 * node + axis;
@@ -94,7 +96,7 @@ Status take_dry_drag(const Lanes& p, netloft_tile& t, UnderWater&& drag_of) {
   return Status::ok;
 }
 
-/// Adds (3) of bars.
+/// Adds (3).
 template <class Lanes>
 Status take_dry_buoyancy(const Lanes& p, netloft_tile& t) {
   if (is_wet<2>(p, t)) return Status::ok;

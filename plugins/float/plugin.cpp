@@ -25,17 +25,17 @@ void add_box(netloft::Plugin& plugin) {
   b.data("pieces", &Box::Data::pieces, "1", "number of boxes at this node");
   b.term<Box::Buoyancy, netloft::conservative | netloft::symmetric | netloft::needs_gravity |
                             netloft::from_outside | netloft::is_weight | netloft::reads_waves>(
-      "buoyancy", "buoyancy of what is immersed");
+      "buoyancy", "buoyancy of the immersed part");
   b.term<Box::Weight, netloft::conservative | netloft::symmetric | netloft::constant |
                           netloft::needs_gravity | netloft::is_weight>("weight", "weight in air", "box.mass");
   b.term<Box::Drag, netloft::reads_velocity | netloft::reads_current | netloft::reads_waves |
                         netloft::needs_flow | netloft::from_outside | netloft::is_drag>(
-      "drag", "force of the water on what is immersed", "box.drag_x box.drag_y box.drag_z");
+      "drag", "force of the water on the immersed part", "box.drag_x box.drag_y box.drag_z");
   b.term<Box::Inertia, netloft::symmetric | netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass and added mass");
   b.term<Box::Waves,
          netloft::reads_waves | netloft::needs_waves | netloft::needs_motion | netloft::from_outside>(
-      "waves", "pressure of the waves on what is immersed, and added mass of water that swings");
+      "waves", "pressure of the waves on the immersed part, and added mass of accelerated water");
 }
 
 }  // namespace
@@ -72,6 +72,6 @@ NETLOFT_PLUGIN("float", "0.1.0", "Floats and weights at nodes") {
       "inertia", "mass and added mass");
   f.term<Float::Waves, netloft::symmetric | netloft::constant | netloft::reads_waves | netloft::needs_waves |
                            netloft::needs_motion>(
-      "waves", "pressure of the waves it displaces, and added mass of water that swings");
+      "waves", "pressure of the waves on the displaced volume, and added mass of accelerated water");
   add_box(plugin);
 }

@@ -6,11 +6,11 @@
 
 namespace netloft::forces {
 
-/// A force on a rigid body that turns with it: what a fin or a thruster pushes with, or a measured force that
-/// is given in the axes of a board.
+/// A force on a rigid body that rotates with it: of a fin or a thruster, or a measured force in the axes of a
+/// board.
 ///   f = R F,   m = r × f                                                (1)
-/// F [N] in the body's own axes, y of which points outward on either side of a gear; R its rotation, r the
-/// lever from its origin to the point where the force acts. It has no energy: carried round, it does work.
+/// F [N] in the axes of the body, y outward on either side of a gear; R its rotation, r the lever from its
+/// origin to the point of action. It has no energy, because its work depends on the path.
 struct OnBody {
   static constexpr auto stencil = NETLOFT_BODY;
 
@@ -19,7 +19,7 @@ struct OnBody {
   };
   struct Data {
     double side = 1;              // -1 to port
-    std::array<double, 3> arm{};  // of the point in the axes of a body to starboard [m]
+    std::array<double, 3> arm{};  // point of action, in the axes of a body to starboard [m]
   };
 
   struct Push {

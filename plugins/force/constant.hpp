@@ -6,10 +6,10 @@
 
 namespace netloft::forces {
 
-/// A force at a node that does not change, whatever the shape of the gear: what a door pulls that is not
-/// modelled, or a winch.
+/// A constant force at a node, independent of the shape of the gear: of a door or a winch that is not
+/// modelled, for example.
 ///   E = −s F·x,  r = −s F                                                 (1)
-/// F [N] in the axes of the world; s of them stand at the node: one half on a plane of symmetry.
+/// F [N] in the axes of the world; s is the number of forces at the node: one half on a plane of symmetry.
 struct Constant {
   static constexpr auto stencil = NETLOFT_NODE;
 

@@ -7,17 +7,16 @@
 
 namespace netloft::hydro {
 
-/// Force of the water on a metre of twine, the sum of the forces of the flow across it and of the flow along
-/// it:
+/// Force of the water on a metre of twine: the sum of the forces by the flow across and along it.
 ///   U = r W,  τ = U·t,  U_n = U − τ t,  s = ‖U_n‖,  û = U_n/s           (1)
 ///   F = k(s) U_n + κ |τ| τ t,  κ = ½ ρ D C_t                            (2)
 ///   ∂F/∂U = k (I − t tᵀ) + g û ûᵀ + 2 κ |τ| t tᵀ,  g = s dk/ds           (3)
 ///   ∂F/∂t = −τ (k I + g û ûᵀ) − k t Uᵀ + κ |τ| (2 t Uᵀ + τ I)           (4)
 ///   ∂F/∂W = r ∂F/∂U                                                     (5)
-/// W [m/s] velocity of the water relative to the twine, r [1] what is left of it behind other netting, t unit
-/// vector along the twine, D [m] diameter, ρ [kg/m³] of the water, C_t [1] friction; k [kg/(m s)] is what the
-/// laws differ in. Regular everywhere: without flow, or with none across, û is taken as zero, as g is.
-/// Source: cross-flow principle, as in the trawl-gear paper, eqs. (2) and (4).
+/// W [m/s] velocity of the water relative to the twine, r [1] its reduction behind other netting, t unit
+/// vector along the twine, D [m] diameter, ρ [kg/m³] density of the water, C_t [1] friction; k [kg/(m s)]
+/// differs between the laws. The force is regular everywhere: without flow, or with none across, û and g are
+/// zero. Source: cross-flow principle, as in the trawl-gear paper, eqs. (2) and (4).
 struct CrossFlow {
   double shielding;   // r
   double tangential;  // C_t
@@ -28,7 +27,7 @@ struct Resistance {
   double k, g;
 };
 
-inline constexpr double kStill = 1e-150;  // [m/s], below which s² is zero
+inline constexpr double kStill = 1e-150;  // speed below which s² is zero [m/s]
 
 /// (2) for dual numbers: the reference implementation for tests. `across(s)` returns k.
 template <class T, class Across>
@@ -69,8 +68,8 @@ inline void cross_flow_lane(const CrossFlow& c, const netloft_law_tile& f, std::
   }
 }
 
-/// The same for all lanes. The arrays do not overlap; `__restrict` tells the compiler so, which then computes
-/// several lanes at once.
+/// The same for all lanes. `__restrict` tells the compiler that arrays do not overlap, so that it vectorises
+/// the loop.
 template <bool Derivatives, class Across>
 [[gnu::flatten]] void cross_flow_all_lanes(const CrossFlow& c, const netloft_law_tile& flow,
                                            Across&& across) {

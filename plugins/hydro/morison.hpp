@@ -7,8 +7,8 @@ namespace netloft::hydro {
 /// Drag of twines, ropes and wires with constant coefficients: CrossFlow (1)–(5) with
 ///   k = ½ ρ D C_n s,  g = k                                             (1)
 /// so that F = ½ ρ D [C_n ‖U_n‖ U_n + C_t |τ| τ t] per metre. Source: the trawl-gear paper, eqs. (2) and (4);
-/// Morison et al. 1950 for the drag of a cylinder. Summed over the twines of netting, it over-predicts the
-/// drag at small angles of attack, because twines then lie in the wake of others.
+/// Morison et al. 1950 for the drag of a cylinder. For netting, it over-predicts the drag at small angles of
+/// attack, because twines are in the wake of others.
 struct Morison {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {

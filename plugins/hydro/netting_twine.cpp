@@ -5,7 +5,7 @@ namespace netloft::hydro {
 
 namespace {
 
-constexpr double kStillSpeed = 1e-150;  // [m/s], below which its square is zero
+constexpr double kStillSpeed = 1e-150;  // speed below which its square is zero [m/s]
 
 struct Factors {
   LaneNumber across, along, knots;  // k, g; a, h; m, n
@@ -45,7 +45,7 @@ void write_force(const netloft_law_tile& f, std::size_t i, const Motion& m, cons
   for (int axis = 0; axis < 3; ++axis) f.force[static_cast<std::size_t>(axis) * kLanes + i] = F[axis];
 }
 
-/// (6) to (8), what multiplies t from the left gathered: one row of it is t_p times a vector.
+/// (6) to (8). All factors of t from the left are collected, so that a row is t_p times one vector.
 void write_derivatives(double shielding, const netloft_law_tile& f, std::size_t i, const Motion& m,
                        const Factors& c) {
   const double squared = NettingTwine::kAlong * NettingTwine::kAlong, k = c.across.value, a = c.along.value;
@@ -66,7 +66,7 @@ void write_derivatives(double shielding, const netloft_law_tile& f, std::size_t 
   for (std::size_t axis = 0; axis < 3; ++axis) f.d_solidity[axis * kLanes + i] = 0;
 }
 
-/// The arrays do not overlap, so that several lanes are computed at once.
+/// The arrays do not overlap, so that the loop is vectorised.
 template <bool derivatives, class Phi>
 [[gnu::flatten]] void all_lanes(const NettingTwine::Parameters& parameters, const netloft_law_tile& flow,
                                 const Phi& phi) {
@@ -85,7 +85,8 @@ template <bool derivatives, class Phi>
 
 void NettingTwine::lanes(const Parameters& p, const netloft_law_tile& f) {
   if (!(f.water_viscosity > 0))
-    throw std::runtime_error("a Reynolds number needs a viscosity of the water above zero");
+    throw std::runtime_error(
+        "netting-twine needs a viscosity of the water above zero, for its Reynolds numbers");
   with_cylinder_phi(p.cylinder, [&](const auto& phi) {
     f.d_flow ? all_lanes<true>(p, f, phi) : all_lanes<false>(p, f, phi);
   });

@@ -8,7 +8,7 @@
 
 namespace netloft::hydro {
 
-/// Force of the water on a metre of twine of knotted netting, each part over its own Reynolds number:
+/// Force of the water on a metre of twine of knotted netting, each part with its own Reynolds number:
 ///   U = r W,  τ = U·t,  U_n = U − τ t,  s = ‖U_n‖,  u = ‖U‖,  û = U_n/s,  ê = U/u              (1)
 ///   F = k(s) U_n + a(e) τ t + m(u) U                                                          (2)
 ///   k = ½ ρ ν φ(s D/ν)                                   a cylinder across, reynolds.hpp       (3)
@@ -19,13 +19,13 @@ namespace netloft::hydro {
 ///   ∂F/∂t = −τ (k I + g û ûᵀ) − k t Uᵀ + a (t Uᵀ + τ I) − h (τ²/e²) t (U_n − ε² U)ᵀ              (7)
 ///   ∂F/∂W = r ∂F/∂U                                                                         (8)
 /// K [1] frontal area of the knots over that of the twines, κ [1] diameter of a knot over that of the twine:
-/// one knot stands for two bars of length l, so that K = π κ² D/(8 l). At small angles twines are dragged
-/// little, and knots, which have no direction, as much as ever; in the tank of a model friction along twines
-/// counts several times what it does at sea. Sources: (3), (4) Choo and Casarella 1971, as in reynolds.hpp,
-/// (4) with the Reynolds number across, for 30 < Re < 10⁴; (5) Morrison 2013. Knots as spheres: Fredheim,
-/// Current forces on net structures, NTNU 2005. Deviations: along the twine, where s = 0, (4) as published
-/// has no friction, and no slope; ε = 0.1 keeps it within 6° of the twine at what it is there, and the one
-/// beside Re² makes it linear in the velocity at rest. The wake of other twines is in nothing but r.
+/// one knot belongs to two bars of length l, so that K = π κ² D/(8 l). At small angles the drag of twines is
+/// small, but that of knots is not, because it has no direction. In the tank of a model, friction along
+/// twines is several times that at sea. Sources: (3), (4) Choo and Casarella 1971, as in reynolds.hpp, (4)
+/// with the Reynolds number across, for 30 < Re < 10⁴; (5) Morrison 2013. Knots as spheres: Fredheim, Current
+/// forces on net structures, NTNU 2005. Deviations: along the twine, s = 0, (4) as published has no friction
+/// and no slope; ε = 0.1 makes it constant within 6° of the twine, and the 1 in Re² makes it linear in the
+/// velocity at rest. The wake of other twines enters only through r.
 struct NettingTwine {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {

@@ -12,14 +12,14 @@ namespace {
 constexpr const char* kShielding =
     "velocity of the water here divided by that ahead of the gear, 1 in open water";
 
-/// Whose cylinder a Reynolds number is followed by.
+/// Adds the choice of the cylinder whose drag depends on the Reynolds number.
 template <class Table>
 void add_cylinder(Table& law, auto member) {
-  law.choice("cylinder", member,
-             "whose drag coefficient of a cylinder over the Reynolds number: Choo and Casarella 1971, or "
-             "Takagi et al. "
-             "2004, lower and steeper below 200",
-             {"choo-casarella", "takagi"});
+  law.choice(
+      "cylinder", member,
+      "source of the drag coefficient of a cylinder over the Reynolds number: Choo and Casarella 1971, or "
+      "Takagi et al. 2004, lower and steeper below 200",
+      {"choo-casarella", "takagi"});
 }
 
 template <class L>
@@ -32,15 +32,15 @@ auto& add_screen(netloft::Plugin& plugin, const char* name, const char* doc) {
   return law;
 }
 
-/// A screen whose published coefficients know no Reynolds number.
+/// Adds a screen whose published coefficients do not depend on a Reynolds number.
 template <class L>
 auto& add_screen_at_one_reynolds_number(netloft::Plugin& plugin, const char* name, const char* doc) {
   using P = typename L::Parameters;
   auto& law = add_screen<L>(plugin, name, doc);
   law.real(
       "measured_at", &P::measured_at, "1",
-      "Reynolds number of a twine at which the coefficients were measured; at others they follow the drag "
-      "coefficient of a cylinder; 0: they do not",
+      "Reynolds number of a twine at which the coefficients were measured; for other Reynolds numbers they "
+      "are scaled with the drag coefficient of a cylinder; 0: no scaling",
       {.lo = 0, .hi = 1e5, .fallback = 0});
   add_cylinder(law, &P::cylinder);
   law.valid(Quantity::reynolds, 0, 1e5, "Choo and Casarella 1971", {.where = "measured_at"});
@@ -74,7 +74,7 @@ void add_knotted(netloft::Plugin& plugin) {
   law.real("friction", &KnottedParameters::friction, "1", "the same along the netting",
            {.lo = 0, .hi = 10, .fallback = 0.4});
   law.real("friction_slope", &KnottedParameters::friction_slope, "1",
-           "by how much friction grows with the sine of the angle of attack",
+           "increase of the friction coefficient with the sine of the angle of attack",
            {.lo = -10, .hi = 10, .fallback = 0});
   law.valid(Quantity::reynolds, 600, 3000, "Imai 1986: does not depend on it there",
             {.unless = "measured_at"});

@@ -20,7 +20,8 @@ void lanes_with(const MorisonReynolds::Parameters& p, const netloft_law_tile& f,
 
 void MorisonReynolds::lanes(const Parameters& p, const netloft_law_tile& f) {
   if (!(f.water_viscosity > 0))
-    throw std::runtime_error("a Reynolds number needs a viscosity of the water above zero");
+    throw std::runtime_error(
+        "morison-reynolds needs a viscosity of the water above zero, for its Reynolds number");
   with_phi(p, [&](const auto& phi) { lanes_with(p, f, phi); });
 }
 

@@ -11,15 +11,15 @@ namespace netloft::hydro {
 ///   slow       φ = Re (1.45 + 8.55 Re^−0.9)                             1 < Re < 30      (2)
 ///   fast       φ = Re (1.1 + 4 Re^−½)                                   30 < Re < 10⁵    (3)
 /// Source: Choo and Casarella 1971, Hydrodynamic resistance of towed cables, J. Hydronautics 5(4), 126–131.
-/// Deviation from the source: the pieces leave steps of 1.7 % at 1 and 1.1 % at 30; within a factor of 1.25
-/// of each they are blended (smooth step in ln Re), which makes φ continuously differentiable. Below Re = 0.1
-/// φ is continued along its tangent: drag there is linear in the velocity. Above 10⁵ (3) is kept: ropes are
-/// too rough for the drag crisis of smooth cylinders to be relied on. Their formula for friction, π μ (0.55
-/// Re^½ + 0.084 Re^⅔), is a force per metre over the velocity along the cable, not a coefficient; it has no
-/// place here. All pieces are computed and joined without a branch, for loops over lanes.
+/// Deviation from the source: the pieces have steps of 1.7 % at 1 and 1.1 % at 30; within a factor of 1.25 of
+/// each they are blended (smooth step in ln Re), which makes φ continuously differentiable. Below Re = 0.1 φ
+/// is continued along its tangent, so that drag is linear in the velocity. Above 10⁵ (3) continues, because
+/// ropes are too rough for a dependable drag crisis. Their formula for friction, π μ (0.55 Re^½ + 0.084
+/// Re^⅔), is a force per metre over the velocity along the cable and not a coefficient, and is not used here.
+/// All pieces are joined without branches, for loops over lanes.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
-/// (1), held above Re = kBlend, where it is no longer used: it has a pole at Re = 7.4.
+/// (1), constant above Re = kBlend, where it is not used: it has a pole at Re = 7.4.
 template <class T>
 T creeping_phi(const T& Re) {
   using std::log;
@@ -55,14 +55,15 @@ T choo_casarella_phi(const T& reynolds) {
   return joined(slow_phi(reynolds), 1.1 * Re + 4.0 * sqrt(Re), Re, 30);  // (3)
 }
 
-/// The same of Takagi et al. 2004, who take the twines of netting below a Reynolds number of 200, and so
-/// those of models, to be dragged less, and more steeply over the velocity, than a cylinder alone:
+/// The same after Takagi et al. 2004, who assume that twines of netting below a Reynolds number of 200, such
+/// as those of models, have a lower and steeper drag than a single cylinder:
 ///   φ = Re 10^0.7 Re^−0.3                                               11 < Re < 200      (5)
 ///   φ = 1.2 Re                                                          200 < Re           (6)
 /// Source: Takagi, Shimizu, Suzuki, Hiraishi and Yamamoto 2004, Validity and layout of "NaLA": a net
 /// configuration and loading analysis system, Fisheries Research 66, 235–243, as quoted by Cheng, Li,
-/// Aarsæther and Ong 2020, Ships and Offshore Structures 15(sup1). Deviation from it: the step of 17 % at 200
-/// is blended like those of (1) to (3), and below Re = 11, where (5) crosses (2), (1) and (2) are taken.
+/// Aarsæther and Ong 2020, Ships and Offshore Structures 15(sup1). Deviation: the step of 17 % at 200 is
+/// blended like those of (1) to (3), and below Re = 11, at the intersection of (5) and (2), (1) and (2) are
+/// used.
 inline constexpr double kTakagiFrom = 11, kTakagiTo = 200;
 
 template <class T>
@@ -73,7 +74,7 @@ T takagi_phi(const T& reynolds) {
   return joined(joined(slow_phi(reynolds), low, Re, kTakagiFrom), 1.2 * Re, Re, kTakagiTo);  // (6)
 }
 
-/// Whose cylinder.
+/// The source of the drag coefficient of a cylinder.
 enum class Cylinder : std::int64_t { choo_casarella, takagi };
 
 /// Calls visit(φ) with the function φ(Re) of a cylinder, so that a loop over lanes chooses it once.
@@ -88,9 +89,9 @@ T cylinder_phi(std::int64_t cylinder, const T& Re) {
   return with_cylinder_phi(cylinder, [&](const auto& phi) { return phi(Re); });
 }
 
-/// A continuously differentiable curve without overshoot through samples over ln x: cubic pieces whose slopes
-/// at the samples are harmonic means (Fritsch and Butland 1984, SIAM J. Sci. Stat. Comput. 5(2)), zero at
-/// both ends; held beyond them.
+/// A continuously differentiable curve without overshoot through samples over ln x: cubic pieces with
+/// harmonic means as slopes at the samples (Fritsch and Butland 1984, SIAM J. Sci. Stat. Comput. 5(2)), zero
+/// at both ends; constant beyond them.
 class Curve {
  public:
   explicit Curve(const netloft_table& table) : t_(table) {}

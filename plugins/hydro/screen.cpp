@@ -5,7 +5,7 @@ namespace netloft::hydro {
 
 namespace {
 
-constexpr double kStill = 1e-150;  // [m/s], below which u² is zero
+constexpr double kStill = 1e-150;  // speed below which u² is zero [m/s]
 
 /// α and λ of (3) with their derivatives in c, S and Re.
 struct Shape {

@@ -21,12 +21,11 @@ struct ScreenParameters {
 ///   U = r W,  u = ‖U‖,  e = U/u,  q = U·n ≥ 0,  c = q/u = cos θ         (1)
 ///   F = ½ ρ u² [C_D e + C_L e_L],  e_L = (n − c e)/sin θ                 (2)
 ///     = ½ ρ u [α U + λ q n],  C_L = λ sin θ cos θ,  α = C_D − λ c²       (3)
-/// n unit normal of the netting, of the two the one that points with the flow; θ the angle between flow and
-/// normal (0: flow straight through, 90°: along the netting); W [m/s] velocity of the water relative to the
-/// netting; r [1] what is left of it behind other netting; ρ [kg/m³] of the water. Area is that of the
-/// netting with its holes. In the form (3) nothing is divided by sin θ, so that the force is regular for all
-/// θ and without flow. C_D and λ are functions of c, the solidity S and the Reynolds number u D/ν:
-/// `Model::coefficients`.
+/// n unit normal of the netting that points with the flow; θ the angle between flow and normal (0: through
+/// the netting, 90°: along it); W [m/s] velocity of the water relative to the netting; r [1] its reduction
+/// behind other netting; ρ [kg/m³] density of the water. The area includes the holes. (3) has no division by
+/// sin θ, so that the force is regular for all θ and without flow. C_D and λ are functions of c, the solidity
+/// S and the Reynolds number u D/ν: `Model::coefficients`.
 ///   ∂F/∂U = ½ρ [α (u I + U eᵀ) + U (∇α)ᵀ + λ n (q e + u n)ᵀ + q n (∇λ)ᵀ]   (4)
 ///     ∇α = u ∂α/∂U = α_c (n − c e) + α_Re Re e, ∇λ the same
 ///   ∂F/∂n = ½ρ u [(α_c U + λ_c q n) eᵀ + λ (q I + n Uᵀ)]                    (5)
@@ -44,8 +43,9 @@ T loland_drag(const T& S) {
 
 inline constexpr double kGrazing = 0.05;
 
-/// cos θ, smoothed at grazing incidence: c² (2ε − c)/ε² below ε, c above.           (7) It is exact at 90°
-/// and below 87°; in between C_D is lower by at most 0.0075 of its range.
+/// cos θ, smoothed at grazing incidence: c² (2ε − c)/ε² below ε, c above.           (7)
+///
+/// It is exact at 90° and below 87°; in between C_D is lower by at most 0.0075 of its range.
 template <class T>
 T rounded(const T& c) {
   return c < T(kGrazing) ? c * c * (2 * kGrazing - c) / (kGrazing * kGrazing) : c;
@@ -71,7 +71,7 @@ T held_solidity(const T& S, double hi) {
 /// Technology:
 ///   C_D = 0.04 + (−0.04 + 0.33 S + 6.54 S² − 4.88 S³) cos θ             (9)
 ///   C_L = (−0.05 S + 2.3 S² − 1.76 S³) sin 2θ
-/// Measured for 0.13 < S < 0.32; S is held at 0.35 above.
+/// Measured for 0.13 < S < 0.32; S is limited to 0.35.
 struct LolandModel {
   using Parameters = ScreenParameters;
   template <class T>
@@ -85,7 +85,7 @@ struct LolandModel {
 /// Farming:
 ///   C_D = 0.04 + (−0.04 + S − 1.24 S² + 13.7 S³) cos θ                  (10)
 ///   C_L = (0.57 S − 3.54 S² + 10.1 S³) sin 2θ
-/// For S < 0.35; held there above.
+/// For S < 0.35; S is limited to that.
 struct AarsnesModel {
   using Parameters = ScreenParameters;
   template <class T>
@@ -100,7 +100,7 @@ struct AarsnesModel {
 ///   C_D = C_0 (0.9 cos θ + 0.1 cos 3θ),  C_L = C_45 (sin 2θ + 0.1 sin 4θ)          (11)
 ///   C_0 = C_circ S (2 − S)/(2 (1 − S)²),  C_circ over x = log₁₀(Re), Re = u D/(ν (1 − S))  (12)
 ///   C_45 = (C_N − C_T)/√2,  C_N = C_0/2,  C_T = π C_N/(8 + C_N)                    (13)
-/// C_circ is a polynomial for 10^1.5 < Re < 10⁴ and held beyond; S is held above 0.5.
+/// C_circ is a polynomial for 10^1.5 < Re < 10⁴ and constant beyond; S is limited to 0.5.
 struct KristiansenFaltinsenModel {
   using Parameters = ScreenParameters;
   template <class T>
@@ -127,14 +127,14 @@ struct KnottedParameters : ScreenParameters {
 /// Knotted trawl netting, Nippon Suisan Gakkaishi (Bull. Japan. Soc. Sci. Fish.) 45(10), 1979, of whose
 /// article only the abstract was at hand:
 ///   C_D = S [C_90 sin^⅖ a + cos a (C_F + K sin a)],  C_L = S C_90 sin^(3/2) a cos a        (16)
-/// a the angle of attack, 90° − θ, so that sin a = c. C_90 pressure drag at normal incidence, C_F and K
-/// friction, all on the area of the twines. Far more is dragged at small angles than by laws that go with the
-/// sine. The abstract gives no numbers. C_90 is that of a cylinder at Re = 1000, 1.23, and 10 % for the
-/// knots, which it does give; C_F is 0.3 of it after Niño et al. 2020 (nylon nets along the flow, 0.2 to
-/// 0.4); K zero. How much hangs on C_F and K is to be bracketed by whoever uses the law. Deviations: sin^⅖
-/// and sin^½ = sin^(3/2)/sin have no slope at grazing incidence, cos a and K sin a none at normal and grazing
-/// incidence; within 3° they are met by parabolas, as in (7). Friction is taken to act along the flow. S is
-/// held above 0.5.
+/// a is the angle of attack, 90° − θ, so that sin a = c. C_90 is the pressure drag at normal incidence, C_F
+/// and K are friction, all on the area of the twines. The drag at small angles is far higher than that of
+/// laws proportional to the sine. The abstract gives no coefficients. C_90 is that of a cylinder at Re =
+/// 1000, 1.23, plus 10 % for the knots, which the abstract mentions; C_F is 0.3 of it after Niño et al. 2020
+/// (nylon nets along the flow, 0.2 to 0.4); K is zero. Users should vary C_F and K to see their effect.
+/// Deviations: sin^⅖ and sin^½ = sin^(3/2)/sin have no slope at grazing incidence, cos a and K sin a none at
+/// normal and grazing incidence; within 3°, parabolas replace them as in (7). Friction acts along the flow. S
+/// is limited to 0.5.
 struct KnottedModel {
   using Parameters = KnottedParameters;
   /// c^p above ε, a cubic in c that meets it with its slope below.                        (17)
@@ -161,15 +161,13 @@ struct KnottedModel {
   }
 };
 
-/// What the coefficients are multiplied by at another Reynolds number Re = u D/ν than that at which they were
-/// measured, Re₀:
+/// Factor on the coefficients at a Reynolds number Re = u D/ν other than that of the measurements, Re₀:
 ///   C_n(Re)/C_n(Re₀)                                                     (15)
 /// with the drag coefficient C_n of a cylinder by Choo and Casarella 1971, or by Takagi et al. 2004
-/// (reynolds.hpp). One where Re₀ = 0. A twine in a screen is taken to feel the Reynolds number as a cylinder
-/// alone does; for twines of netting at Re below some 500 this is an estimate. Below Re = 2, 1 mm/s for a
-/// twine of 2.4 mm, the formula takes 1
-/// + Re²/4 instead of Re, which meets it there with the same slope: a force that is linear in the velocity,
-/// with coefficients over an angle, would have no derivative in water at rest.
+/// (reynolds.hpp). The factor is 1 if Re₀ = 0. It assumes that a twine in a screen depends on the Reynolds
+/// number like a single cylinder, which is an estimate for Re below about 500. Below Re = 2, 1 mm/s for a
+/// twine of 2.4 mm, 1 + Re²/4 replaces Re, which has the same value and slope there: a force linear in the
+/// velocity, with coefficients over an angle, would not be differentiable in water at rest.
 
 template <class T>
 T reynolds_factor(const ScreenParameters& p, const T& Re) {
@@ -179,7 +177,7 @@ T reynolds_factor(const ScreenParameters& p, const T& Re) {
 }
 
 /// r of (1): the given shielding, times Løland's 1 − 0.46 C_D(S, θ = 0) if netting of the same solidity is
-/// upstream (the rear of a cage, the lower panel of a trawl).                               (14)
+/// upstream, as for the rear of a cage or the lower panel of a trawl.                               (14)
 template <class T>
 T flow_left(const ScreenParameters& p, const T& S) {
   if (p.wake == static_cast<std::int64_t>(Wake::none)) return T(p.shielding);

@@ -4,8 +4,8 @@
 using netloft::lumped::Net;
 
 NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers") {
-  auto& net =
-      plugin.element<Net>("net", "Bar along the twines of netting that stands for several, mass at its ends");
+  auto& net = plugin.element<Net>(
+      "net", "Bar along the twines of netting that represents several, with masses at its ends");
   net.real("twine.EA", &Net::Parameters::EA, "N", "axial stiffness of one twine",
            {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
   net.real(
@@ -18,21 +18,20 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
            "damping of stretch: tension per strain rate, EA times a relaxation time",
            {.lo = 0, .hi = 1e9, .fallback = 0, .role = netloft::Role::damping});
   net.real("twine.loss_factor", &Net::Parameters::loss_factor, "1",
-           "energy that a taut twine loses in a radian of a swing, over that of its stretch",
+           "loss factor: energy that an oscillating taut twine loses per radian, over its elastic energy",
            {.lo = 0, .hi = 1, .fallback = 0});
   net.real("twine.loss_frequency", &Net::Parameters::loss_frequency, "Hz",
-           "frequency of the swings for which the loss factor is meant",
+           "frequency of the oscillations for which the loss factor is given",
            {.lo = 1e-3, .hi = 1e4, .fallback = 10});
   net.real("twine.added_mass", &Net::Parameters::added_mass, "1",
            "added mass across a twine over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
   net.real("twine.surface", &Net::Parameters::surface, "1",
-           "how much of its buoyancy and drag is lost above z = 0: 1 all of it, 0 none, in water without a "
-           "surface",
+           "fraction of buoyancy and drag that is lost above z = 0; 0 in water without a surface",
            {.lo = 0, .hi = 1, .fallback = 0});
   net.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the twines");
   net.data("rest_length", &Net::Data::rest_length, "m", "unstretched length of the bar");
-  net.data("parallel", &Net::Data::parallel, "1", "twines side by side that the bar stands for");
+  net.data("parallel", &Net::Data::parallel, "1", "number of twines side by side that the bar represents");
   net.term<Net::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
                              netloft::has_metric | netloft::of_members>(
       "elastic", "tension of the twines, and their small resistance when slack",
@@ -52,11 +51,12 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
   net.term<Net::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
   net.term<Net::Loss, netloft::reads_velocity | netloft::needs_motion>(
-      "loss", "what a taut twine loses as it is stretched, by its material", "twine.loss_factor");
+      "loss", "damping of a taut twine by its material", "twine.loss_factor");
   net.term<Net::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the twines, and added mass across them, half per node");
   net.term<Net::Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(
-      "waves", "pressure of the waves it displaces, and added mass of water that swings across the twines");
+      "waves",
+      "pressure of the waves on the displaced volume, and added mass of water accelerated across the twines");
   net.output(
       "tension", "N", "tension of one twine",
       [](auto& p, auto& d, auto& s) { return Net::stretch(p, d, s).T; }, netloft::OutputRole::tension);

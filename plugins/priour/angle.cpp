@@ -7,7 +7,7 @@ Meshes::Meshes(const Triangle::Lanes& p, netloft_tile& tile) : u(tile, p.a, p.l0
   for (std::uint32_t i = 0; i < tile.count; ++i)
     if (u.collapsed(i, p.l0[i]) || v.collapsed(i, p.l0[i])) {
       tile.lane_at_fault = i;
-      throw OutsideDomain("a twine of no length has no angle with another");
+      throw OutsideDomain("a twine of zero length has no angle with another twine");
     }
   for (std::size_t i = 0; i < tile.count; ++i) {
     const double ux = u.t[0][i], uy = u.t[1][i], uz = u.t[2][i];
@@ -38,7 +38,7 @@ void add_force(const Triangle::Lanes& p, const Meshes& m, const Function& f, std
   }
 }
 
-/// (4) for the twines of one direction.
+/// (4) for the twines of one direction, `own`.
 void fill_own(const Twines& own, const Twines& other, const Meshes& m, const Function& f, double cu,
               std::uint32_t count, double (&__restrict out)[6][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -4,8 +4,8 @@
 
 namespace netloft::priour {
 
-/// An energy E(c) of the angle 2α between the twines of a mesh, as a function of its cosine alone: it needs
-/// no normal of the netting, and a function that is smooth in c remains smooth where meshes close.
+/// An energy E(c) of the angle 2α between the twines of a mesh, as a function of its cosine. It needs no
+/// normal of the netting, and a function that is smooth in c is also smooth for closed meshes.
 ///   c = Û·V̂ = cos 2α,  s = |Û×V̂| = sin 2α                                                      (1)
 ///   p = V̂ − cÛ,  q = Û − cV̂;  ∂c/∂U = p/‖U‖,  ∂c/∂V = q/‖V‖                                     (2)
 ///   r_p = E′ (a_p p/‖U‖ + b_p q/‖V‖)                                     residual ∂E/∂x_p         (3)
@@ -39,7 +39,7 @@ struct Function {
   double E[kLanes], E1[kLanes], E2[kLanes];
 };
 
-/// Adds the quantities that the tile asks for.
+/// Adds the requested outputs of the tile.
 void add(const Triangle::Lanes& lanes, const Meshes& meshes, const Function& f, netloft_tile& t);
 
 /// cos 2α for dual numbers: the reference implementation for tests of the kernels.

@@ -25,7 +25,7 @@ void put(double& to, double number) {
   to = turn == Turn::first ? number : to + number;
 }
 
-/// Fills in W and the diameter, which both kinds of law need; of slowed water less is left.
+/// Fills in W, reduced by `slowed`, and the diameter, which both kinds of law need.
 void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, const Slowing* slowed, FlowLanes& f) {
   const double *current = t.current, *v = t.v;
   const std::size_t count = t.count;
@@ -125,7 +125,8 @@ void compute(const Family<Triangle>& family, const netloft_tile& t, const Slowin
   add_twines<Turn::later>(law, p, p.b, t, f, out);
 }
 
-/// Computes ⅓ F_W ∂c/∂x_q of row r, corner q and column `axis`, where c is the water as it is met.
+/// Computes ⅓ F_W ∂c/∂x_q of row r, corner q and column `axis`, where c is the velocity of the water at the
+/// triangle.
 void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, int r, int q, int axis,
                 double* shear) {
   std::fill_n(shear, t.count, 0.0);
@@ -140,7 +141,7 @@ void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, in
   }
 }
 
-/// ∂F/∂x of row r, corner q and column c, weighted as the tile wants it, at every element.
+/// ∂F/∂x of row r, corner q and column c in every lane, weighted by the factors of the tile.
 void find_slope(const Force& F, const Slowing* slowed, const netloft_tile& t, int r, int q, int c,
                 double* slope) {
   double shear[kLanes] = {};
@@ -172,8 +173,8 @@ void add_tangent(const Force& F, netloft_tile& t) {
       }
 }
 
-/// Adds by how much the tangent in slowed water differs from that in all of it: their parts would leave the
-/// rounding of the whole.
+/// Adds the difference between the tangents in slowed water and in undisturbed water. Adding them separately
+/// would leave rounding errors of the whole.
 void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const Force& in_all,
                            netloft_tile& t) {
   double with[kLanes] = {}, without[kLanes] = {};
@@ -228,7 +229,7 @@ Status DryDrag::tile(const Family<Triangle>& family, netloft_tile& t) {
 
 void Drag::output(const Family<Triangle>& family, const netloft_tile& t, double* values) {
   std::fill_n(values, t.count, 0.0);
-  if (!family.law(0).evaluate) return;  // still water: the part has no law
+  if (!family.law(0).evaluate) return;  // in still water the part has no law
   const Slowing slowed(family.lanes(t), t, family.law(0).kind);
   Force F;
   compute(family, t, slowed.acts ? &slowed : nullptr, F);

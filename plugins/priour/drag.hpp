@@ -25,7 +25,7 @@ struct Drag {
   static void output(const Family<Triangle>& family, const netloft_tile& t, double* values);
 };
 
-/// The drag that netting loses above the surface, surface.hpp (2).
+/// The drag that netting loses above the surface, by surface.hpp (2).
 struct DryDrag {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };

@@ -4,15 +4,15 @@
 
 namespace netloft::priour {
 
-/// Knots that touch: a mesh cannot close further than its knots let it, nor open further than that the other
-/// way. A stiff penalty, twice continuously differentiable and without a direction to lose at α = 0:
+/// Contact of knots: it limits the closing of a mesh, and its opening to the other side. A stiff penalty,
+/// twice continuously differentiable, also at α = 0:
 ///   α_k = atan(k/(2a)),  c_k = cos 2α_k                    half angle at which knots of size k touch     (1)
-///   y = (|c| − c_k)/(1 − c_k), at least 0                  0 at touch, 1 with the twines side by side    (2)
+///   y = (|c| − c_k)/(1 − c_k), at least 0                  0 at contact, 1 for a closed mesh             (2)
 ///   E = (|d|/2) K y³,  K = EA a (1 − c_k)                                                               (3)
 /// c = cos 2α by angle (1); a [m] the bar. A mesh under tension T closes with 2 T a sin α per knot against
-/// (12 K/(1 − c_k)) y² sin α cos α: it rests at y = √(T/6EA), about 4 % above 1 − c_k at T = EA/100, and the
-/// ratio of the two only grows as it closes: no tension below 6 EA pushes it through. Source: derived for
-/// this program; the limit (1) is that of Priour's programs.
+/// (12 K/(1 − c_k)) y² sin α cos α: its equilibrium is y = √(T/6EA), about 4 % of 1 − c_k at T = EA/100. The
+/// ratio of the two increases during closing, so that no tension below 6 EA closes the mesh. Source: derived
+/// for this program; the limit (1) is that of Priour's programs.
 struct KnotContact {
   /// y of (2): 0 without contact.
   static double depth(const Triangle::Parameters& p, const Triangle::Data& d, const State<3>& s);

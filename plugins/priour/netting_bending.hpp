@@ -11,16 +11,17 @@ namespace netloft::priour {
 ///   n_i = N_i/s_i,  s_i = √(‖N_i‖² + (δ M_i)²),  M_i the unstretched ‖N_i‖                           (2)
 ///   E = −κ L(w),  w = 1 − ¼‖n₁ − n₂‖²,  L = ln w,  κ = 4 k b/(h₁ + h₂)                               (3)
 ///   dE/dφ = k b/R,  R = (h₁ + h₂)/(4 tan(φ/2)),  φ the turning angle, 0 where the netting is flat    (4)
-/// (2) is the unit normal, and w = (1 + cos φ)/2, but for δ = kClosed: in meshes that close, a normal turns
-/// faster than any bending, so it fades below 1/1000 of the unstretched area (1e-6 of E in open meshes, 1 %
-/// at 1/100). Netting drawn up in a plane turns triangles over, φ from 0 to π: below w₀ = kFolded (φ above
-/// 176.4°) L is continued by its Taylor polynomial ln w₀ + z − z²/2, z = w/w₀ − 1, or (3) would be a wall (5)
+/// n_i is the unit normal and w = (1 + cos φ)/2, except for δ = kClosed: in closing meshes, a normal turns
+/// faster than any bending, so that it fades below 1/1000 of the unstretched area (1e-6 of E in open meshes,
+/// 1 % at 1/100). Netting that is drawn together in a plane turns triangles over, φ from 0 to π. Below w₀ =
+/// kFolded (φ above 176.4°) L is continued by its Taylor polynomial ln w₀ + z − z²/2, z = w/w₀ − 1, because
+/// (3) would be a barrier (5)
 ///
-/// The unstretched altitudes h₁, h₂ over the edge play the part of two bars of a rope. b is the unstretched
-/// edge, k [N m] the bending stiffness of a metre of it: over both directions of twines, EI × twines that
-/// cross a metre × cos² of the angle between twine and the normal of the edge in the netting. A diamond mesh
-/// has no unstretched shape of its own. Lengths are those of meshes of half angle β, 45° unless the part says
-/// otherwise; with (Δu, Δv) along the edge and d_i of triangle (1) of both sides:
+/// The unstretched altitudes h₁, h₂ over the edge correspond to the two bars of a rope. b is the unstretched
+/// edge, k [N m] the bending stiffness of a metre of it: the sum over both directions of twines of EI ×
+/// twines per metre × cos² of the angle between the twine and the normal of the edge. Because a diamond mesh
+/// has no unstretched shape, lengths are those of meshes of half angle β, 45° by default; with (Δu, Δv) along
+/// the edge and d_i of triangle (1) of both sides:
 ///   b_i = l₀ √(Δu² + Δv² + 2 Δu Δv cos 2β),  M_i = |d_i| l₀² sin 2β,  h_i = M_i/b_i                  (6)
 ///   k b = EI (|Δu|³ + |Δv|³) sin² 2β (l₀/b)²                                                         (7)
 /// EI [N m²] of one twine, l₀ [m] bar. For the edge along v of meshes at 45° (7) is EI times the number of u

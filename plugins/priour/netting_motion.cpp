@@ -15,7 +15,7 @@ double turning(const Vec3<double>& t, const Vec3<double>& y, double along, int r
   return t[r] * (y[c] - along * t[c]) + along * ((r == c ? 1 : 0) - t[r] * t[c]);
 }
 
-/// `damper`: the one of a twine, of a lane and 1/length.
+/// `damper(lane, 1/length)` returns the damper of one twine.
 template <class DamperOf>
 void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf& damper, netloft_tile& t) {
   const Twines twines(t, c, p.l0);
@@ -41,14 +41,14 @@ void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf
   }
 }
 
-/// A density that twines accelerate with, and an acceleration of all nodes.
+/// An acceleration of all nodes, and the density of the accelerated mass.
 struct Accelerated {
   const double* a;
-  double sign, ca;        // of the residual; of its slope in a
-  const double* density;  // null: that of the water
+  double sign, ca;        // factor of the residual; of its derivative with respect to a
+  const double* density;  // null: density of the water
 };
 
-/// What twines accelerate with, lane by lane: of the mass, and of the added mass that acts across them.
+/// Accelerated masses in every lane: of the mass in all directions, and of the added mass across the twines.
 struct Inert {
   double across[kLanes], added[kLanes];
 
@@ -73,7 +73,7 @@ struct OfCorner {
   Vec3<double> at_lane(std::size_t i) const { return {y[0][i], y[1][i], y[2][i]}; }
 };
 
-/// Derivatives of row r of corner m; of (4) alone where places are not asked for.
+/// Adds derivatives of row r of corner m; only those by (4) if derivatives by position are not requested.
 void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const double (&c)[3][kLanes],
                 const Accelerated& by, int m, int r, netloft_tile& t) {
   double turned[kLanes];
@@ -92,7 +92,7 @@ void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const doubl
   }
 }
 
-/// Row by row over all lanes.
+/// Adds the inertia, row by row over all lanes.
 void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Accelerated& by,
                 netloft_tile& t) {
   const Twines w(t, c, p.l0);

@@ -12,7 +12,8 @@ struct Damping {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };
 
-/// Damping by the material of taut twines: loss.hpp (1) in place of η/l₀ in (1), and in (2) besides
+/// Damping by the material of taut twines: loss.hpp (1) replaces η/l₀ in (1) and (2), and (2) has the
+/// additional term
 ///   (dc/d‖U‖) (Û·U′) ÛÛᵀ                                                                          (7)
 struct Loss {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
@@ -28,8 +29,8 @@ struct Inertia {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };
 
-/// What the acceleration u′ of the water does: inertia (3) of water in place of the twines, the other way
-/// round, as for bars.
+/// The force by the acceleration u′ of the water: the inertia (3) of water in place of the twines, with the
+/// opposite sign, as for bars.
 ///   r_p = −⅓ M Σ_t [ρ_w (1 + C_a) u′_p − C_a ρ_w (t·u′_p) t]                                         (6)
 struct Waves {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);

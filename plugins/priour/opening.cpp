@@ -50,8 +50,8 @@ Status Opening::tile(const double* stiffness, const Triangle::Lanes& p, netloft_
     }
     if (s < kCusp) {
       t.lane_at_fault = i;
-      throw OutsideDomain(c > 0 ? "a mesh is closed, where its resistance to opening has no direction"
-                                : "a mesh is opened flat, where its resistance to opening has no direction");
+      throw OutsideDomain(c > 0 ? "the resistance to opening of a closed mesh has no direction"
+                                : "the resistance to opening of a mesh opened flat has no direction");
     }
     const double turned = 0.5 * std::atan2(s, c) - a0, slope = turned / s;
     f.E[i] = H * turned * turned;               // (1)

@@ -11,10 +11,10 @@ namespace netloft::priour {
 ///   α² = Σ_k A_k e^k,  A_k = 2^(k−1) / (k² C(2k, k)),  e = 1 − c                                  (4)
 /// H [N·m/rad], given, or of twines of bending stiffness EI clamped at knots a bar a apart: H = 12 EI/a for
 /// small angles (each half of a bar is a cantilever under the shear of the other twine)              (5)
-/// α₀ [rad] half angle of the unloaded mesh. For α₀ = 0 the energy is smooth through closed meshes, where
-/// (2), (3) are 0/0: (4) replaces them below e = kSeries. Where |α−α₀| has a cusp, at α = 0 unless
-/// α₀ = 0 and at π/2, states within s < kCusp are outside the domain; knot contact keeps netting off them.
-/// Source: the paper's eq. 3; Priour 2001. Other programs have half of (1), or 2 cos α times its force.
+/// α₀ [rad] half angle of the unloaded mesh. For α₀ = 0 the energy is smooth for closed meshes, where (2),
+/// (3) are 0/0: (4) replaces them below e = kSeries. At a cusp of |α−α₀|, at α = 0 unless α₀ = 0 and at π/2,
+/// states within s < kCusp are outside the domain; knot contact prevents them. Source: the paper's eq. 3;
+/// Priour 2001. Other programs use half of (1), or 2 cos α times its force.
 struct Opening {
   static constexpr double kSeries = 0.1, kCusp = 1e-8;
 

@@ -33,10 +33,10 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
          "damping of stretch: tension per strain rate, EA times a relaxation time",
          {.lo = 0, .hi = 1e9, .fallback = 0, .role = netloft::Role::damping});
   t.real("twine.loss_factor", &Triangle::Parameters::loss_factor, "1",
-         "energy that a taut twine loses in a radian of a swing, over that of its stretch",
+         "loss factor: energy that an oscillating taut twine loses per radian, over its elastic energy",
          {.lo = 0, .hi = 1, .fallback = 0});
   t.real("twine.loss_frequency", &Triangle::Parameters::loss_frequency, "Hz",
-         "frequency of the swings for which the loss factor is meant",
+         "frequency of the oscillations for which the loss factor is given",
          {.lo = 1e-3, .hi = 1e4, .fallback = 10});
   t.real("twine.added_mass", &Triangle::Parameters::added_mass, "1",
          "added mass across a twine over the mass of the water it displaces",
@@ -44,13 +44,13 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.integer("twine.number", &Triangle::Parameters::number,
             "twines side by side in every bar: 2 in double netting", 1, 9, 1);
   t.real("twine.surface", &Triangle::Parameters::surface, "1",
-         "how much of its drag is lost above z = 0: 1 all of it, 0 none, in water without a surface",
+         "fraction of drag that is lost above z = 0; 0 in water without a surface",
          {.lo = 0, .hi = 1, .fallback = 0});
   t.real("slowed.by", &Triangle::Parameters::slowed_by, "1",
-         "fraction of the velocity of the water that a catch takes away at its front",
+         "fraction of the velocity of the water that is lost at the front of a catch",
          {.lo = 0, .hi = 1, .fallback = 0});
   t.real("slowed.front", &Triangle::Parameters::slowed_front, "m",
-         "place of that front along the flow; ahead of it the water is slowed less and less",
+         "position of that front along the flow; the effect decreases ahead of it",
          {.lo = -1e6, .hi = 1e6, .fallback = 0});
   t.real("slowed.radius", &Triangle::Parameters::slowed_radius, "m", "radius of the catch at its front",
          {.lo = 1e-3, .hi = 1e3, .fallback = 1});
@@ -85,11 +85,12 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.term<Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "twine.damping");
   t.term<Loss, netloft::reads_velocity | netloft::needs_motion>(
-      "loss", "what a taut twine loses as it is stretched, by its material", "twine.loss_factor");
+      "loss", "damping of a taut twine by its material", "twine.loss_factor");
   t.term<Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the twines, and added mass across them, a third per corner");
   t.term<Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(
-      "waves", "pressure of the waves it displaces, and added mass of water that swings across the twines");
+      "waves",
+      "pressure of the waves on the displaced volume, and added mass of water accelerated across the twines");
   t.output(
       "tension", "N", "tension of one twine, the larger of both directions",
       [](auto& p, auto& d, auto& s) {
@@ -111,7 +112,7 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
       netloft::OutputRole::tension);
   t.output("half_angle", "rad", "half the angle between the twines of a mesh",
            [](auto&, auto& d, auto& s) { return Triangle::half_angle(d, s); });
-  t.output("contact", "1", "how far knots that touch are pressed: 0 not at all, 1 until the mesh is closed",
+  t.output("contact", "1", "compression of touching knots: 0 at contact, 1 for a closed mesh",
            [](auto& p, auto& d, auto& s) { return KnotContact::depth(p, d, s); });
   t.output_lanes("drag", "N", "magnitude of the force of the water on the triangle", Drag::output);
   t.output("knots", "1", "knots in the triangle, two bars of twine each",

@@ -7,7 +7,7 @@ namespace netloft::priour {
 
 namespace {
 
-/// The middle of a triangle, with the low-order part of the positions where that is wanted and known.
+/// The middle of a triangle, including the low-order part of the positions if it is requested and known.
 double middle(const netloft_tile& t, bool with_low, int axis, std::size_t i) {
   return mean_of_corners(t.x, axis, i) + (with_low ? mean_of_corners(t.x_low, axis, i) : 0);
 }
@@ -15,7 +15,7 @@ double middle(const netloft_tile& t, bool with_low, int axis, std::size_t i) {
 }  // namespace
 
 Slowing::Slowing(const Triangle::Lanes& p, const netloft_tile& t, std::uint32_t kind_of_law) : acts(p.slows) {
-  const bool with_low = kind_of_law == NETLOFT_TWINE_LAW;  // as drag.hpp has it in all else
+  const bool with_low = kind_of_law == NETLOFT_TWINE_LAW;  // as in drag.hpp
   for (std::size_t i = 0; i < t.count && acts; ++i) {
     const double along =
         p.slowed_x[i] * middle(t, with_low, 0, i) + p.slowed_y[i] * middle(t, with_low, 1, i);

@@ -4,15 +4,15 @@
 
 namespace netloft::priour {
 
-/// Water that a catch stops ahead of its front, along the way of the flow:
+/// Water that a catch slows ahead of its front, along the flow:
 ///   d = ξ − e·x̄,  e = (cos ψ, sin ψ, 0)              way of the middle of a triangle ahead of the front  (1)
 ///   s = 1 − b (1 + d²/R²)^(−3/2)  if d > 0, else 1 − b     of the velocity of the water is left          (2)
 ///   ∂s/∂x̄ = −3 b d/R² (1 + d²/R²)^(−5/2) e           continuous where d = 0                              (3)
-/// b [1] what is lost at the front, R [m] radius of the catch, ξ [m] place of the front along the flow, ψ
-/// direction to which it flows. (2) is what a vortex ring at the rim of the front induces on its axis
-/// (H. Lamb, Hydrodynamics, art. 161), and falls off with d as the flow ahead of a sphere does. It holds
-/// across the whole cod-end, whose netting is near the axis; of a front that is found for a volume, ξ is
-/// where it was found.
+/// b [1] fraction of the velocity lost at the front, R [m] radius of the catch, ξ [m] position of the front
+/// along the flow, ψ direction of the flow. (2) is the velocity that a vortex ring at the rim of the front
+/// induces on its axis (H. Lamb, Hydrodynamics, art. 161), and decreases with d like the flow ahead of a
+/// sphere. It applies to the whole cod-end, whose netting is near the axis. If the front is found for a
+/// volume, ξ is the result.
 struct Slowing {
   bool acts = false;
   double left[kLanes], x[kLanes], y[kLanes];  // s; (3) along x and y [1/m]
@@ -20,7 +20,8 @@ struct Slowing {
   Slowing(const Triangle::Lanes& p, const netloft_tile& t, std::uint32_t kind_of_law);
 };
 
-/// The drag that netting loses in slowed water: that in water of the velocity s c less that in c, drag.hpp.
+/// The drag that netting loses in slowed water: the drag in water of the velocity s c minus that in c, by
+/// drag.hpp.
 struct SlowedDrag {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };

@@ -18,10 +18,10 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 ///   r_p = (|d|/2) [a_p T_U Û + b_p T_V V̂]                residual ∂E/∂x_p                          (5)
 ///   K_pq = (|d|/2) [a_p a_q A_U + b_p b_q A_V]                                                     (6)
 ///   W = |d| (π/4) t² l₀ (ρ − ρ_w) g                       weight in water, a third per corner      (7)
-/// t [m] twine diameter, ρ [kg/m³] twine density. Of N twines side by side (double netting) there are N |d|/2
-/// bars of each direction, in (4)–(7) and in all other terms; U and V stay those of one. d may be negative:
-/// forces use |d|; U and V use d itself. Source: Priour 1999; A Finite Element Method for Netting (Springer
-/// 2013), as used in the paper's section 2.4.
+/// t [m] twine diameter, ρ [kg/m³] twine density. With N twines side by side (double netting) there are N
+/// |d|/2 bars of each direction, in (4)–(7) and in all other terms; U and V are those of one. d may be
+/// negative: forces use |d|; U and V use d itself. Source: Priour 1999; A Finite Element Method for Netting
+/// (Springer 2013), as used in the paper's section 2.4.
 struct Triangle {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
 
@@ -46,7 +46,7 @@ struct Triangle {
     double loss[kLanes];      // of one twine, loss.hpp
     double surface[kLanes];   // σ of surface.hpp
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
-    // Of slowed.hpp: b, ξ, R and e; and whether some lane has any of it.
+    // slowed.hpp: b, ξ, R and e; whether some lane has them.
     double slowed_by[kLanes], slowed_front[kLanes], slowed_radius[kLanes], slowed_x[kLanes], slowed_y[kLanes];
     bool slows = false;
   };

@@ -9,7 +9,7 @@ void Bar::check(const Parameters& p, const Data& d) {
   if (!in_time::is_positive(p.length_share))
     throw std::invalid_argument("the length of a rope must remain above zero: length_share must be positive");
   if (p.weight_in_water != 0 && !(p.diameter > 0))
-    throw std::invalid_argument("rope.weight_in_water is that of a rope with a diameter, and it has none");
+    throw std::invalid_argument("rope.weight_in_water needs a rope.diameter above zero");
   if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no stiffness");
 }
 
@@ -100,7 +100,7 @@ Status Bar::Tension::tile(const Family<Bar>& family, netloft_tile& t) {
       for (int c = 0; c <= r; ++c)
         A[axial::kPlace[r][c]][i] = g * ((r == c ? 1 : 0) - chord.t[r][i] * chord.t[c][i]);
   }
-  if (t.tangent) bars::add_blocks(A, t.count, t.tangent);  // positive semi-definite as it is
+  if (t.tangent) bars::add_blocks(A, t.count, t.tangent);  // positive semi-definite without a convex part
   return Status::ok;
 }
 

@@ -5,16 +5,16 @@
 
 namespace netloft::rope {
 
-/// Straight two-node bar of a rope; the spring of the paper's section 2.3 with a slack branch. The model is
-/// that of bars (1)–(5), plugins/common/bars.hpp, with N = 1, and in addition
+/// Straight two-node bar of a rope; the spring of section 2.3 of the trawl-gear paper with a slack branch.
+/// The model is that of bars (1)–(5), plugins/common/bars.hpp, with N = 1, and in addition
 ///   E = T_c l                      at constant tension, no spring    (1)
-///   l₀(t) = σ(t) l₀                as rope is paid out or hauled     (2)
-/// T_c [N] tension that a winch or a weight over a pulley holds whatever the length; σ [1] straight between
-/// the times of a table, the same for all bars of a rope: with its length, weight, drag and mass grow. The
-/// sag within a bar takes no part in (2). Where the weight w of a metre in the water is given [N/m], the rope
-/// weighs what one of the density
+///   l₀(t) = σ(t) l₀                rope is paid out or hauled in     (2)
+/// T_c [N] tension that a winch or a weight over a pulley holds at any length; σ [1] linear between the times
+/// of a table, the same for all bars of a rope, with which its length, weight, drag and mass increase; the
+/// sag within a bar does not use (2). If the weight in water w [N/m] is given, the weight of the rope is that
+/// of the density
 ///   ρ = ρ_w + w/(g A),  A = (π/4) D²                                (3)
-/// does, and its own density counts for inertia alone.
+/// and its own density is used for inertia only.
 struct Bar {
   static constexpr auto stencil = NETLOFT_BAR;
 
@@ -31,23 +31,23 @@ struct Bar {
   struct Lanes : bars::Lanes {
     double constant_tension[kLanes], weight_in_water[kLanes];
     netloft_table length_share[kLanes];
-    bool changes, is_weighed;  // some lane has a table, a weight in water
+    bool changes, is_weighed;  // whether some lane has a table; a weight in water
   };
 
   /// σ of (2).
   static double share_at(const netloft_table& table, double time);
-  /// dσ/dt over σ: of the line before a corner of the table [1/s].
+  /// dσ/dt over σ [1/s]; at a corner of the table, that of the line before it.
   static double growth_at(const netloft_table& table, double time);
-  /// The lanes at a given time: `lanes` itself, or `room` filled in by (2).
+  /// The lanes at a given time: `lanes` itself, or `room` filled by (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
-  /// The density that a rope weighs by in some water: (3), or its own [kg/m3].
+  /// The density for the weight of a rope: (3), or its own [kg/m3].
   static double density_by_weight(double weight_in_water, double density, double diameter,
                                   double water_density, double gravity);
 
   static void check(const Parameters& p, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
-  /// The spring, which is not there at constant tension.
+  /// The spring, without stiffness at constant tension.
   static std::array<Member, 1> members(const Parameters& p, const Data& d, double time);
 
   struct Elastic {
@@ -62,7 +62,7 @@ struct Bar {
     }
   };
 
-  /// (1); its elastic term is zero.
+  /// (1); the elastic term is then zero.
   struct Tension {
     static Status tile(const Family<Bar>& family, netloft_tile& t);
     template <class T>

@@ -6,15 +6,15 @@
 
 namespace netloft::rope {
 
-/// A clamp between two ropes that meet in a node: it keeps the angle between the bars there.
-///   δ = φ − β                       how far the turning angle φ of turn (1) is from β at rest    (1)
+/// A clamp between two ropes that meet at a node, which maintains the angle between the bars.
+///   δ = φ − β                       deviation of the turning angle φ of turn (1) from β at rest  (1)
 ///   E = −2κ ln cos(δ/2),  κ = 4 EI/(L₁ + L₂)                                                     (2)
 ///   E = (2 EI/(L₁L₂)) (L₁ + L₂ − √Q),  Q = L₁² + L₂² + 2 L₁L₂ cos δ                              (3)
 ///   dE/dc = −E_φ/s,  d²E/dc² = E_φφ/s² − E_φ c/s³,  s = sin φ                                     (4)
-/// EI [N m²] bending stiffness, L [m] unstretched bars; (2) and (3) are bending (1) and (3) of a rope that is
-/// bent at rest, and those themselves for β = 0. Of two bars in line the plane in which a clamp with β > 0
-/// would turn them is not known: they get no force, until something else bends them. Bars folded back upon
-/// each other are outside the domain.
+/// EI [N m²] bending stiffness, L [m] unstretched bars. (2) and (3) are bending (1) and (3) of a rope that is
+/// bent at rest, and equal to them for β = 0. If two bars are in line, the plane of a clamp with β > 0 is
+/// unknown: they have no force until something else bends them. Bars folded back on each other are outside
+/// the domain.
 struct Clamp {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;
   enum Curvature : std::int64_t { of_bars, of_nodes };

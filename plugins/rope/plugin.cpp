@@ -13,7 +13,7 @@ using netloft::rope::Mirror;
 namespace {
 
 constexpr const char* kCurvature =
-    "circle of which the curvature is: one that touches both bars at their middles, or one through three "
+    "circle that defines the curvature: one tangent to both bars at their middles, or one through three "
     "nodes";
 
 void add_clamp(netloft::Plugin& plugin) {
@@ -21,7 +21,7 @@ void add_clamp(netloft::Plugin& plugin) {
   clamp.real("clamp.EI", &Clamp::Parameters::EI, "N m2", "bending stiffness of the clamp",
              {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
   clamp.real("clamp.angle", &Clamp::Parameters::angle, "rad",
-             "angle by which the second rope turns away from the first at rest; 0: in line",
+             "angle at rest between the directions of the first and second rope; 0: in line",
              {.lo = 0, .hi = 3.14159265358979, .fallback = 0});
   clamp.choice("clamp.curvature", &Clamp::Parameters::curvature, kCurvature, {"bars", "nodes"});
   clamp.data("rest_length", &Clamp::Data::rest_length, "m", "unstretched length of both bars");
@@ -59,8 +59,8 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
            {.lo = 0, .hi = 1e6});
   bar.real(
       "rope.weight_in_water", &Bar::Parameters::weight_in_water, "N/m",
-      "weight of a metre in the water of the scene, negative of what floats, whatever its density; 0: by "
-      "its density",
+      "weight of a metre in the water of the scene, negative for floating ropes, independent of the density; "
+      "0: by the density",
       {.lo = -1e6, .hi = 1e6, .fallback = 0});
   bar.real(
       "rope.constant_tension", &Bar::Parameters::constant_tension, "N",
@@ -70,24 +70,24 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
            "damping of stretch: tension per strain rate, EA times a relaxation time",
            {.lo = 0, .hi = 1e15, .fallback = 0, .role = netloft::Role::damping});
   bar.real("rope.loss_factor", &Bar::Parameters::loss_factor, "1",
-           "energy that a taut rope loses in a radian of a swing, over that of its stretch",
+           "loss factor: energy that an oscillating taut rope loses per radian, over its elastic energy",
            {.lo = 0, .hi = 1, .fallback = 0});
   bar.real("rope.loss_frequency", &Bar::Parameters::loss_frequency, "Hz",
-           "frequency of the swings for which the loss factor is meant",
+           "frequency of the oscillations for which the loss factor is given",
            {.lo = 1e-3, .hi = 1e4, .fallback = 10});
   bar.real("rope.added_mass", &Bar::Parameters::added_mass, "1",
            "added mass across the rope over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
-  bar.real("rope.sag", &Bar::Parameters::sag, "1",
-           "how much of the sag within a bar counts: 0 straight bars, 1 all of it, for fewer bars at the "
-           "same error",
-           {.lo = 0, .hi = 1, .fallback = 0});
+  bar.real(
+      "rope.sag", &Bar::Parameters::sag, "1",
+      "fraction of the sag within a bar: 0 straight bars, 1 all of it, which needs fewer bars for the same "
+      "error",
+      {.lo = 0, .hi = 1, .fallback = 0});
   bar.table("rope.length_share", &Bar::Parameters::length_share,
             "unstretched length over that at the start, as rope is paid out or hauled",
             {{"t", "s"}, {"share", "1"}});
   bar.real("rope.surface", &Bar::Parameters::surface, "1",
-           "how much of its buoyancy and drag is lost above z = 0: 1 all of it, 0 none, in water without a "
-           "surface",
+           "fraction of buoyancy and drag that is lost above z = 0; 0 in water without a surface",
            {.lo = 0, .hi = 1, .fallback = 0});
   bar.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the rope");
   bar.data("rest_length", &Bar::Data::rest_length, "m", "unstretched length of the bar");
@@ -113,11 +113,12 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "rope.damping");
   bar.term<Bar::Loss, netloft::reads_velocity | netloft::needs_motion | netloft::reads_time>(
-      "loss", "what a taut rope loses as it is stretched, by its material", "rope.loss_factor");
+      "loss", "damping of a taut rope by its material", "rope.loss_factor");
   bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
       "inertia", "mass of the rope, and added mass across it, half per node");
   bar.term<Bar::Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(
-      "waves", "pressure of the waves it displaces, and added mass of water that swings across the rope");
+      "waves",
+      "pressure of the waves on the displaced volume, and added mass of water accelerated across the rope");
   bar.output(
       "tension", "N", "tension, positive when the rope pulls",
       [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).T; }, netloft::OutputRole::tension);

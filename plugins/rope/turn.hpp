@@ -4,7 +4,7 @@
 
 namespace netloft::rope {
 
-/// Two neighbouring bars, and forces of an energy E(c) of the cosine of the angle between them:
+/// Two neighbouring bars, and forces by an energy E(c) of the cosine of the angle between them:
 ///   w₁ = x₁ − x₀,  w₂ = x₂ − x₁,  t = w/l,  c = t₁·t₂ = cos φ,  φ the turning angle       (1)
 ///   ∂c/∂w₁ = (I − t₁t₁ᵀ) t₂/l₁ = g₁,  ∂c/∂w₂ = (I − t₂t₂ᵀ) t₁/l₂ = g₂                      (2)
 ///   ∂²c/∂w₁∂w₁ = −(t₁g₁ᵀ + g₁t₁ᵀ)/l₁ − c (I − t₁t₁ᵀ)/l₁²                                   (3)

@@ -8,19 +8,19 @@
 
 namespace netloft::seabed {
 
-/// The bed of the scene, of any shape, under a node that carries L metres of rope or twine and is round with
-/// the radius r: contact, and the friction of a bed that a gear is towed over.
-///   g = z − z_b(x, y) − r,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured upright              (1)
+/// The bed of the scene, of any shape, under a node with L metres of rope or twine and the radius r: contact,
+/// and friction of a bed over which a gear is towed.
+///   g = z − z_b(x, y) − r,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured vertically            (1)
 ///   E = k m L f(−g),  r = k L (f ∇m − m f' ∇g)                f of plane.hpp (2)
 ///   K = k L (m (f'' ∇g ∇gᵀ + f' ∇∇z_b) − f' (∇g ∇mᵀ + ∇m ∇gᵀ) + f ∇∇m)                              (2)
 ///   N = k m L f' ‖∇g‖,  n = ∇g/‖∇g‖                            normal force                         (3)
 ///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               h of plane.hpp (9)                   (4)
 ///   r = η/(2π f₀) k m L s(−g/ε) (∇g·v) ∇g,  s(y) = y² (3 − 2y), 0 below 0, 1 beyond 1            (5)
-/// (5) is what the bed loses as it is pressed in and gives way, by the loss factor η at the frequency f₀, as
-/// Kelvin and Voigt's solid, but no more than (2) presses: a bed does not pull at what leaves it. m and q, 1
-/// if nothing is said, are factors of what the bed is made of at x and y. v_b is the velocity at which the
-/// ground passes; where it stands there is no friction, and a `seabed/plane` has the one that sticks. r lifts
-/// a footrope on bobbins or discs off the bed.
+/// (5) is the energy loss of the bed in compression, with the loss factor η at the frequency f₀, as for
+/// Kelvin and Voigt's solid, but limited by the force (2), because a bed does not pull. m and q are local
+/// factors on stiffness and friction at (x, y), 1 by default. v_b is the velocity of the ground; ground at
+/// rest has no friction here, and `seabed/plane` has friction that sticks. r is the radius of bobbins or
+/// discs that lift a footrope off the bed.
 struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
@@ -29,12 +29,12 @@ struct OnBed {
     netloft_table bottom{};                      // x, y, m, q
   };
   using Data = Plane::Data;
-  /// What the bed is made of: m and q over x and y.
+  /// Local factors m and q over x and y.
   struct Whole {
     Surface stiffness, friction;
   };
   static void gather(const Parameters& p, const Data&, Whole& whole);
-  /// A factor at a place; 1 where nothing is said.
+  /// A factor at a place; 1 if none is given.
   template <class T>
   static T factor(const Surface& factors, const Vec3<T>& at) {
     return factors.empty() ? T(1) : factors.at(at.x, at.y);
@@ -45,7 +45,7 @@ struct OnBed {
   static double stiffness_of(const Parameters& p, const Data& d) {
     return p.stiffness * (d.length > 0 ? d.length : d.pieces);
   }
-  /// N of (3), where the bed is known.
+  /// N of (3), if there is a bed.
   static double normal_force(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s) {
     const Bed& b = s.bed[0];
     const double slope = std::sqrt(1 + b.slope_x * b.slope_x + b.slope_y * b.slope_y);
@@ -70,7 +70,7 @@ struct OnBed {
   };
 
  private:
-  /// Depth of the node's lower side under the bed, upright, and ∇g there.
+  /// Vertical depth of the lower side of the node below the bed, and ∇g.
   template <class T>
   static T depth_of(const Parameters& p, const MovingNodes<T, 1>& m) {
     return m.bed[0].below(m.x[0]) + T(p.radius) - m.x[0].z;

@@ -82,15 +82,15 @@ Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
 
 namespace {
 
-// Positions are known to so much of themselves, after the few sums of (1) to (4).
+// Relative rounding error of positions after the few sums of (1) to (4).
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// The friction of one node on the bed: (4)–(7). Where a node slid, (7) leaves it at the limit of (5), to
-/// rounding: it sticks there, so that not every node of a line at rest has its own answer.
+/// The friction of one node on the bed: (4)–(7). After sliding, (7) leaves a node at the limit of (5), up to
+/// rounding; it counts as sticking, so that the nodes of a line at rest do not differ by rounding.
 struct Hold {
   double n[3], unit[3];       // normal, and d̂
   double way, limit, spring;  // |d|, μ N, κ L
-  double rounding;            // of |d| [m]
+  double rounding;            // rounding error of |d| [m]
   double limit_slope;         // −∂(μ N)/∂h = μ K f''
   bool slides() const { return spring * (way - rounding) > limit; }
   double force() const { return std::min(limit, spring * way); }
@@ -141,7 +141,7 @@ void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i) {  // (7)
   t.state_new[at(3, i)] = 1;
 }
 
-/// The friction of one node on a bed that passes it: (8), (9).
+/// The friction of one node on a moving bed: (8), (9).
 struct Drag {
   double n[3], w[3];   // normal, velocity over the bed
   Plane::Slip slip;    // of |w|

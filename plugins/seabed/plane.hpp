@@ -13,19 +13,18 @@ namespace netloft::seabed {
 ///   r = κ L d                   while κ L |d| ≤ μ N              it sticks to a by a spring      (5)
 ///   r = μ N d̂                   beyond that                      it slides, Coulomb              (6)
 ///   a ← x where N = 0,  a where it sticks,  x − (μ N/κ L) d̂ where it slides                       (7)
-/// A bed that passes a towed gear with the velocity g drags every node along with it and leaves no anchor:
+/// A bed that moves with the velocity g under a towed gear drags every node and leaves no anchor:
 ///   w = (I − n nᵀ)(v − g)                                         velocity over the bed              (8)
 ///   r = μ N w h(|w|),  h(s) = 1/s | (2 − s/c)/c  for  s ≥ c | s < c,  c = g/100                      (9)
-/// so that in an equilibrium, where v = 0, friction is μ N along the bed and has no direction to find. c is
-/// the speed below which a node that moves almost as the bed does creeps instead of sticking.
-/// D [m] depth of the bed below z = 0 at x = y = 0, s_x, s_y [1] its slopes dz/dx, dz/dy; k, κ [N/m²]
-/// stiffness per metre of rope against pressing in and against shearing along; ε [m] over which the bed
-/// becomes hard; μ [1] friction. a, the anchor, is what the element remembers; the host replaces it by (7)
-/// only where a step is accepted, so that within one equilibrium friction has a fixed past. The force does
-/// not change when it does. An element without a past (memory all zero) has no friction. A node that carries
-/// nothing counts as one metre per piece. Source: penalty contact and radial return, as in Wriggers,
-/// Computational Contact Mechanics, Springer 2006, chapters 5 and 10; a wire of weight w per metre lies ε/2 +
-/// w/k deep if that is more than ε, else √(2 ε w/k).
+/// In an equilibrium, v = 0, friction is therefore μ N along the motion of the bed. c is the speed below
+/// which a node that moves almost with the bed creeps instead of sticking. D [m] depth of the bed below z = 0
+/// at x = y = 0, s_x, s_y [1] its slopes dz/dx, dz/dy; k, κ [N/m²] stiffness per metre of rope against
+/// compression and shear; ε [m] depth over which the bed reaches k; μ [1] friction. The element remembers the
+/// anchor a; the host replaces it by (7) only after an accepted step, so that friction has a fixed past
+/// within one equilibrium, and the force does not change at that moment. An element without a past (memory
+/// all zero) has no friction. A node without rope counts as one metre per piece. Source: penalty contact and
+/// radial return, as in Wriggers, Computational Contact Mechanics, Springer 2006, chapters 5 and 10; the
+/// depth of a wire of weight w per metre is ε/2 + w/k if that is more than ε, else √(2 ε w/k).
 struct Plane {
   static constexpr auto stencil = NETLOFT_NODE;
   static constexpr std::uint32_t kRemembers = 4;  // a, then 1 if there is a past step
@@ -35,7 +34,7 @@ struct Plane {
     double friction = 0, shear_stiffness = 0;
   };
   struct Data {
-    double length = 0;  // of rope or twine that the node carries [m]
+    double length = 0;  // of rope or twine at the node [m]
     double pieces = 0;  // each counts as a metre if the node carries no length
   };
   struct Lanes {
@@ -55,7 +54,8 @@ struct Plane {
     double h, slope;
   };
   static Slip slip(double speed, double creep);
-  /// c/g of (9): in one of a hundred metres that pass, what sticks may lag behind.
+  /// c/g of (9): the relative velocity at which friction reaches its limit, a hundredth of that of the
+  /// ground.
   static constexpr double kCreep = 0.01;
   static double normal_force(const Parameters& p, const Data& d, const State<1>& s);
 

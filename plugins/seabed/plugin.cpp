@@ -15,19 +15,18 @@ void add_bed(netloft::Plugin& plugin) {
          {.lo = 0, .hi = 1e12, .fallback = 1e5});
   e.real("seabed.softness", &P::softness, "m", "depth over which the bed reaches that stiffness",
          {.lo = 1e-6, .hi = 10, .fallback = 0.02});
-  e.real("seabed.friction", &P::friction, "1", "friction force over normal force, on a bed that passes",
+  e.real("seabed.friction", &P::friction, "1", "friction force over normal force, on a moving bed",
          {.lo = 0, .hi = 10, .fallback = 0});
   e.real("seabed.radius", &P::radius, "m",
-         "by which bobbins, discs or the rope's own thickness keep it off the bed",
+         "height at which bobbins, discs or the radius of the rope keep it above the bed",
          {.lo = 0, .hi = 10, .fallback = 0});
   e.real("seabed.loss_factor", &P::loss_factor, "1",
-         "energy that the bed loses in a radian of a swing, over that of its being pressed in",
+         "loss factor: energy that the bed loses per radian of an oscillation, over its elastic energy",
          {.lo = 0, .hi = 1, .fallback = 0.2});
   e.real("seabed.loss_frequency", &P::loss_frequency, "Hz",
-         "frequency of the swings for which the loss factor is meant",
+         "frequency of the oscillations for which the loss factor is given",
          {.lo = 1e-3, .hi = 1e4, .fallback = 1});
-  e.grid("seabed.bottom", &P::bottom,
-         "what the bed is made of: its stiffness and friction over those here; [bed] bottom gives it",
+  e.grid("seabed.bottom", &P::bottom, "local factors on stiffness and friction; [bed] bottom gives them",
          {{"x", "m"}, {"y", "m"}, {"stiffness", "1"}, {"friction", "1"}});
   e.data("length", &OnBed::Data::length, "m", "rope or twine that the node carries");
   e.data("pieces", &OnBed::Data::pieces, "1",
@@ -36,10 +35,10 @@ void add_bed(netloft::Plugin& plugin) {
                              netloft::from_outside>("contact", "normal force of the bed on the node");
   e.term<OnBed::Friction,
          netloft::reads_bed | netloft::reads_ground | netloft::reads_velocity | netloft::from_outside>(
-      "friction", "friction of a bed that passes", "seabed.friction");
+      "friction", "friction of a moving bed", "seabed.friction");
   e.term<OnBed::Loss,
          netloft::reads_bed | netloft::reads_velocity | netloft::needs_motion | netloft::from_outside>(
-      "loss", "what the bed loses as it is pressed in and gives way", "seabed.loss_factor");
+      "loss", "energy loss of the bed in compression", "seabed.loss_factor");
   e.output_of_whole("normal_force", "N", "force of the bed on the node, along its normal",
                     [](auto& p, auto& d, auto& w, auto& s) { return OnBed::normal_force(p, d, w, s); });
 }
@@ -72,7 +71,7 @@ NETLOFT_PLUGIN("seabed", "0.1.0", "The ground on which a gear lies and is dragge
       "contact", "normal force of the seabed on the node");
   e.term<Plane::Friction,
          netloft::reads_state | netloft::reads_ground | netloft::reads_velocity | netloft::from_outside>(
-      "friction", "friction of the seabed on the node: elastic up to sliding, or of a bed that passes",
+      "friction", "friction of the seabed on the node: elastic up to sliding, or of a moving bed",
       "seabed.friction");
   e.output("normal_force", "N", "force of the seabed on the node, along its normal",
            [](auto& p, auto& d, auto& s) { return Plane::normal_force(p, d, s); });

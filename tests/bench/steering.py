@@ -77,7 +77,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "2 * kSteps": "as many again",
         "2 * corrections": "half of them",
         "sigma > kLeastSigma / 2": "between two steps",
-        "kAside": "any other will do: an eigenvalue is met by chance",
+        "kOtherSigma": "any other will do: an eigenvalue is met by chance",
         "rhs_ *= 2": "Cayley transform",
         "Vector z(2": "positions and velocities",
         "0.5 * (A[": "symmetric part",

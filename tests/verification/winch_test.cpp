@@ -262,7 +262,7 @@ TEST(Winches, SayThatARopeIsHauledIn) {
       open_with(kBall, hanging_ball({"analysis.duration=60"}), winch_of(2 * kMass * kGravity, 1, 2));
   const MarchResult r = runs::march(*c, {});
   EXPECT_EQ(r.status, MarchStatus::failed);
-  EXPECT_NE(r.reason.find("has hauled in all of it"), std::string::npos) << r.reason;
+  EXPECT_NE(r.reason.find("has hauled in all of its rope"), std::string::npos) << r.reason;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace netloft {
 namespace {
 
-void of_steps(ScenePlan& plan) { ask_mean_forces(plan, "test"); }
+void of_steps(ScenePlan& plan) { use_mean_forces(plan, "test"); }
 
 /// Springs known by their energy alone, beside ropes that are slack and taut.
 Scene springs() {

@@ -52,7 +52,7 @@ struct Chosen {
 inline ScenePlan plan_in_motion(const Scene& scene, const std::string& by_means) {
   ScenePlan plan =
       make_scene_plan(scene, shipped_plugins(), TangentChoice::symmetric, AnalysisKind::dynamics);
-  if (!by_means.empty()) ask_mean_forces(plan, by_means);
+  if (!by_means.empty()) use_mean_forces(plan, by_means);
   return plan;
 }
 

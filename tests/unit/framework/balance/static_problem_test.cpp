@@ -112,7 +112,7 @@ struct MeanForceStep {
 
 // Mean forces of a step are the gradient of nothing, whose place is filled with zeros.
 TEST(StaticProblem, EvaluatesMeanForcesAndTheirLackOfAGradientToTheBitOfTwoEvaluations) {
-  Called c(hanging_chain().scene, {}, [](ScenePlan& plan) { ask_mean_forces(plan, "test"); });
+  Called c(hanging_chain().scene, {}, [](ScenePlan& plan) { use_mean_forces(plan, "test"); });
   for (std::size_t i = 0; i < c.p.unknowns; ++i) c.p.u[i] = 0.01 * static_cast<double>(i);
   ASSERT_EQ(c.evaluate(NETLOFT_WANT_FORCE), NETLOFT_OK);
   const auto at_rest = c.residual;

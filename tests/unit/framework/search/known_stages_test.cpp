@@ -9,7 +9,7 @@ namespace {
 /// Of ten numbers where it began and ten where it ended, after so many iterations.
 KnownStage stage(double start, std::size_t iterations = 0) {
   KnownStage s;
-  s.asked.by = "newton/newton", s.asked.start.assign(10, start);
+  s.request.by = "newton/newton", s.request.start.assign(10, start);
   s.solution.u.assign(10, start + 1);
   s.solution.run.history.resize(iterations);
   s.solution.cost.statistics.factorisations = 7;
@@ -19,12 +19,12 @@ KnownStage stage(double start, std::size_t iterations = 0) {
 TEST(KnownStages, TellWhatCameOfTheSameRequestAndOfNoOther) {
   KnownStages known(1000);
   known.keep(stage(1));
-  const KnownStage* found = known.find(stage(1).asked);
+  const KnownStage* found = known.find(stage(1).request);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->solution.u.front(), 2);
   EXPECT_EQ(found->solution.cost.statistics.factorisations, 0) << "it costs nothing to be told";
   const auto knows = [&](auto&& change) {
-    StageRequest other = stage(1).asked;
+    StageRequest other = stage(1).request;
     change(other);
     return known.find(other) != nullptr;
   };
@@ -44,19 +44,19 @@ TEST(KnownStages, TellWhatCameOfTheSameRequestAndOfNoOther) {
 TEST(KnownStages, ForgetWhatWasNotAskedForLongest) {
   KnownStages known(60);  // three
   for (const double start : {1, 2, 3}) known.keep(stage(start));
-  EXPECT_TRUE(known.find(stage(1).asked));
+  EXPECT_TRUE(known.find(stage(1).request));
   known.keep(stage(4));
-  EXPECT_TRUE(known.find(stage(1).asked));
-  EXPECT_FALSE(known.find(stage(2).asked));
-  EXPECT_TRUE(known.find(stage(3).asked));
-  EXPECT_TRUE(known.find(stage(4).asked));
+  EXPECT_TRUE(known.find(stage(1).request));
+  EXPECT_FALSE(known.find(stage(2).request));
+  EXPECT_TRUE(known.find(stage(3).request));
+  EXPECT_TRUE(known.find(stage(4).request));
 }
 
 // A stage of a small scene may have more iterations than the scene has unknowns.
 TEST(KnownStages, CountNoHistory) {
   KnownStages known(20);
   known.keep(stage(1, 1000));
-  EXPECT_TRUE(known.find(stage(1).asked));
+  EXPECT_TRUE(known.find(stage(1).request));
 }
 
 TEST(KnownStages, KeepTheLastOfOneRequest) {
@@ -65,8 +65,8 @@ TEST(KnownStages, KeepTheLastOfOneRequest) {
   KnownStage further = stage(1);
   further.solution.u.front() = 5;
   known.keep(further);
-  ASSERT_TRUE(known.find(stage(1).asked));
-  EXPECT_EQ(known.find(stage(1).asked)->solution.u.front(), 5);
+  ASSERT_TRUE(known.find(stage(1).request));
+  EXPECT_EQ(known.find(stage(1).request)->solution.u.front(), 5);
 }
 
 }  // namespace
