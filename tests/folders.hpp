@@ -4,8 +4,8 @@
 
 namespace netloft::test {
 
-/// Of the checkout, of the build and of its plugins. They stand in one source, folders.cpp.in: among flags or
-/// in a header these paths would keep a compiler cache from serving other checkouts.
+/// Folders of the checkout, the build and its plugins. They are in one source, folders.cpp.in, because these
+/// paths in flags or in a header would prevent a compiler cache from serving other checkouts.
 const std::string& source_folder();
 const std::string& build_folder();
 const std::string& plugin_folder();

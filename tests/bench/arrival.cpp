@@ -84,7 +84,7 @@ struct Row {
   double unknowns = 0, cpu = 0;
 };
 
-/// What was spent on the scene's own mesh.
+/// Statistics of the stages on the scene's own mesh.
 Statistics on_its_own_mesh(const Solution& s) {
   if (s.cost.stages.empty()) return s.cost.statistics;
   Statistics sum;

@@ -16,7 +16,7 @@ namespace {
 using namespace netloft;
 using test::SolvedFile;
 
-/// What rows are judged by.
+/// The figures by which rows are compared.
 struct Shape {
   double lowest_z = 0, mid_width = 0;  // [m]
 };

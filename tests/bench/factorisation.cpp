@@ -38,7 +38,8 @@ double time_of(const std::function<void()>& work, int repeats) {
   return best;
 }
 
-/// What malloc has given out [bytes]. Factorisations keep what they free: afterwards it is what they took.
+/// Memory allocated by malloc [bytes]. Factorisations keep their memory, so that the difference is their
+/// size.
 double memory() {
   const auto info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What terms cost a scene that does not use them: the hanging panel with priour/triangle as shipped, and with
-// the same triangle that has tension and weight alone.
+// Cost of terms that a scene does not use: the hanging panel with priour/triangle as shipped, and with the
+// same triangle that has tension and weight only.
 //
 // Both are evaluated in pairs, one right after the other and in random order, so that a busy machine hits
 // both alike, on one core and in processor time. A pair gives a ratio; the median of many does not care how
@@ -28,7 +28,7 @@ constexpr int kBuilds = 60;                // of two panels of each size
 constexpr double kSecondsPerBuild = 0.15;  // [s]
 constexpr double kSecondsPerTurn = 1e-4;   // [s]
 
-/// Of this thread [s].
+/// Processor time of this thread [s].
 double processor_seconds() {
   timespec t;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -48,7 +48,7 @@ struct Panel {
     assembler = std::make_unique<Assembler>(scene, make_scene_plan(scene, registry), 1);
     residual.resize(assembler->numbering().dofs()), values.resize(assembler->value_slots());
   }
-  /// Of an evaluation of residual and tangent, on average [s].
+  /// Mean time of an evaluation of residual and tangent [s].
   double seconds(int evaluations) {
     const double begin = processor_seconds();
     for (int i = 0; i < evaluations; ++i)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the exact tangent of drag is worth: iterations, factorisations and time to 1e-8 for the hanging panel
-// across a current, with the tangent of drag whole, its symmetric part alone, or left out. Times are of one
+// Benefit of the exact tangent of drag: iterations, factorisations and time to 1e-8 for the hanging panel
+// across a current, with the whole tangent of drag, with its symmetric part, and without it. Times are of one
 // run on one machine: compare rows.
 #include "framework/judging/verdict.hpp"
 #include "solvers/factorisation/make_factorisation.hpp"

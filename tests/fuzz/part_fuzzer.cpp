@@ -40,7 +40,7 @@ struct GoodJournal {
   std::vector<Record> records;
   std::string identity;
 
-  /// What make_results.sh has put into the folder that NETLOFT_FUZZ_RESULTS names.
+  /// Reads the files that make_results.sh has put into the folder NETLOFT_FUZZ_RESULTS.
   GoodJournal() {
     const char* folder = std::getenv("NETLOFT_FUZZ_RESULTS");
     if (!folder)

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kResults[] = {"panel.hdf", "rope-in-time.hdf", "panel.hdf", "half-gear.hdf"};
 
-/// Where make_results.sh has put them.
+/// The folder of the results of make_results.sh.
 fs::path good_results() {
   const char* folder = std::getenv("NETLOFT_FUZZ_RESULTS");
   if (folder) return folder;

@@ -25,7 +25,7 @@ void assemble(const scenes::LoadedScene& loaded, Registry& registry) {
   }
 }
 
-/// Where an input finds what scenes include: `include = ["scenes/four-panel.toml"]`.
+/// Links the folders in which an input finds included files: `include = ["scenes/four-panel.toml"]`.
 void link_library() {
   for (const char* part : {"scenes", "gears"})
     std::filesystem::create_directory_symlink(

@@ -68,7 +68,7 @@ void read_manifest(const std::filesystem::path& path) {
   }
 }
 
-/// What is planned has a manifest that is read back as it was written.
+/// Plans a study; its manifest must be read back as it was written.
 void plan(const std::filesystem::path& path) {
   formats::Diagnostics diagnostics;
   const studies::StudyFile file = studies::read_study_file(path, diagnostics);

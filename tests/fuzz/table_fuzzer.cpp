@@ -145,7 +145,7 @@ class Tables {
   std::deque<std::vector<char>> memory_;
 };
 
-/// What the program does with a table that it has taken: says what is allowed, and fills a struct.
+/// Uses an accepted table as the program does: prints its ranges and fills a struct.
 void use_parameters(const std::vector<netloft_parameter>& rows, std::size_t bytes) {
   Values values;
   for (const auto& p : rows) {

@@ -76,7 +76,7 @@ TEST(SmallTrawl, StandsTheSameFromAnotherStart) {
   EXPECT_LT(worst, 1e-5);
 }
 
-/// What the bed carries, by the depth of the footrope in it: 1e5 N/m2 per metre of rope, soft over 1 mm.
+/// The load on the bed, by the depth of the footrope in it: 1e5 N/m2 per metre of rope, soft over 1 mm.
 double carried_by_depth(const SolvedFile& s) {
   constexpr double kStiffness = 1e5, kSoftness = 1e-3, kDepth = 31, kLength = 2.8;
   const auto& rope = s.part("footrope").nodes;

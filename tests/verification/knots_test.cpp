@@ -72,7 +72,7 @@ TEST_F(PanelByKnots, HangsTwineByTwineAsTheIndependentProgramSays) {
   EXPECT_NEAR(held, kPanelTopReaction, 1e-6 * kPanelTopReaction);
 }
 
-// What triangles that are not between knots cost: of as many nodes, ten times as much.
+// The cost of triangles that are not between knots: with as many nodes, ten times as much.
 TEST_F(PanelByKnots, IsNearerToTheNetThanTrianglesOfAsManyNodes) {
   const auto one = opened({"gear.nodes=3281"});
   const Solution s = runs::find_equilibrium(*one);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What says that it has converged has the reactions that the load demands, however stiff the gear is and
-// however far from the origin: forces come from differences of positions, and where the rounding of these is
-// worth more than the load, no residual tells anything. Ten decades of both, each solver and the default
-// strategy.
+// A converged solution has the reactions that the load requires, however stiff the gear is and however far it
+// is from the origin: forces come from differences of positions, and if the rounding of these exceeds the
+// load, no residual proves convergence. Ten decades of both, each solver and the default strategy.
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"
 

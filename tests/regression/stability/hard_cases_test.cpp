@@ -28,7 +28,7 @@ std::string rows_where(const std::vector<Row>& rows, const Is& is) {
 
 /// Claims success where there is no equilibrium, at another than the only one, or where a disturbance grows.
 bool claims_wrong(const Cell& c) { return is_claimed_wrong(c.verdict.where); }
-/// Where forces have no energy the suite itself has to ask whether a disturbance grows.
+/// Whether growth of disturbances was not examined although forces have no energy, which the suite has to do.
 bool is_not_asked(const Cell& c) { return c.status == "converged" && c.stability == "unknown"; }
 bool is_not_set_up(const Cell& c) {
   return c.verdict.where == Where::not_run && c.expected != Expected::none;

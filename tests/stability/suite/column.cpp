@@ -41,7 +41,7 @@ std::string component_of(const std::string& specification) {
   return specification.substr(0, specification.find(':'));
 }
 
-/// What a column is called it is: nothing that is set takes another solver or strategy in its place.
+/// The solver and strategy of a column apply in any case: no other setting replaces them.
 std::vector<std::string> overrides_of(const Column& column) {
   std::vector<std::string> all = column.overrides;
   if (!column.solver.empty()) append(all, runs::overrides_of("solver", column.solver));

@@ -26,8 +26,8 @@ void leave_out(const std::vector<std::string>& parts, Column& column);
 /// Name of a component in "newton:method=classic".
 std::string component_of(const std::string& specification);
 
-/// What makes the analysis of a scene that of the column, path=value. Throws std::invalid_argument with a
-/// sentence where a specification is not understood.
+/// Settings, path=value, that replace the analysis of a scene by that of the column. Throws
+/// std::invalid_argument with a sentence if a specification is not understood.
 std::vector<std::string> overrides_of(const Column& column);
 
 }  // namespace netloft::hard_cases

@@ -32,7 +32,7 @@ std::vector<Column> named_columns(const Suite& suite, const SuiteOptions& option
   return columns.empty() ? suite.columns : columns;
 }
 
-/// What the suite gives a solver of that name.
+/// The settings of the suite for a solver of that name.
 std::vector<std::string> overrides_in(const Suite& suite, const std::string& solver) {
   const auto same = std::find_if(suite.columns.begin(), suite.columns.end(), [&](const auto& column) {
     return component_of(column.solver) == component_of(solver);
@@ -97,7 +97,7 @@ bool first_is_right(const std::vector<Row>& rows) {
                      [](const Row& row) { return is_right(row.cells.front().verdict.where); });
 }
 
-/// What there is of the matrix when a plugin does not come back.
+/// Writes the incomplete matrix if a plugin does not return.
 class MatrixSoFar {
  public:
   MatrixSoFar(const MatrixTitle& title, const SuiteOptions& options, program::Terminal& terminal)

@@ -22,7 +22,7 @@ double distance_from(const Reference& reference, const std::vector<double>& x) {
   return largest / reference.size;
 }
 
-/// Of the box round all nodes; 1 where there is none.
+/// Diagonal of the bounding box of all nodes; 1 if there are none.
 double diagonal(const std::vector<double>& x) {
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -24,7 +24,7 @@ struct Reference {
   double residual = 0;   // largest nodal one [N]
 };
 
-/// Where a solver ended, as the host sees it.
+/// The host's classification of the point at which a solver ended.
 enum class Where {
   reference,  // at the best answer known
   lower,      // stable, of less energy than that
@@ -57,7 +57,7 @@ inline constexpr double kSameEnergy = 1e-9, kSameShape = 1e-5, kSamePlace = 1e-8
 /// load across the gear; where there is neither, what rounding of the positions is worth.
 double energy_noise(const Reference& reference, const Solution& solution);
 
-/// What of a solution there is to judge by; independent of what the solver says of itself.
+/// Data by which a solution is judged, independent of the claims of the solver.
 struct Ended {
   Solution solution;
   std::vector<double> positions;  // of all nodes [m]

@@ -15,7 +15,7 @@ struct Tally {
 };
 std::vector<Tally> tally(const std::vector<Row>& rows);
 
-/// By kind of case, which is the file of the suite that it stands in; in the order of the rows.
+/// Tallies of one kind of case, i.e. of one file of the suite, in the order of the rows.
 struct KindTally {
   std::string kind;
   std::vector<Tally> columns;

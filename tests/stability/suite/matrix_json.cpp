@@ -48,7 +48,7 @@ Json shapes_json(const Shapes& shapes) {
   return {{"restarts", shapes.restarts}, {"times", shapes.times}, {"others", others}};
 }
 
-/// As `--set` takes them.
+/// Overrides in the form of `--set`.
 Json overrides_json(const HardCase& c, const std::string& size) {
   Json all(c.overrides);
   if (const auto more = c.sizes.find(size); more != c.sizes.end())

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kHistoryKept = 24;
 
-/// What came of one attempt.
+/// The result of one attempt.
 struct Attempt {
   Ended ended;
   bool ran = false;
@@ -151,7 +151,7 @@ class SuiteRun {
     return all;
   }
 
-  /// Where nothing stable was found, an old answer that was come to again, and is not stable, is none.
+  /// Removes an old answer if no stable equilibrium was found and it turned out to be unstable.
   void renew(const HardCase& c, const std::string& size, const Answers& all,
              const std::vector<Attempt>& attempts) {
     const auto old = references_.find(c.reference, size);

@@ -121,7 +121,7 @@ Point turned(const Point& x, int axis, double angle) {
   return y;
 }
 
-/// Where one node goes, but for its hold.
+/// Target of one node without its hold.
 Point target(const StartStep& s, const Point& x, scenes::Dice& dice) {
   Point y = x;
   for (std::size_t i = 0; i < 3; ++i) y[i] -= s.about[i];

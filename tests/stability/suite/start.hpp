@@ -10,7 +10,7 @@
 namespace netloft::hard_cases {
 
 /// One way to spoil a start: x ← x + noise, c + F (x − c), c + R (x − c), x + d, or x of another free node.
-/// What is held stays where it is held, along the axes of its hold; rigid bodies stay.
+/// Held nodes keep their coordinates along the axes of their hold; rigid bodies do not move.
 struct StartStep {
   enum class Kind { noise, scale, turn, shift, shuffle };
   Kind kind = Kind::noise;

@@ -10,8 +10,8 @@
 
 namespace netloft::hard_cases {
 
-/// What the right answer is. unique: one place, the reference's. stable: the reference's or another stable
-/// one of no higher energy. none: there is no equilibrium, and it has to be said so.
+/// The right answer of a case. unique: one place, that of the reference. stable: the reference or another
+/// stable equilibrium of no higher energy. none: there is no equilibrium, and the program has to report that.
 enum class Expected { unique, stable, none };
 
 /// One hard case: a scene, how it is changed, and the start it is given.

@@ -20,7 +20,7 @@ void* volatile kept;
 
 __attribute__((constructor)) void start_up() {
   if (has("exits_at_once")) std::exit(0);
-  // What a trial once ended with when all was well.
+  // The exit code with which a trial once ended successfully.
   if (has("ends_with_any_code")) _exit(77);
   while (has("eats_memory")) {
     constexpr std::size_t kPiece = std::size_t{1} << 24;

@@ -60,7 +60,7 @@ constexpr Flaw kFlaw = FLAW_OF(FLAW);
 constexpr bool has(Flaw flaw) { return kFlaw == flaw; }
 
 #if defined(__x86_64__)
-/// What crtfastmath.o does.
+/// Sets flush-to-zero like crtfastmath.o.
 __attribute__((constructor)) void flush_to_zero() {
   if (has(FLAW_flushes_to_zero)) _mm_setcsr(_mm_getcsr() | 0x8040);
 }

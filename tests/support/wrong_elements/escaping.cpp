@@ -27,7 +27,7 @@ netloft_element element() {
   return e;
 }
 
-/// Of these, the tables of the plugin declare the coefficient alone.
+/// The tables of the plugin declare only the coefficient of these parameters.
 struct Parameters {
   double coefficient, number;
 };

@@ -162,8 +162,8 @@ struct SloppyEnergy {
 };
 
 struct SharedScratch {
-  /// Where another thread has been here since this one was, it will come again soon, however busy the
-  /// machine is.
+  /// Waits for the other thread if it has been here since the last call of this one, because it will then
+  /// soon be here again, even on a busy machine.
   static void let_another_write() {
     static std::atomic<std::thread::id> writer;
     const auto self = std::this_thread::get_id();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of time schemes of other libraries (arkode) need.
+// Shared by the tests of time schemes of other libraries (arkode).
 #pragma once
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ inline conformance::PracticeMotion after(const Chosen& scheme, int n, double end
   return motion;
 }
 
-/// What the first step says where every function of the host answers so.
+/// The result of the first step if every function of the host returns `status`.
 inline int step_where_the_host_answers(int status, const Chosen& scheme) {
   conformance::PracticeMotion motion({.fails = status});
   return motion.run(scheme.type.integrator, scheme.block.data(), {0.01}, 0.01);
@@ -40,7 +40,7 @@ inline double order_of_estimates(const Chosen& scheme) {
   return std::log2(after(scheme, 10, 0.5, {}).estimate / after(scheme, 20, 0.5, {}).estimate);
 }
 
-/// Where a scene of the gear library is at its end.
+/// The final state of a scene of the gear library.
 inline MarchResult end_of(const std::string& scene, const std::vector<std::string>& overrides) {
   runs::PreparedScene c({test::source_folder() + "/gear-library/scenes/dynamics/" + scene, overrides, 1},
                         shipped_plugins());
@@ -51,7 +51,7 @@ inline MarchResult end_of(const std::string& scene, const std::vector<std::strin
   return r;
 }
 
-/// Of four bars as stiff in compression as in tension, and a ball, after 0.5 s.
+/// The motion of four bars as stiff in compression as in tension, and a ball, after 0.5 s.
 inline MarchResult swing(const std::vector<std::string>& overrides) {
   std::vector<std::string> all = {"parts.rope.rope.EA=2000", "parts.rope.rope.EA_compression=2000",
                                   "analysis.duration=0.5",   "analysis.output_interval=0",

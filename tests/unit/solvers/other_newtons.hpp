@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of Newtons of other libraries (kinsol) need.
+// Shared by the tests of Newton's methods of other libraries (kinsol).
 #pragma once
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What Newtons of other libraries answer alike. The test of each is built with it.
+// Results that Newton's methods of other libraries have in common. The test of each is built with this file.
 #include "tests/unit/solvers/other_newtons.hpp"
 
 namespace netloft::test {

@@ -82,7 +82,7 @@ TEST(Judge, SuccessAtAnUnstablePlaceIsClaimedWrong) {
   EXPECT_TRUE(is_claimed_wrong(Where::wrong) && !is_right(Where::wrong));
 }
 
-// What the solver's host has said of stability does not count where the suite knows better.
+// The finding of the suite prevails over the host's verdict on stability.
 TEST(Judge, TheSuitesOwnFindingDecidesWhetherAnAnswerIsStable) {
   Ended e = ended_at(-100);
   e.solution.stability = Stability::stable, e.stability = Stability::unstable;
@@ -115,7 +115,7 @@ TEST(Judge, AnUnstablePlaceThatIsCalledSoIsNoLieAndNoArrival) {
   EXPECT_FALSE(is_right(Where::unstable) || is_claimed_wrong(Where::unstable));
 }
 
-// What only grows will come to rest elsewhere.
+// A disturbance that grows without oscillation leads to another equilibrium.
 TEST(Judge, ToSwingOnIsRightOnlyWhereNobodyKnowsAPlaceToRest) {
   Ended e = ended_at(-100);
   e.solution.status = SolveStatus::unstable, e.stability = Stability::unstable;

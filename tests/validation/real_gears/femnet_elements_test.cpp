@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests add to the shipped elements keeps the same promises as they do: above all, its tangents are
-// the derivatives of its forces.
+// The elements of these tests keep the same promises as the shipped ones; above all, their tangents are the
+// derivatives of their forces.
 #include "framework/conformance/conformance.hpp"
 #include "framework/conformance/specimen.hpp"
 

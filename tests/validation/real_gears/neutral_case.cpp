@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What no gear here has is refused rather than left out.
+/// Refuses features that no gear here has, rather than ignoring them.
 void refuse_unless(bool known, const char* what) {
   if (!known) throw std::runtime_error(std::string(what) + ": not known here");
 }

@@ -103,7 +103,7 @@ TEST_P(RealGear, IsInEquilibriumByTheDefaultStrategy) {
   if (s.furthest.distance > 1e-3) expect_another_answer(gear_, s);
 }
 
-// Of the closed cod-end of b1 the order of knots in which most attempts end is not stable.
+// The closed cod-end of b1 needs more, because the order of knots in which most attempts end is not stable.
 int most_factorisations(const std::string& gear) { return gear == "07_bottom_b1" ? 80 : 50; }
 
 /// The same in few steps. The ring is left out: it is bent, and nothing in it pulls.

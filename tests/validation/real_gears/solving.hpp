@@ -24,7 +24,7 @@ struct SolvedGear {
   double residual_over_tension() const { return solved.solution.balance.residual / largest_tension; }
 };
 
-/// Where the solver starts.
+/// The initial guess of the solver.
 struct Start {
   bool at_reference = false;  // else from the flat drawing
   double noise = 0;           // standard deviation of each free coordinate [m]
@@ -34,11 +34,11 @@ struct Start {
 SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                  const test::Solving& how);
 
-/// Where the nodes are after so long a motion [s], from rest at the start.
+/// Positions of the nodes after a motion of this duration [s], from rest at the start.
 std::vector<Vector> follow_motion(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                                   double duration);
 
-/// By the strategy wanted, else the program's default one, from wherever the gear starts.
+/// Solves by the given strategy, or the program's default, from the start of the gear.
 SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                              const test::Solving& how);
 

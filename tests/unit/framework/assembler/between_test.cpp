@@ -113,7 +113,8 @@ TEST(MeanForces, HaveTheSlopeOfTheirChangeWithTheMiddle) {
   }
 }
 
-/// By hand: EA = 100 N, l0 = 2 m, from 1.9 m slack with 1 N to 2.2 m: (½ 50 0.2² − ½ 0.5 0.1²)/0.3 N.
+/// Computed by hand: EA = 100 N, l0 = 2 m, from 1.9 m slack with 1 N to 2.2 m: (½ 50 0.2² − ½ 0.5 0.1²)/0.3
+/// N.
 TEST(MeanTension, IsTheEnergyOverTheWay) {
   const netloft_member m{{-1, 1, 0}, 2, 100, 1, 1};
   EXPECT_NEAR(mean_tension(m, 1.9, 2.2).T, (0.5 * 50 * 0.04 - 0.5 * 0.5 * 0.01) / 0.3, 1e-12);

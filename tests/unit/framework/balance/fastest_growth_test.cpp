@@ -76,8 +76,8 @@ TEST(FastestGrowth, IsNotExceededByWhatGrows) {
   EXPECT_GT(fastest, 1e4) << "what is stiff is faster";
 }
 
-// Of σ = 10/s, 0.1/s and 1e-3/s each by one factorisation; by stiffness and mass it would have been up to
-// 1e7/s.
+// Three values of σ with one factorisation each: 10/s, 0.1/s and 1e-3/s. By stiffness and mass alone, they
+// would range up to 1e7/s.
 TEST(FastestGrowth, SparesWhatIsOnlyStiff) {
   Driven driven(1, 0);
   driven.M.setIdentity(), driven.C.setIdentity(), driven.convex = 1e12 * Matrix::Identity();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of deliberately wrong elements, laws, solvers, integrators and strategies share: each says
-// in its doc which check must find it, and "nothing" if none may.
+// Shared by the tests of deliberately wrong elements, laws, solvers, integrators and strategies: the doc of
+// each names the check that must find it, or "nothing".
 #pragma once
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/registry.hpp"
@@ -27,7 +27,7 @@ inline std::set<std::string> failed_checks(const ConformanceReport& report) {
   return names;
 }
 
-/// What the sentence of something wrong says must find it.
+/// The checks that must find a wrong component, from its doc.
 inline std::set<std::string> promised(const std::string& doc) {
   return doc == "nothing" ? std::set<std::string>{} : std::set<std::string>{doc};
 }

@@ -17,7 +17,7 @@ struct Shared {
   std::int64_t number = 3;
 };
 
-/// What the host hands over: 2 where a row declares it, zero elsewhere.
+/// The block of the host: 2 for declared members, zero for others.
 struct Block {
   double given = 2;
   std::int64_t number = 0;

@@ -152,7 +152,7 @@ struct PlateOnWarp {
     }
     return A / 2e-6;
   }
-  /// Of the warp's stretch and what its tension holds.
+  /// Stiffness by the stretch of the warp and by its tension.
   Mat6 convex() const {
     const Vec3 arm = axes * lever, along = pull.normalized();
     Eigen::Matrix<double, 3, 6> J;
@@ -312,7 +312,7 @@ TEST(GrowthWithMass, IsThatOfAPendulum) {
   EXPECT_NEAR(swings.frequency, std::sqrt(25 - 0.075 * 0.075), 1e-8);
 }
 
-// What drives one body damps the other more: without masses s = 0.5 and more would grow at once.
+// One body is driven less than the other is damped. Without masses s = 0.5 and more would grow at once.
 TEST(GrowthWithMass, SwingsNotWhereANeighbourDampsWhatDrivesIt) {
   const ThreeDiagonals K(2, -1, 2, -1);
   const std::vector<double> C{-0.1, 0, 0, 1}, unit{1, 0, 0, 1};
@@ -394,7 +394,7 @@ TEST(GrowthWithMass, FollowsThroughNodesWithoutMass) {
   EXPECT_NEAR(g.mode[1] / g.mode[0], 0.5, 1e-6);
 }
 
-// By (9): Cholesky factors of M, C and K alone.
+// (9) needs only Cholesky factors of M, C and K.
 TEST(GrowthWithMass, AsksNoMotionWhereItsEnergyFalls) {
   const ThreeDiagonals K(200, -1, 2.5, -1), unit(200, 0, 1, 0);
   const Growth g = growth_with(K, unit.values, unit.values);
@@ -500,8 +500,8 @@ TEST(Growth, IsMarginalWhereWhatSwingsIsNotDamped) {
   EXPECT_EQ(f.growth().verdict, GrowthVerdict::marginal);
 }
 
-// Of a taut spring, K₁₁ and K₂₂ are positive: what turns its force drives a swing, which water calms that
-// flows fast enough.
+// With a taut spring, K₁₁ and K₂₂ are positive. A rotation of its force causes flutter, which a sufficiently
+// fast flow damps.
 TEST(Growth, IsFlutterThatFastWaterCalms) {
   FloatOnSpring f{.squared = 1.2, .push = 250};
   double calm = 0;

@@ -328,7 +328,7 @@ TEST(Verdict, NamesTheNodeWhereTheTangentIsSingular) {
   EXPECT_EQ(solved.solution.at_fault, "bar node 1");
 }
 
-/// As one is of a matrix that is too large.
+/// A factorisation that fails like that of a matrix which is too large.
 class WithoutRoom final : public Factorisation {
  public:
   std::string description() const override { return "without room"; }

@@ -34,7 +34,7 @@ struct Chain {
       y[i] = spring[i] * (x[i] - before) + spring[i + 1] * (x[i] - after);
     }
   }
-  /// By the dense problem.
+  /// The highest frequency of the dense problem.
   double omega() const {
     const auto n = static_cast<Eigen::Index>(size());
     Eigen::MatrixXd K(n, n), M = Eigen::MatrixXd::Zero(n, n);

@@ -90,7 +90,7 @@ TEST(Newmark, SettlesByTheFixedPointBelowItsLimitAndNotAbove) {
   EXPECT_FALSE(settles(1.03 * limit));
 }
 
-/// Where the exact motion is.
+/// Displacement of the exact motion.
 double exact(const Oscillator& o, double t, double u0) { return u0 * std::cos(o.omega() * t); }
 
 double error_at_end(const std::string& integrator, const Values& values, int n) {
@@ -127,7 +127,7 @@ class SpectralRadius : public testing::TestWithParam<double> {};
 
 using Matrix3 = std::array<double, 9>;
 
-/// What one step makes of (u, h v, h² a), column by column.
+/// The matrix of one step for (u, h v, h² a), column by column.
 Matrix3 amplification(double rho, double Omega) {
   const Oscillator o;
   const double h = Omega / o.omega(), scale[3] = {1, 1 / h, 1 / (h * h)};
@@ -367,7 +367,7 @@ TEST(March, JudgesNothingWhereNobodyAsks) {
   EXPECT_EQ(m.run("central-difference", {}, s, &from).status, MarchStatus::finished);
 }
 
-/// What was made and given before an output is known after it.
+/// Created and supplied energies before an output are stored with it.
 TEST(March, IsLostAtTheSameStepWhenItGoesOnFromAnOutput) {
   const Oscillator o;
   const double h = 2.0005 / o.omega();

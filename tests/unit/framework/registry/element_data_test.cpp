@@ -39,7 +39,7 @@ TEST(KnownOutputs, AreTheTableOfTheGuide) {
   EXPECT_EQ(test::rows_below("framework/guides/element.md", "| output | unit | |"), rows);
 }
 
-/// What is said of a plugin whose one element declares this.
+/// The message on a plugin whose one element declares this.
 std::string refusal(std::uint32_t stencil, const char* name, std::uint32_t width, const char* unit) {
   netloft_datum d{sizeof d, width, name, unit, "a datum"};
   netloft_term t{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What must not be loaded, and what the author is told. Sources: tests/support/refused.
+// Plugins that must not be loaded, and the messages to their authors. Sources: tests/support/refused.
 #include "framework/registry/library.hpp"
 #include "tests/folders.hpp"
 

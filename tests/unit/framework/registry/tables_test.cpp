@@ -17,7 +17,7 @@ netloft_law law() {
   return l;
 }
 
-/// What is said of a plugin with this one law.
+/// The message on a plugin with this one law.
 std::string refusal(const netloft_law* laws, std::uint32_t count) {
   netloft_plugin p{};
   p.size = sizeof p, p.abi_major = NETLOFT_ABI_MAJOR, p.abi_minor = NETLOFT_ABI_MINOR;

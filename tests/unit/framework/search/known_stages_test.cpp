@@ -6,7 +6,7 @@
 namespace netloft::test {
 namespace {
 
-/// Of ten numbers where it began and ten where it ended, after so many iterations.
+/// A stage with ten numbers at its start and ten at its end, after so many iterations.
 KnownStage stage(double start, std::size_t iterations = 0) {
   KnownStage s;
   s.request.by = "newton/newton", s.request.start.assign(10, start);

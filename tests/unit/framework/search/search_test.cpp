@@ -205,7 +205,7 @@ std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> st
   return running.ending();
 }
 
-// What is cut off gets more work, and may be farther from balance than its start.
+// A stage that is cut off gets more work, and may be farther from balance than its start.
 TEST(ASearch, EndsAsItsLastStageDidAndNotAsTheOneThatWasClosest) {
   const auto cut_off = [](Search& of) {
     Displacements near = of.start();

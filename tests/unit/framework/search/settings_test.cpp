@@ -24,7 +24,7 @@ Scene ropes(const std::vector<double>& wanted) {
   return scene;
 }
 
-/// What is asked of a model of reactions over lengths; below `shortest` there is no equilibrium.
+/// A model of reactions over lengths, with a count of its calls; below `shortest` there is no equilibrium.
 struct Model {
   std::function<std::vector<double>(std::vector<double>)> reactions;
   double shortest = 0;

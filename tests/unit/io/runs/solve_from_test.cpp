@@ -46,7 +46,7 @@ TEST(SolveFrom, LeavesAnUnstableEquilibriumWhereverTheSceneIsSketched) {
   EXPECT_NEAR(middle(kStraight + 0.25, kStraight, by), end, 1e-9);
 }
 
-/// As heavy bars: a motion without a load has nothing to compare its end with.
+/// The bars are heavy because a motion without a load has no scale for its residual.
 TEST(SolveFrom, BeginsAMotionThereToo) {
   const std::vector<std::string> heavy{"analysis.solver=generalized-alpha", "water.gravity=9.81",
                                        "parts.bar.rope.density=5000", "analysis.tolerance=1e-5"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What ropes lose above the surface, by hand: surface.hpp (1)–(3) on bars.
+// Drag and buoyancy that ropes lose above the surface, computed by hand: surface.hpp (1)–(3) on bars.
 #include "plugins/rope/bar.hpp"
 #include "tests/unit/plugins/kernel_oracle.hpp"
 

@@ -95,7 +95,7 @@ struct Corners {
 
 using Residual = Points<D, 3>;
 
-/// What is left of the velocity of the water at a triangle.
+/// Fraction of the velocity of the water that is left at a triangle.
 D left_at(const Corners& k, const Triangle::Parameters& p) {
   const Vec3<D> middle = D(1.0 / 3) * (k.x[0] + k.x[1] + k.x[2]);
   const D d =

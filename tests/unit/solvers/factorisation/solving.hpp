@@ -15,7 +15,7 @@ inline constexpr double kRoundOff = 1e-14;  // backward error of a stable factor
 
 inline constexpr double kMostOf32Bits = 2147483647;  // that an index of 32 bits counts
 
-/// What malloc has given out; 0 with the malloc of a sanitizer, which does not tell.
+/// Memory allocated by malloc; 0 with the malloc of a sanitizer, which does not report it.
 inline double allocated_bytes() {
   const auto info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd);

@@ -190,7 +190,7 @@ Scene two_toppling_bars(double second) {
   return s.scene;
 }
 
-// What is met on the way off one unstable equilibrium is another.
+// The path away from one unstable equilibrium leads to another one.
 TEST(Auto, MovesOffOncePerThingThatGrows) {
   plugins();
   for (const double second : {5.0, 10.001, 20.0}) {

@@ -8,7 +8,7 @@
 
 namespace netloft::femnet {
 
-/// What FEMNET puts on a node, s of it (one half on a plane of symmetry):
+/// FEMNET's forces on a node; s is their number (one half on a plane of symmetry):
 ///   E = −s (F·x − m g z)                                              force and weight        (1)
 ///   E = s ρ_w g A Z,  −dZ/dz = clamp(top − z, 0, H)                   buoyant box             (2)
 ///   E = s ½ k Σ p²,  p = limit − coordinate where that is violated    penalty on coordinates  (3)

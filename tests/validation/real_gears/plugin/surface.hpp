@@ -9,8 +9,8 @@
 
 namespace netloft::femnet {
 
-/// What FEMNET leaves away above the surface of the water, z = 0: (1) to (3) of plugins/common/surface.hpp,
-/// as elements beside shipped ones that count no surface.
+/// Forces that FEMNET omits above the surface of the water, z = 0: (1) to (3) of plugins/common/surface.hpp,
+/// as elements beside shipped ones without a surface.
 using surface::Cube;
 
 /// (2) of netting, an element beside priour/triangle.

@@ -66,7 +66,7 @@ TEST_F(SealedResult, NamesTheDatasetWhoseNumbersChanged) {
   EXPECT_TRUE(says(error_with_flipped_bit(doc, 1), "its names, texts or attributes do not match"));
 }
 
-/// Where the table itself is damaged, the file is refused, or it is taken for one without a table.
+/// If the table itself is damaged, the file is refused or counts as one without a table.
 TEST_F(SealedResult, IsNeverReadWrongWhereItsTableIsDamaged) {
   std::size_t refused = 0;
   for (std::size_t at = table_; at < bytes_.size(); ++at)

@@ -24,7 +24,7 @@ std::string base() {
   return changed(gear, "Wave height (m): 0", "Wave height (m): 1");
 }
 
-/// What the scene says but for its comments and findings.
+/// The scene without its comments and findings.
 std::string without_comments(const std::string& scene) {
   std::istringstream in(scene);
   std::string out;

@@ -12,7 +12,7 @@ namespace {
 const std::string kHostileGear = sample("03_node_force_symmetry.don"),
                   kHostileMesh = sample("03_node_force_symmetry.mdg");
 
-/// Where the first part ends: what is cut off behind it is notes.
+/// End of the first part; notes follow behind it, which may be cut off.
 std::size_t end_of_values(const std::string& gear) { return gear.find("Speed display: 0"); }
 
 class CutGear : public testing::TestWithParam<int> {};

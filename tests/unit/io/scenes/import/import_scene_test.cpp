@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What becomes of a gear: parts, loads, holds, and what is said of what has no counterpart.
+// The result of importing a gear: parts, loads, holds, and messages on features without a counterpart.
 #include "tests/unit/io/scenes/import/samples.hpp"
 
 namespace netloft::scenes::femnet {

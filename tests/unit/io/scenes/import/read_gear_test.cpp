@@ -152,7 +152,7 @@ TEST(FemnetKeywords, ThatAreNotKnownAreSaid) {
   EXPECT_EQ(read.gear.findings[1].kind, Finding::Kind::left_out);
 }
 
-/// By hand: volumes of rope and spheres, their masses, and the frontal areas.
+/// Computed by hand: volumes of rope and spheres, their masses, and the frontal areas.
 TEST(FemnetKeywords, SmearSpheresOnACable) {
   const double pi = std::numbers::pi, rope = 10 * pi * 0.02 * 0.02 / 4, sphere = pi * 0.1 * 0.1 * 0.1 / 6;
   const ReadGear read(with_tail("input sphere_element 1 6 0.1 3.5"));

@@ -9,7 +9,7 @@ namespace {
 using formats::test::Input;
 using Source = ResultRequest::Source;
 
-/// What `take` of a part, or of an edge, is understood to be.
+/// Interpretations of `take` for a part or an edge.
 class Take : public ::testing::Test {
  protected:
   Take() {

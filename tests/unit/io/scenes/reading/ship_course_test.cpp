@@ -24,7 +24,7 @@ TEST(CourseOfBlock, StaysWhileTheShipGoesOn) {
     EXPECT_NEAR(std::hypot(course.at(t).d[0], course.at(t).d[1]), 0, 1e-12);
 }
 
-/// Of a circle of radius R = V/ω, seen from ahead of it.
+/// The course is a circle of radius R = V/ω, seen from ahead of it.
 TEST(CourseOfBlock, GoesRoundACircleAndOnStraight) {
   const double omega = kQuarter / kTurning, R = kSpeed / omega, across = -3;
   const Course course = course_of_block(turning_ship(), across);

@@ -107,7 +107,7 @@ TEST(StudyIndices, IsOfListedAndDrawnVariablesTogether) {
   EXPECT_NEAR(figure.variables[0].first.value, 0.9, figure.variables[0].first.error + 0.005);
   EXPECT_NEAR(figure.variables[2].total.value, 0, 0.005);
 }
-// What is held counts no more; the grid and the values between are the same function.
+// Held variables have no index; the grid and the values between its points belong to the same function.
 TEST(StudyIndices, IsOfTheVariablesThatAreNotHeld) {
   const StudyTable table = table_of(kSpeedAndDepth, 0, headline);
   for (const char* at : {"speed=2.5 kn", "speed=2.7 kn"}) {

@@ -20,7 +20,7 @@ class ManifestTest : public formats::test::Scratch {
     file.variables = {mass, twine, speed};
     return make_study(file, "../scene.toml", {{"../scene.toml", "fnv1a64:0123"}});
   }
-  /// What is wrong with a manifest of this text.
+  /// The message on a manifest of this text.
   std::string refusal(const std::string& text) {
     try {
       read_manifest(write("m.jsonl", text));

@@ -24,7 +24,7 @@ Points grid(int speeds, int depths) {
   return points;
 }
 
-/// As a headline height falls with speed and grows with depth: range 2.5 to 10.
+/// A function like a headline height over speed and depth: range 2.5 to 10.
 double height(const Numbers& at) {
   return 12 / (at[0] * std::sqrt(at[0] / 2)) + 2 * std::sin(at[1] / 40) + 0.01 * at[0] * at[1];
 }
@@ -94,7 +94,7 @@ TEST(Kriging, FindsASmoothFunctionBetweenFewPoints) {
     }
   EXPECT_LT(worst, 0.02);  // 0.3 % of the range
 }
-// As a pull that is a weight: linear in two variables of few values, nothing in the third.
+// A function like a pull that is a weight: linear in two variables with few values, constant in the third.
 TEST(Kriging, FindsAPlaneToRoundOff) {
   Points points;
   Numbers values;

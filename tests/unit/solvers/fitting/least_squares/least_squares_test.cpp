@@ -122,7 +122,7 @@ class InterruptedModel : public FunctionModel {
   int left_;
 };
 
-// What is known with its slopes is kept whole wherever the user interrupts.
+// A point with known slopes remains complete, wherever the user interrupts.
 TEST(LeastSquares, KeepsTheBestPointWhoseSlopesAreKnownWhenInterrupted) {
   for (int calls = 0; calls < 12; ++calls) {
     InterruptedModel model([](const Numbers& x) { return Numbers{x[0] * x[0], x[0] + x[1]}; }, calls);

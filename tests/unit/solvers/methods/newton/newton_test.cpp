@@ -22,7 +22,7 @@ Scene pressed_line(double short_by) {
 
 double away_from_line(const Solved& s) { return std::hypot(s.position(1)[1], s.position(1)[2]); }
 
-// By Pythagoras the joint of two bars of 1 m is √(δ − δ²/4) off the line between ends 2 m − δ apart.
+// The joint of two bars of 1 m between ends 2 m − δ apart is √(δ − δ²/4) off the line, by Pythagoras.
 TEST(Newton, LeavesASaddleThatSymmetryHidesWhileItSolves) {
   for (const double short_by : {1e-7, 1e-6, 2e-5, 1e-4}) {
     const Solved s = solve_with("newton", pressed_line(short_by), {{"damping", 0.0}});

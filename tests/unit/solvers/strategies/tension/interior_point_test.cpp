@@ -51,7 +51,7 @@ TEST(InteriorPoint, TellsTheTautRopeFromTheSlackOne) {
   }
 }
 
-// What members bear in compression is not in it.
+// The model has no stiffness in compression.
 TEST(InteriorPoint, EndsWhereNothingIsBorneByCompression) {
   const Found found = find(two_ropes(1e4, 6));
   ASSERT_EQ(found.ending, Ending::converged);

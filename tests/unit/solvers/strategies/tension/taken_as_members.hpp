@@ -12,7 +12,7 @@
 
 namespace netloft::tension {
 
-/// What a user gets who sets nothing.
+/// The defaults of a strategy, for a user who sets nothing.
 template <class Strategy>
 typename Strategy::Parameters defaults() {
   StrategyTable<Strategy> table("", "");
@@ -33,7 +33,7 @@ struct TakenAsMembers {
         problem(assembled.assembler, make_factorisation, limits, on_iteration),
         u(problem.interface().unknowns, 0.0) {}
 
-  /// Of the nodes, 3 each [m].
+  /// Positions of the nodes, 3 each [m].
   std::vector<double> positions() const {
     const Assembler& assembler = assembled.assembler;
     std::vector<double> x = assembler.start(), all(assembled.scene.positions.size());
