@@ -46,7 +46,7 @@ class Configuration {
   /// Positions over all degrees of freedom after the last call of `place` [m].
   const std::vector<double>& x() const { return x_; }
   /// Low-order part of the positions x [m]; empty if displacements are relative to the start.
-  const std::vector<double>& low_digits() const { return x_low_; }
+  const std::vector<double>& x_low() const { return x_low_; }
   const Kinematics& motion() const { return motion_; }
   /// The step whose mean forces are evaluated. Null: forces are evaluated at u.
   const StepEnds* between() const { return step_.between ? &step_.between->ends : nullptr; }

@@ -12,7 +12,7 @@ namespace {
 
 // Chosen: rounding errors fluctuate from one point to the next, whereas a step that still converges, even if
 // only linearly, reduces the residual at least by half.
-constexpr double kFalls = 0.5;
+constexpr double kRealReduction = 0.5;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ Convergence convergence_of(const Imbalance& i, double tolerance) {
 }
 
 bool may_stop(Convergence c, double residual, double residual_before) {
-  if (c == Convergence::at_round_off) return !(residual < kFalls * residual_before);
+  if (c == Convergence::at_round_off) return !(residual < kRealReduction * residual_before);
   return c == Convergence::within_tolerance;
 }
 

@@ -15,9 +15,9 @@ enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, 
 
 /// Which properties of an equilibrium are examined, and which equilibria are accepted.
 struct Judging {
-  bool ask_growth = true;        // examine whether a small disturbance grows, if forces have no energy
-  bool accept_swinging = false;  // accept an equilibrium about which something oscillates
-  JudgedPoint* known = nullptr;  // the point whose stability was decided last; null: not stored
+  bool examine_growth = true;       // examine whether a small disturbance grows, if forces have no energy
+  bool accept_oscillation = false;  // accept an equilibrium about which something oscillates
+  JudgedPoint* known = nullptr;     // the point whose stability was decided last; null: not stored
 };
 
 /// Limits of one solve.

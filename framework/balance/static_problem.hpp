@@ -89,7 +89,7 @@ class StaticProblem {
   const std::vector<double>& positions(std::span<const double> u);
   /// Low-order part of the positions of the last evaluation [m]; empty if displacements are relative to the
   /// start.
-  const std::vector<double>& low_digits() const { return configuration_.low_digits(); }
+  const std::vector<double>& x_low() const { return configuration_.x_low(); }
   /// The next solution starts without a factor.
   void forget_factor() { factors_.forget(); }
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }

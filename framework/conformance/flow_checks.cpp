@@ -83,10 +83,10 @@ Finding says_how_much_it_stands_for(Bench& b) {
   for (const auto& term : b.type.terms)
     if (term.traits & NETLOFT_READS_CURRENT)
       for (const auto& tile : b.tiles) b.specimen->evaluate(term, tile, NETLOFT_WANT_FORCE);
-  const AskedLanes& asked = b.specimen->asked();
-  if (asked.told == 0) return not_applicable("it passes no extents to its laws");
-  if (asked.wrong > 0)
-    return failed(std::to_string(asked.wrong) + " of " + std::to_string(asked.told) +
+  const LaneCounts& law_lanes = b.specimen->law_lanes();
+  if (law_lanes.all == 0) return not_applicable("it passes no extents to its laws");
+  if (law_lanes.wrong > 0)
+    return failed(std::to_string(law_lanes.wrong) + " of " + std::to_string(law_lanes.all) +
                   " lanes have no positive length of twine or area of netting");
   return {};
 }

@@ -35,7 +35,7 @@ std::uint32_t kind_for(const netloft_law_slot& slot, std::uint32_t wanted) {
 
 Specimen::Specimen(const ElementType& type, const Sample& sample)
     : type_(type), forgotten_(type.element.state_width * kLanes, 0.0) {
-  for (const auto& slot : type.laws) laws_.push_back(test_law(kind_for(slot, sample.law_kind), &asked_));
+  for (const auto& slot : type.laws) laws_.push_back(test_law(kind_for(slot, sample.law_kind), &law_lanes_));
   std::vector<std::string> faults;
   std::vector<const void*> blocks;
   std::vector<const double*> data;

@@ -90,7 +90,7 @@ class Specimen {
 
   std::size_t entries(const netloft_term& term) const;
   /// Counts of the lanes for which laws were called.
-  const AskedLanes& asked() const { return asked_; }
+  const LaneCounts& law_lanes() const { return law_lanes_; }
   /// Size of the memory of a term, in numbers per element.
   std::size_t remembered(const netloft_term& term) const;
 
@@ -99,7 +99,7 @@ class Specimen {
 
   const ElementType& type_;
   std::vector<ParameterBlock> parameters_;
-  AskedLanes asked_;
+  LaneCounts law_lanes_;
   std::vector<netloft_bound_law> laws_;
   std::vector<double> forgotten_;  // zeros: the memory of new elements
   void* self_ = nullptr;

@@ -33,9 +33,9 @@ void write_lane(const netloft_law_tile& f, std::size_t i, double half) {
 
 void count(const void* law, const netloft_law_tile& f) {
   if (!law || f.size < offsetof(netloft_law_tile, extent) + sizeof f.extent || !f.extent) return;
-  AskedLanes& asked = *static_cast<AskedLanes*>(const_cast<void*>(law));
-  asked.told += f.count;
-  for (std::size_t i = 0; i < f.count; ++i) asked.wrong += !(f.extent[i] > 0 && std::isfinite(f.extent[i]));
+  LaneCounts& lanes = *static_cast<LaneCounts*>(const_cast<void*>(law));
+  lanes.all += f.count;
+  for (std::size_t i = 0; i < f.count; ++i) lanes.wrong += !(f.extent[i] > 0 && std::isfinite(f.extent[i]));
 }
 
 int twine(const void* law, const netloft_law_tile* f) {
@@ -52,8 +52,8 @@ int screen(const void* law, const netloft_law_tile* f) {
 
 }  // namespace
 
-netloft_bound_law test_law(std::uint32_t kind, AskedLanes* asked) {
-  return {kind, 0, asked, kind == NETLOFT_SCREEN_LAW ? screen : twine};
+netloft_bound_law test_law(std::uint32_t kind, LaneCounts* lanes) {
+  return {kind, 0, lanes, kind == NETLOFT_SCREEN_LAW ? screen : twine};
 }
 
 }  // namespace netloft::conformance

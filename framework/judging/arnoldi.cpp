@@ -14,9 +14,9 @@ namespace {
 
 // (5): the estimated error of a Ritz value may be this fraction of its distance from the unit circle. Chosen:
 // the estimate is of first order and may be ten times too small.
-constexpr double kKnown = 0.1;
+constexpr double kErrorOfKnown = 0.1;
 // Least ratio of lengths before and after the orthogonalisation of a vector that is orthogonal already.
-constexpr double kRemains = 0.5;
+constexpr double kLeastRemainder = 0.5;
 
 int rank(const RitzPair& pair, const Cayley& A, double beyond) {
   if (pair.beyond() <= beyond || !pair.is_known()) return 0;
@@ -26,7 +26,7 @@ int rank(const RitzPair& pair, const Cayley& A, double beyond) {
 
 }  // namespace
 
-bool RitzPair::is_known() const { return residual * condition <= kKnown * beyond(); }
+bool RitzPair::is_known() const { return residual * condition <= kErrorOfKnown * beyond(); }
 
 void Arnoldi::begin(const Eigen::VectorXd& z) {
   const Eigen::VectorXd weighed = A_.weighed(z);
@@ -65,7 +65,7 @@ void Arnoldi::step(Eigen::Index k) {
   const Eigen::VectorXd weighed = A_.weighed(next);
   const double rest = std::sqrt(std::max(0.0, next.dot(weighed)));
   size_ = k + 1;
-  is_exhausted_ = !(rest > kRemains * std::hypot(rest, along.norm())) || size_ == A_.dimension();
+  is_exhausted_ = !(rest > kLeastRemainder * std::hypot(rest, along.norm())) || size_ == A_.dimension();
   H_(k + 1, k) = is_exhausted_ ? 0 : rest;
   if (!is_exhausted_) {
     Q_.col(k + 1) = next / rest;

@@ -56,7 +56,7 @@ void find_correction(Assessment& a, StaticProblem& problem, const AssembledScene
     return;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += step[i];
   a.correction.x = problem.positions(u);
-  a.correction.x_low = problem.low_digits();
+  a.correction.x_low = problem.x_low();
   std::vector<double> way(a.x.size());
   for (std::size_t i = 0; i < way.size(); ++i) way[i] = a.correction.x[i] - a.x[i];
   if (!a.x_low.empty())
@@ -90,7 +90,7 @@ Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, dou
 }
 
 /// Stability if forces have no energy.
-void find_what_grows(Assessment& a, const AssembledScene& scene, double gear_size) {
+void find_growing_motion(Assessment& a, const AssembledScene& scene, double gear_size) {
   Growth growth = find_growth_at_rest(scene, a, gear_size);
   a.stability = stability_of(growth.verdict);
   a.judging.add(growth.cost);
@@ -115,7 +115,7 @@ bool is_decided(Stability s) {
   return s == Stability::stable || s == Stability::swinging || s == Stability::unstable;
 }
 
-void take_stability(Assessment& a, const Assessment& of) {
+void copy_stability(Assessment& a, const Assessment& of) {
   a.stability = of.stability;
   a.growing = of.growing;
 }
@@ -136,7 +136,7 @@ void judge_without_forces(Assessment& a, const StaticProblem& problem, const Ass
 
 SolveStatus status_of(const Assessment& a, const StaticProblem& problem, const Judging& how) {
   const bool is_refused =
-      a.stability == Stability::unstable || (a.stability == Stability::swinging && !how.accept_swinging);
+      a.stability == Stability::unstable || (a.stability == Stability::swinging && !how.accept_oscillation);
   if (a.balance.balanced) return is_refused ? SolveStatus::unstable : SolveStatus::converged;
   return problem.stop() == Stop::interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
 }
@@ -169,7 +169,7 @@ Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judgin
   const std::string ending = why_it_ended(outcome, problem, assembler, scene);
   Assessment a;
   const bool evaluated = problem.recompute(u, a.x, a.residual, a.energy);
-  a.x_low = problem.low_digits();
+  a.x_low = problem.x_low();
   if (!evaluated) {
     judge_without_forces(a, problem, of);
     a.judging = since(before, problem.statistics());
@@ -185,17 +185,17 @@ Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judgin
     why_unstable = first_not_convex(problem, assembler, scene);
   }
   if (a.balance.balanced) find_correction(a, problem, of, {u.begin(), u.end()});
-  if (a.balance.balanced && !problem.conservative() && how.ask_growth) {
+  if (a.balance.balanced && !problem.conservative() && how.examine_growth) {
     is_known = how.known && is_same(*how.known, a, problem, of);
     if (is_known)
-      take_stability(a, how.known->assessment);
+      copy_stability(a, how.known->assessment);
     else
-      find_what_grows(a, of, problem.scales().gear_size());
-    why_unstable = what_grows(a, assembler, scene);
+      find_growing_motion(a, of, problem.scales().gear_size());
+    why_unstable = growth_sentence(a, assembler, scene);
   }
   a.status = status_of(a, problem, how);
   const std::string worst = assembler.node_name(scene, a.balance.worst);
-  a.at_fault = a.growing.mode.empty() ? worst : where_it_grows(a, assembler, scene);
+  a.at_fault = a.growing.mode.empty() ? worst : node_of_growth(a, assembler, scene);
   a.reason = reason_of(a, ending, worst, why_unstable);
   if (how.known && !is_known && is_decided(a.stability)) *how.known = {a, assembler.memory()};
   a.judging.add(since(before, problem.statistics()));

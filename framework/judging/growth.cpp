@@ -22,9 +22,10 @@ constexpr int kSteps = 24;
 // Ritz values further beyond the unit circle than this are examined. It is half of the value at the end of
 // the band (6) if σ differs from |s| by the factor kOff, and a fifth of the value at σ = |s|. Growth by
 // powers that falls by this fraction between two measurements may be transient.
-constexpr double kBeyond = (kGrows - 1) / kOff;
+constexpr double kDistanceFromCircle = (kMarginalGrowth - 1) / kOff;
 // c of (6) at the end of the band of marginal growth.
-constexpr double kLeastShare = (kGrows * kGrows - 1) / (kGrows * kGrows + 1);
+constexpr double kLeastCosine =
+    (kMarginalGrowth * kMarginalGrowth - 1) / (kMarginalGrowth * kMarginalGrowth + 1);
 
 using Vector = Eigen::VectorXd;
 using Complex = std::complex<double>;
@@ -50,11 +51,11 @@ class Powers {
 
   GrowthVerdict judge() {
     double before = grow(kSteps), growth = grow(kSteps);
-    for (int measure = 1; growth > kGrows && measure < kSteps; ++measure) {
+    for (int measure = 1; growth > kMarginalGrowth && measure < kSteps; ++measure) {
       before = std::exchange(growth, grow(kSteps));
-      if (growth > (1 - kBeyond) * before) return GrowthVerdict::grows;
+      if (growth > (1 - kDistanceFromCircle) * before) return GrowthVerdict::grows;
     }
-    return growth > kGrows ? GrowthVerdict::marginal : GrowthVerdict::none;
+    return growth > kMarginalGrowth ? GrowthVerdict::marginal : GrowthVerdict::none;
   }
   const Vector& vector() const { return z_; }
 
@@ -85,9 +86,9 @@ Growth growth_of(const RitzPair& pair, const Cayley& A) {
   g.frequency = std::abs(s.imag());
   take_mode(y, g);
   const bool is_for_damping_to_tell = !A.is_damped() && g.swings();
-  if (g.per_power <= kGrows || is_for_damping_to_tell || A.is_in_doubt(s, y)) {
+  if (g.per_power <= kMarginalGrowth || is_for_damping_to_tell || A.is_in_doubt(s, y)) {
     g.verdict = GrowthVerdict::marginal;
-    g.per_power = std::min(g.per_power, kGrows);
+    g.per_power = std::min(g.per_power, kMarginalGrowth);
   }
   return g;
 }
@@ -100,7 +101,7 @@ Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   if (verdict != GrowthVerdict::grows) return {.verdict = verdict};
   arnoldi.begin(powers.vector());
   arnoldi.extend(kSteps);
-  return growth_of(arnoldi.outermost(kBeyond), A);
+  return growth_of(arnoldi.outermost(kDistanceFromCircle), A);
 }
 
 /// Replaces the residual of a Ritz pair by that of A itself: rounding errors can make the residual of the
@@ -121,9 +122,9 @@ Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
   arnoldi.begin(A.start());
   for (const int steps : {kSteps, 2 * kSteps}) {
     arnoldi.extend(steps);
-    const RitzPair pair = arnoldi.outermost(kBeyond);
+    const RitzPair pair = arnoldi.outermost(kDistanceFromCircle);
     if (std::isnan(pair.beyond())) return {.verdict = GrowthVerdict::unknown};
-    if (pair.beyond() <= kBeyond) return {};
+    if (pair.beyond() <= kDistanceFromCircle) return {};
     if (pair.is_known() && checked(A, pair).is_known()) return growth_of(pair, A);
   }
   return growth_by_powers(A, arnoldi);
@@ -153,7 +154,7 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, con
     return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
   };
   // The loop continues after an oscillation, because a slower divergence takes precedence.
-  for (int step = steps_of_sigma(fastest_growth(pattern, motion, kLeastShare)); step >= 0 && !is_decided();
+  for (int step = steps_of_sigma(fastest_growth(pattern, motion, kLeastCosine)); step >= 0 && !is_decided();
        --step) {
     const double sigma = sigma_at(step);
     Growth growth{.verdict = GrowthVerdict::unknown};

@@ -5,11 +5,11 @@
 namespace netloft {
 
 /// End of the band (6) in which growth per power does not differ from none.
-inline constexpr double kGrows = 1.01;
+inline constexpr double kMarginalGrowth = 1.01;
 /// Least ratio of frequency to rate of an oscillation. A pair with a smaller ratio grows by exp(10 π) in half
 /// a period, from the rounding error of a double to the size of the gear, so that it never completes a
 /// period.
-inline constexpr double kSwings = 0.1;
+inline constexpr double kOscillates = 0.1;
 
 enum class GrowthVerdict { none, marginal, grows, unknown };
 
@@ -25,7 +25,7 @@ struct Growth {
   bool grows() const { return verdict == GrowthVerdict::grows; }
   /// Whether the growth is flutter and not divergence: a pair of eigenvalues, which oscillates and comes to
   /// rest nowhere near.
-  bool swings() const { return frequency > kSwings * rate; }
+  bool swings() const { return frequency > kOscillates * rate; }
 };
 
 /// Stability of an equilibrium whose forces have no energy (drag, pressure), by its linear motion
@@ -49,9 +49,9 @@ struct Growth {
 /// from normal, and the growth of its powers decides (L. N. Trefethen and M. Embree, Spectra and
 /// Pseudospectra, 2005). At σ = |s|, where it is largest,
 ///   |μ| = ((1 + c)/(1 − c))^½,   c = Re s/|s|                                              (6)
-/// The verdict is `marginal` if growth cannot be distinguished from none: if |μ| ≤ kGrows, which is less than
-/// 6 % per period and depends on a hundredth of the damping; if an oscillation grows in a scene without
-/// damping, which a little damping may stop or not (Bolotin); if powers do not settle; or by (7) in
+/// The verdict is `marginal` if growth cannot be distinguished from none: if |μ| ≤ kMarginalGrowth, which is
+/// less than 6 % per period and depends on a hundredth of the damping; if an oscillation grows in a scene
+/// without damping, which a little damping may stop or not (Bolotin); if powers do not settle; or by (7) in
 /// cayley.hpp. It is `unknown` if K + σC + σ²M could not be factorised. It depends neither on chance nor on a
 /// clock.
 Growth find_growth(Assembler& assembler, const RestPlace& place, const MakeFactorisation& make);

@@ -13,10 +13,10 @@ namespace netloft {
 namespace {
 
 // τ of (2) [s]
-constexpr double kFollows = 1e-3;
+constexpr double kTimeToFollow = 1e-3;
 // Multiple of the metric in the norm (8), for directions without any other stiffness: the geometric mean of
 // the rounding error of a matrix and of the least stiffness that matters.
-const double kLittle = std::sqrt(kRoundingOfMatrix * kMatters);
+const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 
 bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
   if (p.symmetric) return true;
@@ -64,7 +64,7 @@ std::vector<double> largest_by_column(const SparsePattern& p, std::span<const do
 
 /// The part of C that drives an unknown: the largest amount by which a diagonal entry is below zero, or by
 /// which an entry beside the diagonal exceeds the geometric mean of the two diagonal entries.
-std::vector<double> what_damping_drives(const SparsePattern& p, std::span<const double> C) {
+std::vector<double> driving_part(const SparsePattern& p, std::span<const double> C) {
   std::vector<double> drives(static_cast<std::size_t>(p.size));
   const auto damped = [&](std::int32_t i) { return std::max(0.0, C[find_slot(p, i, i)]); };
   for_entries(p, C, [&](std::int32_t r, std::int32_t c, double value) {
@@ -77,7 +77,7 @@ std::vector<double> what_damping_drives(const SparsePattern& p, std::span<const 
 }
 
 /// Adds (2) for unknowns with neither mass nor damping.
-void let_follow(const SparsePattern& p, std::span<const double> metric, LinearMotion& m) {
+void add_damping_of_massless(const SparsePattern& p, std::span<const double> metric, LinearMotion& m) {
   std::vector<bool> follows(static_cast<std::size_t>(p.size), true);
   const auto each = [&](auto&& visit) {
     for (std::int32_t c = 0; c < p.size; ++c)
@@ -89,7 +89,7 @@ void let_follow(const SparsePattern& p, std::span<const double> metric, LinearMo
     if (m.M[at] != 0 || m.C[at] != 0) follows[r] = follows[c] = false;
   });
   each([&](std::size_t r, std::size_t c, std::size_t at) {
-    if (follows[r] && follows[c]) m.C[at] += kFollows * metric[at];
+    if (follows[r] && follows[c]) m.C[at] += kTimeToFollow * metric[at];
   });
 }
 
@@ -122,7 +122,7 @@ double fastest_growth(const SparsePattern& p, const LinearMotion& m, double frac
   std::vector<double> N(m.K);
   for (std::size_t i = 0; i < N.size(); ++i) N[i] -= m.convex[i];
   const auto n = largest_by_column(p, N), K = largest_by_column(p, m.K), C = largest_by_column(p, m.C),
-             drives = what_damping_drives(p, m.C);
+             drives = driving_part(p, m.C);
   double fastest = 0;
   for (std::int32_t i = 0; i < p.size; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -167,8 +167,8 @@ bool linearise(Assembler& assembler, const RestPlace& at, LinearMotion& m) {
       !evaluate(metric, MatrixKind::metric, 1, 0, 0))
     return false;
   m.is_damped = std::any_of(m.C.begin(), m.C.end(), [](double c) { return c != 0; });
-  let_follow(assembler.pattern(), metric, m);
-  for (std::size_t i = 0; i < slots; ++i) m.convex[i] += kLittle * metric[i];
+  add_damping_of_massless(assembler.pattern(), metric, m);
+  for (std::size_t i = 0; i < slots; ++i) m.convex[i] += kMetricFraction * metric[i];
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->resize(assembler.pattern().value_slots());
   m.K_error = change_of_stiffness(assembler, at, m.K);
   return true;

@@ -22,22 +22,24 @@ std::string seconds(double time) {
   return text;
 }
 
-std::string what_rounds(const Assessment& a) { return a.x_low.empty() ? "positions" : "elements' lengths"; }
+std::string rounded_quantity(const Assessment& a) {
+  return a.x_low.empty() ? "positions" : "elements' lengths";
+}
 
-std::string why_not_balanced(const Assessment& a) {
+std::string note_on_imbalance(const Assessment& a) {
   if (a.balance.residual > a.balance.floor) return "";
-  return "; rounding of the " + what_rounds(a) + " alone is worth " + newtons(a.balance.floor) +
+  return "; rounding of the " + rounded_quantity(a) + " alone is worth " + newtons(a.balance.floor) +
          ": the stiffness of the gear is too high for its load";
 }
 
-std::string why_round_off(const Assessment& a) {
+std::string note_on_round_off(const Assessment& a) {
   if (!a.balance.at_round_off) return "";
   if (a.balance.residual <= a.balance.floor)
-    return "; this is the round-off of the " + what_rounds(a) + ", and the tolerance is below it";
+    return "; this is the round-off of the " + rounded_quantity(a) + ", and the tolerance is below it";
   return "; no step brings it closer, and the energy that a step could gain is below its round-off";
 }
 
-std::string what_of_stability(const Assessment& a) {
+std::string note_on_stability(const Assessment& a) {
   if (a.stability == Stability::neutral)
     return "; some part can move without any force (slack netting or rope)";
   if (a.stability == Stability::marginal)
@@ -114,7 +116,7 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
   }
 }
 
-std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
+std::string growth_sentence(const Assessment& a, const Assembler& assembler, const Scene& scene) {
   std::string text = "a small disturbance grows";
   if (a.growing.rate > 0) text += " tenfold in " + seconds(std::log(10) / a.growing.rate);
   if (flutters(a))
@@ -124,11 +126,11 @@ std::string what_grows(const Assessment& a, const Assembler& assembler, const Sc
   const double most = moves[furthest(moves)];
   const auto many =
       std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= 0.1 * most; });
-  return text + ", most at " + where_it_grows(a, assembler, scene) + "; " + std::to_string(many) + " of " +
+  return text + ", most at " + node_of_growth(a, assembler, scene) + "; " + std::to_string(many) + " of " +
          std::to_string(moves.size()) + " nodes move a tenth as far or more";
 }
 
-std::string where_it_grows(const Assessment& a, const Assembler& assembler, const Scene& scene) {
+std::string node_of_growth(const Assessment& a, const Assembler& assembler, const Scene& scene) {
   return assembler.node_name(scene, furthest(node_moves(a, assembler)));
 }
 
@@ -140,8 +142,8 @@ std::string balance_text(const Balance& balance, const std::string& worst) {
 std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
                       const std::string& why_unstable) {
   const std::string balance = balance_text(a.balance, worst);
-  if (!a.balance.balanced) return ending + "; " + balance + why_not_balanced(a);
-  const std::string balanced = balance + why_round_off(a) + what_of_stability(a);
+  if (!a.balance.balanced) return ending + "; " + balance + note_on_imbalance(a);
+  const std::string balanced = balance + note_on_round_off(a) + note_on_stability(a);
   if (a.stability == Stability::swinging && a.status == SolveStatus::converged)
     return balanced + "; the gear does not rest there: " + why_unstable;
   if (a.status != SolveStatus::unstable) return balanced;

@@ -12,10 +12,10 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
 
 /// "a small disturbance grows tenfold in 2.3 s, swinging with a period of 5.9 s, most at net node 4; 12 of
 /// 900 nodes move a tenth as far or more"
-std::string what_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
+std::string growth_sentence(const Assessment& a, const Assembler& assembler, const Scene& scene);
 
 /// The node with the largest amplitude in the growing motion, which must exist.
-std::string where_it_grows(const Assessment& a, const Assembler& assembler, const Scene& scene);
+std::string node_of_growth(const Assessment& a, const Assembler& assembler, const Scene& scene);
 
 /// The sentence on an assessment whose status and stability are known. `ending` says why the solver returned,
 /// `why_unstable` why the point is not stable.

@@ -22,7 +22,7 @@ std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t pro
 
 /// Lets `solver` find the static equilibrium of a scene, and assesses its final point; `correction` estimates
 /// the distance of a balanced point from the equilibrium. A stationary point is unstable if its tangent is
-/// not positive definite, or, if forces have no energy, if a disturbance grows (Judging::ask_growth). An
+/// not positive definite, or, if forces have no energy, if a disturbance grows (Judging::examine_growth). An
 /// unfit solver is not started, and nothing is computed. The memory of elements (friction) does not change:
 /// the equilibrium depends on the past that the scene had.
 Solution solve_static(const AssembledScene& scene, SolverChoice solver, const Limits& limits,

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLonger = 2, kShorter = 0.5;
 // Least relative difference of the mean steps of both marches. Marches with similar steps give no error
 // estimate.
-constexpr double kTold = 0.1;
+constexpr double kLeastDifference = 0.1;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
 
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state) {
-  if (!(std::abs(longer - 1) >= kTold)) return;  // also if the ratio is not known
+  if (!(std::abs(longer - 1) >= kLeastDifference)) return;  // also if the ratio is not known
   for (std::size_t i = 0; i < here.size(); i += 3) {
     const double apart =
         std::hypot(here[i] - there[i], here[i + 1] - there[i + 1], here[i + 2] - there[i + 2]);

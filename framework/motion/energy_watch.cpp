@@ -8,7 +8,7 @@ namespace netloft {
 
 namespace {
 
-constexpr int kLookEvery = 16;  // short steps per examined step, if no budget is kept
+constexpr int kStepsPerExamination = 16;  // short steps per examined step, if no budget is kept
 
 }  // namespace
 
@@ -27,17 +27,17 @@ bool EnergyWatch::begin(const MarchState& from, double negligible) {
 }
 
 /// Number of steps that an examined step represents.
-double EnergyWatch::steps_per_look() const {
-  return settings_.budget || !makes_short_steps_ ? 1 : kLookEvery;
+double EnergyWatch::steps_per_examination() const {
+  return settings_.budget || !makes_short_steps_ ? 1 : kStepsPerExamination;
 }
 
 bool EnergyWatch::watches_step_after(const MarchState& state) const {
-  const auto every = static_cast<std::int64_t>(steps_per_look());
+  const auto every = static_cast<std::int64_t>(steps_per_examination());
   return settings_.budget || (settings_.watches_energy() && (state.steps + 1) % every == 0);
 }
 
-bool EnergyWatch::look(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
-                       double& error) {
+bool EnergyWatch::examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
+                          double& error) {
   if (!settings_.budget && !budget_.begin(from.t, from.u, from.v, from.a)) return false;
   const EnergyBudget::Totals before = budget_.totals();
   const MeanStep* mean = problem.mean_step(to.u);
@@ -45,7 +45,7 @@ bool EnergyWatch::look(TransientProblem& problem, const MarchState& from, const 
   if (!budget_.advance(t, to.u, to.v, to.a, mean)) return false;
   const EnergyBudget::Totals after = budget_.totals();
   tried_ = judge_;
-  tried_.note(before, after, steps_per_look());
+  tried_.note(before, after, steps_per_examination());
   if (!settings_.adaptive) return true;
   error = std::max(error, std::abs(after.numerical - before.numerical) / tolerated());
   if (error > 1) budget_.retract();

@@ -25,7 +25,8 @@ class EnergyWatch {
   bool watches_step_after(const MarchState& state) const;
   /// Examines an attempted step, from one state to another at time t. Raises `error`, which is relative to
   /// the tolerance, to that of (1). Returns false if an element failed, see Assembler::fault.
-  bool look(TransientProblem& problem, const MarchState& from, const MarchState& to, double t, double& error);
+  bool examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
+               double& error);
   /// Accepts the examined step.
   void accept() { judge_ = tried_; }
   /// Sets the same state again, with rotations expressed in a different way.
@@ -41,7 +42,7 @@ class EnergyWatch {
   const EnergyBudget* budget() const { return settings_.budget ? &budget_ : nullptr; }
 
  private:
-  double steps_per_look() const;
+  double steps_per_examination() const;
   double tolerated() const;
 
   const MarchSettings& settings_;

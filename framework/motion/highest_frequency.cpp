@@ -14,10 +14,10 @@ namespace netloft {
 namespace {
 
 constexpr int kMostLanczosSteps = 60;
-/// Least number of steps. A mode that is orthogonal to the known one starts with a part of kOthers/√n and has
-/// to grow before it is visible; with fewer steps, the residual could be small before that.
+/// Least number of steps. A mode that is orthogonal to the known one starts with a part of kPartOfOthers/√n
+/// and has to grow before it is visible; with fewer steps, the residual could be small before that.
 constexpr int kLeastSteps = 12;
-constexpr double kOthers = 0.1, kResidual = 0.05;
+constexpr double kPartOfOthers = 0.1, kResidual = 0.05;
 /// Relative to the largest α: β at or below this is rounding error, because the vectors span all modes of the
 /// first one. Further steps would give copies of modes, for which the QR algorithm may not converge.
 constexpr double kExhausted = 1e-10;
@@ -126,7 +126,7 @@ HighestMode find_highest_mode(const Pencil& pencil) {
 double highest_frequency_near(const Pencil& pencil, std::span<const double> shape) {
   std::vector<double> start(shape.begin(), shape.end()), others = noise(pencil.size);
   scale(pencil, start, 1);
-  scale(pencil, others, kOthers);
+  scale(pencil, others, kPartOfOthers);
   for (std::size_t i = 0; i < start.size(); ++i) start[i] += others[i];
   Lanczos lanczos(pencil, std::move(start));
   Lanczos::Ritz ritz;

@@ -13,7 +13,7 @@ namespace {
 
 // Least inertia about an axis relative to the largest, for a body whose masses are points on that axis: less
 // is rounding error.
-constexpr double kNothing = 1e-12;
+constexpr double kLeastInertia = 1e-12;
 
 using Block3 = Eigen::Matrix3d;
 
@@ -47,7 +47,7 @@ class OwnMasses {
  private:
   static bool is_definite(const Block3& M, double largest) {
     return largest > 0 && Eigen::SelfAdjointEigenSolver<Block3>(M, Eigen::EigenvaluesOnly).eigenvalues()(0) >
-                              kNothing * largest;
+                              kLeastInertia * largest;
   }
   Block3 mass_, turning_, coupling_;
 };

@@ -9,7 +9,7 @@ namespace netloft {
 namespace {
 
 /// Reports the residual of the static equilibrium at u to the host. Returns true if the host stops.
-bool look(netloft_problem& problem, std::span<const double> u, std::vector<double>& residual) {
+bool report_residual(netloft_problem& problem, std::span<const double> u, std::vector<double>& residual) {
   double energy = 0;
   if (problem.evaluate(problem.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE, u.data(), &energy,
                        residual.data()) != NETLOFT_OK)
@@ -31,7 +31,7 @@ int settle(const void* parameters, netloft_problem* problem) {
   std::vector<double> residual(problem->unknowns);
   MarchWatch watch;
   watch.on_step = [&](const StepRecord& step, std::span<const double> u) {
-    return step.steps % s.look_every == 0 && look(*problem, u, residual);
+    return step.steps % s.steps_per_check == 0 && report_residual(*problem, u, residual);
   };
   const MarchState from = state_at_rest(s.scene.assembler, {problem->u, problem->unknowns});
   MarchSettings how = s.march;
@@ -40,7 +40,7 @@ int settle(const void* parameters, netloft_problem* problem) {
   std::copy(r.u.begin(), r.u.end(), problem->u);
   if (r.status == MarchStatus::stopped) return NETLOFT_STOPPED;
   if (r.status == MarchStatus::interrupted) {
-    look(*problem, r.u, residual);  // the host notices and reports the interrupt in this call
+    report_residual(*problem, r.u, residual);  // the host notices and reports the interrupt in this call
     return NETLOFT_STOPPED;
   }
   const bool moved_on = r.status == MarchStatus::finished || r.status == MarchStatus::out_of_time ||

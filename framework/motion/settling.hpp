@@ -12,7 +12,7 @@ struct Settling {
   StepMethods methods;
   Limits limits;  // of the problem of one step
   MarchSettings march;
-  std::int64_t look_every = 20;  // steps between evaluations of the static residual
+  std::int64_t steps_per_check = 20;  // steps between evaluations of the static residual
   /// The descriptor of this as a solver; its parameters are `this`.
   SolverType as_solver() const;
 };

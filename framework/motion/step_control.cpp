@@ -11,7 +11,7 @@ namespace {
 /// Fraction of the stable step for the stiffest state; members that alternate between slack and taut create
 /// energy near the limit. A chain and a mooring line that do so failed at 0.9; the chain created energy at
 /// 0.67 and none at 0.45.
-constexpr double kBelowLimit = 0.6;
+constexpr double kFractionOfLimit = 0.6;
 /// a of (2), the usual accuracy, so that most scenes keep their steps. With p = 3, the order of the schemes,
 /// errors of a ball caught by a rope and of a net hit by a gust fell with the powers 0.5 and 0.8 of the
 /// accuracy; with p = 2, with 1.1 and 1.3.
@@ -20,7 +20,7 @@ constexpr double kProportional = 1e-2;
 /// time, and anything moving at a hundredth of its speed less than one. The examination costs as much as two
 /// steps: with 16, the hard motions of tests/bench/motions take a tenth longer; with 256, steps agree within
 /// 1e-3.
-constexpr int kBelieved = 64;
+constexpr int kStepsPerTangent = 64;
 
 }  // namespace
 
@@ -58,23 +58,23 @@ void StepControl::find_limit(TransientProblem& problem, MarchState& state) {
   limit_ = settings_.longest_step;
   if (!scheme_.has_limit()) return;
   stable_ = scheme_.stable_step(problem.highest_frequency());
-  if (is_bounded() && state.stable_step == 0) ask_tangent(problem, state);
+  if (is_bounded() && state.stable_step == 0) update_by_tangent(problem, state);
   if (is_bounded()) bound_by(state);
 }
 
 void StepControl::follow_tangent(TransientProblem& problem, MarchState& state) {
-  if (is_bounded() && state.steps % kBelieved == 0) {
-    ask_tangent(problem, state);
+  if (is_bounded() && state.steps % kStepsPerTangent == 0) {
+    update_by_tangent(problem, state);
     bound_by(state);
   }
 }
 
-void StepControl::ask_tangent(TransientProblem& problem, MarchState& state) const {
+void StepControl::update_by_tangent(TransientProblem& problem, MarchState& state) const {
   state.stable_step = scheme_.stable_step(problem.highest_frequency_at(state.u));
 }
 
 void StepControl::bound_by(const MarchState& state) {
-  const double bound = kBelowLimit * settings_.pace;
+  const double bound = kFractionOfLimit * settings_.pace;
   limit_ = std::min(settings_.longest_step, bound * std::min(stable_, state.stable_step));
 }
 

@@ -38,7 +38,7 @@ class StepControl {
   /// Determines the longest stable step, by the stiffness with all members taut and by the tangent, which
   /// includes stiffnesses that the members do not bound.
   void find_limit(TransientProblem& problem, MarchState& state);
-  /// Updates the limit by the tangent, every kBelieved steps.
+  /// Updates the limit by the tangent, every kStepsPerTangent steps.
   void follow_tangent(TransientProblem& problem, MarchState& state);
   double limit() const { return limit_; }
   /// Longest stable step with all members taut [s]; zero: any step is stable.
@@ -47,7 +47,7 @@ class StepControl {
  private:
   double growth(double error) const;
   bool is_bounded() const { return stable_ > 0 && (settings_.adaptive || settings_.step == 0); }
-  void ask_tangent(TransientProblem& problem, MarchState& state) const;
+  void update_by_tangent(TransientProblem& problem, MarchState& state) const;
   void bound_by(const MarchState& state);
 
   const MarchSettings& settings_;

@@ -188,7 +188,7 @@ class March {
       const int status = try_step(h);
       double error = status == NETLOFT_OK && settings_.adaptive ? control_.error_over_tolerated(error_) : 0;
       if (status == NETLOFT_OK && error <= 1 && energy_.watches_step_after(state_) &&
-          !energy_.look(problem_, state_, next_, end, error))
+          !energy_.examine(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
       if (status != NETLOFT_OK && has_ended()) return false;  // a limit and not the step is the reason

@@ -202,13 +202,13 @@ int MemberProblem::evaluate(const double* u, double* residual) {
                         .matrix = MatrixKind::exact,
                         .values = tangent_.data()};
   if (!assembler_.evaluate(x_, request)) return assembler_.fault().status;
-  keep_attitudes(residual);
+  fix_rotations(residual);
   load_ = largest_of({residual, x_.size()});
   return all_finite({residual, x_.size()}) ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
 }
 
 /// Fixes the rotations of bodies: no moment turns them, and no other equation depends on them.
-void MemberProblem::keep_attitudes(double* residual) {
+void MemberProblem::fix_rotations(double* residual) {
   for (const std::size_t i : rotations_) residual[i] = 0;
   for (const std::size_t slot : of_rotations_) tangent_[slot] = 1;
   for (const std::size_t slot : beside_) tangent_[slot] = 0;

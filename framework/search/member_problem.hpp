@@ -40,7 +40,7 @@ class MemberProblem {
   std::int32_t find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const;
   void list_rotations();
   void fill_interface();
-  void keep_attitudes(double* residual);
+  void fix_rotations(double* residual);
   MemberTable table() const { return {sites_, weights_}; }
   void combine(const double* v, double* w) const;
 

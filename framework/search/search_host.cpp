@@ -95,8 +95,9 @@ Limits SearchHost::limits_of(const netloft_stage& stage, const VariantProblem& v
   limits.model = &variant_problem.model;
   limits.work = stage.work;
   limits.seconds = seconds_left();
-  limits.judging.ask_growth = is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
-  if (limits.judging.ask_growth) limits.judging.known = &judged_;
+  limits.judging.examine_growth =
+      is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
+  if (limits.judging.examine_growth) limits.judging.known = &judged_;
   return limits;
 }
 

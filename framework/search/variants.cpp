@@ -107,7 +107,7 @@ void scale_current(Scene& scene, double factor) {
 
 }  // namespace
 
-Scene made_easier(const Scene& scene, Registry& registry, const netloft_variant& variant) {
+Scene make_variant(const Scene& scene, Registry& registry, const netloft_variant& variant) {
   Scene easier = scene;
   if (variant.compression != 1) weaken_compression(easier, registry, variant.compression);
   if (variant.stiffness_cap > 0) cap_stiffness(easier, registry, variant.stiffness_cap);

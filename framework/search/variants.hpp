@@ -20,7 +20,7 @@ std::string text_of(const netloft_variant& variant);
 ///   stiffness_cap  stiffnesses of a part are lowered in proportion, so that none in newtons exceeds it
 ///   compression    at zero the elastic energy under dead loads is convex: one equilibrium
 ///   current        a factor on the velocities of water and tow
-Scene made_easier(const Scene& scene, Registry& registry, const netloft_variant& variant);
+Scene make_variant(const Scene& scene, Registry& registry, const netloft_variant& variant);
 
 /// Largest stiffness counted in newtons [N]; zero if there is none.
 double largest_stiffness(const Scene& scene, Registry& registry);

@@ -82,7 +82,7 @@ Solution find_equilibrium_near(PreparedScene& scene, const std::vector<double>& 
 
 Solution assess_point(const PreparedScene& scene, std::span<const double> u, Assembler& assembler) {
   Limits limits = scene.loaded().analysis.limits;
-  limits.judging.ask_growth = false;
+  limits.judging.examine_growth = false;
   Solution s;
   static_cast<Assessment&>(s) =
       assess_static({scene.loaded().scene, assembler, scene.factorisations()}, u, limits);

@@ -26,7 +26,7 @@ Solution find_start(PreparedScene& scene, const Watch& watch) {
   source.tangent = TangentChoice::exact;
   Limits limits;
   limits.seconds = loaded.analysis.limits.seconds;
-  limits.judging.accept_swinging = loaded.analysis.limits.judging.accept_swinging;
+  limits.judging.accept_oscillation = loaded.analysis.limits.judging.accept_oscillation;
   SearchOptions options =
       search_options(scene, limits, {.interrupt = watch.interrupt, .on_iteration = watch.on_iteration});
   options.solver = {&scene.registry().solver(scenes::kSolver), {}};

@@ -125,7 +125,7 @@ Coefficients<T> of_table(const Otter::Parameters& p, const Otter::Whole& t, cons
 
 /// Weight of the plate for a flow outside a table: a smooth function of the distance over 20°.
 template <class T>
-T share_of_plate(const Otter::Whole& t, const T& alpha, const T& beta) {
+T weight_of_plate(const Otter::Whole& t, const T& alpha, const T& beta) {
   constexpr double kPassage = 0.3490658503988659;  // 20° [rad]
   const auto beyond = [&](double lo, double hi, const T& x) {
     return x < T(lo) ? (lo - x) / kPassage : x > T(hi) ? (x - hi) / kPassage : T(0);
@@ -144,7 +144,7 @@ Coefficients<T> coefficients_of(const Otter::Parameters& p, const Otter::Whole& 
   if (t.lift.empty() || !(w.x * w.x + w.y * w.y > T(1e-20))) return plate;
   const T alpha = atan2(w.y, w.x), beta = asin(w.z);
   const Coefficients<T> table = of_table(p, t, w, alpha, beta);
-  const T share = share_of_plate(t, alpha, beta);
+  const T share = weight_of_plate(t, alpha, beta);
   return {table.force + share * (plate.force - table.force),
           table.at_chord + share * (plate.at_chord - table.at_chord),
           table.at_span + share * (plate.at_span - table.at_span)};

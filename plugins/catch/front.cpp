@@ -79,7 +79,7 @@ Status Front::Push::evaluate(const Parameters& p, const Data&, const Whole& whol
           out);  // (5)
   if (p.volume > 0)
     put((pressure / std::cbrt(p.volume)) *
-            (in_time::share_at(p.growth, s.time) * p.volume / whole.triangles - slice.volume),
+            (in_time::factor_at(p.growth, s.time) * p.volume / whole.triangles - slice.volume),
         9, s, out);  // (7)
   return Status::ok;
 }

@@ -79,7 +79,7 @@ void balance_volume(const Pressure::Parameters& p, double pressure, double trian
   const FilledSlice slice(p, s);
   const double k = pressure / std::cbrt(p.volume);
   out.force[3].x = k * (fraction.value() * slice.volume() -
-                        in_time::share_at(p.growth, s.time) * p.volume / triangles);  // (7)
+                        in_time::factor_at(p.growth, s.time) * p.volume / triangles);  // (7)
   if (!s.wants_tangent) return;
   out.tangent[kFront][kFront] = s.cu * k * fraction.slope() * slice.volume();  // (8)
   for (int j = 0; j < 3; ++j) {

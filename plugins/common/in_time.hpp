@@ -6,7 +6,7 @@ namespace netloft::in_time {
 
 /// A factor in time: a table with the columns t [s] and factor [1], linear between its rows, constant before
 /// the first and after the last. 1 without rows.
-inline double share_at(const netloft_table& table, double time) {
+inline double factor_at(const netloft_table& table, double time) {
   if (table.rows == 0) return 1;
   const auto t = [&](std::uint32_t i) { return table.values[2 * i]; };
   const auto share = [&](std::uint32_t i) { return table.values[2 * i + 1]; };

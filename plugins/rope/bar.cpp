@@ -23,13 +23,13 @@ void Bar::pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lan
   if (p.constant_tension > 0) lanes.EA[lane] = lanes.EA_compression[lane] = lanes.loss[lane] = 0;
 }
 
-double Bar::share_at(const netloft_table& table, double time) { return in_time::share_at(table, time); }
+double Bar::factor_at(const netloft_table& table, double time) { return in_time::factor_at(table, time); }
 
 double Bar::growth_at(const netloft_table& table, double time) {
   for (std::uint32_t i = 1; i < table.rows; ++i) {
     const double t0 = table.values[2 * i - 2], t1 = table.values[2 * i];
     if (time > t0 && time <= t1)
-      return (table.values[2 * i + 1] - table.values[2 * i - 1]) / (t1 - t0) / share_at(table, time);
+      return (table.values[2 * i + 1] - table.values[2 * i - 1]) / (t1 - t0) / factor_at(table, time);
   }
   return 0;
 }
@@ -46,7 +46,7 @@ const Bar::Lanes& Bar::now(const Lanes& lanes, const netloft_tile& t, Lanes& roo
   if (!lanes.changes) return lanes;
   room = lanes;
   for (std::size_t i = 0; i < t.count; ++i) {
-    const double share = share_at(lanes.length_share[i], t.time);  // (2)
+    const double share = factor_at(lanes.length_share[i], t.time);  // (2)
     room.l0[i] *= share;
     room.twine[i] *= share;
     room.volume[i] *= share;
@@ -71,14 +71,14 @@ const Bar::Lanes& Bar::Weight::weighed(const Lanes& at_time, const netloft_tile&
 
 axial::Bar Bar::stretch(const Parameters& p, const Data& d, const State<2>& s) {
   const Vec3<double> w = s.between(0, 1);
-  const double rest_length = d.rest_length * share_at(p.length_share, s.time);
+  const double rest_length = d.rest_length * factor_at(p.length_share, s.time);
   auto bar = axial::stretch(w.x, w.y, w.z, rest_length, p.EA, p.EA_compression);
   if (p.constant_tension > 0) bar.T = p.constant_tension;
   return bar;
 }
 
 std::array<Member, 1> Bar::members(const Parameters& p, const Data& d, double time) {
-  Member member = bars::member(p, d.rest_length * share_at(p.length_share, time), 1);  // (2)
+  Member member = bars::member(p, d.rest_length * factor_at(p.length_share, time), 1);  // (2)
   if (p.constant_tension > 0) member.EA = member.EA_compression = 0;
   return {member};
 }

@@ -35,7 +35,7 @@ struct Bar {
   };
 
   /// σ of (2).
-  static double share_at(const netloft_table& table, double time);
+  static double factor_at(const netloft_table& table, double time);
   /// dσ/dt over σ [1/s]; at a corner of the table, that of the line before it.
   static double growth_at(const netloft_table& table, double time);
   /// The lanes at a given time: `lanes` itself, or `room` filled by (2).

@@ -39,7 +39,7 @@ EXPLAINED = {  # names of constants, fragments of lines
     "rounding": {
         "epsilon()": "multiples of the rounding of a double",
         "kEnergyRoundOff": "rounding of a sum of many terms",
-        "kRemains": "orthogonalised twice is enough (Parlett)",
+        "kLeastRemainder": "orthogonalised twice is enough (Parlett)",
         "kAsManyAsItTakes": "none: the budget of work ends it",
         "1e-14": "eigenvalues of a small tridiagonal matrix, to rounding",
         "high = low * (1 + 1e-12)": "eigenvalues of a small tridiagonal matrix, to rounding",

@@ -109,7 +109,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
   a.limits.tolerance = keys.tolerance;
   a.limits.iterations = static_cast<int>(keys.max_iterations);
   a.limits.seconds = keys.max_seconds;
-  a.limits.judging.accept_swinging = keys.swinging != 0;
+  a.limits.judging.accept_oscillation = keys.swinging != 0;
   a.kind = static_cast<AnalysisKind>(keys.kind);
   return a;
 }

@@ -171,7 +171,7 @@ TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
 
 TEST(Verdict, KnowsNoStabilityWithoutAnEnergyIfItMustNotAsk) {
   Solving how;
-  how.limits.judging.ask_growth = false;
+  how.limits.judging.examine_growth = false;
   const Solution s = solve_sketch(bar_with_a_follower(), how).solution;
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
   EXPECT_EQ(s.stability, Stability::unknown);

@@ -41,7 +41,7 @@ netloft_variant with_current(double factor) {
   return v;
 }
 
-Scene easier(const netloft_variant& variant) { return made_easier(two_ropes(), shipped_plugins(), variant); }
+Scene easier(const netloft_variant& variant) { return make_variant(two_ropes(), shipped_plugins(), variant); }
 
 TEST(VariantWithoutCompression, LeavesNothingThatResistsShortening) {
   const Scene scene = easier(without_compression());
