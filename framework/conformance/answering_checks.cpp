@@ -31,7 +31,7 @@ std::string fault_of_terms(const Bench& b, const States& s) {
       if (!a.ok()) return b.place(term, s, a.lane_at_fault) + ": " + a.message;
       for (std::size_t lane = 0; lane < s.count; ++lane)
         if (const auto f = not_finite(a, lane); !f.empty())
-          return b.place(term, s, lane) + ", asked for " + want_text(want) + ": " + f + " is not finite";
+          return b.place(term, s, lane) + ", output " + want_text(want) + ": " + f + " is not finite";
     }
   return {};
 }

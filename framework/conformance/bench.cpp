@@ -96,7 +96,7 @@ bool Bench::is_settled(States& s, const netloft_term& term) {
     if (answer.ok()) continue;
     const std::size_t lane = std::min(answer.lane_at_fault, s.count - 1);
     const std::string told =
-        place(term, s, lane) + ", asked for " + want_text(want) + ": " +
+        place(term, s, lane) + ", output " + want_text(want) + ": " +
         (answer.message.empty() ? "status " + std::to_string(answer.status) : answer.message);
     if (answer.status == kThrew)
       escape = told;

@@ -62,11 +62,13 @@ const std::vector<Check<Bench>>& table() {
       {"same-force-without-tangent",
        same_force_without_tangent,
        {"no-hidden-state"},
-       "compute the force in one way only; solvers compare forces asked for with and without a tangent"},
+       "compute the force in one way only; solvers compare forces with those computed together with a "
+       "tangent"},
       {"same-energy-alone",
        same_energy_alone,
        {"no-hidden-state"},
-       "compute the energy in one way only; line searches compare energies asked for alone and not"},
+       "compute the energy in one way only; line searches compare energies with those computed together with "
+       "forces"},
       {"same-from-two-threads",
        same_from_two_threads,
        {"no-hidden-state"},
@@ -140,8 +142,8 @@ const std::vector<Check<Bench>>& table() {
       {"sides-mirror-each-other",
        sides_mirror_each_other,
        {"body-turns-with-the-world"},
-       "with side = -1 the body is its mirror image at its own xz plane: y of what is given in its axes "
-       "changes sign"},
+       "with side = -1 the body is its mirror image at its own xz plane: y of data in its axes changes "
+       "sign"},
       {"inertia-makes-kinetic-energy",
        inertia_makes_kinetic_energy,
        {"full-turns-change-nothing"},

@@ -36,7 +36,7 @@ Finding ask_all(Bench& b, Ask&& ask) {
     for (const auto& s : b.tiles)
       for (const auto want : wants_of(term))
         if (const std::string fault = ask(term, s, want); !fault.empty())
-          return failed(fault + ", asked for " + want_text(want));
+          return failed(fault + ", output " + want_text(want));
   return {};
 }
 
@@ -158,7 +158,7 @@ Finding adds_not_overwrites(Bench& b) {
       worst.note(std::max({adding_error(sum.energy, answer.energy, lane),
                            adding_error(sum.force, answer.force, lane),
                            adding_error(sum.matrix, answer.matrix, lane)}),
-                 [&] { return b.place(term, s, lane) + ", asked for " + want_text(want); });
+                 [&] { return b.place(term, s, lane) + ", output " + want_text(want); });
     return {};
   });
   return judged(worst, "the element has no terms");

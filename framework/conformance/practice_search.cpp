@@ -108,36 +108,36 @@ double PracticeSearch::tolerance_of(const netloft_stage& s) {
   return s.tolerance > 0 ? s.tolerance : kSearchTolerance;
 }
 
-// ---------------------------------------------------------------- what is asked
+// ---------------------------------------------------------------- requests
 
 void PracticeSearch::check_variant(const netloft_variant& v) {
   const auto is_factor = [](double x) { return x >= 0 && x <= 1; };
   if (v.level >= scene_.levels)
     note(Slip::out_of_range,
-         "asks for level " + std::to_string(v.level) + " of " + std::to_string(scene_.levels));
+         "requests level " + std::to_string(v.level) + " of " + std::to_string(scene_.levels));
   if (!(v.stiffness_cap >= 0))
     note(Slip::out_of_range, "caps stiffness at " + std::to_string(v.stiffness_cap) + " N");
   if (!is_factor(v.compression) || !is_factor(v.current))
-    note(Slip::out_of_range, "asks for a factor on compression or current outside [0, 1]");
+    note(Slip::out_of_range, "requests a factor on compression or current outside [0, 1]");
 }
 
 void PracticeSearch::check_request(const netloft_stage& s) {
   if (s.size != sizeof s || s.variant.size != sizeof s.variant)
-    note(Slip::stage_not_filled, "hands over a stage or a variant without its size");
+    note(Slip::stage_not_filled, "passes a stage or a variant without its size");
   check_variant(s.variant);
   if (!(s.tolerance >= 0) || !(s.path >= 0))
-    note(Slip::out_of_range, "asks for a tolerance or a path that is negative or no number");
+    note(Slip::out_of_range, "requests a tolerance or a path that is negative or not a number");
   if (!(s.work >= 0 && s.work <= left() * (1 + 1e-12)))
     note(Slip::over_budget,
          "offers " + std::to_string(s.work) + " of work to a stage, " + std::to_string(left()) + " are left");
   if (s.u && !is_finite(s.u, size_of(s.variant.level)))
     note(Slip::start_no_number,
-         std::string("starts \"") + (s.name ? s.name : "") + "\" from what is no number");
+         std::string("starts \"") + (s.name ? s.name : "") + "\" from displacements that are not finite");
 }
 
 void PracticeSearch::check_order() {
-  if (knows_interrupt_) note(Slip::after_interrupt, "asks for a stage after the user has interrupted");
-  if (knows_budget_) note(Slip::after_budget, "asks for a stage after the work was used up");
+  if (knows_interrupt_) note(Slip::after_interrupt, "requests a stage after an interrupt by the user");
+  if (knows_budget_) note(Slip::after_budget, "requests a stage after the work was used up");
 }
 
 /// Checks a stage to be solved. Returns whether the host must refuse it.
@@ -147,7 +147,7 @@ bool PracticeSearch::is_refused(const netloft_stage& s) {
   check_request(s);
   if (!s.name || !*s.name) note(Slip::stage_without_name, "a stage has no name");
   if (!s.u && size_of(s.variant.level) > 0)
-    note(Slip::stage_not_filled, "hands over a stage without displacements");
+    note(Slip::stage_not_filled, "passes a stage without displacements");
   remember(s);
   return ++stages >= kMostStages || scene_.breaks || (!s.u && size_of(s.variant.level) > 0);
 }
@@ -350,7 +350,7 @@ int PracticeSearch::answer(const double* u) {
   if (!u && n > 0) return fail("an answer without displacements");
   answers_.emplace_back(u, u + n);
   remember(u, n * sizeof(double));
-  if (!is_finite(u, n)) note(Slip::answer_no_number, "answers with what is no number");
+  if (!is_finite(u, n)) note(Slip::answer_no_number, "answers with displacements that are not finite");
   const bool is_of_variant =
       std::find(of_variants_.begin(), of_variants_.end(), answers_.back()) != of_variants_.end();
   if (is_of_variant && !rank(PracticeProblem(scene_.like), u, kSearchTolerance).balanced)

@@ -62,7 +62,7 @@ Finding is_answered(StrategyBench& b, PracticeScene scene) {
   if (!b.takes(search)) return not_applicable(kNoScene);
   const int status = b.run(search);
   if (status == NETLOFT_OK && search.stages == 0 && search.answers().empty())
-    return not_applicable("it asks for no stage of such a scene");
+    return not_applicable("it requests no stage of such a scene");
   Finding f;
   f.figure = search.imbalance();
   f.limit = kBalancedSearch;
@@ -162,7 +162,7 @@ Finding stops_at_an_error(StrategyBench& b) {
 Finding stops_when_interrupted(StrategyBench& b) { return never(b, Slip::after_interrupt); }
 Finding stops_when_work_is_used_up(StrategyBench& b) { return never(b, Slip::after_budget); }
 
-// ---------------------------------------------------------------- what is asked
+// ---------------------------------------------------------------- requests
 
 Finding names_its_stages(StrategyBench& b) { return never(b, Slip::stage_without_name); }
 Finding fills_its_stages(StrategyBench& b) { return never(b, Slip::stage_not_filled); }
@@ -177,7 +177,7 @@ Finding leaves_the_search_alone(StrategyBench& b) {
   return over(b, all, [](const PracticeSearch& search, int) -> std::string {
     return search.is_left_alone()
                ? ""
-               : "the start, the struct of the search or what lies behind the message has changed";
+               : "the start, the struct of the search or the guard behind the message has changed";
   });
 }
 
@@ -247,7 +247,7 @@ std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std
   if (!b.takes(search)) return "";
   std::vector<char> text(room + kExplainGuard, kUntouched);
   const int status = b.explain(search, text.data(), room);
-  if (asks) return search.stages == 0 && search.answers().empty() ? "" : "asks for a stage, or answers";
+  if (asks) return search.stages == 0 && search.answers().empty() ? "" : "requests a stage, or answers";
   if (status != NETLOFT_OK) return "returned " + std::to_string(status);
   const bool is_guard_whole =
       std::all_of(text.begin() + room, text.end(), [](char c) { return c == kUntouched; });
@@ -303,7 +303,7 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"hands-back-what-it-found",
        hands_back_what_it_found,
        {"answers-easy-searches"},
-       "hand every equilibrium of the scene to `answer` as soon as you have it, also before you return "
+       "pass every equilibrium of the scene to `answer` as soon as it is found, also before you return "
        "early"},
       {"no-equilibrium-is-no-error",
        no_equilibrium_is_no_error,
@@ -321,12 +321,13 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"stops-when-interrupted",
        stops_when_interrupted,
        {"no-exception-escapes"},
-       "return when a stage ends with Ending::interrupted, or ask `work_left` before every stage: it is zero "
+       "return when a stage ends with Ending::interrupted, or call `work_left` before every stage: it is "
+       "zero "
        "then"},
       {"stops-when-work-is-used-up",
        stops_when_work_is_used_up,
        {"no-exception-escapes"},
-       "ask `work_left` before every stage, and return when it is zero"},
+       "call `work_left` before every stage, and return when it is zero"},
       {"names-its-stages",
        names_its_stages,
        {"no-exception-escapes"},

@@ -11,9 +11,9 @@ namespace netloft {
 /// sees a snap of a rope only through the forces at the points that it evaluates. Therefore each step must
 /// also satisfy, with given and W of energy_judge.hpp at its end,
 ///   |Δnumerical| ≤ accuracy (given + W)                                                     (1)
-/// A snap takes or creates an energy proportional to h, whereas the error of a step falls with h³: with the
-/// energy check as the only control, a chain needed steps of 1e-7 s at an accuracy of 5e-5, and failed.
-/// Without a budget, every 16th step is examined if stability makes steps short.
+/// The energy that a snap takes or creates falls with h, whereas the error of a step falls with h³: with the
+/// error of a step as the only control, a chain was integrated in steps of 1e-7 s at an accuracy of 5e-5, and
+/// failed nevertheless. Without a budget, every 16th step is examined if stability makes steps short.
 class EnergyWatch {
  public:
   /// `makes_short_steps`: whether stability requires short steps.

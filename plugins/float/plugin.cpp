@@ -8,8 +8,7 @@ using netloft::floats::Float;
 namespace {
 
 void add_box(netloft::Plugin& plugin) {
-  auto& b =
-      plugin.element<Box>("box", "Upright box that stands on a node or hangs below it, partly immersed");
+  auto& b = plugin.element<Box>("box", "Upright box above or below a node, partly immersed");
   b.real("box.mass", &Box::Parameters::mass, "kg", "mass of one box", {.lo = 0, .hi = 1e7, .fallback = 0});
   const netloft::Real side{.lo = 0, .hi = 1e3, .fallback = 0};
   b.real("box.length_x", &Box::Parameters::length_x, "m", "side along x", side);

@@ -45,7 +45,7 @@ void add_bed(netloft::Plugin& plugin) {
 
 }  // namespace
 
-NETLOFT_PLUGIN("seabed", "0.1.0", "The ground on which a gear lies and is dragged") {
+NETLOFT_PLUGIN("seabed", "0.1.0", "The ground under a gear, with contact and friction") {
   auto& e = plugin.element<Plane>("plane", "A plane seabed under nodes, with friction that sticks");
   e.real("seabed.depth", &Plane::Parameters::depth, "m", "depth of the seabed below z = 0, at x = y = 0",
          {.lo = -1e6, .hi = 1e6});
