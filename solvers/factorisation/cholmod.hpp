@@ -7,7 +7,7 @@
 
 namespace netloft {
 
-/// Of CHOLMOD's indices: 32 bits, and 64 where a factor has 2³¹ entries or more, or always.
+/// Width of CHOLMOD's indices: 64 bits always, or only for factors with 2³¹ entries or more, otherwise 32.
 enum class IndexWidth { as_needed, of_64_bits };
 
 /// Supernodal Cholesky factorisation of symmetric positive definite matrices, by CHOLMOD.

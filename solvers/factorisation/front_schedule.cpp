@@ -41,7 +41,8 @@ class Scheduler {
 
   std::size_t parent(std::size_t s) const { return static_cast<std::size_t>(tree_.fronts[s].parent); }
 
-  /// Of each front with all below it, and the first of these: they come in a row.
+  /// Sums the operations of each front and all fronts below it, which are numbered consecutively, and finds
+  /// the first of these.
   void sum_up_work() {
     work_.assign(fronts_, 0);
     first_.resize(fronts_);

@@ -27,13 +27,13 @@ class Room {
 };
 
 /// The numbers of a tree of fronts: values of the matrix, factors, updates, and a vector that is solved for.
-/// What is done with one front at a time; who calls does so in an order that front_schedule.hpp allows.
+/// Operations on one front at a time. The caller keeps an order that front_schedule.hpp allows.
 class Fronts {
  public:
   /// The matrix has so many `values`. `tree` and `schedule` must outlive the last call.
   void plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values);
 
-  /// What has_room() takes [bytes].
+  /// The memory that has_room() allocates [bytes].
   double bytes() const;
   /// Takes the memory at the first call after plan(). Returns false if there is not enough.
   bool has_room();
@@ -41,7 +41,7 @@ class Fronts {
   std::span<double> values() { return values_; }
   std::span<double> by_place() { return by_place_; }
 
-  /// By this thread alone, or by all `workers`.
+  /// Uses this thread alone, or all `workers`.
   Elimination eliminate(std::size_t front, Workers* workers);
   /// The steps of L y = b and U x = y that belong to a front, in by_place(): children first, then parents
   /// first.

@@ -108,7 +108,7 @@ bool MultifrontalFactorisation::has_room() {
   return true;
 }
 
-/// What has_room() takes.
+/// The memory that has_room() allocates [bytes].
 double MultifrontalFactorisation::factor_bytes() const {
   if (!pattern_) return 0;
   return fronts_.bytes() + 8.0 * pattern_->size * sizeof(double);
@@ -137,7 +137,7 @@ bool MultifrontalFactorisation::take(std::span<const double> values) {
          find_column_not_finite(*pattern_, values) < 0;
 }
 
-/// Of several fronts that cannot be eliminated the first is reported, as one thread would meet it.
+/// If several fronts cannot be eliminated, the first is reported, as with one thread.
 Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
   std::size_t failed = tree_.fronts.size();
   const Elimination end = eliminate_branches(failed);

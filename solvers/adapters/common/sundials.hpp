@@ -9,10 +9,11 @@
 #include <span>
 #include <type_traits>
 
-// What the adapters to SUNDIALS share: owners of what it makes, and what it makes of answers.
+// Shared by the adapters to SUNDIALS: owners of its objects, and the return values of callbacks.
 namespace netloft::sundials {
 
-/// What SUNDIALS makes of a number that a callback returns: positive, try a shorter step; negative, stop.
+/// Return values of callbacks. SUNDIALS tries a shorter step after a positive one and stops after a negative
+/// one.
 enum { kDone = 0, kRecoverable = 1, kStop = -1 };
 
 /// Runs a callback on its host. No exception may pass through SUNDIALS: it waits in `failure` of the host.

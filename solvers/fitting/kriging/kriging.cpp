@@ -89,7 +89,7 @@ struct Factorised {
            logarithm(information);
   }
 
-  /// Of the determinant.
+  /// The logarithm of the determinant.
   static double logarithm(const Eigen::LLT<Matrix>& llt) {
     return 2 * llt.matrixLLT().diagonal().array().log().sum();
   }

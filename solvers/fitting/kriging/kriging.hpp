@@ -7,7 +7,7 @@
 
 namespace netloft {
 
-/// What kriging says of one point.
+/// The prediction at one point.
 struct KrigingValue {
   double value = 0;      // m of (3)
   double deviation = 0;  // s of (4)

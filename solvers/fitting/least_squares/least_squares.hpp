@@ -8,13 +8,13 @@
 
 namespace netloft {
 
-/// What is known of a parameter before: a normal distribution, cut off at both ends.
+/// Prior knowledge of a parameter: a normal distribution, truncated at both ends.
 struct Prior {
   double mean = 0, deviation = 1;
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 
-/// What was measured, with its standard deviation.
+/// A measured value with its standard deviation.
 struct Measurement {
   double value = 0, deviation = 1;
 };

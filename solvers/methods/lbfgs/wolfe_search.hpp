@@ -61,11 +61,11 @@ struct LineSearch {
     const double share = (std::abs(a.value - b.value) <= noise ? secant(a, b) : cubic(a, b)) / width;
     return a.t + width * (share > 0 ? std::clamp(share, kMargin, 1 - kMargin) : kMargin);
   }
-  /// Where the slope vanishes, from a, if it is linear.
+  /// Distance from a to the zero of a linear slope.
   static double secant(const Sample& a, const Sample& b) {
     return -a.slope * (b.t - a.t) / (b.slope - a.slope);
   }
-  /// Where the cubic through values and slopes is lowest, from a: Nocedal and Wright, eq. 3.59.
+  /// Distance from a to the minimum of the cubic through values and slopes: Nocedal and Wright, eq. 3.59.
   static double cubic(const Sample& a, const Sample& b) {
     const double width = b.t - a.t;
     const double d1 = a.slope + b.slope - 3 * (b.value - a.value) / width;

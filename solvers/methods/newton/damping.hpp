@@ -8,12 +8,13 @@
 
 namespace netloft::newton {
 
-/// Between which ends μ of (2) lies, and how it rises and falls. Whether an unsymmetric K curves downwards is
-/// not known: its damping begins with as much as half of its digits, and ends at their rounding, since soft
-/// parts of a gear want less than stiff ones, by the ratio of their stiffnesses.
+/// The range of μ in (2), and how μ rises and falls. Below `least_damping` there is no damping, except for an
+/// unsymmetric K, of which nobody knows whether it is definite: its μ rises from 0 to the square root of a
+/// double's rounding, and falls down to the rounding itself, because soft parts of a gear need less damping
+/// than stiff ones, by the ratio of their stiffnesses.
 struct DampingRange {
   double least, most, factor;
-  double end;  // what would fall below it is none at all
+  double end;  // a smaller μ becomes 0
 
   DampingRange(const Newton::Parameters& p, bool is_symmetric)
       : least(is_symmetric ? p.least_damping : kShortest),

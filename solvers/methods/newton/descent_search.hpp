@@ -4,19 +4,20 @@
 
 namespace netloft::newton {
 
-/// How far to go along a line that curves downwards, where nothing tells how far it does. t = 1 is as far as
-/// the direction at t = 0 says something: an element. Falls, at t:
+/// A search along a line of negative curvature, on which no model predicts the length. t = 1 moves a node by
+/// one element. m falls at t if
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise                                                       (D)
-/// The largest t found that falls: a small t is halved until one falls, or doubled until one does not, and
-/// secants of m' go on between. t stays below
-///   1/margin:                                                                               (E)
-/// a longer bracket keeps its new points, `margin` of it from either end, farther than 1 from the start, and
-/// what is nearer would not be seen.
+/// The largest t found at which m falls: a small t is halved until m falls, or doubled until it does not, and
+/// secants of m' refine the bracket. t stays below
+///   1/margin                                                                                (E)
+/// because in a longer bracket all new points, which keep `margin` of it from either end, would be farther
+/// than 1 from the start.
 struct DescentSearch {
   Refinement refinement = {};
   double longest() const { return 1 / refinement.margin; }  // (E)
 
-  /// `merit(t)` gives a Sample, or nothing where elements are not defined. Empty: m does not fall at all.
+  /// `merit(t)` gives a Sample, or nothing if elements are not defined there. Returns nothing if m does
+  /// not fall at all.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start, double noise) const {
     const auto falls = [&](const Sample& s) { return s.slope < 0 && s.value <= start.value + noise; };
@@ -43,7 +44,7 @@ struct DescentSearch {
   }
 
  private:
-  /// Stands for a t without forces, so that the secant halves the bracket.
+  /// A sample for a t without forces, with which the secant halves the bracket.
   static Sample as_steep_uphill(double t, const Sample& low) { return {t, low.value, -low.slope}; }
 };
 

@@ -28,7 +28,7 @@ Direction Directions::find(Iterate& iterate, double damping) {
                                        : find_unsymmetric(iterate, damping);
 }
 
-/// The factorisation itself tells whether the matrix is positive definite.
+/// The factorisation finds out whether the matrix is positive definite.
 Direction Directions::find_symmetric(Iterate& iterate, double damping) {
   const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
   if (factor == Factor::ok) {
@@ -40,10 +40,10 @@ Direction Directions::find_symmetric(Iterate& iterate, double damping) {
   return find_partly_convex(iterate, damping);
 }
 
-/// K + σ M with a tiny σ keeps Newton's step but for the few directions in which K curves downwards, which
-/// (6) leaves by; a convex part changes it in all. To try σ costs up to five factorisations where K is far
-/// from definite: where none will do, or damping matters anyway, σ is not tried again until K + μ M has been
-/// positive definite.
+/// K + σ M with a tiny σ changes Newton's step only in the few directions of negative curvature, along which
+/// (6) leaves; a convex part changes it in all directions. If K is far from definite, trying σ costs up to
+/// five factorisations. If none succeeds, or damping matters anyway, σ is therefore not tried again until
+/// K + μ M has been positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
   if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kMatters) {
     tests_near_definite_ = false;
@@ -64,8 +64,8 @@ Direction Directions::find_partly_convex(Iterate& iterate, double damping) {
   return solve(iterate, damping, "convex part");
 }
 
-/// K + θ (K₊ − K), with half the θ of the last time, or twice as much until it will do. A θ
-/// below kMatters adds no stiffness that matters.
+/// Factorises K + θ (K₊ − K) with half the last θ, which is doubled until the matrix is positive definite. A
+/// θ below kMatters adds no stiffness that matters.
 Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   for (convex_fraction_ = std::max(0.5 * convex_fraction_, kMatters); convex_fraction_ < 1;
        convex_fraction_ *= 2)
@@ -78,7 +78,7 @@ Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   return factor;
 }
 
-/// Raises μ until s leads downhill.
+/// Raises μ until s leads downhill; the factors do not show whether an unsymmetric matrix is definite.
 Direction Directions::find_unsymmetric(Iterate& iterate, double damping) {
   for (const char* note = "";; note = "more damping", damping = range_.raised(damping)) {
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);

@@ -13,24 +13,25 @@ namespace netloft::newton {
 /// A step s of (2) of Newton, and the matrix it belongs to; or why there is none.
 struct Direction {
   std::span<const double> s = {};
-  double damping = 0;            // μ; where a convex part was added, that asked for, of which more was used
-  bool nearly_definite = false;  // K is not positive definite, and K + μ M is, with a μ next to nothing
+  double damping = 0;            // μ as asked for; with a convex part more may have been used
+  bool nearly_definite = false;  // K is not positive definite, but K + μ M is, with a tiny μ
   const char* note = "";
   std::optional<Outcome> failure = {};
   explicit operator bool() const { return !failure; }
 };
 
-/// Finds steps s along which the merit falls.
+/// Finds steps s along which the merit falls, by (2) of Newton. With θ = 1 and μ = 1 a step cannot raise a
+/// convex energy (Levenberg 1944, in the metric of the linear stiffness).
 class Directions {
  public:
   Directions(const DampingRange& range, const Problem& problem, NearlyDefinite& nearly_definite)
       : range_(range), nearly_definite_(nearly_definite), s_(problem.size()) {}
 
-  /// Newton's own step, if it leads downhill and moves no node by more than the length of an element; else as
-  /// `find` has it.
+  /// Newton's own step, θ = μ = 0, if it leads downhill and moves no node by more than the length of an
+  /// element, because the start may be close to an equilibrium; otherwise the step of `find`.
   Direction find_first(Iterate& iterate, double damping);
-  /// A step with at least the damping μ. It fails if no matrix could be factorised, or with none s leads
-  /// downhill. The vector is valid until the next search.
+  /// A step with at least the damping μ. It fails if no matrix could be factorised, or no s leads downhill.
+  /// The vector is valid until the next search.
   Direction find(Iterate& iterate, double damping);
 
  private:
@@ -44,8 +45,8 @@ class Directions {
   const DampingRange& range_;
   NearlyDefinite& nearly_definite_;
   std::vector<double> s_;
-  double convex_fraction_ = 1;       // θ of the last time
-  bool tests_near_definite_ = true;  // K + μ M was positive definite the last time, or K nearly so
+  double convex_fraction_ = 1;       // last θ
+  bool tests_near_definite_ = true;  // the last K + μ M was positive definite, or K nearly so
 };
 
 }  // namespace netloft::newton

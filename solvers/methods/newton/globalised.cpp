@@ -12,10 +12,12 @@ namespace netloft::newton {
 
 namespace {
 
-/// From this t on a step means that the model is trusted, below it that it reaches too far.
+/// A step with a larger t means that the model is good up to there, a step with a smaller t that it is not.
 constexpr double kTrusted = 0.5;
 
-/// μ for the direction after a step.
+/// μ for the next direction: lower after a step by the merit with t > ½ or by ‖r‖, multiplied by 1/(2 t)
+/// after a shorter step by the merit, higher if no step was found. After a step by (7) or by (6) alone it is
+/// the damping of that step's matrix.
 double damping_after(const Step& step, const DampingRange& range) {
   if (!step) return range.raised(step.damping);
   if (step.rule == Step::Rule::residual) return range.lowered(step.damping);
@@ -24,6 +26,8 @@ double damping_after(const Step& step, const DampingRange& range) {
                                 : range.raised(step.damping, kTrusted / step.length);
 }
 
+/// The iteration. It fails if no step is found with μ at `most_damping`, if no matrix can be factorised, or
+/// if elements have no force at the point.
 class Globalised {
  public:
   Globalised(const Newton::Parameters& parameters, Problem& problem)
@@ -39,7 +43,7 @@ class Globalised {
   Outcome run() {
     if (!iterate_.evaluate()) return Outcome::left_domain;
     const char* note = "";
-    // `report` is false when the host says stop: the iteration has arrived, or a limit is reached.
+    // `report` is false when the host stops the iteration: it has converged, or a limit is reached.
     for (bool is_first = true; iterate_.report(note); is_first = false) {
       if (!iterate_.split_residual()) return Outcome::left_domain;
       const Direction direction =
@@ -66,9 +70,8 @@ class Globalised {
     return step;
   }
 
-  /// (6), after the step by K + σ M: with the factor that gave it, from where it has led. Over that step the
-  /// direction in which K curves most downwards changes little, so that the old factor finds it at the new
-  /// point.
+  /// Goes on by (6) after a step by K + σ M, whether that was accepted or not. The factor is that of the
+  /// point before the step, over which the direction of the most negative curvature changes little.
   bool leave_saddle(double sigma) {
     const auto v = curvature_.find_direction(iterate_.problem(), sigma);
     return v && curvature_.leave_along(*v, iterate_);

@@ -13,18 +13,18 @@
 
 namespace netloft::newton {
 
-/// How all searches along a line go on.
+/// The options of all searches along a line.
 inline Refinement refinement_of(const Newton::Parameters& p) {
   return {.margin = p.margin, .most = static_cast<int>(p.refinements)};
 }
 
-/// u(t) = u + t s + ½ t² a; straight where `a` is empty.
+/// u(t) = u + t s + ½ t² a; straight if `a` is empty.
 struct Path {
   std::span<const double> s, a = {};
 };
 
-/// The point u from which a step is sought, with residual r, energy E and nonconservative forces d there; and
-/// a trial point on a path from it.
+/// The point u with its residual r, energy E and nonconservative forces d, and a trial point on a path from
+/// it.
 class Iterate {
  public:
   explicit Iterate(Problem& problem);
@@ -36,9 +36,9 @@ class Iterate {
   /// All forces have an energy: there are no d.
   bool is_conservative() const { return d_.empty(); }
   double slope(const Path& path) const { return dot(r_, path.s); }
-  /// What rounding may change of the merit along a path.
+  /// The rounding error of the merit along a path [J].
   double round_off(const Path& path) const;
-  /// What a step promises to gain along a path is no more than that.
+  /// Whether the decrease that the slope predicts for a step along a path is no more than that.
   bool promises_round_off(const Path& path) const;
   /// Points accepted so far.
   std::size_t count() const { return count_; }
@@ -51,19 +51,19 @@ class Iterate {
 
   /// s = −A⁻¹ r with the last factor A.
   void solve(std::span<double> s);
-  /// r at u(t); nothing where elements are not defined.
+  /// r at u(t); nothing if elements are not defined there.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
   /// (3) and its derivative. Forces at the last trial point are kept: a second call for the same point, and a
   /// step that ends there, do not evaluate them again. Call split_residual() first.
   std::optional<Sample> merit(const Path& path, double t);
-  /// Moves u to u(t) and evaluates the tangent there, unless elements are not defined there. False: u and the
-  /// tangent are what they were.
+  /// Moves u to u(t) and evaluates the tangent there. Returns false if elements are not defined there; u and
+  /// the tangent are then unchanged.
   bool try_move(const Path& path, double t);
-  /// The same, unless ‖r‖ there is more than here.
+  /// The same, but only if ‖r‖ does not rise.
   bool try_move_if_residual_below(const Path& path, double t);
 
  private:
-  /// What is known of the trial point.
+  /// The forces that have been evaluated at the trial point.
   enum class Known { nothing, residual, gradient_too };
 
   bool move_trial(const Path& path, double t);

@@ -42,7 +42,7 @@ struct Tridiagonal {
     return high;
   }
 
-  /// By inverse iteration just above θ.
+  /// Inverse iteration just above θ.
   Few eigenvector(double theta) const {
     Few y{}, pivots{};
     std::fill_n(y.begin(), n(), 1.0);

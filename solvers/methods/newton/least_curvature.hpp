@@ -8,22 +8,22 @@
 
 namespace netloft::newton {
 
-/// Where a tangent K that is nearly definite curves least:
-///   K v = λ M v, the least λ, M the linear stiffness                                     (C1)
-/// from the factor of K + σM, which is positive definite, by at most ten steps of Lanczos for
+/// The direction of the least curvature of a tangent K that is nearly definite:
+///   K v = λ M v with the least λ, M the linear stiffness                                 (C1)
+/// It is found with the factor of K + σM, which is positive definite, by at most ten steps of Lanczos for
 ///   (K + σM)⁻¹ M v = θ v, the largest θ; λ = 1/θ − σ                                     (C2)
 /// in the inner product of M, each vector made orthogonal to all before it. Rayleigh quotients bound λ from
-/// above: where one is negative, K curves downwards. B. N. Parlett, The Symmetric Eigenvalue Problem (1998),
+/// above: if one is negative, so is λ. B. N. Parlett, The Symmetric Eigenvalue Problem (1998),
 /// ch. 13 and 15.
 class LeastCurvature {
  public:
-  /// Chosen: a limit, which bounds the memory of a search to twenty vectors.
+  /// A limit, which bounds the memory of a search to twenty vectors.
   static constexpr std::size_t kSteps = 10;
 
   /// Memory for `size` unknowns is reserved, and touched by the first search.
   explicit LeastCurvature(std::size_t size);
 
-  /// λ of (C1) by the last factor, which is that of K + `shift` M. No number if M is of no use.
+  /// λ of (C1) with the last factor, which is that of K + `shift` M. NaN if M cannot be used.
   double find(Problem& problem, double shift);
   /// v of (C1), after a search.
   std::span<const double> direction() const { return w_; }

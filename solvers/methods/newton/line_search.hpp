@@ -15,10 +15,11 @@ struct Sample {
 /// Steps t below this, the square root of the machine's epsilon, are not tried: half of the digits of u no
 /// longer change.
 inline constexpr double kShortest = 0x1p-26;
-/// A difference over t of its square root weighs the rounding of r against the error of a second derivative.
+/// Step of differences of r, the square root of kShortest: it balances the rounding of r and the error of a
+/// second derivative.
 inline constexpr double kDifference = 0x1p-13;
 
-/// How searches along a line go on: a secant may lie anywhere, and what is found need not be exact.
+/// How far a search along a line refines its bracket.
 struct Refinement {
   double margin = 0;  // fraction of its bracket that a new t keeps from either end
   int most = 0;       // evaluations spent on a better t once one will do
@@ -26,7 +27,7 @@ struct Refinement {
   double within(double fraction) const { return std::clamp(fraction, margin, 1 - margin); }
 };
 
-/// What a step along a line must do.
+/// A search along a line for a t that lowers the merit enough.
 struct LineSearch {
   double flatness = 0;  // fraction of the slope at the start that m' may keep
   Refinement refinement = {};
@@ -34,9 +35,9 @@ struct LineSearch {
   /// The best t in (0, 1] found:
   ///   m(t) ≤ m(0), and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) < 0, or refinements spent      (L)
   /// with η `flatness`, by secants of m' within a bracket, by parabolas while m is too high (Nocedal & Wright
-  /// 2006, ch. 3). Their sufficient decrease, of 1e-4 of the slope, is not asked for: it changed no bit of
-  /// 537 hard cases. `start` is m at t = 0; `merit(t)` gives a Sample, or nothing where there are no forces:
-  /// t is then shortened. Empty: no t will do.
+  /// 2006, ch. 3). Their sufficient decrease, 1e-4 of the slope, is left out: it changed no bit of 537 hard
+  /// cases. `start` is m at t = 0; `merit(t)` returns a Sample, or nothing if elements have no forces there:
+  /// t is then shortened. Returns nothing if no t is found.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     std::optional<Sample> best, high;
@@ -74,16 +75,17 @@ struct LineSearch {
   }
 };
 
-/// A step along a line where rounding hides how m changes, and its slope still has significant digits.
+/// A search along a line for a t at which m is flat, if rounding hides how m changes but not its slope.
 struct SlopeSearch {
-  double noise = 0;     // by so much m may rise: rounding
+  double noise = 0;     // rounding: m may rise by as much
   double flatness = 0;  // fraction of the slope at the start that m' may keep
   Refinement refinement = {};
 
   /// The first t in (0, 1] found:
   ///   m(t) ≤ m(0) + noise, and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) ≤ 0                      (S)
   /// by secants and halves of a bracket (the approximate Wolfe conditions of W. W. Hager and H. Zhang, SIAM
-  /// J. Optim. 16, 2005). `merit` and `start` as above. Empty: no t will do, or one has no forces.
+  /// J. Optim. 16, 2005). `merit` and `start` as above. Returns nothing if no t is found, or at the
+  /// first t without forces.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     Sample last = start, here = start;
@@ -100,7 +102,7 @@ struct SlopeSearch {
   }
 
  private:
-  /// By a secant through the last two, which behind a kink is exact; else the middle.
+  /// The secant through the last two samples, which is exact behind a kink; otherwise the middle.
   double next(const Sample& last, const Sample& here, double low, double high) const {
     const double t = here.t - here.slope * (here.t - last.t) / (here.slope - last.slope),
                  margin = refinement.margin * (high - low);

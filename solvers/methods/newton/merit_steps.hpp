@@ -11,7 +11,8 @@
 
 namespace netloft::newton {
 
-/// a of (8): how a path along s has to bend so that stiff members keep their length to second order.
+/// The vector a of (8), which bends a path along s so that stiff members keep their length to second order
+/// ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
 class CurvedStep {
  public:
   /// Memory for `size` unknowns is reserved, and touched by the first search.
@@ -19,7 +20,7 @@ class CurvedStep {
     minus_second_derivative_.reserve(size);
     a_.reserve(size);
   }
-  /// By differences of r over ± t s, with the last factor. Empty where elements are not defined at one of
+  /// Takes differences of r over ± t s, and the last factor. Empty if elements are not defined at one of
   /// these points.
   std::span<const double> find(Iterate& iterate, std::span<const double> s, double t);
 
@@ -28,13 +29,22 @@ class CurvedStep {
 };
 
 /// Steps that are judged by the merit (3), by the rules (4), (5) and (8) of Newton.
+///   (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient decrease.
+///   (5) lets an iterate cross the kinks between slack and taut by a relaxed test, as in the watchdog
+///   technique
+/// (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point before. m
+/// counts as low as the sum of what all steps have lowered it by: after a step that raised m, no other may
+/// raise it until the sum has recovered. If every other step were allowed to go uphill, netting on a bed with
+/// friction would circle its equilibrium. A step longer than an element promises so much that (5) would allow
+/// any rise.
+///   (8) is tried if (4) finds no t = 1, all forces have an energy and K is symmetric.
 class MeritSteps {
  public:
   MeritSteps(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
-  /// Moves u along s by (5), else (4), and where (4) ends short, by (8) if that gains more.
+  /// Moves u along s by (5), else by (4), or by (8) if (4) is too short and (8) gains more.
   Step take(Iterate& iterate, const Direction& direction);
-  /// What m has fallen by, here or by (6).
+  /// Adds a decrease of m, by these steps or by (6).
   void add_gain(double gain) {
     gained_ += gain;
     most_gained_ = std::max(most_gained_, gained_);

@@ -10,14 +10,14 @@
 
 namespace netloft::newton {
 
-/// K is nearly definite where K + σ M is positive definite with a σ of `least_damping` to kMatters, the least
-/// stiffness that matters over M.
+/// Finds σ of a K that is nearly definite: K is indefinite, and K + σ M is positive definite with a σ between
+/// `least_damping` and kMatters, the least stiffness that matters relative to M.
 class NearlyDefinite {
  public:
   explicit NearlyDefinite(const DampingRange& range) : range_(range), sigma_(range.least) {}
 
-  /// The smallest such σ, from one below that of the last time, by `factor`; K + σ M is then factorised. None
-  /// where K is not nearly definite.
+  /// The smallest such σ, rising by `factor` from one below the last σ; K + σ M is then factorised. None if K
+  /// is not nearly definite.
   std::optional<double> factorise(Problem& problem) {
     for (sigma_ = std::max(range_.least, sigma_ / range_.factor); sigma_ <= kMatters * (1 + kShortest);
          sigma_ *= range_.factor)

@@ -9,16 +9,18 @@
 
 namespace netloft::newton {
 
-/// The way off a saddle, along the direction in which K curves downwards most: (6) of Newton.
+/// Leaves a saddle along the direction of the most negative curvature, (6) of Newton (J. J. Moré and D. C.
+/// Sorensen, Math. Programming 16, 1979). All forces have an energy. No node moves farther than 1/`margin`
+/// elements.
 class NegativeCurvature {
  public:
   /// Memory for the directions is reserved, and touched by the first of them.
   NegativeCurvature(const Newton::Parameters& parameters, const Problem& problem);
 
-  /// By the factor of K + σ M: v along which K curves downwards most, if it does along any. Nothing moves.
+  /// The direction v of the most negative curvature of K, if there is any, from the factor of K + σ M.
   /// The vector is valid until the next search.
   std::optional<std::span<const double>> find_direction(Problem& problem, double sigma);
-  /// Moves along ±v to where the energy no longer falls; false if it never does.
+  /// Moves along ±v until the energy no longer falls. Returns false if it does not fall at all.
   bool leave_along(std::span<const double> v, Iterate& iterate);
 
  private:

@@ -13,12 +13,12 @@
 
 namespace netloft::newton {
 
-/// −r·s is what a step s would lower a linear energy by. It has to halve within as many steps as a search may
-/// spend on one, or the steps go round in rounding.
+/// Detects steps that make no progress but for rounding: −r·s, the decrease of a linear energy along a step
+/// s, has to halve within `refinements` steps.
 class StallCount {
  public:
   explicit StallCount(std::int64_t most_steps) : most_steps_(most_steps) {}
-  /// Counts one more step, and tells whether they have stalled.
+  /// Counts one more step, and returns whether they have stalled.
   bool stalls_with(double decrease);
   void reset() {
     least_ = std::numeric_limits<double>::infinity();
@@ -30,20 +30,21 @@ class StallCount {
   double least_ = std::numeric_limits<double>::infinity();  // decrease that was the last to halve it
 };
 
-/// Steps that promise to gain less than the energy's rounding, where it cannot tell whether they gain
-/// anything.
+/// Steps that promise to lower the energy by less than its rounding. The whole step is taken if it does not
+/// raise ‖r‖; otherwise, if μ = 0, the slope decides, (7) of Newton: the approximate Wolfe conditions (W. W.
+/// Hager and H. Zhang, SIAM J. Optim. 16, 2005).
 class RoundOffSteps {
  public:
   RoundOffSteps(const Newton::Parameters& parameters, Problem& problem, NearlyDefinite& nearly_definite,
                 NegativeCurvature& curvature);
 
-  /// Moves u by the whole of s if that does not raise ‖r‖; else, undamped, by (7).
+  /// Moves u by the whole step, or by (7).
   Step take(Iterate& iterate, const Direction& direction);
-  /// Where damping leads nowhere, once at every point: by Newton's own step; or where all forces have an
-  /// energy and K is nearly definite, off the saddle; or where nothing curves downwards, either, by a step of
-  /// K + σ M.
+  /// After damped steps that have not moved u, once at every point, factorises K undamped. If K is positive
+  /// definite, or unsymmetric, its step is tried by the same two rules. If all forces have an energy and K is
+  /// nearly definite, u leaves along negative curvature, or by (7) along a step of K + σ M if there is none.
   Step fall_back(Iterate& iterate, double damping);
-  /// (7) may be tried again: u has moved by the energy.
+  /// Lets (7) be tried again, because u has moved by the merit.
   void reset_stall_count() { stall_.reset(); }
 
  private:

@@ -3,13 +3,13 @@
 
 namespace netloft::newton {
 
-/// What became of a direction: whether u has moved, and by which rule.
+/// The result of trying a direction: whether u has moved, and by which rule.
 struct Step {
   enum class Rule { none, energy, residual, slope };
   Rule rule = Rule::none;
   double damping = 0;          // μ of the matrix that gave the direction
   double length = 0;           // t, by the rule
-  bool leaves_saddle = false;  // u has moved by (6), then, too
+  bool leaves_saddle = false;  // u has then moved by (6)
   explicit operator bool() const { return rule != Rule::none || leaves_saddle; }
 };
 

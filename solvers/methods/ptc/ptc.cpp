@@ -11,7 +11,7 @@ namespace {
 
 // Beyond these M/δ leaves K half of its digits, or is lost in the rounding of K.
 constexpr double kShortestStep = 0x1p-26, kLongestStep = 0x1p52;
-// What drives a step may grow so much while it is made.
+// Limit of the growth of the driving force during a step.
 constexpr double kMostGrowth = 2;
 
 class ImplicitSteps {

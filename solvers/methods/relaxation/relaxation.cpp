@@ -16,7 +16,8 @@ constexpr double kLargestRate = 4, kWantedRate = 2;
 /// Lighter masses than this fraction of the heaviest would let fly what the linear stiffness does not hold:
 /// half of the digits.
 constexpr double kLightest = 0x1p-26;
-/// Where no motion of such masses finds forces, none will: a step then moves nothing by more than rounding.
+/// With masses this much heavier a step moves nothing by more than rounding: if there are still no forces,
+/// the method gives up.
 constexpr double kMostHeavier = 1 / std::numeric_limits<double>::epsilon();
 
 class Motion {

@@ -4,8 +4,8 @@
 
 namespace netloft::relaxation {
 
-/// Dynamic relaxation with kinetic damping: a fictitious motion, brought to rest whenever its kinetic energy
-/// peaks, ends in balance. It sees residuals alone. The step of its time is 1.
+/// Dynamic relaxation with kinetic damping: a fictitious motion is brought to rest whenever its kinetic
+/// energy peaks, and ends in balance. It needs residuals alone. The time step is 1.
 ///   m_i = ½ Σ_j |M_ij|                                                                  (1)
 ///   v ← v − r/m,   u ← u + v;   from rest, v = −½ r/m                                   (2)
 ///   T = ½ Σ m_i v_i²                                                                    (3)
@@ -17,13 +17,14 @@ namespace netloft::relaxation {
 /// Aided Design of Cable Membrane Structures", Saxe-Coburg 2007. T₋₁, T₀, T₁ are (3) of three successive half
 /// steps, v that of T₀: (4) is the top of the parabola through them.
 ///
-/// M is the linear stiffness, assembled once. Masses in proportion to the stiffness that is there would
-/// vanish where netting is slack; M is what it will have when taut. By Gershgorin, (1) keeps λ of M below 2.
-/// Where the tangent outgrows M (pressure, drag, springs that stiffen) the stability limit (5), measured
-/// along the motion (P. Underwood, "Dynamic relaxation", in Computational Methods for Transient Analysis,
-/// 1983), tells, and all masses are raised.
+/// M is the linear stiffness, assembled once, which slack netting has when it is taut. Masses in proportion
+/// to the actual stiffness would vanish in slack netting. With (1), λ of M is below 2 (Gershgorin). If the
+/// tangent becomes larger than M (pressure, drag, stiffening springs), the stability limit (5) is exceeded
+/// along the motion, and all masses are raised (P. Underwood, "Dynamic relaxation", in Computational Methods
+/// for Transient Analysis, 1983).
 ///
-/// A step costs one evaluation, and arrival takes thousands: `steps` of them make one iteration of the host.
+/// A step costs one evaluation, and convergence takes thousands: `steps` of them make one iteration of the
+/// host.
 struct Relaxation {
   struct Parameters {
     std::int64_t steps = 0;

@@ -9,7 +9,7 @@ namespace netloft::automatic {
 
 namespace {
 
-/// What of a scene decides which attempts suit it.
+/// The properties of a scene that decide which attempts suit it.
 struct Kind {
   bool sticks, has_loaded_members, has_meshes;
 };
@@ -27,13 +27,13 @@ struct Row {
   bool (*suits)(const Kind& kind);
 };
 
-/// In the order in which they are tried, which was chosen on draws of the hard cases; `suits` says for which
-/// scenes.
+/// The attempts in their order, which was chosen on draws of the hard cases, with the scenes that they suit.
 const Row kTable[] = {
-    // The coarser mesh by this strategy again, and so on to the coarsest that is worth its price; what the
-    // user says of `auto` holds there, too.
-    // What is left then is to find out which members are slack, one by one by Newton's method; tension/only
-    // finds it for all at once.
+    // The coarser mesh is solved by this strategy again, with the options of the user, and so on to the
+    // coarsest
+    // mesh that is worth its price. Afterwards it remains to find out which members are slack. Newton's
+    // method
+    // finds this out member by member, tension/only for all at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
      [](const Kind& k) { return k.has_meshes && k.has_loaded_members; }},

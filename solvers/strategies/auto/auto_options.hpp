@@ -4,7 +4,7 @@
 
 namespace netloft::automatic {
 
-/// What a user may change; plugin.cpp says of each what it is.
+/// The options, which plugin.cpp explains.
 struct Options {
   std::int64_t restarts = 0;
   double slice = 0;

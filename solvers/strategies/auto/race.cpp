@@ -12,11 +12,11 @@ namespace netloft::automatic {
 
 namespace {
 
-/// g of (1): the price of what succeeds is least with it.
+/// g of (1), with which the bound on the cost is least.
 constexpr double kGrowth = 2;
 
-/// Of an element, how far beside a point to begin that a solver cannot leave: small, for an element may be a
-/// whole warp, and by one it would be another start.
+/// Perturbation used to leave a stationary point, as a fraction of the element size; equilibria that are
+/// closer together are one. It is small because an element can be as long as a whole warp.
 constexpr double kBeside = 1e-3;
 
 double little(const Search& search) { return kBeside * search.element_size(); }
@@ -27,19 +27,19 @@ bool is_one_place(const Search& search, const Displacements& a, const Displaceme
   return apart <= little(search);
 }
 
-/// The start of the search; a little beside it where elements have no force there, which a solver cannot
-/// leave.
+/// The start of the search, perturbed if elements have no forces there, because a solver cannot leave it.
 Displacements start_with_forces(Search& search) {
   const Stage start = search.assess({.name = "the start"}, search.start());
   if (start.has_forces() || start.is_stationary()) return search.start();
   return perturbed(search.start(), little(search));
 }
 
-/// The saddle displaced by t y along what grows there, to side 0 or side 1, so that no coordinate changes by
-/// more than an element. It is driven on from there,
+/// The saddle displaced by t y along the growing motion y, to side 0 or side 1, so that no coordinate changes
+/// by more than the size of an element. t is the largest among 1, ½, ¼, … with which the force still points
+/// away:
 ///   t y·r(u + t y) < 0                                                                    (2)
-/// with the largest such t among halves of an element: what leaves a saddle comes to rest near where (2)
-/// ends. Where it is not known what grows, two different perturbations.
+/// because the gear comes to rest near the end of (2). If y is not known, the sides are two different
+/// perturbations.
 Displacements beside(Search& search, const Stage& saddle, const Ask& ask, int side) {
   const double largest = largest_of(saddle.growing);
   if (!(largest > 0) || !std::isfinite(largest)) return perturbed(saddle.u, little(search), side);
@@ -91,15 +91,14 @@ void Race::run_slice(Runner& runner, double slice) {
   stage = off_saddle(std::move(stage), beyond);
   const bool is_out = !stage.was_cut_off() && beyond.spent() < work;
   runner.fate = is_out ? Fate::out : is_near ? Fate::again_at_once : Fate::again;
-  // Looks on for as much work again as the race has cost when it first met an equilibrium about which the
-  // gear swings.
+  // After the first equilibrium with flutter the race goes on for as much work again as it has cost.
   if (stage.flutters()) budget_.end_after(budget_.spent());
   keep_better(with_compensated_positions(std::move(stage)));
 }
 
-/// From an unstable equilibrium to one side, and if that does not converge, to the other. Where that leads to
-/// an unstable one that was not met before, both sides of that one are tried instead. What flutters is left
-/// alone: the motion comes back to it from either side.
+/// Moves off an unstable equilibrium to one side and, if that does not converge, to the other. If this leads
+/// to an unstable one that was not met before, both sides of that one are tried instead. An equilibrium with
+/// flutter is not left, because the motion comes back to it from either side.
 Stage Race::off_saddle(Stage saddle, const Budget& budget) {
   const auto ask = [&] { return Ask{.name = "off an unstable equilibrium", .work = budget.left()}; };
   std::vector<Displacements> met{saddle.u};
@@ -122,8 +121,7 @@ Stage Race::off_saddle(Stage saddle, const Budget& budget) {
   return saddle;
 }
 
-/// Where rounding of the positions is worth more than what is left of the residual, goes on with positions
-/// that keep the digits which a double rounds off.
+/// Goes on with compensated positions if the residual is below the rounding of the positions.
 Stage Race::with_compensated_positions(Stage stage) {
   const bool is_rounded =
       stage.has_forces() && stage.residual <= stage.rounding && stage.ending != Ending::unstable;
@@ -133,7 +131,7 @@ Stage Race::with_compensated_positions(Stage stage) {
   return next.has_converged() && next.residual <= stage.residual ? std::move(next) : std::move(stage);
 }
 
-/// One that converged before one that is unstable; of two alike the one that balances better.
+/// Prefers a converged stage to an unstable one, and otherwise the better balanced of the two.
 void Race::keep_better(Stage stage) {
   if (!stage.is_stationary()) return;
   const bool is_better = stage.has_converged() != best_.has_converged()

@@ -15,35 +15,35 @@ class Budget {
   double spent() const { return begun_ - search_.work_left(); }
   double left() const { return search_.work_left() - end_; }
   bool is_used_up() const { return left() <= 0; }
-  /// At most so much of what is left.
+  /// A part of what is left, with at most this much work.
   Budget split(double work) const { return Budget(search_, std::max(end_, search_.work_left() - work)); }
-  /// Ends after so much more work, unless it has been given an end before.
+  /// Ends after this much more work, unless an end has been set before.
   void end_after(double work) {
     if (end_ == 0) end_ = std::max(0.0, search_.work_left() - work);
   }
 
  private:
   Search& search_;
-  double begun_, end_;  // work left when it began, and at which it is used up
+  double begun_, end_;  // work left in the search when this begins and when it is used up
 };
 
-/// Attempts run in slices of work, all of one length before any of the next longer one but for what is nearly
-/// in balance:
+/// Attempts run in slices of work. All slices of one length come before the next longer ones, except after an
+/// attempt that was cut off close to balance:
 ///   w₀, g w₀, g² w₀, …,   g = 2                                                          (1)
-/// so that none can use up the budget before the others have had a try, and the one that succeeds with work w
-/// costs at most about n w g² / (g − 1) with n attempts, which is least with this g, where w is at least w₀,
-/// no saddle is met and no attempt is nearly in balance (as in M. Luby, A. Sinclair and D. Zuckerman, Optimal
-/// speedup of Las Vegas algorithms, Inf. Process. Lett. 47, 1993). README.md tells the rules.
+/// No attempt can use up the budget before the others have been tried. If one of n attempts succeeds with
+/// work w ≥ w₀, no saddle is met and no attempt is nearly in balance, the race costs at most about n w g² /
+/// (g − 1), which is least with this g (as in M. Luby, A. Sinclair and D. Zuckerman, Optimal speedup of Las
+/// Vegas algorithms, Inf. Process. Lett. 47, 1993). README.md explains the rules.
 class Race {
  public:
   Race(Search& search, const Options& options);
 
-  /// The first stage that converged; else an unstable equilibrium, of several the one that balances best;
-  /// else an empty stage.
+  /// Returns the first stage that converged, otherwise the best balanced unstable equilibrium, otherwise an
+  /// empty stage.
   Stage run();
 
  private:
-  /// `again_at_once`: it was cut off where the scene is nearly in balance.
+  /// `again_at_once`: it was cut off close to balance.
   enum class Fate { out, again, again_at_once };
   struct Runner {
     Attempt attempt;
@@ -62,7 +62,7 @@ class Race {
   Budget budget_;
   Displacements start_;
   std::vector<Runner> runners_;
-  Stage best_;  // of those that are stationary
+  Stage best_;  // among equilibria
 };
 
 }  // namespace netloft::automatic

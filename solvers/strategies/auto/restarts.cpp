@@ -10,19 +10,19 @@ namespace netloft::automatic {
 
 namespace {
 
-/// Largest force on a node that only resistance to compression bears, over the largest load: what is out of
-/// balance at an equilibrium as soon as nothing resists compression any more.
+/// Largest force on a node that only resistance to compression bears, over the largest load: the imbalance of
+/// an equilibrium without resistance to compression.
 double borne_by_compression(Search& search, const Stage& at) {
   return search.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
 
-/// Compression below what a start may be off by cannot be distinguished from none.
+/// Less compression than the imbalance of a start cannot be distinguished from none.
 bool may_have_other_shapes(Search& search, const Options& options, const Stage& at) {
   return may_restart(search, options) &&
          (options.everywhere || borne_by_compression(search, at) > kOnlyAStart);
 }
 
-/// Where the gear would be if nothing resisted compression: what is in compression is folded there.
+/// The gear without resistance to compression, in which parts in compression are folded.
 Displacements without_compression(Search& search, const Stage& best, double work) {
   const Ask ask{.name = "nothing in compression",
                 .variant = {.compression = 0},

@@ -6,13 +6,13 @@
 
 namespace netloft::automatic {
 
-/// What is under compression may fold in many ways. Where something bears it at an equilibrium `first` whose
-/// forces have an energy, or everywhere if the user says so, others are looked for: from where the gear would
-/// be if nothing resisted compression, then from perturbations of the best shape so far. Each is answered;
-/// the host chooses among them. Each may cost a slice.
-///
-/// What of this is known before anything is solved: whether it may come to it.
+/// Whether restarts are possible in this scene; known before anything is solved.
 bool may_restart(const Search& search, const Options& options);
+
+/// Looks for other equilibria after the equilibrium `first`, because parts in compression may fold in several
+/// ways: if all forces have an energy and compression bears a load, or always with `everywhere`. The first
+/// restart is from the shape without resistance to compression, the next ones from perturbations of the best
+/// shape so far. Each costs at most a slice of work. The host chooses among the answers.
 void restart(Search& search, const Options& options, const Stage& first);
 
 }  // namespace netloft::automatic

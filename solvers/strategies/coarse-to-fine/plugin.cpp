@@ -45,8 +45,8 @@ struct CoarseToFine {
 
  private:
   static constexpr const char* kFromCoarser = "from a coarser mesh";
-  /// Of the work: as much again is left. All of it costs the hard cases a fifth to a quarter more
-  /// factorisations; a quarter of it costs as many as a half (tests/bench/sensitivity.md).
+  /// Largest fraction of the work for the coarser mesh. With 1 the hard cases cost a fifth to a quarter more
+  /// factorisations, with ¼ as many as with ½ (tests/bench/sensitivity.md).
   static constexpr double kMostOfCoarser = 0.5;
 
   /// The start is assessed first, so that a strategy that is cut off before it has solved anything has that.

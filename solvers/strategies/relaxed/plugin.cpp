@@ -7,10 +7,10 @@ namespace {
 
 using namespace netloft;
 
-/// Where things stick and slide no tangent tells what happens next; a matrix-free solver brings the gear
-/// near, and the solver of the analysis goes on from there. Where that does not converge either, the
-/// matrix-free one goes on to the end.
-/// Without a tangent an iteration costs next to nothing; the budget of work ends them.
+/// For elements that stick and slide, whose tangent does not predict the next state: a matrix-free solver
+/// brings the gear close to equilibrium, and the solver of the analysis goes on. If that does not converge
+/// either, the matrix-free solver goes on to the end. Without a tangent an iteration costs next to nothing;
+/// the budget of work ends them.
 constexpr unsigned kAsManyAsItTakes = 10000000;
 
 struct Relaxed {

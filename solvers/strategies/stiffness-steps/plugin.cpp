@@ -42,7 +42,7 @@ struct StiffnessSteps {
  private:
   static double first_cap(const Parameters& p, Search& search) { return p.factor * search.largest_load(); }
 
-  /// Where the caps of (1) lead, or the first that failed has ended.
+  /// The last of the equilibria with the caps of (1), or the end of the first stage that failed.
   static Displacements stiffened(const Parameters& p, Search& search, double cap) {
     Displacements u = search.start();
     for (; cap < search.stiffness() && search.work_left() > 0; cap *= p.factor) {

@@ -8,10 +8,10 @@ namespace netloft::tension {
 
 namespace {
 
-/// Of μ and of the residual, over the load.
+/// Limit of μ and of the residual, over the load.
 constexpr double kSolved = 0x1p-26;
 
-/// What is no number stays none.
+/// NaN stays NaN.
 double at_most_whole(double step) { return step > 1 ? 1 : step; }
 
 }  // namespace
@@ -106,7 +106,7 @@ void InteriorPoint::set_member(std::size_t e) {
   forces_[e] = {-y[1], -y[2], -y[3]};
 }
 
-/// Where other forces make it indefinite, it is factorised as what it is from now on.
+/// Once other forces have made the matrix indefinite, it is factorised as an indefinite one.
 bool InteriorPoint::factorise() {
   if (!is_indefinite_) {
     const Factor factor = members_.factorise();

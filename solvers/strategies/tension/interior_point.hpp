@@ -22,17 +22,16 @@ namespace netloft::tension {
 ///   σ = (1 − a₀)³, with the same matrix                                                     (5)
 ///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
-/// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag, whose law is none of a
-/// convex problem, is linearised at every step like all of r; where that leaves a step no longer than what
-/// (6) keeps from the boundary, the method ends. It has converged once μ and the residual are half of the
-/// digits of a double below the load: Newton's method, which goes on from there, finds the others in a step.
-/// What members bear in compression is left out: a solver that goes on from here brings it in.
+/// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag has no convex problem;
+/// it is linearised at every step like all of r. The method ends if a step becomes shorter than the distance
+/// that (6) keeps from the boundary. It has converged once μ and the residual are below the load by half of
+/// the digits of a double; Newton's method finds the others in one step. Compression of members is left out.
 class InteriorPoint {
  public:
-  /// What steers the method; strategies.cpp says what it is.
+  /// The options, which strategies.cpp explains.
   struct Parameters {
     double to_boundary = 0;  // (6)
-    /// What a step keeps from the boundary, and the first point in z₀, too.
+    /// Distance that a step keeps from the boundary, and z₀ of the first point.
     double room() const { return 1 - to_boundary; }
   };
 
@@ -40,7 +39,7 @@ class InteriorPoint {
 
   InteriorPoint(const Parameters& parameters, netloft_members& members);
 
-  /// From u to where it ends. `load` is the first μ [N]: what drives the gear, all in all.
+  /// Solves from u, which it changes. `load` is the first μ [N], the sum of the forces that drive the gear.
   Ending solve(std::span<double> u, double load);
 
   double largest_residual() const { return largest_of({residual_.data(), members_.unknowns()}); }

@@ -22,7 +22,7 @@ inline bool all_finite(std::span<const double> v) {
 /// K of a member, row by row.
 using Block = std::array<double, 9>;
 
-/// What a member does along its unit vector t: the force f t [N], and K = a t tᵀ + b I [N/m].
+/// The force f t [N] of a member with unit vector t, and its stiffness K = a t tᵀ + b I [N/m].
 struct Line {
   Vector t;
   double f, a, b;
@@ -40,7 +40,7 @@ class Members {
   bool symmetric() const { return m_.traits & NETLOFT_SYMMETRIC; }
   const Member& operator[](std::size_t e) const { return m_.member[e]; }
   std::uint32_t part(std::size_t e) const { return m_.part[e]; }
-  /// What rounding of a coordinate at the start is worth in a length [m].
+  /// Error of a length from rounding of the coordinates at the start [m].
   double rounding() const { return 4 * std::numeric_limits<double>::epsilon() * m_.largest_coordinate; }
 
   void find_chords(std::span<const double> u, std::vector<Vector>& w) {

@@ -99,7 +99,7 @@ bool MixedNewton::find_residual() {
   return all_finite(residual_);
 }
 
-/// By the last residual.
+/// Uses the last residual.
 bool MixedNewton::is_balanced(double tolerance) const {
   const auto unknowns = static_cast<std::ptrdiff_t>(step_.size());
   const double largest = largest_of({residual_.begin(), residual_.begin() + unknowns}),
@@ -172,7 +172,7 @@ void MixedNewton::move_tensions(double a) {
   }
 }
 
-/// As in Newton's method with damping, solvers/methods/newton, (5).
+/// Lowers the damping after a whole step and raises it after a shorter one, as solvers/methods/newton does.
 void MixedNewton::adapt_damping(double a) { set_damping(a == 1 ? damping_ / p_.factor : damping_ / (2 * a)); }
 
 void MixedNewton::set_damping(double damping) { damping_ = std::clamp(damping, kLeastDamping, kMostDamping); }

@@ -26,7 +26,7 @@ class MixedNewton {
   /// μ above which steps no longer depend on anything else.
   static constexpr double kMostDamping = 1;
 
-  /// What steers the method whatever the stage; strategies.cpp says what it is.
+  /// The options of all stages, which strategies.cpp explains.
   struct Parameters {
     double factor = 0;  // by which μ falls and rises
   };

@@ -17,7 +17,7 @@ std::string counted(std::size_t members) {
   return std::to_string(members) + (members == 1 ? " member" : " members");
 }
 
-/// Where all members resist compression as they do tension, there is nothing to be found out about them.
+/// Members that resist compression as much as tension cannot be slack.
 bool some_can_be_slack(const netloft_members& members) {
   return std::any_of(members.member, members.member + members.count,
                      [](const netloft_member& m) { return m.EA_compression < m.EA; });
