@@ -31,7 +31,7 @@ class Netting {
     const double l2 = ((b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1])) / twice;
     return {1 - l1 - l2, l1, l2};
   }
-  /// The first triangle that holds the place; where there is none, the one of which it is least outside.
+  /// The first triangle that contains the place, or the one that it is least outside of.
   std::size_t triangle_at(const Place& p) const {
     for (const std::uint32_t t : cells_[cell(p)])
       if (depth(t, p) >= 0) return t;
@@ -42,7 +42,7 @@ class Netting {
   }
   std::uint32_t node(std::size_t triangle, std::size_t k) const { return part_.nodes[3 * triangle + k]; }
 
-  /// Before places are looked for.
+  /// Fills the grid before places are looked up.
   void make_grid() {
     for (const std::size_t k : {0u, 1u}) {
       const auto [low, high] = std::minmax_element((k ? v_ : u_).begin(), (k ? v_ : u_).end());
@@ -85,7 +85,7 @@ class Netting {
 
 std::size_t at(std::uint32_t node) { return 3 * std::size_t{node}; }
 
-/// Share of the way along a rope at the end of every bar, from zero.
+/// Fraction of the length of a rope at the end of every bar, from zero.
 std::vector<double> shares_of(const Part& rope) {
   std::vector<double> shares{0};
   for (const double length : rope.data.at(datum::kRestLength.name)) shares.push_back(shares.back() + length);

@@ -6,13 +6,14 @@
 
 namespace netloft::runs {
 
-/// Brings the nodes of a panel of triangles to where the same place of the netting is on another division of
-/// it, `from` with positions `x` [m]: within the triangle there that has the twine coordinates of the node,
-/// or beyond the one that is nearest to having them. `positions` are of the scene that `to` belongs to.
+/// Moves the nodes of a panel of triangles, `to`, to the positions that the same places of the netting have
+/// on another division, `from` with positions `x` [m]. A place lies within the triangle that has the twine
+/// coordinates of the node, or is extrapolated from the nearest triangle. `positions` are of the scene of
+/// `to`.
 void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
                  std::vector<double>& positions);
 
-/// The same of a rope in bars, by the share of its unstretched length.
+/// The same for a rope in bars, by the fraction of its unstretched length.
 void carry_rope(const Part& from, const std::vector<double>& x, const Part& to,
                 std::vector<double>& positions);
 

@@ -20,7 +20,7 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// Tension below this share of the largest in the gear counts as none; compression above it counts.
+// Fraction of the largest tension in the gear below which tension, or compression, counts as none.
 constexpr double kNone = 1e-6, kCounts = 1e-3;
 // Neighbours that turn back by more than this are folded [rad].
 constexpr double kFolded = std::numbers::pi * 5 / 6;
@@ -30,13 +30,13 @@ Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Least and largest tension in a part, and how many of its elements are pressed.
+/// Least and largest tension in a part, and the number of its elements in compression.
 struct Tensions {
   double least = std::numeric_limits<double>::infinity(), largest = -least;
   std::vector<double> of_elements;  // the least of each [N]
 };
 
-/// Makes the diagnosis; members are its sentences.
+/// Makes the diagnosis; each member finds one kind of sentences.
 class Diagnosis {
  public:
   Diagnosis(const Scene& scene, Assembler& assembler, const Solution& solution)
@@ -114,7 +114,7 @@ class Diagnosis {
     }
   }
 
-  /// Bars of a part that follow one another there and back.
+  /// Finds neighbouring bars of a part that fold back.
   void count_folds_of_ropes(const ElementFamily& family, std::map<std::uint32_t, int>& folds) const {
     for (std::size_t e = 0; e + 1 < family.size(); ++e)
       if (family.part(e) == family.part(e + 1) && family.node(e, 1) == family.node(e + 1, 0)) {
@@ -124,7 +124,7 @@ class Diagnosis {
       }
   }
 
-  /// Triangles with a side in common that look the other way.
+  /// Finds triangles with a common side and opposite normals.
   void count_folds_of_netting(const ElementFamily& family, std::map<std::uint32_t, int>& folds) const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> first;
     for (std::size_t e = 0; e < family.size(); ++e)

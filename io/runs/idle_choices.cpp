@@ -9,7 +9,7 @@ namespace netloft::runs {
 
 namespace {
 
-/// "rope.damping" and "the analysis is static", with the parts of which that is true.
+/// A parameter and a reason ("rope.damping", "the analysis is static"), with the parts they apply to.
 struct IdleChoice {
   std::string what, reason;
   std::vector<std::string> parts;
@@ -20,9 +20,9 @@ bool needs(const netloft_term& term, const std::string& parameter) {
   return std::find(names.begin(), names.end(), parameter) != names.end();
 }
 
-/// Why all terms that need the parameter are left out; empty if one acts, or none needs it. What drag needs,
-/// such as a diameter, has other uses, too. Where forces have no energy it is asked how a small disturbance
-/// moves.
+/// The reason why all terms that need the parameter are left out; empty if one acts, or none needs it.
+/// Parameters of drag, such as a diameter, have other uses, too. If forces have no energy, damping matters
+/// for the motion of a small disturbance.
 std::string why_idle(const FamilyPlan& family, const std::string& parameter, bool motion_is_asked_for) {
   std::string reason;
   for (std::size_t t = 0; t < family.terms.size(); ++t) {

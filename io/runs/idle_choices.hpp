@@ -6,9 +6,9 @@
 
 namespace netloft::runs {
 
-/// Warns of parameters that a scene sets for terms which the plan leaves out, and of laws where no water
-/// flows: they change nothing, though somebody wrote them down. One warning for all parts that share a
-/// reason; it stands at the first of them.
+/// Warns of parameters that a scene sets for terms which the plan leaves out, and of laws in still water,
+/// because they have no effect. There is one warning for all parts with the same reason, located at the
+/// first.
 void warn_of_idle_choices(const scenes::LoadedScene& loaded, const ScenePlan& plan,
                           formats::Diagnostics& diagnostics);
 

@@ -21,7 +21,7 @@ bool is_zero(const Part& part, const netloft_parameter& p) {
   return number_or(0, part.parameters, p.name) == 0;
 }
 
-/// "body.inertia_x, body.inertia_y": what is zero and should not be.
+/// Names of parameters that are zero and should not be: "body.inertia_x, body.inertia_y".
 std::string keys_of(const Scene& scene, Registry& registry, const MissingInertia& missing) {
   std::string keys;
   std::set<std::string> named;

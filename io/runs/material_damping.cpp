@@ -26,14 +26,14 @@ std::vector<std::string> tables_with_loss(const Part& part, Registry& registry) 
   return tables;
 }
 
-/// What a part says, or the default of its element; 0 where that has no such parameter.
+/// The value in the part, or the default of its element; 0 if the element has no such parameter.
 double value_of(const Part& part, const std::string& name, Registry& registry) {
   const auto& known = registry.element(part.type).parameters;
   const auto at = std::ranges::find_if(known, [&](const auto& p) { return name == p.name; });
   return at == known.end() ? 0 : number_or(at->fallback, part.parameters, name);
 }
 
-/// Why no loss factor counts; empty: they do.
+/// The reason why no loss factor counts; empty if they do.
 std::string why_off(const scenes::Analysis& analysis, Registry& registry) {
   if (analysis.settles) return "the analysis is static";
   const scenes::Dynamics& d = analysis.dynamics;

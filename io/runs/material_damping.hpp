@@ -8,14 +8,14 @@
 
 namespace netloft::runs {
 
-/// Whether the loss factors of materials count in an analysis: in motions, and in how a small disturbance of
-/// what is static moves, unless `material_damping` is off or the steps of the scheme are bounded by
-/// stability, which the damping of stiff twines would make too short by far. Where they do not count, or a
-/// part states a damping of its own, they are taken out of the scene. Returns a sentence for the plan; empty:
-/// no part has one.
+/// Decides whether the loss factors of materials count in an analysis. They do in motions, and in the motion
+/// of a small disturbance of an equilibrium, unless `material_damping` is off or the steps of the integrator
+/// are bounded by stability, because the damping of stiff twines would make them far too short. Loss factors
+/// that do not count, and those of parts with a damping of their own, are removed from the scene. Returns a
+/// sentence for the plan, or nothing if no part has a loss factor.
 std::string choose_material_damping(Scene& scene, const scenes::Analysis& analysis, Registry& registry);
 
-/// Takes them out of a static scene whose forces have an energy: no motion is asked for there.
+/// Removes them from a static scene whose forces have an energy, since its stability needs no motion.
 void take_out_losses(Scene& scene, Registry& registry);
 
 }  // namespace netloft::runs

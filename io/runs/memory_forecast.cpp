@@ -21,7 +21,7 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 // Matrices and vectors that are held at a time: of a problem and of the judge of its stability
 // (framework/balance: StaticProblem, find_growth). tests/bench/memory.py compares with what processes took.
 constexpr double kMatrices = 4, kVectors = 40;
-// Of meshes each with a quarter of the nodes of the one before, as strategies keep them.
+// Sum over meshes with a quarter of the nodes of the one before, as strategies keep them.
 constexpr double kWithCoarser = 4.0 / 3;
 // Vectors of positions and velocities of the Krylov space that judges stability
 // (framework/judging/growth.cpp).
@@ -64,7 +64,7 @@ double number_in(const std::string& file) {
   return in >> number ? number : kUnlimited;
 }
 
-/// What the control group of this process leaves; infinite without a limit.
+/// Memory that the control group of this process leaves [bytes]; infinite without a limit.
 double left_by_group() {
   std::ifstream in("/proc/self/cgroup");
   std::string line;
@@ -89,7 +89,7 @@ MemoryForecast foresee_memory(PreparedScene& scene) {
       scene.factorisations()(pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   const double factor = factor_bytes_of(*factorisation), size = static_cast<double>(pattern.size);
-  // What has an energy is judged by the factor of its tangent, and needs no other unknowns.
+  // A scene with an energy is judged by the factor of its tangent, and needs no other unknowns.
   const bool is_judged_by_motion =
       !pattern.symmetric && scene.loaded().analysis.kind == AnalysisKind::statics;
   MemoryForecast forecast;

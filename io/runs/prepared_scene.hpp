@@ -82,8 +82,8 @@ class PreparedScene {
   Seconds seconds_;
 };
 
-/// What `--solver newton:method=classic` and `--strategy auto:restarts=6` stand for: analysis.solver and
-/// analysis.newton.method as overrides. `key` is "solver" or "strategy". Throws std::invalid_argument with a
+/// The overrides for `--solver newton:method=classic` or `--strategy auto:restarts=6`: analysis.solver and
+/// analysis.newton.method. `key` is "solver" or "strategy". Throws std::invalid_argument with a
 /// sentence when the specification is not understood.
 std::vector<std::string> overrides_of(const std::string& key, const std::string& specification);
 

@@ -2,25 +2,33 @@
 #include "io/program/command_line/command_line.hpp"
 
 #include "framework/parameters/nearest.hpp"
-#include "io/program/command_line/groups.hpp"
+#include "io/program/session/options.hpp"
+
+#include <algorithm>
 
 namespace netloft::program {
 
-void add_commands(CLI::App& app, Options& o) {
-  add_run_command(app, o);
-  add_plan_command(app, o);
-  add_component_commands(app, o);
-  add_test_command(app, o);
-  add_author_commands(app, o);
-  add_gear_commands(app, o);
-  add_compare_command(app, o);
-  add_diff_command(app, o);
-  add_result_commands(app, o);
-  add_refine_command(app, o);
-  add_scope_command(app, o);
-  add_import_command(app, o);
-  add_study_command(app, o);
-  add_calibrate_command(app, o);
+namespace {
+
+using AddCommands = void (*)(CLI::App&, Chosen&);
+
+/// Adds commands under a heading of their own in `netloft --help`.
+void add_group(CLI::App& app, Chosen& chosen, const char* heading, AddCommands add) {
+  const std::size_t before = app.get_subcommands({}).size();
+  add(app, chosen);
+  const auto commands = app.get_subcommands({});
+  for (std::size_t i = before; i < commands.size(); ++i) commands[i]->group(heading);
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, Chosen& chosen) {
+  add_group(app, chosen, "Gears", add_gear_commands);
+  add_group(app, chosen, "Scenes", add_scene_commands);
+  add_group(app, chosen, "Results", add_result_commands);
+  add_group(app, chosen, "Studies", add_study_commands);
+  add_group(app, chosen, "Numerics", add_numeric_commands);
+  add_group(app, chosen, "Plugins", add_plugin_commands);
   app.require_subcommand(1);
 }
 
@@ -52,11 +60,22 @@ std::string full_name(const CLI::App& app) {
   return app.get_parent() ? full_name(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
 
+const CLI::App& top_of(const CLI::App& app) { return app.get_parent() ? top_of(*app.get_parent()) : app; }
+
 std::vector<std::string> names_of_options(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
     for (const auto& name : option->get_lnames()) names.push_back("--" + name);
   return names;
+}
+
+/// The first command that has the option: "netloft run"; empty if none has.
+std::string command_with(const CLI::App& app, const std::string& option) {
+  const auto names = names_of_options(app);
+  if (std::ranges::find(names, option) != names.end()) return full_name(app);
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (const std::string found = command_with(*command, option); !found.empty()) return found;
+  return {};
 }
 
 }  // namespace
@@ -67,20 +86,21 @@ std::string unknown_option(const CLI::App& app) {
     const CLI::App& command = innermost(app);
     const std::string name = word.substr(0, word.find('='));
     const auto near = nearest(name, names_of_options(command));
+    const std::string other = near ? "" : command_with(top_of(command), name);
     return "there is no option " + name +
-           (near ? "; did you mean " + *near + "?" : "; `" + full_name(command) + " --help` lists them");
+           (near            ? "; did you mean " + *near + "?"
+            : other.empty() ? "; `" + full_name(command) + " --help` lists them"
+                            : " of `" + full_name(command) + "`; `" + other + "` has it");
   }
   return {};
 }
 
-std::vector<std::string> given_options(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands()) {
-    for (const CLI::Option* option : command->get_options())
-      if (option->count() > 0) names.push_back(option->get_name());
-    for (auto& name : given_options(*command)) names.push_back(std::move(name));
+void require_group(const CLI::App& command, const std::string& group, const std::string& why) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string own = option->get_group();
+    if (option->count() == 0 || own == group || own == "Options") continue;
+    throw UsageError{option->get_name() + " is f" + own.substr(1) + "; " + why};
   }
-  return names;
 }
 
 }  // namespace netloft::program

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/program/session/options.hpp"
-
-#include <CLI/CLI.hpp>
+#include "io/program/command_line/chosen.hpp"
 
 #include <span>
 #include <string>
@@ -10,19 +8,16 @@
 
 namespace netloft::program {
 
-/// All commands with their options, which are read into `o`.
-void add_commands(CLI::App& app, Options& o);
+/// Adds all commands with their options, in groups. Parsing sets `chosen.run`.
+void add_commands(CLI::App& app, Chosen& chosen);
 
-/// A first word that is no command, or a second one that is none of the first's, as a sentence with the
-/// command it may stand for; else empty. `before`: "study ".
+/// Names a first word that is no command, or a second one that is no action of the first, and the command it
+/// may stand for. Empty if there is none. `before` is "study " for actions of `study`.
 std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
                             const std::string& before = "");
 
-/// What was left over of a command line that could not be read: its first option that the command does not
-/// have, as a sentence with the option it may stand for; else empty.
+/// Names the first option of an unreadable command line that the command does not have, and the option that
+/// may be meant or the command that has it. Empty if there is none.
 std::string unknown_option(const CLI::App& app);
-
-/// Long names of the options that were given to the command, and to one below it.
-std::vector<std::string> given_options(const CLI::App& app);
 
 }  // namespace netloft::program

@@ -1,89 +1,144 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Commands for net plans, parts of the catalogue and gears of other programs.
-#include "io/program/command_line/groups.hpp"
+#include "io/program/commands/gears.hpp"
+
+#include "io/program/command_line/chosen.hpp"
 #include "io/program/command_line/shared.hpp"
 
 namespace netloft::program {
 
 namespace {
 
-void add_net_plan_options(CLI::App& command, Options& o) {
-  command.add_option("GEAR", o.target, "net plan (TOML); draw takes a result, too")->required();
-  add_set_option(command, o, "a value of the plan: panels.top-wing.aft=130");
-  add_plugin_options(command, o);
+// groups of options
+constexpr const char *kForPlans = "For a net plan", *kForResults = "For a result", *kForPolars = "For polars",
+                     *kForFemnet = "For FEMNET";
+
+constexpr const char* kSetInPlan = "a value of the plan: panels.top-wing.aft=130";
+
+void add_check_command(CLI::App& app, Chosen& chosen) {
+  auto [check, o] = add_command(
+      app, chosen, "check", "say whether a net plan can be sewn, and what to change if not", check_command);
+  check.add_option("GEAR", o.plan, "net plan (TOML)")->required();
+  add_set_option(check, o.set, kSetInPlan);
+  add_common_options(check, o);
 }
 
-void add_picture_options(CLI::App& command, Options& o) {
-  PictureOptions& p = o.picture;
-  command.add_option("--view", p.view, "of a result: where from; else oblique")
+void add_plan_options(CLI::App& draw, DrawOptions& o) {
+  add_set_option(draw, o.set, kSetInPlan)->group(kForPlans);
+  auto* mesh = draw.add_flag("--mesh", o.mesh, "in triangles, as it is divided for a simulation");
+  mesh->group(kForPlans);
+  draw.add_option("--nodes", o.nodes, "about as many, ropes included (2000)")
+      ->needs(mesh)
+      ->check(CLI::Range(3, 1000000))
+      ->type_name("N")
+      ->group(kForPlans);
+}
+
+void add_picture_options(CLI::App& draw, DrawOptions& o) {
+  const auto option = [&](const char* name, auto& value, const char* doc) {
+    return draw.add_option(name, value, doc)->group(kForResults);
+  };
+  const auto flag = [&](const char* name, bool& value, const char* doc) {
+    draw.add_flag(name, value, doc)->group(kForResults);
+  };
+  option("--view", o.view, "direction of view; else oblique")
       ->check(CLI::IsMember({"side", "top", "front", "oblique"}));
-  as_word(command.add_option("--field", p.field, "of a result: what is coloured, or part; else tension"),
-          "NAME");
-  add_state_option(command, o);
-  command.add_option("--width", p.width, "of a result: pixels; else 1000")->check(CLI::Range(300, 8000));
-  command.add_option("--fit", p.fit, "of a result: what there is room for; else netting")
+  as_word(option("--field", o.field, "the quantity that is coloured, or part; else tension"), "NAME");
+  add_state_option(draw, o.state)->group(kForResults);
+  option("--width", o.width, "pixels; else 1000")->check(CLI::Range(300, 8000));
+  option("--fit", o.fit, "what the picture has room for; else netting")
       ->check(CLI::IsMember({"netting", "boards", "all"}));
-  command.add_flag("--dark", p.dark, "of a result: on dark ground");
-  command.add_flag("--log", p.log, "of a result: logarithmic colours");
-  command.add_flag("--elements", p.elements,
-                   "of a result: netting in the value of each triangle, not in means at nodes");
-  command.add_flag("--dimensions", p.dimensions,
-                   "of a result: headline height and spreads as dimension lines");
+  flag("--dark", o.dark, "on dark ground");
+  flag("--log", o.log, "logarithmic colours");
+  flag("--elements", o.elements, "netting in the value of each triangle, not in means at nodes");
+  flag("--dimensions", o.dimensions, "headline height and spreads as dimension lines");
+}
+
+void refuse_options_of_others(const DrawOptions& o, const CLI::App& draw) {
+  switch (kind_of_drawable(o.file)) {
+    case Drawable::net_plan:
+      return require_group(draw, kForPlans, o.file + " is a net plan");
+    case Drawable::result:
+      return require_group(draw, kForResults, o.file + " is a result");
+    case Drawable::polars:
+      return require_group(draw, kForPolars, o.file + " holds polars");
+  }
+}
+
+void add_draw_command(CLI::App& app, Chosen& chosen) {
+  auto [draw, o] = add_command(app, chosen, "draw", "draw a net plan to scale, or the shape of a result",
+                               draw_command, refuse_options_of_others);
+  draw.add_option("GEAR", o.file, "net plan or polars (TOML), or result (.hdf)")->required();
+  as_word(draw.add_option("-o,--output", o.output,
+                          "picture; else the name of the gear or result with .svg, in this folder"),
+          "FILE.svg|FILE.png");
+  add_common_options(draw, o);
+  add_plan_options(draw, o);
+  add_picture_options(draw, o);
+}
+
+void add_catalogue_command(CLI::App& app, Chosen& chosen) {
+  auto [catalogue, o] =
+      add_command(app, chosen, "catalogue", "list the parts that scenes and gears name", catalogue_command);
+  catalogue.add_option("NAME", o.name, "a part, for all that is known of it, or a kind, such as twine");
+  add_common_options(catalogue, o);
+}
+
+void refuse_options_of_femnet(const ImportOptions& o, const CLI::App& import) {
+  if (!o.format.empty() && o.format != "femnet") require_group(import, "", "the format is " + o.format);
+}
+
+/// --check is for all gears in a folder, and excludes the options of one gear.
+void add_femnet_options(CLI::App& import, ImportOptions& o, CLI::Option* gear, CLI::Option* output) {
+  auto* divide =
+      import.add_flag("--divide", o.divide, "divide it into elements here, whatever mesh lies beside it")
+          ->group(kForFemnet);
+  import
+      .add_flag("--motion", o.motion, "the scene is the motion that its file describes, with waves and drums")
+      ->group(kForFemnet);
+  auto* mesh =
+      as_word(import.add_option("--mesh", o.mesh,
+                                "file of its mesh; else the one of the same name beside it, if it is of "
+                                "this gear"),
+              "FILE")
+          ->group(kForFemnet)
+          ->excludes(divide);
+  auto* check =
+      import.add_option("--check", o.folder,
+                        "write nothing: say for all gears in a folder, and those below, what they need "
+                        "and how many convert");
+  check->check(CLI::ExistingDirectory)->type_name("FOLDER")->group(kForFemnet);
+  for (CLI::Option* of_one_gear : {gear, output, divide, mesh}) check->excludes(of_one_gear);
+}
+
+void add_import_command(CLI::App& app, Chosen& chosen) {
+  auto [import, o] = add_command(
+      app, chosen, "import",
+      "write a gear of another program as a scene, and list line by line what cannot be carried over",
+      import_command, refuse_options_of_femnet);
+  import
+      .add_option("FORMAT", o.format,
+                  "femnet: GEAR.don, with its mesh GEAR.mdg or without one; table: nodes and bars as "
+                  "GEAR.csv; moordyn: a mooring")
+      ->check(CLI::IsMember({"femnet", "table", "moordyn"}));
+  auto* gear = import.add_option("GEAR", o.gear, "file of the gear");
+  auto* output =
+      as_word(import.add_option(
+                  "-o,--output", o.output,
+                  "scene; else the gear's name with .toml, in this folder. Its mesh is written beside it"),
+              "FILE.toml");
+  add_common_options(import, o);
+  add_femnet_options(import, o, gear, output);
 }
 
 }  // namespace
 
-void add_gear_commands(CLI::App& app, Options& o) {
-  auto* catalogue = app.add_subcommand("catalogue", "list the parts that scenes and gears name");
-  catalogue->add_option("NAME", o.target, "a part, for all that is known of it, or a kind, such as twine");
-  add_plugin_options(*catalogue, o);
-  add_net_plan_options(
-      *app.add_subcommand("check", "say whether a net plan can be sewn, and what to change if not"), o);
-  auto* draw = app.add_subcommand("draw", "draw a net plan to scale, or the shape of a result");
-  add_net_plan_options(*draw, o);
-  add_picture_options(*draw, o);
-  auto* mesh = draw->add_flag("--mesh", o.mesh, "in triangles, as it is divided for a simulation");
-  draw->add_option("--nodes", o.mesh_nodes, "about as many, ropes included (2000)")
-      ->needs(mesh)
-      ->check(CLI::Range(3, 1000000))
-      ->type_name("N");
-  as_word(draw->add_option("-o,--output", o.output,
-                           "picture; else the name of the gear or result with .svg, in this folder"),
-          "FILE.svg|FILE.png");
-}
-
-void add_import_command(CLI::App& app, Options& o) {
-  auto* command = app.add_subcommand(
-      "import",
-      "write a gear of another program as a scene; what cannot be carried over is said line by line");
-  command
-      ->add_option("FORMAT", o.kind,
-                   "femnet: GEAR.don, with its mesh GEAR.mdg or without one; table: nodes and bars as "
-                   "GEAR.csv; moordyn: a mooring")
-      ->check(CLI::IsMember({"femnet", "table", "moordyn"}));
-  auto* gear = command->add_option("GEAR", o.target, "file of the gear");
-  command->add_flag("--divide", o.divides, "divide it into elements here, whatever mesh lies beside it");
-  command->add_flag("--motion", o.moves,
-                    "of FEMNET: the scene is the motion that its file describes, with waves and drums");
-  as_word(
-      command->add_option("--mesh", o.mesh_file,
-                          "file of its mesh; else the one of the same name beside it, if it is of this gear"),
-      "FILE")
-      ->excludes("--divide");
-  as_word(command->add_option(
-              "-o,--output", o.output,
-              "scene; else the gear's name with .toml, in this folder. Its mesh is written beside it"),
-          "FILE.toml");
-  command
-      ->add_option(
-          "--check", o.folder,
-          "write nothing: say of all gears in a folder, and those below, what they need and how many convert")
-      ->check(CLI::ExistingDirectory)
-      ->type_name("FOLDER")
-      ->excludes(gear);
-  add_color_option(*command, o);
-  add_json_option(*command, o);
+void add_gear_commands(CLI::App& app, Chosen& chosen) {
+  add_check_command(app, chosen);
+  add_draw_command(app, chosen);
+  add_import_command(app, chosen);
+  add_catalogue_command(app, chosen);
 }
 
 }  // namespace netloft::program

@@ -29,33 +29,33 @@ CLI::Validator numbers_between(double low, double high) {
       "NUMBER");
 }
 
-void add_color_option(CLI::App& command, Options& o) {
+void add_color_option(CLI::App& command, CommonOptions& o) {
   command.add_option("--color", o.color, "colour on standard error")
       ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
-void add_json_option(CLI::App& command, Options& o) {
+void add_json_option(CLI::App& command, CommonOptions& o) {
   command.add_flag("--json", o.json, "one JSON object on standard output");
 }
 
-void add_set_option(CLI::App& command, Options& o, const std::string& doc) {
-  command.add_option("--set", o.set, doc)->type_name("path=value")->allow_extra_args(false);
-}
-
-CLI::Option* add_plugins_option(CLI::App& command, Options& o) {
-  return command.add_option("--plugins", o.plugins, "folder with plugins, searched before all others")
-      ->type_name("DIR");
-}
-
-void add_plugin_options(CLI::App& command, Options& o) {
-  add_plugins_option(command, o);
+void add_common_options(CLI::App& command, CommonOptions& o) {
   add_color_option(command, o);
   add_json_option(command, o);
 }
 
-void add_input_options(CLI::App& command, Options& o) {
-  command.add_option("SCENE", o.target, "scene file (TOML)")->required();
-  add_set_option(command, o, "a value of the scene: parts.net.cells=[64,64]");
+void add_plugin_options(CLI::App& command, PluginOptions& o) {
+  command.add_option("--plugins", o.plugins, "folder with plugins, searched before all others")
+      ->type_name("DIR");
+  add_common_options(command, o);
+}
+
+CLI::Option* add_set_option(CLI::App& command, std::vector<std::string>& set, const std::string& doc) {
+  return command.add_option("--set", set, doc)->type_name("path=value")->allow_extra_args(false);
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& o) {
+  command.add_option("SCENE", o.scene, "scene file (TOML)")->required();
+  add_set_option(command, o.set, "a value of the scene: parts.net.cells=[64,64]");
   command
       .add_option(
           "--threads", o.threads,
@@ -65,8 +65,8 @@ void add_input_options(CLI::App& command, Options& o) {
   add_plugin_options(command, o);
 }
 
-void add_scene_options(CLI::App& command, Options& o) {
-  add_input_options(command, o);
+void add_method_options(CLI::App& command, MethodOptions& o) {
+  add_scene_options(command, o);
   as_word(command.add_option("--strategy", o.strategy,
                              "how the equilibrium is found, with parameters: auto:restarts=6"),
           kMethod);
@@ -76,8 +76,8 @@ void add_scene_options(CLI::App& command, Options& o) {
           kMethod);
 }
 
-void add_state_option(CLI::App& command, Options& o) {
-  command.add_option("--state", o.picture.state, "of a motion: number of the output, from 0; else the last")
+CLI::Option* add_state_option(CLI::App& command, int& state) {
+  return command.add_option("--state", state, "number of the output of a motion, from 0; else the last")
       ->check(CLI::Range(0, 100000000));
 }
 

@@ -1,126 +1,164 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Commands that solve a scene many times: `study` with its actions, and `calibrate`.
-#include "io/program/command_line/groups.hpp"
+// Commands that solve a scene many times: `study` with its actions, `scope` and `calibrate`.
+#include "io/program/commands/studies.hpp"
+
+#include "io/program/command_line/chosen.hpp"
 #include "io/program/command_line/shared.hpp"
 
 namespace netloft::program {
 
 namespace {
 
+// groups of options
+constexpr const char *kForSlurm = "For Slurm", *kForParallel = "For GNU parallel";
+
 constexpr const char* kFigureDoc = "a figure of the table, may be repeated; else all but those of parts";
 
-CLI::App* add_action(CLI::App& study, Options& o, const char* name, const char* doc) {
-  auto* action = study.add_subcommand(name, doc);
-  action->callback([&o, name] { o.study.action = name; });
-  return action;
+template <class Options>
+void add_folder(CLI::App& action, Options& o) {
+  action.add_option("FOLDER", o.folder, "folder of a study that was planned")->required();
 }
 
-/// Of one that works on a study that was planned.
-CLI::App* add_action_in_folder(CLI::App& study, Options& o, const char* name, const char* doc) {
-  auto* action = add_action(study, o, name, doc);
-  action->add_option("FOLDER", o.target, "folder of a study that was planned")->required();
-  add_color_option(*action, o);
-  add_json_option(*action, o);
-  return action;
+/// An action on a study that was planned, without plugins.
+template <class Options>
+Command<Options> add_action(CLI::App& study, Chosen& chosen, const char* name, const char* doc,
+                            int (*run)(const Options&)) {
+  auto [action, o] = add_command(study, chosen, name, doc, run);
+  add_folder(action, o);
+  add_common_options(action, o);
+  return {action, o};
 }
 
-void add_plan_action(CLI::App& study, Options& o) {
-  auto* plan = add_action(study, o, "plan", "check a study file and write the manifest of its items");
-  plan->add_option("STUDY", o.target, "study file (TOML)")->required();
-  as_word(plan->add_option("-o,--output", o.output,
-                           "folder of the study; else its name with .study, in this folder"),
+void add_plan_action(CLI::App& study, Chosen& chosen) {
+  auto [plan, o] = add_command(study, chosen, "plan",
+                               "check a study file and write the manifest of its items", study_plan_command);
+  plan.add_option("STUDY", o.file, "study file (TOML)")->required();
+  as_word(plan.add_option("-o,--output", o.output,
+                          "folder of the study; else its name with .study, in this folder"),
           "FOLDER");
-  add_plugin_options(*plan, o);
+  add_plugin_options(plan, o);
 }
 
-void add_run_action(CLI::App& study, Options& o) {
-  auto* run = add_action_in_folder(study, o, "run", "compute the items that have no result yet");
-  as_word(run->add_option("--items", o.study.items, "only these, such as 1-10 or 3,7; else all"), "A-B");
-  run->add_option("--jobs", o.study.jobs, "items at a time; else as many as the machine has cores")
+void add_run_action(CLI::App& study, Chosen& chosen) {
+  auto [run, o] =
+      add_command(study, chosen, "run", "compute the items that have no result yet", study_run_command);
+  add_folder(run, o);
+  as_word(run.add_option("--items", o.items, "only these, such as 1-10 or 3,7; else all"), "A-B");
+  run.add_option("--jobs", o.jobs, "items at a time; else as many as the machine has cores")
       ->check(CLI::Range(1, 4096));
-  run->add_option("--threads", o.threads, "threads of the assembly of each; else one")
+  run.add_option("--threads", o.threads, "threads of the assembly of each; else one")
       ->check(CLI::Range(1, 1024));
-  add_plugins_option(*run, o);
+  add_plugin_options(run, o);
 }
 
-void add_missing_action(CLI::App& study, Options& o) {
-  auto* missing = add_action(study, o, "missing", "print the numbers of the items that have no result yet");
-  missing->add_option("FOLDER", o.target, "folder of a study that was planned")->required();
+void add_missing_action(CLI::App& study, Chosen& chosen) {
+  auto [missing, o] =
+      add_command(study, chosen, "missing", "print the numbers of the items that have no result yet",
+                  study_missing_command);
+  add_folder(missing, o);
 }
 
-void add_submit_action(CLI::App& study, Options& o) {
-  auto* submit =
-      add_action_in_folder(study, o, "submit", "write a script that lets an engine compute the items");
-  submit->add_option("--engine", o.study.engine, "GNU parallel, or a job array of Slurm")
+void refuse_options_of_other_engines(const StudySubmitOptions& o, const CLI::App& submit) {
+  require_group(submit, o.engine == "slurm" ? kForSlurm : kForParallel, "the engine is " + o.engine);
+}
+
+void add_submit_action(CLI::App& study, Chosen& chosen) {
+  auto [submit, o] =
+      add_command(study, chosen, "submit", "write a script that lets an engine compute the items",
+                  study_submit_command, refuse_options_of_other_engines);
+  add_folder(submit, o);
+  submit.add_option("--engine", o.engine, "GNU parallel, or a job array of Slurm")
       ->required()
       ->check(CLI::IsMember({"parallel", "slurm"}));
-  submit->add_option("--chunk", o.study.chunk, "of Slurm: items of a task; else as many as take a minute")
-      ->check(CLI::Range(1, 1000000));
-  submit->add_option("--jobs", o.study.jobs, "of parallel: items at a time; else as many as there are cores")
-      ->check(CLI::Range(1, 4096));
-  add_plugins_option(*submit, o);
+  add_plugin_options(submit, o);
+  submit.add_option("--chunk", o.chunk, "items of a task; else as many as take a minute")
+      ->check(CLI::Range(1, 1000000))
+      ->group(kForSlurm);
+  submit.add_option("--jobs", o.jobs, "items at a time; else as many as there are cores")
+      ->check(CLI::Range(1, 4096))
+      ->group(kForParallel);
 }
 
-void add_show_action(CLI::App& study, Options& o) {
-  auto* show =
-      add_action_in_folder(study, o, "show", "draw figures over a variable, with bands over the draws");
-  const auto named = [&](const char* flag, auto& value, const char* doc, const char* type) {
-    as_words(show->add_option(flag, value, doc), type);
+void add_show_action(CLI::App& study, Chosen& chosen) {
+  auto [show, o] = add_action(study, chosen, "show",
+                              "draw figures over a variable, with bands over the draws", study_show_command);
+  const auto named = [&app = show](const char* flag, auto& value, const char* doc, const char* type) {
+    as_words(app.add_option(flag, value, doc), type);
   };
-  named("--figure", o.study.figures, "a figure of the table, may be repeated; else all that vary", "NAME");
-  named("--over", o.study.over, "variable of the axis; else the first of the path", "NAME");
-  named("--by", o.study.by, "variable with a line for every value; else the next listed one", "NAME");
-  named("--at", o.study.at, "value of another variable; may be repeated; else its first", "NAME=VALUE");
+  named("--figure", o.figures, "a figure of the table, may be repeated; else all that vary", "NAME");
+  named("--over", o.over, "variable of the axis; else the first of the path", "NAME");
+  named("--by", o.by, "variable with a line for every value; else the next listed one", "NAME");
+  named("--at", o.at, "value of another variable; may be repeated; else its first", "NAME=VALUE");
   named("-o,--output", o.output, "page or picture; else the study's name with .html, in its folder",
         "FILE.html|FILE.svg");
 }
 
-void add_estimate_action(CLI::App& study, Options& o) {
-  auto* estimate = add_action_in_folder(
-      study, o, "estimate", "say figures between the points that were computed, with their errors");
+void add_estimate_action(CLI::App& study, Chosen& chosen) {
+  auto [estimate, o] = add_action(study, chosen, "estimate",
+                                  "say figures between the points that were computed, with their errors",
+                                  study_estimate_command);
   as_words(
-      estimate->add_option(
-          "--at", o.study.at,
+      estimate.add_option(
+          "--at", o.at,
           "the place: every variable; those that are sampled all, or none for medians and bands over the "
           "samples; may be repeated, or with commas between"),
       "NAME=VALUE")
       ->required();
-  as_words(estimate->add_option("--figure", o.study.figures, kFigureDoc), "NAME");
+  as_words(estimate.add_option("--figure", o.figures, kFigureDoc), "NAME");
 }
 
-void add_sobol_action(CLI::App& study, Options& o) {
-  auto* action = add_action_in_folder(
-      study, o, "sobol", "say which variables figures follow from: Sobol indices, with their errors");
-  as_words(action->add_option("--figure", o.study.figures, kFigureDoc), "NAME");
+void add_sobol_action(CLI::App& study, Chosen& chosen) {
+  auto [action, o] = add_action(study, chosen, "sobol",
+                                "say which variables figures follow from: Sobol indices, with their errors",
+                                study_sobol_command);
+  as_words(action.add_option("--figure", o.figures, kFigureDoc), "NAME");
   as_words(
-      action->add_option("--at", o.study.at,
-                         "a variable that is held; may be repeated, or with commas between; else all vary"),
+      action.add_option("--at", o.at,
+                        "a variable that is held; may be repeated, or with commas between; else all vary"),
       "NAME=VALUE");
-  as_words(action->add_option("-o,--output", o.output, "draw the indices as bars"), "FILE.svg");
+  as_words(action.add_option("-o,--output", o.output, "draw the indices as bars"), "FILE.svg");
+}
+
+void add_study_command(CLI::App& app, Chosen& chosen) {
+  auto& study = *app.add_subcommand("study", "solve one scene many times, with other values");
+  study.require_subcommand(1);
+  add_plan_action(study, chosen);
+  add_run_action(study, chosen);
+  add_missing_action(study, chosen);
+  add_submit_action(study, chosen);
+  add_action(study, chosen, "collect", "put the results of all items into one table", study_collect_command);
+  add_show_action(study, chosen);
+  add_estimate_action(study, chosen);
+  add_sobol_action(study, chosen);
+}
+
+void add_scope_command(CLI::App& app, Chosen& chosen) {
+  auto [command, o] =
+      add_command(app, chosen, "scope",
+                  "find lengths of warp, over depths, at which boards stand as they should", scope_command);
+  add_method_options(command, o);
+  const auto range = [&app = command](const char* flag, std::string& value, const char* doc,
+                                      const char* type) {
+    return as_word(app.add_option(flag, value, doc), type);
+  };
+  range("--depth", o.depth, "depths [m]; else 7 of them", "LO:HI[:N]")->required();
+  range("--warp", o.warp, "lengths of warp over the depth; else 2:5:13", "LO:HI[:N]");
+  range("--heel", o.heel, "heel of the boards [deg], outward; else -5:5", "LO:HI");
+  range("--spread", o.spread, "spread of the boards [m]; else any", "LO:HI");
+  range("-o,--output", o.output, "draw the lengths over the depth", "FILE.svg|FILE.html");
 }
 
 }  // namespace
 
-void add_study_command(CLI::App& app, Options& o) {
-  auto* study = app.add_subcommand("study", "solve one scene many times, with other values");
-  study->require_subcommand(1);
-  add_plan_action(*study, o);
-  add_run_action(*study, o);
-  add_missing_action(*study, o);
-  add_submit_action(*study, o);
-  add_action_in_folder(*study, o, "collect", "put the results of all items into one table");
-  add_show_action(*study, o);
-  add_estimate_action(*study, o);
-  add_sobol_action(*study, o);
-}
-
-void add_calibrate_command(CLI::App& app, Options& o) {
-  auto* command = app.add_subcommand(
-      "calibrate",
-      "find what is not known of scenes out of what was measured, and predict what was held back");
-  command->add_option("CALIBRATION", o.target, "calibration file (TOML)")->required();
-  add_plugin_options(*command, o);
+void add_study_commands(CLI::App& app, Chosen& chosen) {
+  add_scope_command(app, chosen);
+  add_study_command(app, chosen);
+  auto [calibrate, o] = add_command(
+      app, chosen, "calibrate",
+      "find unknown values of scenes from measurements, and predict those held back", calibrate_command);
+  calibrate.add_option("CALIBRATION", o.file, "calibration file (TOML)")->required();
+  add_plugin_options(calibrate, o);
 }
 
 }  // namespace netloft::program

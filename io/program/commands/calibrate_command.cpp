@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/commands/studies.hpp"
+#include "io/program/session/memory_room.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/studies/calibration/calibration.hpp"
@@ -7,26 +9,27 @@
 
 namespace netloft::program {
 
-int calibrate_command(const Options& options) {
-  catch_interrupts();
-  Terminal terminal(options.color, options.json);
+int calibrate_command(const CalibrateOptions& options) {
+  require_memory_to_solve();
+  Terminal terminal(options);
   formats::Diagnostics diagnostics;
-  studies::CalibrationFile file = studies::read_calibration_file(options.target, diagnostics);
+  studies::CalibrationFile file = studies::read_calibration_file(options.file, diagnostics);
   Registry registry;
   find_plugins(options, registry);
   Watchdog watchdog(ending_with_a_sentence(terminal, "the calibration ends here without an answer"));
-  const std::filesystem::path folder = std::filesystem::path(options.target).parent_path();
+  const std::filesystem::path folder = std::filesystem::path(options.file).parent_path();
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   studies::CheckedCalibration checked;
   if (!diagnostics.errors())
     checked = studies::check_calibration(file, folder, registry, diagnostics, watch.on_budget);
   if (diagnostics.errors())
-    return tell_why_not(
+    return report_unready(
         diagnostics,
         checked.refused ? runs::PreparedScene::State::refused : runs::PreparedScene::State::wrong_input,
-        options, terminal);
+        terminal);
   if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
+  catch_interrupts();
   const auto on_solve = [&](std::size_t solves, const std::string& scene) {
     terminal.progress_in_steps("solves", solves, 0, scene);
   };

@@ -3,7 +3,7 @@
 #include "io/formats/units/units.hpp"
 #include "io/gears/catalogue/catalogue.hpp"
 #include "io/gears/catalogue/folders.hpp"
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/gears.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/terminal.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Five digits are more than catalogues know.
+/// Five digits are more than catalogues give.
 std::string rounded(double value, const char* unit) {
   return fmt::format("{:.5g}{}{}", value, unit == std::string_view("1") ? "" : " ",
                      unit == std::string_view("1") ? "" : unit);
@@ -75,22 +75,22 @@ std::vector<const gears::CataloguePart*> asked_for(const gears::Catalogue& catal
 
 }  // namespace
 
-int catalogue_command(const Options& options) {
+int catalogue_command(const CatalogueOptions& options) {
   formats::Diagnostics diagnostics;
   const gears::Catalogue catalogue =
       gears::Catalogue::load(gears::catalogue_folders(diagnostics), diagnostics);
   if (diagnostics.errors()) {
-    Terminal terminal(options.color);
+    Terminal terminal(options);
     terminal.say(diagnostics.render(terminal.color()));
     if (options.json) std::puts(error_json("the catalogue has errors", kWrongInput).c_str());
     return kWrongInput;
   }
-  const auto parts = asked_for(catalogue, options.target);
-  if (parts.empty() && !options.target.empty()) refuse(catalogue, options.target);
+  const auto parts = asked_for(catalogue, options.name);
+  if (parts.empty() && !options.name.empty()) refuse(catalogue, options.name);
   Json all = Json::array();
   for (const auto* part : parts) {
     all.push_back(json_of(*part));
-    if (!options.json) std::puts((part->name == options.target ? page_of(*part) : line_of(*part)).c_str());
+    if (!options.json) std::puts((part->name == options.name ? page_of(*part) : line_of(*part)).c_str());
   }
   if (options.json)
     std::puts(Json{{"parts", all}}.dump(2, ' ', false, Json::error_handler_t::replace).c_str());

@@ -2,7 +2,7 @@
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/outline.hpp"
 #include "io/gears/plan/read_plan.hpp"
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/gears.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ std::string counted(std::size_t number, const char* one, const char* more) {
   return fmt::format("{} {}", number, number == 1 ? one : more);
 }
 
-/// Ropes that the plan writes; selvedges are netting.
+/// Number of ropes in the plan, without selvedges, which are netting.
 std::size_t ropes_of(const gears::NetPlan& plan) {
   return static_cast<std::size_t>(std::count_if(plan.ropes.begin(), plan.ropes.end(),
                                                 [](const gears::Rope& r) { return !r.is_selvedge; }));
@@ -81,10 +81,10 @@ void print_summary(const gears::NetPlan& plan, const formats::Diagnostics& diagn
 
 }  // namespace
 
-int check_command(const Options& options) {
-  Terminal terminal(options.color);
+int check_command(const CheckOptions& options) {
+  Terminal terminal(options);
   formats::Diagnostics diagnostics;
-  gears::NetPlan plan = gears::read_plan(options.target, options.set, diagnostics);
+  gears::NetPlan plan = gears::read_plan(options.plan, options.set, diagnostics);
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   const int code = diagnostics.errors() ? kWrongInput : kDone;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/parameters/nearest.hpp"
 #include "io/formats/files/whole_file.hpp"
+#include "io/program/commands/numerics.hpp"
+#include "io/program/session/memory_room.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
@@ -15,7 +17,7 @@ namespace netloft::program {
 
 namespace {
 
-/// What --tolerance and --accuracy take: numbers of decades.
+/// The form of --tolerance or --accuracy: a range of decades.
 struct Decades {
   std::string option, what, example;
 };
@@ -57,7 +59,7 @@ std::vector<studies::Method> read_methods(const std::vector<std::string>& words)
   return methods;
 }
 
-/// Motions have nothing in common with equilibria that could stand in one table.
+/// Throws UsageError for motions and equilibria together, which have no table in common.
 bool compares_motions(const std::vector<studies::Method>& methods) {
   const auto integrators = std::count_if(methods.begin(), methods.end(),
                                          [](const studies::Method& m) { return m.kind() == "integrator"; });
@@ -97,10 +99,10 @@ void check_kind(const scenes::LoadedScene& loaded, bool is_of_motions) {
     throw UsageError{"compare begins motions where the scene does, and analysis.start names a result"};
 }
 
-/// Opens the scene once with every method, and on every mesh, so that all that is wrong is said at first.
+/// Prepares the scene once with every method, and on every mesh, so that all errors are reported at first.
 class Inspection {
  public:
-  Inspection(const Options& options, Registry& registry, Terminal& terminal)
+  Inspection(const CompareOptions& options, Registry& registry, Terminal& terminal)
       : options_(options), registry_(registry), terminal_(terminal) {}
 
   int check(const runs::CaseSource& source, studies::ComparisonTask& task) {
@@ -117,8 +119,8 @@ class Inspection {
   }
 
  private:
-  /// An integrator whose plugin is not installed gets a row that says so, if another one has a result to
-  /// compare, and if its name is not that of another one but for a letter.
+  /// Marks integrators whose plugin is not installed, so that they get a row that says so. Names that are
+  /// close to that of a plugin remain errors, and so does a comparison without any integrator.
   void set_absent(studies::ComparisonTask& task) {
     const std::vector<std::string> there = registry_.available();
     for (const studies::Method& method : task.methods) {
@@ -147,16 +149,16 @@ class Inspection {
       check_kind(one.loaded(), is_of_motions_);
       if (!one.loaded().scene.settings.empty())
         throw UsageError{
-            "compare wants a scene in which nothing is left open, and this one looks for a length of "
-            "warp; ship.warp.length without ship.warp.tension gives it"};
-      for (const std::string& file : {options_.compare.csv, options_.compare.plot})
+            "compare needs a scene that leaves nothing open, and this one looks for a length of warp; "
+            "ship.warp.length without ship.warp.tension gives it"};
+      for (const std::string& file : {options_.csv, options_.plot})
         require_place(file, paths_of(one.loaded()));
       return kDone;
     }
-    return tell_why_not(one.diagnostics(), state, options_, terminal_);
+    return report_unready(one.diagnostics(), state, terminal_);
   }
 
-  const Options& options_;
+  const CompareOptions& options_;
   Registry& registry_;
   Terminal& terminal_;
   bool is_of_motions_ = false;
@@ -170,7 +172,7 @@ void write_files(const studies::Comparison& result, const CompareOptions& o) {
                        o.plot.ends_with(".html") ? formats::draw_html(plot) : formats::draw_svg(plot));
 }
 
-/// Files that were asked for are made of a whole comparison alone.
+/// The files that an interrupted comparison does not write.
 std::string unwritten(const CompareOptions& o) {
   std::string text;
   for (const std::string& file : {o.csv, o.plot})
@@ -178,19 +180,20 @@ std::string unwritten(const CompareOptions& o) {
   return text;
 }
 
-int run_comparison(const Options& options) {
-  studies::ComparisonTask task = read_task(options.compare);
-  require_ending("--csv", options.compare.csv, {".csv"});
-  require_ending("--plot", options.compare.plot, {".svg", ".html"});
-  catch_interrupts();
-  Terminal terminal(options.color, options.json);
+int run_comparison(const CompareOptions& options) {
+  require_memory_to_solve();
+  studies::ComparisonTask task = read_task(options);
+  require_ending("--csv", options.csv, {".csv"});
+  require_ending("-o", options.plot, {".svg", ".html"});
+  Terminal terminal(options);
   Registry registry;
-  find_plugins(options, registry);
-  Watchdog watchdog(ending_with_a_sentence(terminal, "the comparison ends here without a table"));
+  find_scene_plugins(options, registry);
   runs::CaseSource source = source_of(options);
   if (options.threads == 0) source.threads = 1;  // so that CPU seconds are seconds
   if (const int code = Inspection(options, registry, terminal).check(source, task); code != kDone)
     return code;
+  catch_interrupts();
+  Watchdog watchdog(ending_with_a_sentence(terminal, "the comparison ends here without a table"));
   const double tightest = task.tolerances.back();
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tightest); },
@@ -204,14 +207,14 @@ int run_comparison(const Options& options) {
   std::puts(options.json ? studies::comparison_json(result).c_str()
                          : studies::comparison_text(result).c_str());
   if (result.is_interrupted)
-    return end_interrupted(terminal, "the table is of what was done before" + unwritten(options.compare));
+    return end_interrupted(terminal, "the table is of what was done before" + unwritten(options));
   const bool is_well = result.any_converged() && !result.any_failed();
-  return write_last(terminal, is_well ? kDone : kNotConverged, [&] { write_files(result, options.compare); });
+  return write_last(terminal, is_well ? kDone : kNotConverged, [&] { write_files(result, options); });
 }
 
 }  // namespace
 
-int compare_command(const Options& options) {
+int compare_command(const CompareOptions& options) {
   try {
     return run_comparison(options);
   } catch (const std::invalid_argument& e) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/plugins.hpp"
 #include "io/program/session/components.hpp"
+#include "io/program/session/find_plugins.hpp"
 #include "io/scenes/reading/dynamics.hpp"
 #include "io/scenes/reading/keys.hpp"
 
@@ -24,7 +25,7 @@ int describe_keys(const std::string& name, std::span<const netloft_parameter> ta
   return kDone;
 }
 
-/// Those of time included.
+/// Keys of the analysis, those of motions included.
 std::vector<netloft_parameter> all_analysis_keys() {
   std::vector<netloft_parameter> all(scenes::analysis_keys().begin(), scenes::analysis_keys().end());
   all.insert(all.end(), scenes::dynamics_keys().begin(), scenes::dynamics_keys().end());
@@ -33,7 +34,7 @@ std::vector<netloft_parameter> all_analysis_keys() {
 
 }  // namespace
 
-int list_command(const Options& options) {
+int list_command(const PluginOptions& options) {
   Registry registry;
   find_plugins(options, registry);
   Json rows = Json::array();
@@ -51,23 +52,23 @@ int list_command(const Options& options) {
   return refused.empty() ? kDone : kRefused;
 }
 
-int describe_command(const Options& options) {
-  if (options.target == "water") return describe_keys("water", scenes::water_keys(), options.json);
-  if (options.target == "waves") return describe_keys("waves", scenes::wave_keys(), options.json);
-  if (options.target == "tow") return describe_keys("tow", scenes::tow_keys(), options.json);
-  if (options.target == "bed") return describe_keys("bed", scenes::bed_keys(), options.json);
-  if (options.target == "analysis") return describe_keys("analysis", all_analysis_keys(), options.json);
-  if (options.target == "gear") return describe_keys("gear", scenes::gear_keys(), options.json);
+int describe_command(const DescribeOptions& options) {
+  if (options.type == "water") return describe_keys("water", scenes::water_keys(), options.json);
+  if (options.type == "waves") return describe_keys("waves", scenes::wave_keys(), options.json);
+  if (options.type == "tow") return describe_keys("tow", scenes::tow_keys(), options.json);
+  if (options.type == "bed") return describe_keys("bed", scenes::bed_keys(), options.json);
+  if (options.type == "analysis") return describe_keys("analysis", all_analysis_keys(), options.json);
+  if (options.type == "gear") return describe_keys("gear", scenes::gear_keys(), options.json);
   Registry registry;
   find_plugins(options, registry);
-  const bool whole = options.target.find('/') == std::string::npos;
+  const bool whole = options.type.find('/') == std::string::npos;
   Json all = Json::array();
-  for (const auto& c : components_of(registry.plugin(options.target.substr(0, options.target.find('/'))))) {
-    if (!whole && c.type != options.target) continue;
+  for (const auto& c : components_of(registry.plugin(options.type.substr(0, options.type.find('/'))))) {
+    if (!whole && c.type != options.type) continue;
     all.push_back(c.json());
     if (!options.json) std::puts(c.text().c_str());
   }
-  if (all.empty()) registry.element(options.target);  // says what there is
+  if (all.empty()) registry.element(options.type);  // says what there is
   if (options.json) print(all.size() == 1 ? all[0] : all);
   return kDone;
 }

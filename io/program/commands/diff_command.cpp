@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/hdf5/handle.hpp"
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/results.hpp"
 #include "io/program/session/last_words.hpp"
 #include "io/results/diff/report_diff.hpp"
 
@@ -14,12 +14,12 @@ results::ResultSummary read(const std::string& path, bool json) {
   return on_file(path, json, [&] { return results::read_summary(path); });
 }
 
-/// How far nodes moved, where both files hold a shape that this program reads.
-std::optional<results::NodeMove> move_between(const Options& options) {
-  const DamagedFileWatch watch(options.target + " or " + options.other, options.json);
+/// The largest move of a node, if both files hold a shape that this program reads.
+std::optional<results::NodeMove> move_between(const DiffOptions& options) {
+  const DamagedFileWatch watch(options.before + " or " + options.after, options.json);
   try {
-    return results::find_largest_move(results::StoredResult(options.target),
-                                      results::StoredResult(options.other));
+    return results::find_largest_move(results::StoredResult(options.before),
+                                      results::StoredResult(options.after));
   } catch (const formats::FileError&) {
     return {};
   }
@@ -27,9 +27,9 @@ std::optional<results::NodeMove> move_between(const Options& options) {
 
 }  // namespace
 
-int diff_command(const Options& options) {
+int diff_command(const DiffOptions& options) {
   results::ResultDiff diff =
-      results::compare_results(read(options.target, options.json), read(options.other, options.json));
+      results::compare_results(read(options.before, options.json), read(options.after, options.json));
   diff.move = move_between(options);
   std::puts(options.json ? results::diff_json(diff).c_str() : results::diff_text(diff).c_str());
   return diff.both_are_answers() ? kDone : kNotConverged;

@@ -4,7 +4,7 @@
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
 #include "io/program/commands/draw_polars.hpp"
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/gears.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/terminal.hpp"
@@ -18,7 +18,7 @@ namespace netloft::program {
 
 namespace {
 
-/// A result by its name, or by the first bytes of the file.
+/// Recognises a result by its name, or by the first bytes of the file.
 bool is_result(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".hdf" || formats::is_journal(path)) return true;
   std::error_code none;
@@ -28,9 +28,9 @@ bool is_result(const std::string& path) {
   return file.read(start.data(), start.size()) && std::string_view(start.data(), 4) == "\x89HDF";
 }
 
-std::string output_of(const Options& options) {
+std::string output_of(const DrawOptions& options) {
   if (!options.output.empty()) return options.output;
-  return std::filesystem::path(options.target).stem().string() + ".svg";
+  return std::filesystem::path(options.file).stem().string() + ".svg";
 }
 
 std::vector<std::string> files_of(const gears::NetPlan& plan) {
@@ -39,21 +39,21 @@ std::vector<std::string> files_of(const gears::NetPlan& plan) {
   return paths;
 }
 
-/// Says what is wrong with a file; the code to end with where that is an error.
-int say(const formats::Diagnostics& diagnostics, const Options& options, Terminal& terminal) {
+/// Reports what is wrong with a file. Returns the exit code.
+int say(const formats::Diagnostics& diagnostics, Terminal& terminal) {
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   if (diagnostics.errors() == 0) return kDone;
-  if (options.json) std::puts(errors_json(diagnostics, kWrongInput).c_str());
+  if (terminal.json()) std::puts(errors_json(diagnostics, kWrongInput).c_str());
   return kWrongInput;
 }
 
-int draw_polars_command(const Options& options) {
-  Terminal terminal(options.color);
+int draw_polars_command(const DrawOptions& options) {
+  Terminal terminal(options);
   formats::Diagnostics diagnostics;
   const std::string output = output_of(options);
-  const std::string picture = draw_polars(options.target, output.ends_with(".html"), diagnostics);
-  if (const int code = say(diagnostics, options, terminal); code != kDone) return code;
-  replace_file(output, picture, {options.target}, {".svg", ".html"});
+  const std::string picture = draw_polars(options.file, output.ends_with(".html"), diagnostics);
+  if (const int code = say(diagnostics, terminal); code != kDone) return code;
+  replace_file(output, picture, {options.file}, {".svg", ".html"});
   terminal.say("written to " + output);
   return kDone;
 }
@@ -69,32 +69,35 @@ std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes) {
   }
 }
 
-}  // namespace
-
-int draw_command(const Options& options) {
-  if (is_result(options.target)) {
-    refuse_idle(options, {"--set", "--plugins", "--mesh", "--nodes"}, options.target + " is a result");
-    return draw_result_command(options);
-  }
-  const std::vector<std::string> of_results = {"--view", "--field", "--state",    "--width",     "--fit",
-                                               "--dark", "--log",   "--elements", "--dimensions"};
-  if (holds_polars(options.target)) {
-    auto idle = of_results;
-    idle.insert(idle.end(), {"--set", "--plugins", "--mesh", "--nodes"});
-    refuse_idle(options, idle, options.target + " holds polars");
-    return draw_polars_command(options);
-  }
-  refuse_idle(options, of_results, options.target + " is a net plan");
-  Terminal terminal(options.color);
+int draw_plan(const DrawOptions& options) {
+  Terminal terminal(options);
   formats::Diagnostics diagnostics;
-  gears::NetPlan plan = gears::read_plan(options.target, options.set, diagnostics);
+  gears::NetPlan plan = gears::read_plan(options.file, options.set, diagnostics);
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
-  if (const int code = say(diagnostics, options, terminal); code != kDone) return code;
+  if (const int code = say(diagnostics, terminal); code != kDone) return code;
   const std::string output = output_of(options);
-  replace_file(output, options.mesh ? draw_divided(plan, options.mesh_nodes) : gears::draw_plan(plan),
+  replace_file(output, options.mesh ? draw_divided(plan, options.nodes) : gears::draw_plan(plan),
                files_of(plan), {".svg"});
   terminal.say("written to " + output);
   return kDone;
+}
+
+}  // namespace
+
+Drawable kind_of_drawable(const std::string& file) {
+  if (is_result(file)) return Drawable::result;
+  return holds_polars(file) ? Drawable::polars : Drawable::net_plan;
+}
+
+int draw_command(const DrawOptions& options) {
+  switch (kind_of_drawable(options.file)) {
+    case Drawable::result:
+      return draw_result_command(options);
+    case Drawable::polars:
+      return draw_polars_command(options);
+    default:
+      return draw_plan(options);
+  }
 }
 
 }  // namespace netloft::program

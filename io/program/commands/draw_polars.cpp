@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char *kPolar = "polar", *kSlip = "sideslip";
 
-/// A polar as boards have it.
+/// A polar of boards.
 struct Polar {
   netloft_table attack{}, slip{}, centre{};
 };

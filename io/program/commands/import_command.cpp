@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Gears of other programs.
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/gears.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/scenes/import/import.hpp"
@@ -48,8 +48,8 @@ void print_check(const scenes::FolderCheck& check) {
   std::puts(fmt::format("{} of {} convert without a line left out", check.whole, check.gears.size()).c_str());
 }
 
-int check_gears(const Options& options) {
-  const scenes::FolderCheck check = scenes::check_folder(options.folder, options.moves);
+int check_gears(const ImportOptions& options) {
+  const scenes::FolderCheck check = scenes::check_folder(options.folder, options.motion);
   if (check.gears.empty()) throw UsageError{"--check " + options.folder + ": there is no GEAR.don in it"};
   if (!options.json) {
     print_check(check);
@@ -69,10 +69,10 @@ int check_gears(const Options& options) {
   return kDone;
 }
 
-/// Where scene and mesh go.
+/// The files of the scene and of its mesh.
 struct Outputs {
-  explicit Outputs(const Options& options)
-      : scene(options.output.empty() ? fs::path(options.target).stem().string() + ".toml" : options.output),
+  explicit Outputs(const ImportOptions& options)
+      : scene(options.output.empty() ? fs::path(options.gear).stem().string() + ".toml" : options.output),
         mesh(fs::path(scene).replace_extension(".mesh")) {
     require_ending("-o", scene.string(), {".toml"});
   }
@@ -85,17 +85,16 @@ auto import_of(const std::string& format) {
                                : scenes::import_femnet;
 }
 
-int import_gear(const Options& options) {
+int import_gear(const ImportOptions& options) {
   const Outputs to(options);
-  Terminal terminal(options.color);
+  Terminal terminal(options);
   formats::Diagnostics diagnostics;
-  const scenes::ImportedGear gear = import_of(options.kind)(
-      {options.target, options.mesh_file, to.mesh.filename().string(), options.divides, options.moves},
-      diagnostics);
+  const scenes::ImportedGear gear = import_of(options.format)(
+      {options.gear, options.mesh, to.mesh.filename().string(), options.divide, options.motion}, diagnostics);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   const int code = diagnostics.errors() ? kWrongInput : kDone;
   if (code == kDone) {
-    const std::vector<std::string> sources{options.target, options.mesh_file};
+    const std::vector<std::string> sources{options.gear, options.mesh};
     replace_file(to.mesh.string(), gear.mesh, sources);
     replace_file(to.scene.string(), gear.scene, sources, {".toml"});
   }
@@ -112,16 +111,9 @@ int import_gear(const Options& options) {
 
 }  // namespace
 
-int import_command(const Options& options) {
-  if (!options.folder.empty()) {
-    if (!options.kind.empty() && options.kind != "femnet")
-      throw UsageError{"import: --check is of gears of FEMNET"};
-    refuse_idle(options, {"--mesh", "--divide", "--output"}, "--check writes nothing");
-    return check_gears(options);
-  }
-  if (options.target.empty()) throw UsageError{"import: GEAR is missing, the file of the gear"};
-  if (options.kind != "femnet" && (!options.mesh_file.empty() || options.divides || options.moves))
-    throw UsageError{"import: --mesh, --divide and --motion are of gears of FEMNET"};
+int import_command(const ImportOptions& options) {
+  if (!options.folder.empty()) return check_gears(options);
+  if (options.gear.empty()) throw UsageError{"import: GEAR is missing, the file of the gear"};
   return import_gear(options);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/files/whole_file.hpp"
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/plugins.hpp"
+#include "io/program/session/find_plugins.hpp"
 #include "netloft_templates.hpp"
 
 #include <fmt/format.h>
@@ -88,11 +89,11 @@ void say_what_next(const std::string& name) {
 
 }  // namespace
 
-int new_command(const Options& options) {
+int new_command(const NewOptions& options) {
   Registry registry;
   find_plugins({}, registry);
-  check_name(options.target, registry);
-  const fs::path folder = options.target;
+  check_name(options.name, registry);
+  const fs::path folder = options.name;
   std::error_code error;
   if (fs::exists(folder, error)) throw UsageError{folder.string() + ": there is something of that name"};
   if (!fs::create_directory(folder, error))
@@ -100,14 +101,14 @@ int new_command(const Options& options) {
   try {
     for (const auto& t : kTemplates)
       if (t.kind == options.kind)
-        formats::write_whole(folder / renamed(t.file, options.kind, options.target),
-                             renamed(without_licence(t.text), options.kind, options.target));
+        formats::write_whole(folder / renamed(t.file, options.kind, options.name),
+                             renamed(without_licence(t.text), options.kind, options.name));
   } catch (const formats::WriteError&) {  // half a component would be in the way of a whole one
     std::error_code none;
     fs::remove_all(folder, none);
     throw;
   }
-  say_what_next(options.target);
+  say_what_next(options.name);
   return kDone;
 }
 

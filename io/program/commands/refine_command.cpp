@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/commands/numerics.hpp"
+#include "io/program/session/memory_room.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/studies/compare/refinement.hpp"
@@ -19,8 +21,9 @@ studies::CellList cells_around(const scenes::LoadedScene& loaded) {
   return {"", {own, 2 * own, 4 * own}};
 }
 
-std::vector<studies::MeshLevel> levels_of_gear(const Options& options, const scenes::LoadedScene& loaded) {
-  if (!options.compare.cells.empty())
+std::vector<studies::MeshLevel> levels_of_gear(const RefineOptions& options,
+                                               const scenes::LoadedScene& loaded) {
+  if (!options.cells.empty())
     throw UsageError{"--cells: a gear is divided as a whole; write --nodes 500,2000,8000"};
   if (options.nodes.empty()) return studies::gear_levels(loaded, {500, 2000, 8000, 30000});
   if (options.nodes.size() < 2)
@@ -28,32 +31,34 @@ std::vector<studies::MeshLevel> levels_of_gear(const Options& options, const sce
   return studies::gear_levels(loaded, options.nodes);
 }
 
-std::vector<studies::MeshLevel> wanted_levels(const Options& options, const scenes::LoadedScene& loaded) {
+std::vector<studies::MeshLevel> wanted_levels(const RefineOptions& options,
+                                              const scenes::LoadedScene& loaded) {
   if (loaded.analysis.kind == AnalysisKind::dynamics)
     throw UsageError{"refine finds equilibria on several meshes, and this scene goes through time"};
   if (loaded.gear) return levels_of_gear(options, loaded);
   if (!options.nodes.empty())
     return studies::gear_levels(loaded, options.nodes);  // says that there is no gear
-  return studies::mesh_levels(loaded, options.compare.cells.empty()
-                                          ? cells_around(loaded)
-                                          : studies::read_cell_list(options.compare.cells));
+  return studies::mesh_levels(
+      loaded, options.cells.empty() ? cells_around(loaded) : studies::read_cell_list(options.cells));
 }
 
-int run_refinement(const Options& options) {
-  end_on_interrupts(options.json);
+int run_refinement(const RefineOptions& options) {
+  require_memory_to_solve();
   Session session(options);
-  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the refinement ends here without a table"));
   if (const int code = session.open(); code != kDone) return code;
   catch_interrupts();
-  const auto levels = wanted_levels(options, session.loaded());
-  const double tolerance = session.loaded().analysis.limits.tolerance;
+  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the refinement ends here without a table"));
+  const scenes::LoadedScene& loaded = session.scene().loaded();
+  const auto levels = wanted_levels(options, loaded);
+  const double tolerance = loaded.analysis.limits.tolerance;
   const runs::Watch watch{
       .interrupt = &interrupt_flag(),
       .on_iteration = [&](const IterationRecord& r) { session.terminal().progress(r, tolerance); },
       .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
-  studies::Refinement refinement = studies::refine(source_of(options), session.registry(), levels, watch);
+  studies::Refinement refinement =
+      studies::refine(source_of(options), session.scene().registry(), levels, watch);
   session.terminal().clear();
-  refinement.scene = session.loaded().scene.name;
+  refinement.scene = loaded.scene.name;
   std::puts(options.json ? studies::refinement_json(refinement).c_str()
                          : studies::refinement_text(refinement).c_str());
   if (refinement.is_interrupted)
@@ -64,7 +69,7 @@ int run_refinement(const Options& options) {
 
 }  // namespace
 
-int refine_command(const Options& options) {
+int refine_command(const RefineOptions& options) {
   try {
     return run_refinement(options);
   } catch (const std::invalid_argument& e) {

@@ -5,7 +5,8 @@
 #include "io/pictures/picture/gltf.hpp"
 #include "io/pictures/picture/sheet.hpp"
 #include "io/pictures/view/page.hpp"
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/gears.hpp"
+#include "io/program/commands/results.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/last_words.hpp"
 #include "io/program/session/replaced_file.hpp"
@@ -25,52 +26,40 @@ namespace netloft::program {
 
 namespace {
 
-std::string output_of(const Options& options, const std::string& source, const char* ending) {
-  if (!options.output.empty()) return options.output;
-  std::filesystem::path name = std::filesystem::path(source).filename();
+/// `given`, or the name of a result with another ending, in this folder.
+std::string output_or(const std::string& given, const std::string& result, const char* ending) {
+  if (!given.empty()) return given;
+  std::filesystem::path name = std::filesystem::path(result).filename();
   if (name.extension() == ".part") name = name.stem();  // the journal of a motion
   return name.stem().string() + ending;
 }
 
 const std::vector<std::string> kPage = {".html", ".htm"}, kPicture = {".svg", ".png"};
 
-/// The number of the state that is asked for; else of the last.
-std::size_t state_of(const Options& options, const results::StoredResult& result) {
+/// The number of the state that --state names; else of the last.
+std::size_t state_of(int state, const results::StoredResult& result, const std::string& file) {
   const std::size_t count = std::max<std::size_t>(1, result.times.size());
-  if (options.picture.state < 0) return count - 1;
-  const auto state = static_cast<std::size_t>(options.picture.state);
-  if (state < count) return state;
-  throw UsageError{"--state " + std::to_string(state) + ": " + options.target +
+  if (state < 0) return count - 1;
+  if (static_cast<std::size_t>(state) < count) return static_cast<std::size_t>(state);
+  throw UsageError{"--state " + std::to_string(state) + ": " + file +
                    (count == 1 ? " has one state, 0" : " has states 0 to " + std::to_string(count - 1))};
 }
 
-/// Writes a file and says so.
-void write_and_say(const Options& options, const std::string& output, const std::string& content,
-                   const std::vector<std::string>& sources, const std::vector<std::string>& endings = {}) {
+/// Writes a file and reports it.
+void write_and_report(const CommonOptions& options, const std::string& output, const std::string& content,
+                      const std::vector<std::string>& sources, const std::vector<std::string>& endings = {}) {
   replace_file(output, content, sources, endings);
   if (options.json)
     std::puts(done_json(output).c_str());
   else
-    Terminal(options.color).say("written to " + output);
+    Terminal(options).say("written to " + output);
 }
 
-pictures::SheetOptions sheet_options(const Options& options, const results::StoredResult& result) {
-  pictures::SheetOptions sheet;
-  sheet.view = pictures::view_of(options.picture.view).value_or(pictures::View::oblique);
-  sheet.colouring = {options.picture.field, options.picture.log, options.picture.elements};
-  sheet.with_dimensions = options.picture.dimensions;
-  sheet.width = options.picture.width;
-  sheet.framing = pictures::framing_called(options.picture.fit).value_or(pictures::Framing::netting);
-  sheet.is_dark = options.picture.dark;
-  sheet.state = state_of(options, result);
-  return sheet;
-}
-
-int report(const Options& options) {
-  const results::StoredResult result(options.target);
-  if (options.html)
-    write_and_say(options, output_of(options, options.target, ".html"), pictures::report_page(result),
-                  {options.target}, kPage);
+int report(const ReportOptions& options) {
+  const results::StoredResult result(options.result);
+  if (options.html || !options.output.empty())
+    write_and_report(options, output_or(options.output, options.result, ".html"),
+                     pictures::report_page(result), {options.result}, kPage);
   else
     std::fputs((options.json  ? results::result_json(result) + "\n"
                 : options.csv ? results::result_csv(result)
@@ -80,27 +69,39 @@ int report(const Options& options) {
   return result.is_answer() ? kDone : kNotConverged;
 }
 
-int view(const Options& options) {
+int view(const ViewOptions& options) {
   std::vector<std::unique_ptr<results::StoredResult>> results;
   std::vector<const results::StoredResult*> all;
-  for (const auto& path : options.targets) {
+  for (const auto& path : options.results) {
     results.push_back(std::make_unique<results::StoredResult>(path));
     all.push_back(results.back().get());
   }
-  write_and_say(options, output_of(options, options.targets.front(), ".html"),
-                pictures::view_page(all, options.picture.states), options.targets, kPage);
+  write_and_report(options, output_or(options.output, options.results.front(), ".html"),
+                   pictures::view_page(all, options.states), options.results, kPage);
   return kDone;
 }
 
-int draw_result(const Options& options) {
-  const results::StoredResult result(options.target);
-  const std::string output = output_of(options, options.target, ".svg");
+pictures::SheetOptions sheet_options(const DrawOptions& options, const results::StoredResult& result) {
+  pictures::SheetOptions sheet;
+  sheet.view = pictures::view_of(options.view).value_or(pictures::View::oblique);
+  sheet.colouring = {options.field, options.log, options.elements};
+  sheet.with_dimensions = options.dimensions;
+  sheet.width = options.width;
+  sheet.framing = pictures::framing_called(options.fit).value_or(pictures::Framing::netting);
+  sheet.is_dark = options.dark;
+  sheet.state = state_of(options.state, result, options.file);
+  return sheet;
+}
+
+int draw_result(const DrawOptions& options) {
+  const results::StoredResult result(options.file);
+  const std::string output = output_or(options.output, options.file, ".svg");
   const bool is_png = std::filesystem::path(output).extension() == ".png";
   try {
     const pictures::SheetOptions how = sheet_options(options, result);
-    write_and_say(options, output,
-                  is_png ? pictures::png_sheet(result, how) : pictures::svg_sheet(result, how),
-                  {options.target}, kPicture);
+    write_and_report(options, output,
+                     is_png ? pictures::png_sheet(result, how) : pictures::svg_sheet(result, how),
+                     {options.file}, kPicture);
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
@@ -113,27 +114,24 @@ std::optional<results::MeshFormat> mesh_format_of(const std::string& ending) {
   return ending == ".vtk" ? std::optional(results::MeshFormat::vtk) : std::nullopt;
 }
 
-int export_result(const Options& options) {
+/// The content of an exported file, whose ending names the format.
+std::string exported(const ExportOptions& options) {
+  const results::StoredResult result(options.result);
   const std::string ending = std::filesystem::path(options.output).extension().string();
-  if (ending != ".glb") refuse_idle(options, {"--field"}, "it is of a .glb");
-  if (ending != ".csv") refuse_idle(options, {"--table"}, "it is of a .csv");
-  const results::StoredResult result(options.target);
-  const pictures::SheetOptions how = sheet_options(options, result);
-  const std::size_t state = how.state;
+  const std::size_t state = state_of(options.state, result, options.result);
+  if (ending == ".glb")
+    return pictures::glb(pictures::shape_of(result, state, {options.field, false, false}));
+  if (ending == ".csv")
+    return options.table == "elements" ? results::elements_csv(result, state)
+                                       : results::nodes_csv(result, state);
+  if (const auto mesh = mesh_format_of(ending)) return results::mesh_of(result, state, *mesh);
+  throw UsageError{options.output +
+                   ": the ending says what is written, and there are .glb, .csv, .mesh, .obj and .vtk"};
+}
+
+int export_result(const ExportOptions& options) {
   try {
-    if (ending == ".glb")
-      write_and_say(options, options.output, pictures::glb(pictures::shape_of(result, state, how.colouring)),
-                    {options.target});
-    else if (ending == ".csv")
-      write_and_say(options, options.output,
-                    options.kind == "elements" ? results::elements_csv(result, state)
-                                               : results::nodes_csv(result, state),
-                    {options.target});
-    else if (const auto mesh = mesh_format_of(ending))
-      write_and_say(options, options.output, results::mesh_of(result, state, *mesh), {options.target});
-    else
-      throw UsageError{options.output +
-                       ": the ending says what is written, and there are .glb, .csv, .mesh, .obj and .vtk"};
+    write_and_report(options, options.output, exported(options), {options.result});
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
@@ -142,22 +140,22 @@ int export_result(const Options& options) {
 
 }  // namespace
 
-int report_command(const Options& options) {
-  return on_file(options.target, options.json, [&] { return report(options); });
+int report_command(const ReportOptions& options) {
+  return on_file(options.result, options.json, [&] { return report(options); });
 }
 
-int view_command(const Options& options) {
+int view_command(const ViewOptions& options) {
   std::string files;
-  for (const auto& path : options.targets) files += (files.empty() ? "" : " or ") + path;
+  for (const auto& path : options.results) files += (files.empty() ? "" : " or ") + path;
   return on_file(files, options.json, [&] { return view(options); });
 }
 
-int draw_result_command(const Options& options) {
-  return on_file(options.target, options.json, [&] { return draw_result(options); });
+int draw_result_command(const DrawOptions& options) {
+  return on_file(options.file, options.json, [&] { return draw_result(options); });
 }
 
-int export_command(const Options& options) {
-  return on_file(options.target, options.json, [&] { return export_result(options); });
+int export_command(const ExportOptions& options) {
+  return on_file(options.result, options.json, [&] { return export_result(options); });
 }
 
 }  // namespace netloft::program

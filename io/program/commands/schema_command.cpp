@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/commands/plugins.hpp"
 #include "io/program/schema/part_schema.hpp"
 #include "io/program/schema/schema_words.hpp"
-#include "io/program/session/commands.hpp"
 #include "io/program/session/components.hpp"
+#include "io/program/session/find_plugins.hpp"
 #include "io/scenes/reading/analysis.hpp"
 #include "io/scenes/reading/dynamics.hpp"
 #include "io/scenes/reading/keys.hpp"
@@ -120,7 +121,7 @@ Json plan_schema(const char* doc, bool is_list) {
   return {{"type", "object"}, {"additionalProperties", {{"type", "object"}}}, {"description", doc}};
 }
 
-/// How a gear is modelled, and what the parts of its plan are made of.
+/// Keys of the model of a gear, and of the elements for the parts of its plan.
 void put_gear(Json& scene) {
   Json gear = object(), elements = object();
   put_table(gear, scenes::gear_keys());
@@ -149,7 +150,7 @@ void put_gear(Json& scene) {
       false);
 }
 
-/// What is read beside the scene itself.
+/// Keys of files that are read beside the scene itself.
 void put_files(Json& scene) {
   put(scene, "include",
       {{"type", "array"},
@@ -176,7 +177,7 @@ void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) 
        {"additionalProperties", bodies.schema()},
        {"description", "rigid bodies, to whose points parts are joined"}},
       false);
-  // What is included may say it already.
+  // Not required, because an included file may have it.
   scene["if"] = {{"required", {"include"}}};
   for (const char* pieces : {"parts", "bodies"})
     scene["else"]["properties"][pieces]["additionalProperties"]["required"] = {"type"};
@@ -223,7 +224,7 @@ Json scene_schema(Registry& registry) {
   return scene;
 }
 
-int schema_command(const Options& options) {
+int schema_command(const PluginOptions& options) {
   Registry registry;
   find_plugins(options, registry);
   std::puts(scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace).c_str());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/files/whole_file.hpp"
+#include "io/program/commands/studies.hpp"
+#include "io/program/session/memory_room.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
@@ -23,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMostNumbers = 1000;
 
-/// The numbers of "20:200:7"; none where it is something else.
+/// The numbers of "20:200:7"; none if the text is something else.
 std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> numbers;
   std::istringstream parts(text);
@@ -65,16 +67,16 @@ std::vector<double> read_range(const char* flag, const std::string& text, double
   return range;
 }
 
-studies::ScopeRequest request_of(const Options& o) {
+studies::ScopeRequest request_of(const ScopeOptions& o) {
   studies::ScopeRequest request;
-  request.depths = read_range("--depth", o.scope.depth, 7);
-  request.scopes = read_range("--warp", o.scope.warp, 13);
-  request.heel = read_interval("--heel", o.scope.heel);
-  if (!o.scope.spread.empty()) request.spread = read_interval("--spread", o.scope.spread);
+  request.depths = read_range("--depth", o.depth, 7);
+  request.scopes = read_range("--warp", o.warp, 13);
+  request.heel = read_interval("--heel", o.heel);
+  if (!o.spread.empty()) request.spread = read_interval("--spread", o.spread);
   return request;
 }
 
-/// A number with as many digits, or "-" where there is none.
+/// A number with `digits` digits, or "-" if it is not finite.
 std::string number(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
 }
@@ -160,12 +162,12 @@ void require_lengths_given(const scenes::LoadedScene& loaded) {
         "scope goes through lengths of warp, and this scene looks for one; leave out ship.warp.tension"};
 }
 
-void print(const Options& o, const std::vector<studies::ScopeRow>& rows, const char* status,
+void print(const ScopeOptions& o, const std::vector<studies::ScopeRow>& rows, const char* status,
            const studies::ScopeRequest& request) {
   std::fputs((o.json ? json_of(rows, status) + "\n" : text_of(rows, request)).c_str(), stdout);
 }
 
-int end_early(const Options& o, Session& session, const std::vector<studies::ScopeRow>& rows,
+int end_early(const ScopeOptions& o, Session& session, const std::vector<studies::ScopeRow>& rows,
               const studies::ScopeRequest& request) {
   const auto whole =
       std::ranges::count_if(rows, [&](const studies::ScopeRow& row) { return is_whole(row, request); });
@@ -175,37 +177,38 @@ int end_early(const Options& o, Session& session, const std::vector<studies::Sco
                                      o.output.empty() ? "" : ", and " + o.output + " is not written"));
 }
 
-int run_scope(const Options& o) {
+int run_scope(const ScopeOptions& o) {
   const studies::ScopeRequest request = request_of(o);
   if (!o.output.empty() && !is_page(o.output) && !o.output.ends_with(".svg"))
     throw UsageError{"-o " + o.output + ": a file .svg or .html is expected"};
-  catch_interrupts();
+  require_memory_to_solve();
   Session session(o);
-  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the table ends here"));
   if (const int code = session.open(); code != kDone) return code;
-  require_lengths_given(session.loaded());
-  require_place(o.output, paths_of(session.loaded()));
+  const scenes::LoadedScene& loaded = session.scene().loaded();
+  require_lengths_given(loaded);
+  require_place(o.output, paths_of(loaded));
+  catch_interrupts();
+  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the table ends here"));
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   const auto on_point = [&](std::size_t solved, const studies::ScopeRow& row, const studies::ScopePoint& p) {
     session.terminal().progress_in_steps("lengths", solved, request.depths.size() * request.scopes.size(),
                                          fmt::format("{:.4g} m at {:.4g} m", p.warp, row.depth));
   };
-  const auto rows = studies::find_scope(source_of(o), session.registry(), request, watch, on_point);
+  const auto rows = studies::find_scope(source_of(o), session.scene().registry(), request, watch, on_point);
   session.terminal().clear();
   if (interrupt_flag()) return end_early(o, session, rows, request);
   const bool is_done = has_found_all(rows);
   print(o, rows, is_done ? "done" : "not converged", request);
   return write_last(session.terminal(), is_done ? kDone : kNotConverged, [&] {
     if (!o.output.empty())
-      formats::write_whole(o.output,
-                           studies::draw_scope(session.loaded().scene.name, rows, is_page(o.output)));
+      formats::write_whole(o.output, studies::draw_scope(loaded.scene.name, rows, is_page(o.output)));
   });
 }
 
 }  // namespace
 
-int scope_command(const Options& options) {
+int scope_command(const ScopeOptions& options) {
   try {
     return run_scope(options);
   } catch (const std::invalid_argument& e) {

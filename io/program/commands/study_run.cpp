@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/program/commands/study_run.hpp"
-
 #include "io/formats/files/whole_file.hpp"
-#include "io/program/commands/study_text.hpp"
+#include "io/program/commands/study_shared.hpp"
+#include "io/program/session/memory_room.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/program/session/worker_pool.hpp"
 #include "io/studies/sweep/path_run.hpp"
 #include "io/studies/sweep/study_table.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -59,7 +60,7 @@ void note_failure(const fs::path& folder, const studies::StudyItem& item, const 
   }
 }
 
-/// What is left where a plugin does not come back.
+/// Notes the failure of an item whose plugin does not come back.
 int end_item(const fs::path& folder, const studies::StudyItem& item, const Overdue& overdue) {
   if (!overdue.interrupted) note_failure(folder, item, overdue.sentence);
   std::fprintf(stderr, "netloft: %s; item %zu has no record\n", overdue.sentence.c_str(), item.id);
@@ -67,10 +68,10 @@ int end_item(const fs::path& folder, const studies::StudyItem& item, const Overd
 }
 
 /// Solves one item in this process.
-int compute(const Options& o, const studies::Study& study, const studies::StudyItem& item) {
+int compute(const StudyRunOptions& o, const studies::Study& study, const studies::StudyItem& item) {
   Registry registry;
   find_plugins(o, registry);
-  const fs::path folder = o.target;
+  const fs::path folder = o.folder;
   Watchdog watchdog([&](const Overdue& overdue) { return end_item(folder, item, overdue); });
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
@@ -83,18 +84,18 @@ int compute(const Options& o, const studies::Study& study, const studies::StudyI
   return kDone;
 }
 
-/// Items that are to be computed, and how that went.
+/// Computes items and counts how they ended.
 class Campaign {
  public:
-  Campaign(const Options& o, const studies::Study& study, std::vector<std::size_t> places)
-      : o_(o), study_(study), asked_(places.size()), terminal_(o.color, o.json) {
+  Campaign(const StudyRunOptions& o, const studies::Study& study, std::vector<std::size_t> places)
+      : o_(o), study_(study), asked_(places.size()), terminal_(o) {
     std::string fault;
     for (const std::size_t place : places)
-      if (!studies::find_record(o.target, study.items[place], fault)) left_.push_back(place);
+      if (!studies::find_record(o.folder, study.items[place], fault)) left_.push_back(place);
   }
 
   int run() {
-    const int jobs = o_.study.jobs > 0 ? o_.study.jobs : threads_for(o_);
+    const int jobs = threads_for(o_.jobs);
     if (asked_ == 1 && left_.size() == 1)
       return alone();
     else
@@ -105,7 +106,7 @@ class Campaign {
   }
 
  private:
-  /// Where somebody else starts one program for every item.
+  /// Computes a single item in this process, for engines that start a program for every item.
   int alone() {
     const studies::StudyItem& item = study_.items[left_.front()];
     try {
@@ -113,13 +114,13 @@ class Campaign {
       done_ = code == kDone;
       return code == kNotConverged ? code : finish();
     } catch (const studies::StudyError& e) {
-      note_failure(o_.target, item, e.what());
+      note_failure(o_.folder, item, e.what());
       throw;
     }
   }
 
   std::vector<std::string> command(std::size_t place) const {
-    std::vector<std::string> words = {"/proc/self/exe",          "study",   "run",  o_.target, "--items",
+    std::vector<std::string> words = {"/proc/self/exe",          "study",   "run",  o_.folder, "--items",
                                       std::to_string(place + 1), "--color", "never"};
     for (const std::string& folder : o_.plugins) words.insert(words.end(), {"--plugins", folder});
     if (o_.threads > 0) words.insert(words.end(), {"--threads", std::to_string(o_.threads)});
@@ -131,7 +132,7 @@ class Campaign {
     end.code == kDone ? ++done_ : ++failed_;
     if (end.code != kDone) {
       const std::string sentence = end.sentence();
-      note_failure(o_.target, study_.items[place], sentence);
+      note_failure(o_.folder, study_.items[place], sentence);
       terminal_.say(fmt::format("netloft: item {}: {}", place + 1, sentence));
     }
     terminal_.progress_in_steps("items", done_ + failed_, left_.size(), std::to_string(place + 1));
@@ -151,10 +152,10 @@ class Campaign {
 
   std::string what_is_left() const {
     return fmt::format("{} of {} left; `netloft study run {}` goes on", left_.size() - done_ - failed_,
-                       count_of(asked_, "item"), o_.target);
+                       count_of(asked_, "item"), o_.folder);
   }
 
-  const Options& o_;
+  const StudyRunOptions& o_;
   const studies::Study& study_;
   std::size_t asked_, done_ = 0, failed_ = 0;
   Terminal terminal_;
@@ -163,8 +164,13 @@ class Campaign {
 
 }  // namespace
 
-int run_study(const Options& o, const studies::Study& study) {
-  return Campaign(o, study, read_items(o.study.items, study.items.size())).run();
+int study_run_command(const StudyRunOptions& o) {
+  require_memory_to_solve();
+  const studies::Study study = read_study(o.folder);
+  if (const std::string changed = what_changed(study, o.folder); !changed.empty())
+    throw studies::StudyError(changed + "; plan it again");
+  catch_interrupts();
+  return Campaign(o, study, read_items(o.items, study.items.size())).run();
 }
 
 }  // namespace netloft::program

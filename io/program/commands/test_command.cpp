@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/conformance/conformance.hpp"
-#include "io/program/session/commands.hpp"
+#include "io/program/commands/plugins.hpp"
+#include "io/program/session/find_plugins.hpp"
 #include "io/program/session/last_words.hpp"
+#include "io/program/session/memory_room.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What PLUGIN.so, "rope", "rope/bar", "hydro/morison", "newton", "newmark" or "auto" stands for.
+/// The components that a file ("rope.so"), a plugin ("rope") or a type ("rope/bar") names.
 struct Targets {
   std::vector<const ElementType*> elements;
   std::vector<const LawType*> laws;
@@ -78,7 +80,7 @@ Json report_json(const ConformanceReport& report) {
   return {{"type", report.type}, {"passed", report.passed()}, {"checks", checks}, {"timings", timings}};
 }
 
-/// Checks all targets, and says what was found as it goes.
+/// Checks all targets, and prints each report at once if `aloud`.
 std::vector<ConformanceReport> check_all(const Targets& found, double seconds, bool aloud) {
   std::vector<ConformanceReport> reports;
   const auto check = [&](const std::string& type, auto&& make) {
@@ -99,10 +101,11 @@ std::vector<ConformanceReport> check_all(const Targets& found, double seconds, b
 
 }  // namespace
 
-int test_command(const Options& options) {
+int test_command(const TestOptions& options) {
+  require_memory_to_solve();
   Registry registry;
   find_plugins(options, registry);
-  const auto reports = check_all(find_targets(options.target, registry), options.seconds, !options.json);
+  const auto reports = check_all(find_targets(options.plugin, registry), options.seconds, !options.json);
   const bool passed = std::all_of(reports.begin(), reports.end(), [](const auto& r) { return r.passed(); });
   if (options.json) {
     Json lines = Json::array();

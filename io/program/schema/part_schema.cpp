@@ -127,17 +127,17 @@ Json mesh_part_schema(const ElementType& e, const PluginContent& plugin) {
   return end_part(std::move(part), e, plugin);
 }
 
-/// A part that stands on others, which may give it its data.
+/// A part on the nodes of others, which may give it its data.
 Json rider_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
   part["title"] = e.type + " on other parts";
   const Json name = text("a part, an edge or a point");
   put(part, "on",
-      {{"description", "what it stands on"},
+      {{"description", "part or region whose nodes it uses"},
        {"anyOf", {name, {{"type", "array"}, {"items", name}, {"minItems", 1}}}}},
       true);
   if (e.element.stencil == NETLOFT_NODE) {
-    put(part, "number", quantity("1", 0, 1e6, "pieces, shared out along what it stands on"), false);
+    put(part, "number", quantity("1", 0, 1e6, "pieces, spread evenly along `on`"), false);
     put(part, "each", quantity("1", 0, 1e6, "pieces on every node, instead of a number"), false);
   }
   put_data(part, e, false);

@@ -5,13 +5,13 @@
 
 namespace netloft::program::schema {
 
-/// What a part may hold, by its type and by whether it stands on others, for two readers: `allOf` leads a
-/// checker to the one description that holds, so that it can name the wrong key; `anyOf`, which is always
-/// true, offers an editor all of them to complete from.
+/// Schemas of parts, by type and by whether the part uses the nodes of others. They serve two readers:
+/// `allOf` leads a checker to the one schema that applies, so that it can name the wrong key; `anyOf`, which
+/// is always true, offers an editor all of them for completion.
 class PartSchema {
  public:
   void add(const ElementType& e, const PluginContent& plugin);
-  /// The same of a rigid body.
+  /// The same for a rigid body.
   void add_body(const ElementType& e, const PluginContent& plugin);
   Json schema() const;
   Json definitions = Json::object();

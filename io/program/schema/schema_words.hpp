@@ -7,22 +7,22 @@
 #include <string>
 #include <utility>
 
-/// What all JSON schemas of files of a user are put together from.
+/// Building blocks of JSON schemas.
 namespace netloft::program::schema {
 
-/// A table that has no keys yet, and none but those that are put in.
+/// A table without keys, which allows only the keys that are put in.
 Json object();
 Json text(const std::string& doc);
 /// An SI number, or a text with a unit.
 Json quantity(const std::string& unit, double lo, double hi, const std::string& doc);
-/// A table of columns by name; the first is what the others are over.
+/// A table of columns by name; the first has the abscissa.
 Json columns_schema(const std::string& doc,
                     std::initializer_list<std::pair<const char*, const char*>> columns);
 
 /// Puts a schema at a dotted name, making tables on the way.
 void put(Json& owner, const std::string& name, const Json& schema, bool required);
 void put_table(Json& owner, std::span<const netloft_parameter> table);
-/// Of keys that are required, each is left once.
+/// Removes repeated names from the required keys.
 void drop_repeats(Json& schema);
 
 }  // namespace netloft::program::schema

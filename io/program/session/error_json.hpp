@@ -6,11 +6,11 @@
 
 namespace netloft::program {
 
-/// What was wrong with an input, for a program: one JSON object with `status` and `errors`.
+/// Errors of an input for programs: one JSON object with `status` and `errors`.
 std::string errors_json(const formats::Diagnostics& diagnostics, int exit_code);
 /// The same for one sentence without a place.
 std::string error_json(const std::string& message, int exit_code);
-/// What was written, where nothing was wrong.
+/// The file that was written without errors.
 std::string done_json(const std::string& output);
 
 }  // namespace netloft::program

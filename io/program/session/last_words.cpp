@@ -23,7 +23,7 @@ namespace netloft::program {
 
 namespace {
 
-/// A text that a signal handler may write, put together beforehand: little is safe when the time has come.
+/// A text for a signal handler, put together beforehand because little is safe inside a handler.
 template <std::size_t size>
 struct Words {
   char bytes[size] = {};
@@ -80,8 +80,8 @@ CallFrame innermost_plugin(const CallStack* calls) {
   return calls->innermost_plugin().value_or(CallFrame{});
 }
 
-/// Who was at work when it happened. `did`: " crashed in ".
-/// Returns whether it is a plugin's doing.
+/// Puts together who was at work when it happened; `did` is a phrase such as " crashed in ". Returns whether
+/// it was a plugin.
 bool say_what_happened(std::string_view did) {
   const CallStack* calls = known_calls_of_this_thread();
   const CallFrame plugin = innermost_plugin(calls);
@@ -126,16 +126,16 @@ bool used_up_its_stack(int signal, const siginfo_t* info, void* context) {
 bool used_up_its_stack(int, const siginfo_t*, void*) { return false; }
 #endif
 
-// Who handled signals before: nobody, or a sanitizer.
+// The earlier handlers of signals: none, or those of a sanitizer.
 struct sigaction before[NSIG];
 
-/// A crash of our own leaves what others can look into.
+/// After a crash of the program itself, the earlier handler runs, so that a core file is left.
 void die_as_before(int signal) {
   say("\n");
   sigaction(signal, &before[signal], nullptr);
 }
 
-/// Where HDF5 has met damaged bytes.
+/// Ends the program after a crash of HDF5 on damaged bytes.
 [[noreturn]] void die_of_damaged_file() {
   say(damaged.view());
   say(damaged_as_json.view(), STDOUT_FILENO);
@@ -158,7 +158,7 @@ void die(int signal, siginfo_t* info, void* context) {
   _exit(kOther);
 }
 
-/// A check that does not come to its end, or that nobody waits for any longer.
+/// Ends the program in a check that takes too long or is interrupted.
 void end_check(int signal) {
   const bool is_over = signal == SIGPROF;
   const char* check = check_under_way();
@@ -180,7 +180,7 @@ void limit_checks(double seconds) {
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-/// Where the program ends without having come to its own end.
+/// Reports an end of the program that a plugin brought about.
 void tell_of_an_early_end() {
   const CallStack* calls = known_calls_of_this_thread();
   if (under_test.empty() && !innermost_plugin(calls).type) return;

@@ -18,10 +18,10 @@ namespace {
 // smallest scene beside it.
 constexpr std::size_t kMebibyte = std::size_t{1} << 20, kRoom = 144 * kMebibyte;
 
-// Below it nobody has to think of memory: others have as much, twice.
+// Fraction of the memory within reach below which a forecast is not reported.
 constexpr double kLittle = 0.25;
 
-// What a run takes at least of what is foreseen (io/runs/README.md).
+// Least fraction of the forecast that a run takes (io/runs/README.md).
 constexpr double kSurely = 0.85;
 
 std::string gibibytes(double bytes) { return fmt::format("{:.3g} GiB", bytes / 0x1p30); }
@@ -33,16 +33,15 @@ bool is_limited(int resource) {
 
 }  // namespace
 
-std::string lack_of_memory() {
-  if (!is_limited(RLIMIT_AS) && !is_limited(RLIMIT_DATA)) return {};
+void require_memory_to_solve() {
+  if (!is_limited(RLIMIT_AS) && !is_limited(RLIMIT_DATA)) return;
   void* room = mmap(nullptr, kRoom, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED)
-    return fmt::format(
-        "not enough memory: solving wants {} MiB more than the limit on memory leaves ({}); "
-        "`ulimit -v` and `ulimit -d` show the limits",
-        kRoom / kMebibyte, std::strerror(errno));
+    throw std::runtime_error(
+        fmt::format("not enough memory: solving needs {} MiB more than the limit on memory leaves ({}); "
+                    "`ulimit -v` and `ulimit -d` show the limits",
+                    kRoom / kMebibyte, std::strerror(errno)));
   munmap(room, kRoom);
-  return {};
 }
 
 std::string memory_text(const runs::MemoryForecast& f, double within_reach) {

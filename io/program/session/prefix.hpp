@@ -9,8 +9,7 @@ namespace netloft::program {
 /// folder is laid out in the same way.
 std::filesystem::path installed_prefix();
 
-/// What to say to a C++ compiler between its name and the sources: `c++ $(netloft --cflags) otter.cpp -o
-/// otter.so`.
+/// Flags that compile a plugin: `c++ $(netloft --cflags) otter.cpp -o otter.so`.
 std::string compiler_flags();
 
 }  // namespace netloft::program

@@ -17,13 +17,16 @@ std::vector<std::string> paths_of(const scenes::LoadedScene& loaded) {
   return paths;
 }
 
-int threads_for(const Options& options) {
-  if (options.threads > 0) return options.threads;
-  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+int threads_for(int threads) {
+  return threads > 0 ? threads : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
 }
 
-runs::CaseSource source_of(const Options& options) {
-  runs::CaseSource source{options.target, options.set, threads_for(options)};
+runs::CaseSource source_of(const SceneOptions& options) {
+  return {options.scene, options.set, threads_for(options.threads)};
+}
+
+runs::CaseSource source_of(const MethodOptions& options) {
+  runs::CaseSource source = source_of(static_cast<const SceneOptions&>(options));
   const auto add = [&](const char* key, const std::string& specification) {
     if (specification.empty()) return;
     for (auto& word : runs::overrides_of(key, specification)) source.overrides.push_back(std::move(word));
@@ -37,39 +40,39 @@ runs::CaseSource source_of(const Options& options) {
   return source;
 }
 
-Session::Session(const Options& options)
-    : options_(options), terminal_(options.color, options.json), scene_(source_of(options), registry_) {
-  find_plugins(options, registry_);
+Session::Session(const MethodOptions& options) : terminal_(options), scene_(source_of(options), registry_) {
+  find_scene_plugins(options, registry_);
 }
 
 int Session::open() {
   const runs::PreparedScene::State state = scene_.prepare();
   const formats::Diagnostics& diagnostics = scene_.diagnostics();
-  if (state != runs::PreparedScene::State::ready)
-    return tell_why_not(diagnostics, state, options_, terminal_);
+  if (state != runs::PreparedScene::State::ready) return report_unready(diagnostics, state, terminal_);
   if (diagnostics.warnings()) terminal_.say(diagnostics.render(terminal_.color()));
   return kDone;
 }
 
-int tell_why_not(const formats::Diagnostics& diagnostics, runs::PreparedScene::State state,
-                 const Options& options, Terminal& terminal) {
+int report_unready(const formats::Diagnostics& diagnostics, runs::PreparedScene::State state,
+                   Terminal& terminal) {
   terminal.say(diagnostics.render(terminal.color()));
   const int code = state == runs::PreparedScene::State::refused ? kRefused : kWrongInput;
-  if (options.json) std::puts(errors_json(diagnostics, code).c_str());
+  if (terminal.json()) std::puts(errors_json(diagnostics, code).c_str());
   return code;
 }
 
-results::PlanExtras Session::plan_extras() {
+results::PlanExtras plan_extras(runs::PreparedScene& scene) {
+  const ScenePlan& plan = scene.plan();
+  const scenes::Analysis& analysis = scene.loaded().analysis;
   const auto factorisation =
-      scene_.factorisations()(plan().symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
-  return {loaded().analysis.solver,
+      scene.factorisations()(plan.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
+  return {analysis.solver,
           factorisation->description(),
-          assembler().pattern().entries(),
-          threads_for(options_),
-          assembler().threads_used(),
-          loaded().analysis.strategy,
-          runs::explain_strategy(scene_),
-          plan().kind == AnalysisKind::dynamics ? scene_.material_damping() : "",
+          scene.assembler().pattern().entries(),
+          scene.source().threads,
+          scene.assembler().threads_used(),
+          analysis.strategy,
+          runs::explain_strategy(scene),
+          plan.kind == AnalysisKind::dynamics ? scene.material_damping() : "",
           0,
           0,
           0};

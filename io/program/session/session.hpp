@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/program/session/commands.hpp"
+#include "io/program/session/find_plugins.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/results/text/run_text.hpp"
 #include "io/runs/prepared_scene.hpp"
@@ -8,39 +8,38 @@
 
 namespace netloft::program {
 
-/// The case that a command line speaks of, with the terminal that tells what is wrong with it: what `run` and
-/// `plan` share.
+/// The scene of a command line, and the terminal that reports what is wrong with it.
 class Session {
  public:
-  explicit Session(const Options& options);
+  explicit Session(const MethodOptions& options);
 
-  /// Reads, checks and assembles the scene. Anything but kDone: it was said why, stop with that code.
+  /// Reads, checks and assembles the scene. Returns kDone, or the exit code after saying why it is not ready.
   int open();
 
   runs::PreparedScene& scene() { return scene_; }
-  scenes::LoadedScene& loaded() { return scene_.loaded(); }
-  const ScenePlan& plan() const { return scene_.plan(); }
-  Assembler& assembler() { return scene_.assembler(); }
-  Registry& registry() { return registry_; }
   Terminal& terminal() { return terminal_; }
-  results::PlanExtras plan_extras();
 
  private:
-  const Options& options_;
   Terminal terminal_;
   Registry registry_;
   runs::PreparedScene scene_;
 };
 
-/// The case of a command line: its scene, --set and --solver.
-runs::CaseSource source_of(const Options& options);
-int threads_for(const Options& options);
+/// The scene of a command line with --set and, of commands that have them, --strategy and --solver.
+runs::CaseSource source_of(const SceneOptions& options);
+runs::CaseSource source_of(const MethodOptions& options);
+
+/// `threads`, or as many as the machine has if that is 0.
+int threads_for(int threads);
 
 /// The files that a scene was read from.
 std::vector<std::string> paths_of(const scenes::LoadedScene& loaded);
 
-/// Says on the terminal, or as JSON, what is wrong with a scene that is not ready. Returns the exit code.
-int tell_why_not(const formats::Diagnostics& diagnostics, runs::PreparedScene::State state,
-                 const Options& options, Terminal& terminal);
+/// Facts for the printed plan of a scene that is ready, without the memory forecast.
+results::PlanExtras plan_extras(runs::PreparedScene& scene);
+
+/// Says on the terminal, and as JSON, why a scene is not ready. Returns the exit code.
+int report_unready(const formats::Diagnostics& diagnostics, runs::PreparedScene::State state,
+                   Terminal& terminal);
 
 }  // namespace netloft::program

@@ -2,7 +2,6 @@
 #include "io/program/session/terminal.hpp"
 
 #include "io/program/session/error_json.hpp"
-#include "io/program/session/options.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -32,8 +31,8 @@ double fraction_done(const IterationRecord& r, double first, double tolerance) {
   return std::clamp(std::log(first / r.residual) / std::log(first / goal), 0.0, 1.0);
 }
 
-/// Seconds that a stage still takes if its residual goes on to fall by as many decades a second; empty until
-/// it has gone a tenth of its way, before which nobody can know.
+/// Seconds that a stage still takes if its residual keeps falling at the same rate; empty during the first
+/// tenth of its way, when the rate is not known.
 std::string seconds_left(double done, double seconds) {
   constexpr double kKnown = 0.1;
   return done > kKnown ? fmt::format("{:.0f}", seconds * (1 - done) / done) : "";
@@ -44,7 +43,7 @@ std::string bar_of(double fraction) {
                      std::string(static_cast<std::size_t>(20 * std::clamp(fraction, 0.0, 1.0)), '='));
 }
 
-/// A number of a JSON object, which knows no infinity.
+/// A number of a JSON object, which has no infinity.
 std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.3e}", value) : "null"; }
 
 // seconds between two signs of progress
@@ -52,10 +51,10 @@ constexpr double kRedraw = 0.1, kEvent = 1, kLogLine = 60;
 
 }  // namespace
 
-Terminal::Terminal(const std::string& color, bool json)
+Terminal::Terminal(const CommonOptions& options)
     : is_terminal_(isatty(2) == 1),
-      color_(wants_color(color, is_terminal_)),
-      json_(json),
+      color_(wants_color(options.color, is_terminal_)),
+      json_(options.json),
       begun_(wall_seconds()) {}
 
 void Terminal::say(const std::string& text) {
@@ -151,8 +150,9 @@ void on_interrupts(void (*action)(int)) {
 
 void end_on_interrupts(bool json) {
   static std::string said, object;
-  said = "netloft: interrupted while the scene was being read\n";
-  object = json ? error_json("interrupted while the scene was being read", kInterrupted) + "\n" : "";
+  const std::string sentence = "interrupted; nothing has been solved";
+  said = "netloft: " + sentence + "\n";
+  object = json ? error_json(sentence, kInterrupted) + "\n" : "";
   on_interrupts([](int) {
     [[maybe_unused]] auto written = write(STDERR_FILENO, said.data(), said.size());
     written = write(STDOUT_FILENO, object.data(), object.size());

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/balance/statistics.hpp"
+#include "io/program/session/options.hpp"
 
 #include <atomic>
 #include <string>
 
 namespace netloft::program {
 
-/// Standard error as a place for people: whether it takes colour, and a line of progress.
+/// Standard error: messages, and a line of progress.
 class Terminal {
  public:
-  /// `color`: auto, always or never. Auto wants a terminal that is not dumb, and no NO_COLOR.
-  /// `json`: progress as JSON objects, one a line.
-  explicit Terminal(const std::string& color, bool json = false);
+  /// --color auto means colour on a terminal that is not dumb, unless NO_COLOR is set. With --json progress
+  /// is JSON objects, one a line.
+  explicit Terminal(const CommonOptions& options);
   ~Terminal() { clear(); }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -21,15 +22,15 @@ class Terminal {
   bool json() const { return json_; }
   void say(const std::string& text);
 
-  /// A redrawn line on a terminal; in a log a line of key=value a minute, after the first second; for
-  /// programs a JSON object a second. A stage of the solve ends where iterations are counted from the start
-  /// again.
+  /// Shows the progress of a search after the first second: a redrawn line on a terminal, a line of key=value
+  /// a minute in a log, a JSON object a second for programs. A new stage begins when iterations are counted
+  /// from 0 again.
   void progress(const IterationRecord& record, double tolerance);
-  /// The same for a motion that has come to t [s] of `end` after `seconds`, with the time that is left if the
-  /// rest goes as fast. `run`: its name, if it is one of several.
+  /// The same for a motion at t [s] of `end` after `seconds` of wall time, with the time that is left at this
+  /// speed. `run` is its name if it is one of several.
   void progress_in_time(double t, double end, double seconds, const std::string& run = {});
-  /// The same for work that consists of many solves: `done` of `all` (0: nobody knows how many) `things`
-  /// ("items"); `last`: what the last one was.
+  /// The same for work in steps: `done` of `all` (0 if that is not known) `things` ("items"). `last` names
+  /// the last one.
   void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
                          const std::string& last);
   void clear();
@@ -44,18 +45,19 @@ class Terminal {
   double first_residual_ = 0, stage_begun_ = 0;
 };
 
-/// What an interruption does: Ctrl-C, a request to end, a quit, and a hangup unless `nohup` has it ignored.
+/// Sets the action of interruptions: SIGINT, SIGTERM, SIGQUIT, and SIGHUP unless `nohup` has it ignored.
 void on_interrupts(void (*action)(int));
 
-/// Until catch_interrupts() is called, an interruption ends the program with a sentence: a scene is being
-/// read, and nothing has been found that could be lost.
+/// Until catch_interrupts() is called, an interruption ends the program at once with a sentence, because
+/// nothing has been found that could be lost.
 void end_on_interrupts(bool json);
 
 /// Set by the first SIGINT, SIGTERM, SIGHUP or SIGQUIT; a second one ends the program at once.
 const std::atomic<bool>& interrupt_flag();
 void catch_interrupts();
 
-/// Says that the user interrupted, and what is left: "the table has 3 of 7 depths". Returns the exit code.
+/// Reports an interruption and what there is so far, such as "the table has 3 of 7 depths". Returns the exit
+/// code.
 int end_interrupted(Terminal& terminal, const std::string& what_is_left);
 
 }  // namespace netloft::program

@@ -27,7 +27,7 @@ constexpr double kPark = 5;                 // [s] for a thread to come to the b
 
 int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConverged; }
 
-/// What was found could not be written in time: an element that is needed for it does not come back either.
+/// Ends the program if the last act takes too long, because a plugin that it needs does not come back either.
 void give_up(int) {
   constexpr char words[] = "netloft: what was found could not be written: a plugin does not come back\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
@@ -41,7 +41,7 @@ void limit_last_act() {
   alarm(kLastAct);
 }
 
-/// Whoever calls back for ever: the innermost method of those that have not returned in all that time.
+/// The innermost method that has not returned in all that time.
 CallFrame caller_for_ever(const CallStack& calls) {
   for (std::uint32_t i = std::min(calls.lowest(), CallStack::kDeepest); i-- > 0;)
     if (const CallFrame frame = calls.at(i); frame.kind == CallFrame::Kind::method) return frame;

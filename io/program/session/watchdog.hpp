@@ -20,13 +20,13 @@ struct Overdue {
   std::string sentence;      // "loops/forever, solve, did not come back for 2 s after Ctrl-C"
 };
 
-/// Ends a run that does not end by itself. Everything that solves asks between two steps whether the user
-/// interrupts or the time is over; a plugin that never comes back to where it is asked would run for ever.
-/// This looks on from a thread of its own and calls `last_act` when, after an interruption or the limit,
+/// Ends a run that a plugin keeps from ending. Solvers check between two steps for an interruption and for
+/// the time limit, but a call of a plugin may never return. The watchdog runs in a thread of its own and
+/// calls `last_act` if, after an interruption or the limit,
 ///   the same call of a plugin has gone on for 2 s, or
 ///   a method has called the host 1000 times, and 2 s have passed.
-/// All other threads then stand still at the boundary of plugins or inside one, so that what the host found
-/// is free to be written. The program ends with what `last_act` returns, or ten seconds later without it.
+/// All other threads then wait at the boundary of plugins or are inside one, so that the results of the host
+/// can be written. The program ends with the code that `last_act` returns, or after ten seconds without it.
 class Watchdog {
  public:
   explicit Watchdog(std::function<int(const Overdue&)> last_act);
@@ -59,8 +59,8 @@ class Watchdog {
   std::thread thread_;
 };
 
-/// A last act that says the sentence and `what_is_left`: "the comparison ends here without a table". A
-/// program that reads JSON gets it as one object.
+/// A last act that reports the plugin and `what_is_left`, such as "the comparison ends here without a table",
+/// with --json also as one object.
 std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left);
 
 }  // namespace netloft::program

@@ -32,7 +32,7 @@ struct Worker {
   int words = -1;  // its standard error, a file in memory
 };
 
-/// Becomes the program of a command line; comes back only if that cannot be.
+/// Replaces this process by the program of a command line. Returns only if that fails.
 void become(const std::vector<std::string>& command, int words, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(128 + SIGTERM);
@@ -86,7 +86,7 @@ class Pool {
     workers_[pid] = {job, words};
   }
 
-  /// Waits a moment for one to end. False: none has.
+  /// Waits a moment for one to end. Returns whether one has.
   bool wait_for_one(std::size_t& job, WorkerEnd& end) {
     int status = 0;
     const pid_t pid = waitpid(-1, &status, WNOHANG);

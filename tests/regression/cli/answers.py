@@ -73,7 +73,7 @@ ALL = [
         ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 --plot out.svg", 1,
          "out.svg cannot be written: No space left on device", OLD)),
     *answers(
-        "3. A method that does not fit, and a result that is worse than the one there",
+        "3. A method that does not fit, and a result that is worse than the existing one",
         ("netloft run gear-library/scenes/verification/towed-line.toml -o p.hdf --solver lbfgs", 2, "lbfgs",
          {"prepare": "netloft run $panel -o p.hdf >/dev/null; cp p.hdf good.hdf", "holds": "cmp -s p.hdf good.hdf"}),
         ("netloft run $panel -o p.hdf --set analysis.max_iterations=3", 3,
@@ -83,7 +83,7 @@ ALL = [
         "4. A motion that was killed",
         ("netloft report r.hdf.part", 3, "running", {"prepare": KILLED, "holds": GOES_ON})),
     *answers(
-        "5. Half a gear where something tells port from starboard",
+        "5. Half a gear with a difference between port and starboard",
         ("netloft plan $flume --set 'water.current=[\"3 kn\", \"1 kn\", 0]'", 2, "water.current: flows across the plane y = 0"),
         ("netloft plan $flume --set 'water.current={ z = [0, -50], x = [1, 1], y = [0, 0.5] }'", 2, "flows across the plane y = 0"),
         ("netloft plan $flume --set parts.bed.seabed.slope_y=0.1", 2, "slope_y"),
@@ -96,7 +96,7 @@ ALL = [
         ("netloft run line.toml --solver relaxation", 3, "line: not converged … rounding of the positions alone is worth … the stiffness of the gear is "
          "too high for its load", {"prepare": 'line 100000 "1e9 kN" > line.toml'})),
     *answers(
-        "7. What a plan or a scene can hardly mean, or cannot mean",
+        "7. Plans and scenes with unlikely or impossible values",
         ("netloft check plan.toml", 0, "plan.toml:14:9: warning: top.sides is neither sewn nor hung: the net is open there",
          {"prepare": "sed '/top.sides/d' $plan > all; sed '0,/^\\[\\[join\\]\\]$/{/^\\[\\[join\\]\\]$/d}' all > plan.toml"}),
         ("netloft check $plan --set 'ropes.upper-bridle.between=[\"headline.end\", \"headline.end\"]'", 2,
@@ -121,7 +121,7 @@ ALL = [
         ("netloft run $panel --set 'parts.ball={ type = \"float/float\", on = \"net.aft\", float = {} }'", 2,
          "parts.ball.float: is an empty table, which says nothing")),
     *answers(
-        "8. Streams and files that say less than they seem to",
+        "8. Streams that are full and results that are damaged",
         ("netloft schema > /dev/full", 1, "standard output cannot be written: No space left on device"),
         ("netloft run $panel --json > /dev/full", 1, "standard output cannot be written: No space left on device"),
         ("netloft diff a.hdf b.hdf", 2, "cannot read b.hdf: it is damaged: … checksum",
@@ -149,17 +149,17 @@ ALL = [
          "hostile/stalls, solve, did not come back for … s after the interruption",
          {"prepare": 'line 0 "100 kN" > line.toml', "holds": "test -s e.hdf", "needs": "PLUGINS"})),
     *answers(
-        "12. Limits, signals, pipes and commands that are none",
-        ("limited -v 150000 netloft run $panel -o p.hdf", 1, "not enough memory: solving wants … ulimit -v",
+        "12. Limits, signals, pipes and unknown commands",
+        ("limited -v 150000 netloft run $panel -o p.hdf", 1, "not enough memory: solving needs … ulimit -v",
          {"holds": "test ! -e p.hdf.part", "needs": "MEMORY"}),
         ("limited -f 50 netloft run $panel -o p.hdf", 1, "cannot write p.hdf.part … File too large", {"holds": "test ! -e p.hdf.part"}),
         ("netloft run pipe.toml", 2, "pipe.toml is", {"prepare": "mkfifo pipe.toml"}),
         ("netloft run $panel --solver central-difference --set analysis.max_iterations=3 -o p.hdf", 3,
          "the limit of 3 iterations was reached"),
         ("netloft shema", 2, 'there is no command "shema"; did you mean "schema"?'),
-        ("netloft", 0, "Subcommands:")),
+        ("netloft", 0, "Gears: … Scenes: … Results: … Studies: … Numerics: … Plugins:")),
     *answers(
-        "13. Options that cannot be meant, and files that cannot be written",
+        "13. Impossible options, and files that cannot be written",
         ("netloft scope $sea --depth 60:66:2 --warp 3:4:2 -o nowhere/x.svg", 2, "nowhere/x.svg: there is no folder nowhere"),
         ("netloft scope $sea --depth 60:66:2 --warp 3:4:2 --set 'analysis.kind=\"dynamic\"' --set analysis.duration=2", 2,
          "scope follows equilibria, and this scene goes through time"),
@@ -182,7 +182,7 @@ ALL = [
         ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 --csv t.csv", 1,
          "newton … converged … t.csv cannot be written: No space left on device", {"needs": "FULL_DISK"})),
     *answers(
-        "14. Strategies that are asked for wrongly, and strategies that fail",
+        "14. Strategies with wrong names or parameters, and strategies that fail",
         ("netloft run $panel --strategy relaxed:solver=newtn -o x.hdf", 4,
          'analysis.relaxed.solver: there is no plugin "newtn"; did you mean "newton"?', {"holds": "test ! -e x.hdf"}),
         ("netloft plan $panel --strategy coarse-to-fine:by=nonsense", 4, 'analysis.coarse-to-fine.by: there is no plugin "nonsense"'),

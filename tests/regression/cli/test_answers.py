@@ -11,9 +11,9 @@ from program import PROGRAM, SOURCE, InFreshFolder
 
 PAGE = SOURCE / "io" / "program" / "MESSAGES.md"
 HEAD = """\
-# What is asked wrongly or goes wrong, and what is answered
+# Wrong commands and failures, and their messages
 
-What has once lost data, gone wrong in silence, crashed or hung, as a command and the words that it prints today. `…` stands for what differs
+Each command here once lost data, failed silently, crashed or hung. The table shows what it prints today. `…` stands for what differs
 from machine to machine. `tests/regression/cli/test_answers.py` runs each of these commands, looks for these words and for the files that
 have to be left, and writes this page (`--write`). Functions that stand for faults, such as `full_disk BYTES COMMAND`, are in
 `tests/regression/cli/answers.py`; hundreds of wrong scenes and their answers in `wrong_*.py` beside it.

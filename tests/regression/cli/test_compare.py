@@ -117,7 +117,7 @@ class Comparisons(InFreshFolder):
         self.assertTrue(all(None not in r and None not in r.values() for r in rows))
         root = xml.parse(self.folder / "a.svg").getroot()
         self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
-        self.compare(ROPE, *BARS, "--solver", "newton", "--tolerance", "1e-8", "--plot", "a.html")
+        self.compare(ROPE, *BARS, "--solver", "newton", "--tolerance", "1e-8", "-o", "a.html")
         self.assertIn("<svg", (self.folder / "a.html").read_text())
 
     def test_who_arrives_nowhere_is_not_converged(self):

@@ -113,8 +113,8 @@ class Imports(InFreshFolder):
         self.write("gear.csv", "node,x,y,z,hold\na,0,0,0,xyz\nb,1,0,0,xyz\nbar,from,to,diameter,EA,density\nrope,a,b,0.01,1e5,1000\n")
         for words, what in ((("table", "gear.csv", "-o", "gear.hdf"), "-o gear.hdf: this is written as .toml"),
                             (("--check", "."), "--check .: there is no GEAR.don in it"),
-                            (("table", "--check", "."), "--check is of gears of FEMNET"),
-                            (("--check", ".", "-o", "a.toml"), "--output has no effect here: --check writes nothing")):
+                            (("table", "--check", "."), "--check is for FEMNET; the format is table"),
+                            (("--check", ".", "-o", "a.toml"), "--output excludes --check")):
             ended = self.netloft("import", *words)
             self.assertEqual((ended.code, set(self.files())), (2, {"gear.csv"}))
             self.assertIn(what, ended.err)

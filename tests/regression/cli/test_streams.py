@@ -93,7 +93,7 @@ class Signals(InFreshFolder):
                 limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (1024 * kilobytes, 1024 * kilobytes))
                 ended = self.netloft("run", *PANEL, "-o", "p.hdf", preexec_fn=limit)
                 self.assertEqual(ended.code, 1)
-                self.assertIn("not enough memory: solving wants", ended.err)
+                self.assertIn("not enough memory: solving needs", ended.err)
                 self.assertIn("ulimit -v", ended.err)
                 self.assertEqual(self.files(), {})
 
@@ -167,10 +167,19 @@ class Commands(InFreshFolder):
         self.assertIn("there is no option --xyzzy; `netloft study run --help` lists them", ended.err)
         self.assertEqual(ended.json()["status"], "wrong input")
 
+    def test_an_option_of_another_command_is_named_with_that_command(self):
+        for words, wrong, command, other in ((("plan", "a.toml", "--resume"), "--resume", "plan", "run"),
+                                             (("run", "a.toml", "--depth", "1:2"), "--depth", "run", "scope"),
+                                             (("check", "a.toml", "--plugins", "."), "--plugins", "check", "run")):
+            with self.subTest(words=words):
+                self.assertIn(f"there is no option {wrong} of `netloft {command}`; `netloft {other}` has it", self.netloft(*words).err)
+
     def test_no_command_at_all_gets_the_help(self):
         alone = self.netloft()
         self.assertEqual(alone.code, 0)
-        self.assertIn("Subcommands:", alone.out)
+        for heading in ("Gears", "Scenes", "Results", "Studies", "Numerics", "Plugins"):
+            self.assertIn(f"\n{heading}:\n", alone.out)
+        self.assertNotIn("Subcommands:", alone.out)
 
     def test_a_strategy_that_is_named_as_solver_gets_a_hint(self):
         wrong = self.netloft("run", *PANEL, "--solver", "auto")

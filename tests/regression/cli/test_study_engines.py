@@ -118,8 +118,8 @@ class Scripts(Engines):
     def test_wrong_engines_are_refused(self):
         self.study("submit", "other", "--engine", "condor", code=2)
         self.study("submit", "other", code=2)
-        for engine, option in (("slurm", "--jobs"), ("parallel", "--chunk")):
-            self.assertIn(f"{option} has no effect here", self.study("submit", "other", "--engine", engine, option, "2", code=2).err)
+        for engine, option, of in (("slurm", "--jobs", "GNU parallel"), ("parallel", "--chunk", "Slurm")):
+            self.assertIn(f"{option} is for {of}; the engine is {engine}", self.study("submit", "other", "--engine", engine, option, "2", code=2).err)
         self.study("submit", "other", "--engine", "slurm", "--chunk", "0", code=2)
         self.study("missing", "nowhere", code=2)
 

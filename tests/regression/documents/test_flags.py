@@ -19,7 +19,8 @@ HARD_CASES = Path(PROGRAM).with_name("hard_cases")
 PLUGINS = os.environ["NETLOFT_TEST_PLUGINS"]
 ROPE, MOTION, GEAR = "rope.toml", "motion.toml", "gear.toml"
 AT_SEA = SOURCE / "gear-library/scenes/gov-like-67m.toml"
-COMMON = f"--plugins {PLUGINS} --color always --json"
+PRINTED = "--color always --json"
+COMMON = f"--plugins {PLUGINS} {PRINTED}"
 SCENE = "--set parts.rope.cells=20 --threads 1 --scene-plugins " + COMMON
 
 # What is typed, and what it says or which file it leaves. In this order; later ones read what earlier ones wrote.
@@ -41,13 +42,13 @@ COMMANDS = (
     (f"netloft schema {COMMON}", "$schema"),
     (f"netloft test float --seconds 50 {COMMON}", "float/float"),
     ("netloft new law square_plate", "square_plate.cpp"),
-    (f"netloft catalogue twine {COMMON}", "pe-braided-4mm"),
-    (f"netloft check {GEAR} --set ropes.headline.length=7 {COMMON}", '"findings"'),
-    (f"netloft draw {GEAR} --set ropes.headline.length=7 {COMMON} --mesh --nodes 200 -o mesh.svg; ls mesh.svg", "mesh.svg"),
+    (f"netloft catalogue twine {PRINTED}", "pe-braided-4mm"),
+    (f"netloft check {GEAR} --set ropes.headline.length=7 {PRINTED}", '"findings"'),
+    (f"netloft draw {GEAR} --set ropes.headline.length=7 {PRINTED} --mesh --nodes 200 -o mesh.svg; ls mesh.svg", "mesh.svg"),
     ("netloft draw rope.hdf --view side --field part --state 0 --width 300 --fit all --dark --output rope.png; ls rope.png", "rope.png"),
     ("netloft draw rope.hdf --log --elements --dimensions -o tension.png; ls tension.png", "tension.png"),
     (f"netloft compare {ROPE} {SCENE} --strategy direct --solver newton --solver lbfgs --tolerance 1e-6:1e-6 --cells rope=10,20 "
-     "--reference newton --repeats 1 --csv table.csv --plot work.svg; head -1 table.csv work.svg", "work.svg"),
+     "--reference newton --repeats 1 --csv table.csv -o work.svg; head -1 table.csv work.svg", "work.svg"),
     (f"netloft compare {MOTION} --set analysis.duration=0.1 --integrator newmark --accuracy 1e-1:1e-1 --repeats 1 {COMMON}", "newmark"),
     ("netloft diff rope.hdf coarse.hdf --json", '"after"'),
     (f"netloft refine {ROPE} {SCENE} --strategy direct --solver newton --cells 10,20", "sag_z"),
@@ -77,26 +78,27 @@ COMMANDS = (
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),
     ("netloft report rope.hdf --html --output rope-report.html; ls rope-report.html", "rope-report.html"),
+    ("netloft report rope.hdf -o rope-page.html; ls rope-page.html", "rope-page.html"),
     ("netloft view rope.hdf --states 2 --json -o rope-view.html", "rope-view.html"),
     ("netloft export rope.hdf elements.csv --table elements --state 0 --json; head -1 elements.csv", "tension"),
     ("netloft export rope.hdf rope.glb --field part --json", "rope.glb"),
+    ("netloft export rope.hdf -o rope.obj; ls rope.obj", "rope.obj"),
 )
 NESTED = ("study",)  # commands of commands
-FLAG = re.compile(r"^ +(?:(-\w),)?(--[\w-]+)", re.MULTILINE)
+FLAG = re.compile(r"^ +(?:(-\w),)?(--[\w-]+(?:,--[\w-]+)*)", re.MULTILINE)
+HEADING = "(?:Gears|Scenes|Results|Studies|Numerics|Plugins|Subcommands)"
 
 
 def flags_in_help(*command):
     program = [HARD_CASES] if command == ("hard_cases",) else [PROGRAM, *command]
     text = subprocess.run([*program, "--help"], capture_output=True, text=True, timeout=20).stdout
-    return {long: short for short, long in FLAG.findall(text)}
+    return {long: short for short, names in FLAG.findall(text) for long in names.split(",")}
 
 
 def subcommands(*command):
     """All commands, those of commands too: "run", "study", "study plan"."""
     text = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, timeout=20).stdout
-    if "Subcommands:" not in text:
-        return []
-    names = re.findall(r"^  (\w+) +\w", text.split("Subcommands:")[1], re.MULTILINE)
+    names = re.findall(r"^  (\w+) +\w", "".join(re.findall(rf"^{HEADING}:\n((?:  .*\n)+)", text, re.MULTILINE)), re.MULTILINE)
     return [full for name in names for full in (" ".join((*command, name)), *subcommands(*command, name))]
 
 

@@ -2,8 +2,8 @@
 #include "tests/stability/suite/command.hpp"
 
 #include "io/formats/files/whole_file.hpp"
-#include "io/program/session/commands.hpp"
 #include "io/program/session/error_json.hpp"
+#include "io/program/session/find_plugins.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/terminal.hpp"
@@ -45,7 +45,7 @@ std::vector<Column> wanted_columns(const Suite& suite, const SuiteOptions& o) {
   for (auto& column : columns) {
     if (!o.solvers.empty()) column.overrides = overrides_in(suite, column.solver);
     leave_out(o.without, column);
-    column.overrides.insert(column.overrides.end(), o.shared.set.begin(), o.shared.set.end());
+    column.overrides.insert(column.overrides.end(), o.set.begin(), o.set.end());
   }
   return columns;
 }
@@ -85,7 +85,7 @@ std::vector<Column> find_columns(const Suite& suite, const SuiteOptions& options
 /// Returns `code`, or kOther where the page cannot be written. There is none of a suite that was interrupted.
 int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const std::vector<Row>& rows,
                  program::Terminal& terminal, int code) {
-  std::puts((options.shared.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
+  std::puts((options.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
   const std::string& page = options.html;
   if (page.empty() || code == program::kInterrupted) return code;
   return program::write_last(terminal, code, [&] { formats::write_whole(page, matrix_html(title, rows)); });
@@ -128,7 +128,7 @@ RunOptions run_options(const SuiteOptions& o, MatrixSoFar& matrix, program::Watc
   run.seconds = o.seconds;
   run.work = o.work;
   run.update = o.update_references;
-  run.threads = std::max(1, o.shared.threads);
+  run.threads = o.threads;
   run.watch = {.interrupt = &program::interrupt_flag(),
                .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   run.on_row = [&](const Row& row) { matrix.add(row); };
@@ -144,11 +144,11 @@ std::string what_is_left(const SuiteOptions& o, std::size_t cases) {
 }  // namespace
 
 int run_hard_cases(const SuiteOptions& o) {
-  program::Terminal terminal(o.shared.color);
+  program::Terminal terminal(o);
   Registry registry;
-  program::find_plugins(o.shared, registry);
+  program::find_plugins(o, registry);
   formats::Diagnostics diagnostics;
-  if (o.update_references && !o.shared.set.empty())
+  if (o.update_references && !o.set.empty())
     throw program::UsageError{
         "--update-references keeps answers of the cases as they are written; --set changes them"};
   program::require_ending("--html", o.html, {".html", ".htm"});
@@ -157,7 +157,7 @@ int run_hard_cases(const SuiteOptions& o) {
   const Suite suite = read_suite(folder, o.seed, diagnostics);
   if (diagnostics.errors()) {
     terminal.say(diagnostics.render(terminal.color()));
-    if (o.shared.json) std::puts(program::errors_json(diagnostics, program::kWrongInput).c_str());
+    if (o.json) std::puts(program::errors_json(diagnostics, program::kWrongInput).c_str());
     return program::kWrongInput;
   }
   const auto columns = find_columns(suite, o, registry, terminal);

@@ -16,7 +16,7 @@ void add_columns(CLI::App& app, SuiteOptions& s) {
   program::as_words(
       app.add_option("--without", s.without, "leave out an attempt of the strategy auto; may be repeated"),
       "PART");
-  program::add_set_option(app, s.shared, "a value of every scene: analysis.newton.damping=0.1");
+  program::add_set_option(app, s.set, "a value of every scene: analysis.newton.damping=0.1");
   program::as_words(app.add_option("--solver", s.solvers, "solver, as run takes it; may be repeated"),
                     program::kMethod);
 }
@@ -47,9 +47,8 @@ void add_options(CLI::App& app, SuiteOptions& s) {
   add_budgets(app, s);
   app.add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
   app.add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
-  app.add_option("--threads", s.shared.threads, "threads of the assembly; else one")
-      ->check(CLI::Range(1, 1024));
-  program::add_plugin_options(app, s.shared);
+  app.add_option("--threads", s.threads, "threads of the assembly; else one")->check(CLI::Range(1, 1024));
+  program::add_plugin_options(app, s);
 }
 
 }  // namespace netloft::hard_cases

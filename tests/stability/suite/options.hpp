@@ -10,9 +10,9 @@
 
 namespace netloft::hard_cases {
 
-/// The command line, taken apart.
-struct SuiteOptions {
-  program::Options shared;  // what commands of Netloft know, too
+struct SuiteOptions : program::PluginOptions {
+  std::vector<std::string> set;  // --set, may be repeated
+  int threads = 1;               // --threads
   std::string suite = "tests/stability";
   std::vector<std::string> solvers;     // --solver, may be repeated; none: those of the suite
   std::vector<std::string> strategies;  // --strategy, may be repeated

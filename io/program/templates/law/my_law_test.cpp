@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What `netloft test` cannot know: that the formula is the one you meant. One value by hand.
+// `netloft test` cannot know whether the formula is the one you meant. One value by hand.
 #include "my_law.cpp"
 
 #include <cstdio>

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <string>
-#include <vector>
+#include "io/program/session/options.hpp"
+
+#include <cstdint>
 
 namespace netloft::program {
 
-/// What `netloft compare` is asked for beyond what other commands know.
-struct CompareOptions {
+struct CompareOptions : SceneOptions {
   std::vector<std::string> methods;      // --solver, --strategy or --integrator, at least once
   std::string accuracy;                  // --accuracy LO:HI, of motions; empty: 1e-3:1e-1
   std::string tolerance = "1e-10:1e-2";  // --tolerance LO:HI
   std::string cells;                     // --cells [PART=]N,N,…
   std::string reference;                 // --reference NAME[:key=value,…]
   int repeats = 3;                       // --repeats
-  std::string csv, plot;                 // --csv FILE, --plot FILE.svg|.html
+  std::string csv, plot;                 // --csv FILE, -o FILE.svg|.html
 };
+
+struct RefineOptions : MethodOptions {
+  std::vector<std::int64_t> nodes;  // --nodes N,N,…
+  std::string cells;                // --cells [PART=]N,N,…
+};
+
+int compare_command(const CompareOptions& options);  // speed against error of methods
+int refine_command(const RefineOptions& options);    // what a scene reports on finer and finer meshes
 
 }  // namespace netloft::program

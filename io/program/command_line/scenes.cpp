@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Commands that solve one scene, or say what it needs.
+#include "io/program/commands/scenes.hpp"
+
+#include "io/program/command_line/chosen.hpp"
+#include "io/program/command_line/shared.hpp"
+
+namespace netloft::program {
+
+namespace {
+
+void add_run_command(CLI::App& app, Chosen& chosen) {
+  auto [run, o] =
+      add_command(app, chosen, "run", "find the equilibrium or the motion of a scene and write it to a file",
+                  run_command);
+  add_method_options(run, o);
+  o.words = chosen.words;
+  as_word(
+      run.add_option("-o,--output", o.output, "result file; else the scene's name with .hdf, in this folder"),
+      "FILE.hdf");
+  run.add_flag("--resume", o.resume,
+               "go on with a motion from the .part that a killed or interrupted run left");
+  run.add_flag("--overwrite", o.overwrite, "replace the .part that such a run left, and all its outputs")
+      ->excludes("--resume");
+  as_word(run.add_option("--start-from", o.start_from, "begin the search where another result has the gear"),
+          "RESULT.hdf")
+      ->excludes("--resume");
+  run.add_flag("--stages", o.stages,
+               "keep the start and the shape after every stage of the solve, for the slider of view");
+  run.add_flag("--error", o.error,
+               "print the errors of the results: of the solver and, over other meshes, of the mesh");
+}
+
+}  // namespace
+
+void add_scene_commands(CLI::App& app, Chosen& chosen) {
+  add_run_command(app, chosen);
+  auto [plan, o] =
+      add_command(app, chosen, "plan", "say what a scene needs, and why not the rest", plan_command);
+  add_method_options(plan, o);
+}
+
+}  // namespace netloft::program

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/program/session/options.hpp"
+
+#include <cstddef>
+
+namespace netloft::program {
+
+struct CatalogueOptions : CommonOptions {
+  std::string name;  // a part or a kind of parts; empty: all
+};
+
+struct CheckOptions : CommonOptions {
+  std::string plan;              // GEAR, a net plan
+  std::vector<std::string> set;  // --set path=value
+};
+
+struct DrawOptions : CommonOptions {
+  std::string file;    // GEAR
+  std::string output;  // -o
+  // of a net plan
+  std::vector<std::string> set;  // --set path=value
+  bool mesh = false;             // --mesh
+  std::size_t nodes = 2000;      // --nodes
+  // of a result
+  std::string view = "oblique";  // --view
+  std::string field;             // --field
+  int state = -1;                // --state; -1: the newest
+  std::size_t width = 1000;      // --width
+  std::string fit = "netting";   // --fit
+  bool dark = false;             // --dark
+  bool log = false;              // --log
+  bool elements = false;         // --elements
+  bool dimensions = false;       // --dimensions
+};
+
+struct ImportOptions : CommonOptions {
+  std::string format;   // FORMAT
+  std::string gear;     // GEAR
+  std::string output;   // -o
+  std::string mesh;     // --mesh
+  std::string folder;   // --check
+  bool divide = false;  // --divide
+  bool motion = false;  // --motion
+};
+
+/// The kinds of files that `draw` takes.
+enum class Drawable { net_plan, result, polars };
+Drawable kind_of_drawable(const std::string& file);
+
+int catalogue_command(const CatalogueOptions& options);  // parts of the catalogue
+int check_command(const CheckOptions& options);          // whether a net plan can be sewn
+int draw_command(const DrawOptions& options);            // a net plan, a result or polars as a picture
+int draw_result_command(const DrawOptions& options);     // draw_command for a result
+int import_command(const ImportOptions& options);        // a gear of another program as a scene
+
+}  // namespace netloft::program

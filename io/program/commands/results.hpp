@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/program/session/options.hpp"
+
+#include <cstddef>
+
+namespace netloft::program {
+
+struct ReportOptions : CommonOptions {
+  std::string result;              // RESULT.hdf
+  bool html = false, csv = false;  // --html, --csv
+  std::string output;              // -o
+};
+
+struct ExportOptions : CommonOptions {
+  std::string result;           // RESULT.hdf
+  std::string output;           // FILE
+  std::string table = "nodes";  // --table
+  std::string field;            // --field
+  int state = -1;               // --state; -1: the newest
+};
+
+struct ViewOptions : CommonOptions {
+  std::vector<std::string> results;  // RESULT.hdf
+  std::string output;                // -o
+  std::size_t states = 100;          // --states
+};
+
+struct DiffOptions : CommonOptions {
+  std::string before, after;  // RESULT.hdf
+};
+
+int report_command(const ReportOptions& options);  // the report of a result again
+int export_command(const ExportOptions& options);  // a result for other programs
+int view_command(const ViewOptions& options);      // results as a page
+int diff_command(const DiffOptions& options);      // what changed between two results
+
+}  // namespace netloft::program

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/commands/run_kinds.hpp"
+#include "io/program/commands/run_output.hpp"
+#include "io/program/session/watchdog.hpp"
+#include "io/results/file/write_result.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/studies/compare/mesh_error.hpp"
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace netloft::program {
+
+namespace {
+
+constexpr std::size_t kMostStages = 60;  // a page with as many states of 2 000 nodes has some 6 MB
+
+int exit_code(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::converged:
+      return kDone;
+    case SolveStatus::interrupted:
+      return kInterrupted;
+    default:
+      return kNotConverged;
+  }
+}
+
+void refuse_what_cannot_be(const RunOptions& options, runs::PreparedScene& scene) {
+  if (options.resume)
+    throw UsageError{"--resume goes on with motions; an equilibrium is found from its start"};
+  if (const auto why_not = runs::why_unfit(scene)) throw UsageError{*why_not};
+}
+
+/// The meshes from which --error finds the errors of results.
+std::vector<studies::MeshLevel> levels_for_errors(const RunOptions& options,
+                                                  const scenes::LoadedScene& loaded) {
+  if (!options.error) return {};
+  try {
+    return studies::levels_around(loaded);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{std::string("--error: ") + e.what()};
+  }
+}
+
+/// Keeps the start and the shape at the end of each of the first kMostStages stages.
+void keep_stages(const Assembler& assembler, std::vector<results::StageShape>& stages, runs::Watch& watch) {
+  const auto start = assembler.start();
+  stages.push_back({"start", {start.begin(), start.end()}});
+  watch.on_stage = [&stages, &assembler](const StageRecord& stage, std::span<const double> u) {
+    if (stages.size() >= kMostStages) return;
+    std::vector<double> x(assembler.start().begin(), assembler.start().end());
+    assembler.place(u, x);
+    stages.push_back(
+        {(stage.name.empty() ? stage.solver : stage.name) + ": " + name_of(stage.status), std::move(x)});
+  };
+}
+
+/// One run, with what it has found so far in case a plugin does not come back.
+class EquilibriumRun {
+ public:
+  EquilibriumRun(const RunOptions& options, Session& session, results::RunContext& context)
+      : options_(options),
+        scene_(session.scene()),
+        terminal_(session.terminal()),
+        context_(context),
+        levels_(levels_for_errors(options, scene_.loaded())),
+        file_(output_file(options, scene_.loaded())) {
+    result_.reading_seconds = scene_.seconds().reading;
+    result_.setup_seconds = scene_.seconds().setup;
+  }
+
+  int run(const std::optional<std::vector<double>>& start) {
+    Watchdog watchdog([&](const Overdue& overdue) { return end_early(overdue); });
+    const auto on_budget = [&](double seconds) { watchdog.allow(seconds); };
+    solve(start, on_budget);
+    results::collect(scene_.loaded(), scene_.assembler(), result_);
+    if (options_.error)
+      studies::find_mesh_errors(source_of(options_), scene_.registry(), scene_, levels_,
+                                {.interrupt = &interrupt_flag(), .on_budget = on_budget}, result_);
+    context_.plugins = scene_.registry().opened();
+    finish(scene_.assembler());
+    return options_.error && interrupt_flag() ? kInterrupted : exit_code(result_.solution.status);
+  }
+
+ private:
+  void solve(const std::optional<std::vector<double>>& start, const std::function<void(double)>& on_budget) {
+    const double tolerance = scene_.loaded().analysis.limits.tolerance;
+    runs::Watch watch{.interrupt = &interrupt_flag(),
+                      .on_iteration = [&](const IterationRecord& r) { terminal_.progress(r, tolerance); },
+                      .kept = &kept_,
+                      .on_budget = on_budget};
+    if (options_.stages) keep_stages(scene_.assembler(), result_.stages, watch);
+    result_.solution =
+        start ? runs::find_equilibrium_near(scene_, *start, watch) : runs::find_equilibrium(scene_, watch);
+  }
+
+  /// Writes the result and prints it.
+  void finish(Assembler& assembler) {
+    result_.output_file = name_by_outcome(*file_, result_.solution, terminal_);
+    results::write_result(*file_, scene_.loaded(), assembler, result_, context_);
+    terminal_.clear();
+    std::puts(options_.json ? results::run_json(scene_.loaded(), scene_.plan(), result_).c_str()
+                            : results::run_text(scene_.loaded(), scene_.plan(), result_).c_str());
+  }
+
+  /// Writes the best point that was accepted before a plugin did not come back, by an assembler of its own,
+  /// because that of the scene stays busy.
+  int end_early(const Overdue& overdue) {
+    const int code = overdue.interrupted ? kInterrupted : kNotConverged;
+    terminal_.say("netloft: " + overdue.sentence + "; the run ends here");
+    if (kept_.u.empty()) {
+      terminal_.say("netloft: nothing was found before, and no result is written");
+      (*file_).discard();
+      return code;
+    }
+    Assembler assembler(scene_.loaded().scene, scene_.plan(), 1);
+    Solution& s = result_.solution = runs::assess_point(scene_, kept_.u, assembler);
+    s.status = overdue.interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
+    s.reason = overdue.sentence + "; this is the last that was found before";
+    results::collect(scene_.loaded(), assembler, result_);
+    finish(assembler);
+    return code;
+  }
+
+  const RunOptions& options_;
+  runs::PreparedScene& scene_;
+  Terminal& terminal_;
+  results::RunContext& context_;
+  std::vector<studies::MeshLevel> levels_;
+  OutputFile file_;
+  results::RunResult result_;
+  KeptPoint kept_;
+};
+
+}  // namespace
+
+int run_equilibrium(const RunOptions& options, Session& session, results::RunContext& context) {
+  runs::PreparedScene& scene = session.scene();
+  refuse_what_cannot_be(options, scene);
+  std::optional<std::vector<double>> start;
+  if (!options.start_from.empty()) start = read_start(options.start_from, "--start-from", scene);
+  protect_outputs(options, output_file(options, scene.loaded()) + ".part");
+  return EquilibriumRun(options, session, context).run(start);
+}
+
+}  // namespace netloft::program

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/program/commands/scenes.hpp"
+#include "io/program/session/session.hpp"
+#include "io/results/file/write_result.hpp"
+
+namespace netloft::program {
+
+/// The two kinds of runs. Each solves a scene that is ready, writes the result and prints it. They throw
+/// UsageError for options of the other kind, and return the exit code.
+int run_equilibrium(const RunOptions& options, Session& session, results::RunContext& context);
+int run_motion(const RunOptions& options, Session& session, results::RunContext& context);
+
+/// Displacements that bring the gear to where the result in `file` has it. `key` names the option in errors.
+std::vector<double> read_start(const std::string& file, const char* key, runs::PreparedScene& scene);
+
+}  // namespace netloft::program

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/commands/run_output.hpp"
+
+#include "io/formats/hdf5/fold.hpp"
+#include "io/formats/hdf5/journal.hpp"
+#include "io/formats/hdf5/read.hpp"
+#include "io/results/file/write_result.hpp"
+
+#include <filesystem>
+
+namespace netloft::program {
+
+namespace {
+
+/// Whether nothing in a .part is worth keeping: a file of an equilibrium, which is written only once it is
+/// found. Motions of earlier versions are HDF5 files too, with a checkpoint.
+bool is_worthless_hdf5(const std::string& part) {
+  formats::silence_hdf5();
+  if (H5Fis_hdf5(part.c_str()) <= 0) return false;
+  try {
+    return !formats::Reader(part).has("/netloft/checkpoint");
+  } catch (const formats::FileError&) {
+    return true;
+  }
+}
+
+}  // namespace
+
+std::string output_file(const RunOptions& options, const scenes::LoadedScene& loaded) {
+  const std::string name = options.output.empty() ? loaded.scene.name + ".hdf" : options.output;
+  std::error_code missing;
+  for (const auto& file : loaded.files)
+    if (std::filesystem::equivalent(name, file.path, missing))
+      throw UsageError{"the result cannot be written to " + name +
+                       ": the scene is read from it; name another file with -o"};
+  return name;
+}
+
+void protect_outputs(const RunOptions& options, const std::string& part) {
+  std::error_code none;
+  if (options.resume || options.overwrite || !std::filesystem::is_regular_file(part, none) ||
+      std::filesystem::file_size(part, none) == 0)
+    return;
+  formats::require_no_writer(part);
+  const std::string cure = "; --overwrite replaces it, -o writes elsewhere";
+  try {
+    if (is_worthless_hdf5(part)) return;
+    if (const auto left = formats::SeriesJournal::read(part); left.size() > 0)
+      throw UsageError{part + " holds " + std::to_string(left.size()) +
+                       " outputs of a run that did not end; --resume goes on from them" + cure};
+  } catch (const formats::FileError& e) {
+    throw UsageError{std::string(e.what()) + ". A run that did not end left it" + cure};
+  }
+}
+
+std::string name_by_outcome(const formats::ResultFile& file, const Solution& solution, Terminal& terminal) {
+  const auto wanted = file.final_path();
+  const auto name = results::name_beside_better(wanted, name_of(solution.status));
+  if (name != wanted)
+    terminal.say("netloft: " + wanted.string() + " holds a better result and stays; this one is " +
+                 name_of(solution.status) + " and goes to " + name.string());
+  return name.string();
+}
+
+}  // namespace netloft::program

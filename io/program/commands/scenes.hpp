@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/program/session/options.hpp"
+
+namespace netloft::program {
+
+struct RunOptions : MethodOptions {
+  std::string output;              // -o
+  bool resume = false;             // --resume
+  bool overwrite = false;          // --overwrite
+  std::string start_from;          // --start-from RESULT.hdf
+  bool stages = false;             // --stages
+  bool error = false;              // --error
+  std::vector<std::string> words;  // the command line, for the result file
+};
+
+int run_command(const RunOptions& options);      // solve a scene
+int plan_command(const MethodOptions& options);  // what a scene needs
+
+}  // namespace netloft::program

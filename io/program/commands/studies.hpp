@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/program/session/options.hpp"
+
+namespace netloft::program {
+
+struct ScopeOptions : MethodOptions {
+  std::string depth;            // --depth LO:HI[:N]
+  std::string warp = "2:5:13";  // --warp, likewise, over the depth
+  std::string heel = "-5:5";    // --heel LO:HI
+  std::string spread;           // --spread LO:HI; empty: any
+  std::string output;           // -o
+};
+
+struct CalibrateOptions : PluginOptions {
+  std::string file;  // CALIBRATION
+};
+
+struct StudyPlanOptions : PluginOptions {
+  std::string file;    // STUDY
+  std::string output;  // -o
+};
+
+/// `missing` and `collect`.
+struct StudyOptions : CommonOptions {
+  std::string folder;  // FOLDER
+};
+
+struct StudyRunOptions : PluginOptions {
+  std::string folder;  // FOLDER
+  std::string items;   // --items 1-10,15
+  int jobs = 0;        // --jobs; 0: as many as the machine has
+  int threads = 0;     // --threads; 0: one
+};
+
+struct StudySubmitOptions : PluginOptions {
+  std::string folder;  // FOLDER
+  std::string engine;  // --engine parallel, slurm
+  int jobs = 0;        // --jobs; 0: as many as the machine has
+  int chunk = 0;       // --chunk; 0: as many items as take a minute
+};
+
+struct StudyShowOptions : StudyOptions {
+  std::vector<std::string> figures, at;  // --figure, --at NAME=VALUE
+  std::string over, by;                  // --over, --by
+  std::string output;                    // -o
+};
+
+struct StudyEstimateOptions : StudyOptions {
+  std::vector<std::string> figures, at;  // --figure, --at NAME=VALUE
+};
+
+struct StudySobolOptions : StudyEstimateOptions {
+  std::string output;  // -o
+};
+
+int scope_command(const ScopeOptions& options);          // lengths of warp for depths
+int calibrate_command(const CalibrateOptions& options);  // parameters of scenes out of measurements
+
+// many solves of one scene, varied
+int study_plan_command(const StudyPlanOptions& options);
+int study_run_command(const StudyRunOptions& options);
+int study_missing_command(const StudyOptions& options);
+int study_submit_command(const StudySubmitOptions& options);
+int study_collect_command(const StudyOptions& options);
+int study_show_command(const StudyShowOptions& options);
+int study_estimate_command(const StudyEstimateOptions& options);
+int study_sobol_command(const StudySobolOptions& options);
+
+}  // namespace netloft::program

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/files/whole_file.hpp"
+#include "io/program/commands/study_shared.hpp"
+#include "io/program/session/session.hpp"
+#include "io/studies/sweep/estimate.hpp"
+#include "io/studies/sweep/figure_indices.hpp"
+#include "io/studies/sweep/study_plots.hpp"
+#include "io/studies/sweep/study_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+
+namespace netloft::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+studies::PlotRequest read_request(const StudyShowOptions& o) {
+  studies::PlotRequest request{o.figures, o.over, o.by, {}};
+  for (const std::string& word : o.at) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw UsageError{"--at " + word + ": write it as --at NAME=VALUE, such as --at depth=\"80 m\""};
+    request.at[word.substr(0, equals)] = word.substr(equals + 1);
+  }
+  return request;
+}
+
+/// More groups of bars do not fit on a printed page.
+constexpr std::size_t kMostBarGroups = 12;
+
+void write_bars(const StudySobolOptions& o, const studies::StudyIndices& found) {
+  const formats::BarChart bars = studies::indices_bars(found);
+  if (bars.groups.empty()) throw UsageError{"-o " + o.output + ": there is nothing to draw"};
+  if (bars.groups.size() > kMostBarGroups)
+    throw UsageError{
+        fmt::format("-o {}: {} figures do not fit on one picture, {} do; name them with --figure", o.output,
+                    bars.groups.size(), kMostBarGroups)};
+  formats::write_whole(o.output, formats::draw_svg(bars));
+}
+
+}  // namespace
+
+int study_show_command(const StudyShowOptions& o) {
+  const fs::path folder = o.folder;
+  const studies::Study study = read_study(folder);
+  const fs::path page = o.output.empty() ? folder / (study.name + ".html") : fs::path(o.output);
+  const std::string ending = page.extension().string();
+  if (ending != ".html" && ending != ".svg")
+    throw UsageError{"-o " + page.string() + ": plots are drawn as .svg or .html"};
+  std::vector<formats::LinePlot> plots;
+  try {
+    plots = studies::plots_of(studies::collect_table(study, folder), read_request(o));
+  } catch (const studies::StudyError& e) {
+    throw UsageError{e.what()};
+  }
+  if (ending == ".svg" && plots.size() > 1)
+    throw UsageError{fmt::format(
+        "-o {}: a picture has one plot, and {} figures vary; name one with --figure, or write .html",
+        page.string(), plots.size())};
+  formats::write_whole(page, ending == ".svg" ? formats::draw_svg(plots.front())
+                                              : formats::draw_html("Study " + study.name, plots));
+  print_answer(o, {{"output", page.string()}, {"plots", plots.size()}},
+               fmt::format("{} written to {}", count_of(plots.size(), "plot"), page.string()));
+  return kDone;
+}
+
+int study_estimate_command(const StudyEstimateOptions& o) {
+  Terminal terminal(o);
+  const studies::Study study = read_study(o.folder);
+  formats::Diagnostics diagnostics;
+  std::optional<studies::StudyEstimate> found;
+  try {
+    found = studies::estimate(studies::collect_table(study, o.folder), {o.at, o.figures}, diagnostics);
+  } catch (const studies::StudyError& e) {
+    throw UsageError{e.what()};
+  }
+  if (!found) return report_unready(diagnostics, runs::PreparedScene::State::wrong_input, terminal);
+  if (const std::string changed = what_changed(study, o.folder); !changed.empty())
+    terminal.say("netloft: " + changed + "; estimates are of what was planned");
+  std::puts((o.json ? studies::estimate_json(study.name, *found) : studies::estimate_text(study.name, *found))
+                .c_str());
+  return kDone;
+}
+
+int study_sobol_command(const StudySobolOptions& o) {
+  Terminal terminal(o);
+  const studies::Study study = read_study(o.folder);
+  if (!o.output.empty() && fs::path(o.output).extension() != ".svg")
+    throw UsageError{"-o " + o.output + ": bars are drawn as .svg"};
+  formats::Diagnostics diagnostics;
+  std::optional<studies::StudyIndices> found;
+  try {
+    found = studies::study_indices(studies::collect_table(study, o.folder), {o.at, o.figures}, diagnostics);
+  } catch (const studies::StudyError& e) {
+    throw UsageError{e.what()};
+  }
+  if (!found) return report_unready(diagnostics, runs::PreparedScene::State::wrong_input, terminal);
+  if (!o.output.empty()) write_bars(o, *found);
+  if (const std::string changed = what_changed(study, o.folder); !changed.empty())
+    terminal.say("netloft: " + changed + "; indices are of what was planned");
+  std::puts((o.json ? studies::indices_json(study.name, *found) : studies::indices_text(study.name, *found))
+                .c_str());
+  return kDone;
+}
+
+}  // namespace netloft::program
