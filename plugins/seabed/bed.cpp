@@ -1,7 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/seabed/bed.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace netloft::seabed {
+
+namespace {
+
+using Slope = Dual<3, 1>;
+
+constexpr std::size_t at(std::size_t row, std::size_t lane) { return row * kLanes + lane; }
+
+Vec3<double> read(const double* field, std::size_t lane) {
+  return {field[at(0, lane)], field[at(1, lane)], field[at(2, lane)]};
+}
+
+Bed bed_under(const netloft_tile& t, std::size_t lane) {
+  if (!t.bed) return {};
+  const auto b = [&](std::size_t k) { return t.bed[at(k, lane)]; };
+  return {true, t.x[at(0, lane)], t.x[at(1, lane)], b(0), b(1), b(2), b(3), b(4), b(5)};
+}
+
+/// The motion of one node; derivatives are with respect to its unknowns, by the factors of the tangent.
+MovingNodes<Slope, 1> motion_of(const netloft_tile& t, std::size_t lane) {
+  MovingNodes<Slope, 1> m;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Slope &x = m.x[0][static_cast<int>(axis)], &v = m.v[0][static_cast<int>(axis)];
+    x = Slope(t.x[at(axis, lane)]);
+    v = Slope(t.v ? t.v[at(axis, lane)] : 0);
+    x.gradient[axis] = t.cu;
+    v.gradient[axis] = t.cv;
+  }
+  m.bed[0] = bed_under(t, lane);
+  if (t.ground) m.ground = {t.ground[0], t.ground[1], t.ground[2]};
+  return m;
+}
+
+void add(const Vec3<Slope>& residual, std::size_t lane, netloft_tile& t) {
+  for (std::size_t r = 0; r < 3; ++r) {
+    const Slope& entry = residual[static_cast<int>(r)];
+    if (t.force) t.force[at(r, lane)] += entry.value;
+    for (std::size_t c = 0; c < 3 && t.tangent; ++c) t.tangent[at(3 * r + c, lane)] += entry.gradient[c];
+  }
+}
+
+void remember(const Vec3<double>& anchor, bool has_past, std::size_t lane, netloft_tile& t) {
+  if (!t.state_new) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) t.state_new[at(axis, lane)] = anchor[static_cast<int>(axis)];
+  t.state_new[at(3, lane)] = has_past ? 1 : 0;
+}
+
+/// plane.hpp (4) to (7).
+void hold(const OnBed::Parameters& p, const OnBed::Data& d, const OnBed::Whole& whole, std::size_t lane,
+          netloft_tile& t) {
+  const Vec3<double> x = read(t.x, lane);
+  const bool has_past = t.state && t.state[at(3, lane)] != 0;
+  const Vec3<double> anchor = has_past ? read(t.state, lane) : x;
+  const auto grip = OnBed::grip(p, d, whole, motion_of(t, lane), anchor);
+  const double way = norm(Vec3<double>{grip.d.x.value, grip.d.y.value, grip.d.z.value});
+  const double rounding = Plane::kRounding * std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  const double spring = grip.spring.value, limit = grip.limit.value;
+  if (!has_past || !(limit > 0)) return remember(x, true, lane, t);
+  if (spring * (way - rounding) <= limit) {
+    add(grip.spring * grip.d, lane, t);
+    return remember(anchor, true, lane, t);
+  }
+  const Vec3<Slope> residual = (grip.limit / norm(grip.d)) * grip.d;
+  add(residual, lane, t);
+  const double back = 1 / spring;
+  remember(x - back * Vec3<double>{residual.x.value, residual.y.value, residual.z.value}, true, lane, t);
+}
+
+}  // namespace
 
 void OnBed::gather(const Parameters& p, const Data&, Whole& whole) {
   if (whole.stiffness.empty() && p.bottom.rows) {
@@ -28,6 +99,21 @@ Status OnBed::Contact::evaluate(const Parameters& p, const Data& d, const Whole&
       out.tangent[r][c] = s.cu * K *
                           (m.value * (depth.f2 * up[r] * up[c] + depth.f1 * bent[r][c]) -
                            depth.f1 * (up[r] * grows[c] + grows[r] * up[c]) + depth.f * curved[r][c]);
+  }
+  return Status::ok;
+}
+
+Status OnBed::Friction::tile(const Family<OnBed>& family, netloft_tile& t) {
+  for (std::size_t lane = 0; lane < t.count; ++lane) {
+    const std::size_t element = t.first + lane;
+    const Parameters& p = family.parameters(element);
+    const Data& d = family.data(element);
+    if (!t.ground) {
+      hold(p, d, family.whole(element), lane, t);
+      continue;
+    }
+    add(-force(p, d, family.whole(element), motion_of(t, lane))[0], lane, t);
+    remember(read(t.x, lane), false, lane, t);
   }
   return Status::ok;
 }

@@ -9,22 +9,23 @@
 namespace netloft::seabed {
 
 /// The bed of the scene, of any shape, under a node with L metres of rope or twine and the radius r: contact,
-/// and friction of a bed over which a gear is towed.
+/// and friction.
 ///   g = z − z_b(x, y) − r,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured vertically            (1)
 ///   E = k m L f(−g),  r = k L (f ∇m − m f' ∇g)                f of plane.hpp (2)
 ///   K = k L (m (f'' ∇g ∇gᵀ + f' ∇∇z_b) − f' (∇g ∇mᵀ + ∇m ∇gᵀ) + f ∇∇m)                              (2)
 ///   N = k m L f' ‖∇g‖,  n = ∇g/‖∇g‖                            normal force                         (3)
-///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               h of plane.hpp (9)                   (4)
+///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               on a bed that passes, h of plane.hpp (9) (4)
 ///   r = η/(2π f₀) k m L s(−g/ε) (∇g·v) ∇g,  s(y) = y² (3 − 2y), 0 below 0, 1 beyond 1            (5)
 /// (5) is the energy loss of the bed in compression, with the loss factor η at the frequency f₀, as for
 /// Kelvin and Voigt's solid, but limited by the force (2), because a bed does not pull. m and q are local
-/// factors on stiffness and friction at (x, y), 1 by default. v_b is the velocity of the ground; ground at
-/// rest has no friction here, and `seabed/plane` has friction that sticks. r is the radius of bobbins or
-/// discs that lift a footrope off the bed.
+/// factors on stiffness and friction at (x, y), 1 by default. v_b is the velocity of the ground. Friction of
+/// ground at rest sticks up to q μ N and then slides: it is that of plane.hpp (4) to (7), with n and N of (3)
+/// and the shear stiffness m κ. r is the radius of bobbins or discs that lift a footrope off the bed.
 struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
     double stiffness = 0, softness = 0, friction = 0, radius = 0;
+    double shear_stiffness = 0;                  // κ
     double loss_factor = 0, loss_frequency = 1;  // η, f₀ [Hz]
     netloft_table bottom{};                      // x, y, m, q
   };
@@ -41,10 +42,10 @@ struct OnBed {
   }
   static void check(const Parameters&, const Data& d) { Plane::check({}, d); }
 
+  /// L of (2): a node that carries nothing counts as one metre per piece [m].
+  static double metres_of(const Data& d) { return d.length > 0 ? d.length : d.pieces; }
   /// k L of (2).
-  static double stiffness_of(const Parameters& p, const Data& d) {
-    return p.stiffness * (d.length > 0 ? d.length : d.pieces);
-  }
+  static double stiffness_of(const Parameters& p, const Data& d) { return p.stiffness * metres_of(d); }
   /// N of (3), if there is a bed.
   static double normal_force(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s) {
     const Bed& b = s.bed[0];
@@ -58,10 +59,22 @@ struct OnBed {
                            Local<1>& out);
   };
   struct Friction {
+    static Status tile(const Family<OnBed>& family, netloft_tile& t);
+    /// On a bed that passes.
     template <class T>
     static Points<T, 1> force(const Parameters& p, const Data& d, const Whole& whole,
                               const MovingNodes<T, 1>& m);
   };
+
+  /// What friction on a bed at rest is made of: d of plane.hpp (4), the shear spring m κ L, the limit q μ N.
+  template <class T>
+  struct Grip {
+    Vec3<T> d{};
+    T spring{}, limit{};
+  };
+  template <class T>
+  static Grip<T> grip(const Parameters& p, const Data& d, const Whole& whole, const MovingNodes<T, 1>& m,
+                      const Vec3<double>& anchor);
 
   struct Loss {
     template <class T>
@@ -106,6 +119,20 @@ Points<T, 1> OnBed::Friction::force(const Parameters& p, const Data& d, const Wh
   const T share = speed >= T(c) ? 1.0 / speed : (2.0 - speed / T(c)) / T(c);
   const T bottom = factor(whole.stiffness, m.x[0]) * factor(whole.friction, m.x[0]);
   return {(-p.friction * stiffness_of(p, d)) * bottom * pressed * norm(up) * share * w};  // (4)
+}
+
+template <class T>
+OnBed::Grip<T> OnBed::grip(const Parameters& p, const Data& d, const Whole& whole, const MovingNodes<T, 1>& m,
+                           const Vec3<double>& anchor) {
+  if (!m.bed[0].is_there) return {};
+  const T depth = depth_of(p, m);
+  if (!(depth > T(0))) return {};
+  const Vec3<T> up = gap_slope(m), n = (1.0 / norm(up)) * up;
+  const Vec3<T> off = m.x[0] - Vec3<T>{T(anchor.x), T(anchor.y), T(anchor.z)};
+  const T bottom = factor(whole.stiffness, m.x[0]);
+  return {off - dot(off, n) * n, p.shear_stiffness * metres_of(d) * bottom,
+          p.friction * stiffness_of(p, d) * bottom * factor(whole.friction, m.x[0]) * pressed_by(p, depth) *
+              norm(up)};
 }
 
 template <class T>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace netloft::seabed {
 
@@ -82,9 +81,6 @@ Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
 
 namespace {
 
-// Relative rounding error of positions after the few sums of (1) to (4).
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-
 /// The friction of one node on the bed: (4)–(7). After sliding, (7) leaves a node at the limit of (5), up to
 /// rounding; it counts as sticking, so that the nodes of a line at rest do not differ by rounding.
 struct Hold {
@@ -108,7 +104,7 @@ Hold hold_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
   for (int axis = 0; axis < 3; ++axis) {
     w[axis] -= along * b.n[axis];  // (4)
     square += w[axis] * w[axis];
-    b.rounding = std::max(b.rounding, kRounding * std::abs(t.x[at(axis, i)]));
+    b.rounding = std::max(b.rounding, Plane::kRounding * std::abs(t.x[at(axis, i)]));
   }
   const Plane::Depth depth = press_node(p, t, i);
   b.limit = p.friction[i] * p.K[i] * depth.f1;

@@ -2,6 +2,8 @@
 #pragma once
 #include <netloft/element.hpp>
 
+#include <limits>
+
 namespace netloft::seabed {
 
 /// A plane seabed under a node that carries L metres of rope or twine: contact pushes the node out of the
@@ -57,6 +59,8 @@ struct Plane {
   /// c/g of (9): the relative velocity at which friction reaches its limit, a hundredth of that of the
   /// ground.
   static constexpr double kCreep = 0.01;
+  /// Relative rounding error of positions after the few sums of (1) to (4).
+  static constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
   static double normal_force(const Parameters& p, const Data& d, const State<1>& s);
 
   static void check(const Parameters&, const Data& d);

@@ -15,8 +15,11 @@ void add_bed(netloft::Plugin& plugin) {
          {.lo = 0, .hi = 1e12, .fallback = 1e5});
   e.real("seabed.softness", &P::softness, "m", "depth over which the bed reaches that stiffness",
          {.lo = 1e-6, .hi = 10, .fallback = 0.02});
-  e.real("seabed.friction", &P::friction, "1", "friction force over normal force, on a moving bed",
+  e.real("seabed.friction", &P::friction, "1", "friction force over normal force",
          {.lo = 0, .hi = 10, .fallback = 0});
+  e.real("seabed.shear_stiffness", &P::shear_stiffness, "N/m2",
+         "force per metre of rope and metre along a bed at rest, until it slides",
+         {.lo = 1e-3, .hi = 1e12, .fallback = 1, .fallback_of = "seabed.stiffness"});
   e.real("seabed.radius", &P::radius, "m",
          "height at which bobbins, discs or the radius of the rope keep it above the bed",
          {.lo = 0, .hi = 10, .fallback = 0});
@@ -33,9 +36,11 @@ void add_bed(netloft::Plugin& plugin) {
          "number of pieces at the node, each counted as a metre if the node carries no length");
   e.term<OnBed::Contact, netloft::conservative | netloft::symmetric | netloft::reads_bed |
                              netloft::from_outside>("contact", "normal force of the bed on the node");
-  e.term<OnBed::Friction,
-         netloft::reads_bed | netloft::reads_ground | netloft::reads_velocity | netloft::from_outside>(
-      "friction", "friction of a moving bed", "seabed.friction");
+  e.remembers(Plane::kRemembers);
+  e.term<OnBed::Friction, netloft::reads_bed | netloft::reads_state | netloft::reads_ground |
+                              netloft::reads_velocity | netloft::from_outside>(
+      "friction", "friction of the bed on the node: elastic up to sliding, or of a moving bed",
+      "seabed.friction");
   e.term<OnBed::Loss,
          netloft::reads_bed | netloft::reads_velocity | netloft::needs_motion | netloft::from_outside>(
       "loss", "energy loss of the bed in compression", "seabed.loss_factor");

@@ -51,12 +51,12 @@ void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagn
   for (std::size_t p = 0; p < draft.types.size(); ++p) {
     const auto friction = friction_on_standing_ground(out.scene, out.scene.parts[p], *draft.types[p]);
     if (friction == StandingFriction::none)
-      diagnostics.warning(
-          out.parts[p].place,
-          out.scene.parts[p].name +
-              ": its friction is that of a ground that passes, and this one stands: "
-              "there is none",
-          "[tow] speed = \"3 kn\" lets it pass; where nothing does, seabed/plane has a friction that sticks");
+      diagnostics.warning(out.parts[p].place,
+                          out.scene.parts[p].name +
+                              ": its friction is that of a ground that passes, and this one stands: "
+                              "there is none",
+                          "[tow] speed = \"3 kn\" lets it pass; where nothing does, seabed/bed and "
+                          "seabed/plane have a friction that sticks");
     else if (friction == StandingFriction::sticks && out.scene.current.flows() && !says_tow)
       diagnostics.warning(
           out.parts[p].place,

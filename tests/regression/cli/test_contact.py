@@ -46,7 +46,75 @@ rope = { weight_in_water = "60 N/m" }
 """
 
 
+SET_NET = """
+[water]
+current = [0.4, 0.1, 0]
+[tow]
+speed = 0
+[parts.net]
+type = "priour/triangle"
+panel = { across = 20, along = 10, bar = "100 mm" }
+cells = [10, 5]
+sketch = [[0, -1.5, -18.5], [0, 1.5, -18.5], [0, 1.5, -20], [0, -1.5, -20]]
+twine = { diameter = "3 mm", EA = "1 kN", density = 1140 }
+[parts.leadline]
+type = "rope/bar"
+length = "3 m"
+cells = 10
+sketch = [[0, -1.5, -20], [0, 1.5, -20]]
+rope = { diameter = "12 mm", EA = "50 kN", density = 6000 }
+[parts.floats]
+type = "float/float"
+on = "net.fore"
+number = 12
+float = { buoyancy = "1 N" }
+[parts.bridle]
+type = "rope/bar"
+length = "3.2 m"
+cells = 8
+sketch = [[0, -1.5, -20], [-1, -4.5, -20]]
+rope = { diameter = "8 mm", EA = "20 kN", density = 1140 }
+[[join]]
+points = ["net.aft", "leadline"]
+[[join]]
+points = ["leadline.start", "bridle.start"]
+[[hold]]
+on = "bridle.end"
+[results]
+pull = { of = "bridle.end", take = "reaction" }
+x = { of = "leadline.end", take = "x" }
+y = { of = "leadline.end", take = "y" }
+top = { of = "net", take = "max z" }
+"""
+ON_PLANE = """
+[parts.bed]
+type = "seabed/plane"
+on = ["leadline", "bridle"]
+seabed = { depth = "20 m", stiffness = "20 kN/m2", softness = "20 mm", friction = 0.5 }
+"""
+ON_BED = """
+[bed]
+depth = "20 m"
+[parts.bed]
+type = "seabed/bed"
+on = ["leadline", "bridle"]
+seabed = { stiffness = "20 kN/m2", softness = "20 mm", friction = 0.5 }
+"""
+
+
 class Contact(InFreshFolder):
+    def test_a_set_net_lies_on_the_bed_of_the_scene_as_on_a_plane(self):
+        values = {}
+        for name, bed in (("plane", ON_PLANE), ("bed", ON_BED), ("smooth", ON_BED.replace("0.5", "0"))):
+            self.write("net.toml", SET_NET + bed)
+            ended = self.netloft("run", "net.toml", "--json", "--overwrite")
+            self.assertEqual(ended.code, 0, ended.err + ended.out)
+            self.assertNotIn("its friction is that of a ground that passes", ended.err + ended.out)
+            values[name] = ended.json()["results"]
+        for name, value in values["plane"].items():
+            self.assertAlmostEqual(values["bed"][name], value, delta=1e-7 * abs(value), msg=name)
+        self.assertGreater(abs(values["smooth"]["y"] - values["bed"]["y"]), 0.5, "friction holds the leadline back")
+
     def figures(self, text):
         self.write("scene.toml", text)
         ended = self.netloft("run", "scene.toml", "--json", "--overwrite")

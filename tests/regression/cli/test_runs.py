@@ -395,7 +395,7 @@ class OtherCommands(InFreshFolder):
         self.write("rests.toml", gear)
         self.assertNotIn("warning", self.netloft("run", "rests.toml").out)
 
-    def test_friction_that_is_none_where_the_ground_stands_gets_a_warning(self):
+    def test_friction_on_ground_at_rest_gets_a_warning_in_water_that_flows(self):
         self.write("scene.toml", """
 [water]
 density = 1025
@@ -414,10 +414,11 @@ seabed = { friction = 0.5 }
 [[hold]]
 on = "rope.start"
 """)
-        for tow in ([], ["--set", "tow.speed=0"]):
-            self.assertIn("ground: its friction is that of a ground that passes, and this one stands: there is none", self.netloft("plan", "scene.toml", *tow).err)
-        self.assertNotIn("friction", self.netloft("plan", "scene.toml", "--set", "tow.speed=1").err)
-        self.assertNotIn("friction", self.netloft("plan", "scene.toml", "--set", "parts.ground.seabed.friction=0").err)
+        flows = ["--set", "water.current=[1, 0, 0]"]
+        said = "ground: its friction is that of a ground that stands, in water that flows"
+        self.assertIn(said, self.netloft("plan", "scene.toml", *flows).err)
+        for none in ([], ["--set", "tow.speed=1"], [*flows, "--set", "tow.speed=0"], [*flows, "--set", "parts.ground.seabed.friction=0"]):
+            self.assertNotIn("friction", self.netloft("plan", "scene.toml", *none).err)
 
     def test_plan_finds_the_errors_that_a_run_finds(self):
         self.write("scene.toml", changed(GOOD, ("[water]", "[watre]")))

@@ -138,6 +138,97 @@ TEST(SeabedBed, HasTheForceAndTheStiffnessOfItsEnergyOnAMixedBottom) {
   }
 }
 
+/// A node on a bed at rest, as the host gives it: the bed below, and what the node remembers.
+struct AtRest {
+  explicit AtRest(const OnBed::Parameters& p, const OnBed::Whole& whole = {}) {
+    family.parameters_ = {p}, family.part_ = {0}, family.data_ = {{2, 0}}, family.wholes_ = {whole};
+    t.size = sizeof t, t.count = 1, t.cu = 0.7, t.want = NETLOFT_WANT_FORCE | NETLOFT_WANT_TANGENT;
+    t.x = x, t.bed = bed, t.force = force, t.tangent = tangent, t.state = state, t.state_new = state_new;
+  }
+  /// `below`: the bed under the origin.
+  void evaluate(const Bed& below, const Vec3<double>& at) {
+    const double rows[6] = {below.below(at),
+                            below.slope_x + below.xx * at.x + below.xy * at.y,
+                            below.slope_y + below.xy * at.x + below.yy * at.y,
+                            below.xx,
+                            below.xy,
+                            below.yy};
+    for (std::size_t k = 0; k < 6; ++k) bed[k * kLanes] = rows[k];
+    for (std::size_t axis = 0; axis < 3; ++axis) x[axis * kLanes] = at[static_cast<int>(axis)];
+    std::fill_n(force, 3 * kLanes, 0.0);
+    std::fill_n(tangent, 9 * kLanes, 0.0);
+    ASSERT_EQ(OnBed::Friction::tile(family, t), Status::ok);
+  }
+  void stick_to(const Vec3<double>& anchor) {
+    for (std::size_t axis = 0; axis < 3; ++axis) state[axis * kLanes] = anchor[static_cast<int>(axis)];
+    state[3 * kLanes] = 1;
+  }
+  Family<OnBed> family;
+  double x[3 * kLanes] = {}, bed[6 * kLanes] = {}, force[3 * kLanes] = {}, tangent[9 * kLanes] = {};
+  double state[4 * kLanes] = {}, state_new[4 * kLanes] = {};
+  netloft_tile t{};
+};
+
+OnBed::Parameters sticky() {
+  OnBed::Parameters p = firm();
+  p.shear_stiffness = 2e4;
+  return p;
+}
+
+TEST(SeabedBed, SticksAndSlidesAsAPlaneWhereItIsLevelAndAtRest) {
+  Plane::Parameters plane;
+  plane.depth = 40, plane.stiffness = 3e4, plane.softness = kSoft, plane.friction = 0.6;
+  plane.shear_stiffness = 2e4;
+  const auto family = make_family<Plane>(plane, {{2, 0}});
+  for (const Vec3<double>& at :
+       {Vec3<double>{0.01, -0.02, -40.1}, {0.5, 0.3, -40.1}, {0.5, 0.3, -40.01}, {0.5, 0.3, -39}}) {
+    AtRest node(sticky());
+    node.stick_to({0, 0, -40});
+    node.evaluate({.is_there = true, .height = -40}, at);
+    const std::vector<double> force(node.force, node.force + 3 * kLanes),
+        tangent(node.tangent, node.tangent + 9 * kLanes), state(node.state_new, node.state_new + 4 * kLanes);
+    std::fill_n(node.force, 3 * kLanes, 0.0);
+    std::fill_n(node.tangent, 9 * kLanes, 0.0);
+    ASSERT_EQ(Plane::Friction::tile(family, node.t), Status::ok);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(force[i * kLanes], node.force[i * kLanes], 1e-9);
+    for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(tangent[i * kLanes], node.tangent[i * kLanes], 1e-7);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(state[i * kLanes], node.state_new[i * kLanes], 1e-12);
+  }
+}
+
+/// Central differences on a hill of a mixed bottom.
+void expect_tangent_of_friction(const Vec3<double>& anchor) {
+  AtRest node(sticky(), mixed());
+  node.stick_to(anchor);
+  const Vec3<double> at{0.3, -0.2, -40.1};
+  node.evaluate(hill(-40), at);
+  const std::vector<double> K(node.tangent, node.tangent + 9 * kLanes);
+  EXPECT_GT(std::abs(K[0]), 1);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double h = 1e-6;
+    double slope[3] = {};
+    for (const double sign : {1.0, -1.0}) {
+      Vec3<double> there = at;
+      there[static_cast<int>(c)] += sign * h;
+      node.evaluate(hill(-40), there);
+      for (std::size_t r = 0; r < 3; ++r) slope[r] += sign * node.force[r * kLanes] / (2 * h);
+    }
+    for (std::size_t r = 0; r < 3; ++r) EXPECT_NEAR(K[(3 * r + c) * kLanes], 0.7 * slope[r], 1e-2) << r << c;
+  }
+}
+
+TEST(SeabedBed, HasTheDerivativeAsTangentWhileItSticks) { expect_tangent_of_friction({0.28, -0.21, -40.1}); }
+TEST(SeabedBed, HasTheDerivativeAsTangentWhileItSlides) { expect_tangent_of_friction({-2, 1, -40.3}); }
+
+TEST(SeabedBed, RemembersNothingWhereItPasses) {
+  AtRest node(sticky());
+  const double ground[3] = {1.5, 0, 0};
+  node.t.ground = ground, node.t.state = nullptr;
+  node.evaluate(hill(-40), {0, 0, -40.1});
+  EXPECT_LT(node.force[0], 0) << "the residual: aft, with the ground";
+  EXPECT_EQ(node.state_new[3 * kLanes], 0);
+}
+
 TEST(SeabedBed, IsNothingWhereTheSceneHasNone) {
   Local<1> out;
   ASSERT_EQ(OnBed::Contact::evaluate(firm(), {2, 0}, {}, node_over({}, -1e4), out), Status::ok);
