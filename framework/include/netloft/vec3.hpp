@@ -20,10 +20,18 @@ struct Vec3 {
   friend Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
 };
 
+/// Whether a type is a Vec3: a product of two must be named, dot or cross.
+template <class S>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<Vec3<T>> = true;
+
 template <class T, class S>
-Vec3<T> operator*(const S& s, const Vec3<T>& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
+requires(!is_vector<S>) Vec3<T>
+operator*(const S& s, const Vec3<T>& a) { return {s * a.x, s * a.y, s * a.z}; }
+template <class T, class S>
+requires(!is_vector<S>) Vec3<T>
+operator*(const Vec3<T>& a, const S& s) { return {a.x * s, a.y * s, a.z * s}; }
 template <class T>
 T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
