@@ -35,10 +35,16 @@ struct TableRope {
   std::vector<Bar> bars;
 };
 
+/// A number that a run prints: a quantity of nodes or of a part.
+struct TableResult {
+  std::string name, of, take;
+};
+
 /// A table of nodes and bars.
 struct BarTable {
   std::vector<TableNode> nodes;
   std::vector<TableRope> ropes;
+  std::vector<TableResult> results = {};
   double density = 1025, gravity = kStandardGravity, depth = 0;  // of the water [kg/m³], [m/s²], [m]
 };
 

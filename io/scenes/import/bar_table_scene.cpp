@@ -27,6 +27,7 @@ class TableScene {
     write_weights();
     write_forces();
     write_holds();
+    write_results();
     return {scene_.text(), std::move(mesh_)};
   }
 
@@ -66,7 +67,7 @@ class TableScene {
     std::vector<std::pair<Key, std::string>> sets;
     std::map<Key, std::size_t> known;
     for (std::uint32_t n = 0; n < table_.nodes.size(); ++n) {
-      const Key key = what(table_.nodes[n]);
+      const Key key = what(n);
       if (key == Key{}) continue;
       const auto [at, is_new] = known.try_emplace(key, mesh_.sets.size());
       if (is_new) {
@@ -78,24 +79,54 @@ class TableScene {
     return sets;
   }
 
-  /// One for all ropes under which it is as stiff.
-  void write_beds() {
-    std::map<double, std::vector<std::string>> on;
-    for (const auto& rope : table_.ropes)
-      if (rope.bed > 0) on[rope.bed].push_back(rope.name);
-    int number = 0;
-    for (const auto& [stiffness, ropes] : on) {
-      scene_.begin_part("bed-" + std::to_string(++number), "seabed/plane");
-      scene_.line("on", quoted_list(ropes));
-      scene_.line(
-          "seabed",
-          InlineTable().add("depth", table_.depth).add("stiffness", stiffness).add("softness", 0).text());
+  /// The bed under a node.
+  struct BedUnder {
+    double least = 0, most = 0;      // stiffness under the ropes that meet there [N/m²]
+    double product = 0, metres = 0;  // sums over halves of bars: of stiffness times length, of length
+    bool is_of_two = false;          // ropes with different beds meet there
+    void add(double stiffness, double length) {
+      is_of_two = is_of_two || (stiffness > 0 && most > 0 && stiffness != most);
+      least = metres > 0 ? std::min(least, stiffness) : stiffness;
+      most = std::max(most, stiffness);
+      product += stiffness * length;
+      metres += length;
     }
+    /// For each metre of rope that the node carries [N/m²].
+    double stiffness() const { return least == most ? most : product / metres; }
+  };
+
+  /// One bed for all ropes under which it is equally stiff. If ropes with different beds meet, their node
+  /// would lie on both, and so beds are under sets of nodes.
+  void write_beds() {
+    std::vector<BedUnder> under(table_.nodes.size());
+    std::map<double, std::vector<std::string>> on;
+    for (const auto& rope : table_.ropes) {
+      if (rope.bed > 0) on[rope.bed].push_back(rope.name);
+      for (const auto& bar : rope.bars)
+        for (const auto node : bar.nodes) under[node].add(rope.bed, bar.length / 2);
+    }
+    if (std::ranges::any_of(under, &BedUnder::is_of_two)) {
+      on.clear();
+      for (const auto& [stiffness, set] :
+           sets_of<double>("on-bed-", [&](std::uint32_t n) { return under[n].stiffness(); }))
+        on[stiffness].push_back("*." + set);
+    }
+    int number = 0;
+    for (const auto& [stiffness, names] : on) write_bed("bed-" + std::to_string(++number), stiffness, names);
+  }
+
+  void write_bed(const std::string& name, double stiffness, const std::vector<std::string>& on) {
+    scene_.begin_part(name, "seabed/plane");
+    scene_.line("on", quoted_list(on));
+    scene_.line(
+        "seabed",
+        InlineTable().add("depth", table_.depth).add("stiffness", stiffness).add("softness", 0).text());
   }
 
   void write_weights() {
     using Weight = std::array<double, 4>;
-    const auto sets = sets_of<Weight>("weight-", [](const TableNode& n) {
+    const auto sets = sets_of<Weight>("weight-", [&](std::uint32_t number) {
+      const TableNode& n = table_.nodes[number];
       return Weight{n.mass, n.buoyancy, n.volume, n.drag_area};
     });
     for (const auto& [weight, set] : sets) {
@@ -114,7 +145,8 @@ class TableScene {
 
   void write_forces() {
     using Force = std::array<double, 3>;
-    for (const auto& [force, set] : sets_of<Force>("force-", [](const TableNode& n) { return n.force; })) {
+    for (const auto& [force, set] :
+         sets_of<Force>("force-", [&](std::uint32_t n) { return table_.nodes[n].force; })) {
       scene_.begin_part(set, "force/constant");
       scene_.line("on", quoted("*." + set));
       scene_.line("each", 1);
@@ -127,8 +159,16 @@ class TableScene {
   }
 
   void write_holds() {
-    for (const auto& [axes, set] : sets_of<std::string>("held-", [](const TableNode& n) { return n.hold; }))
+    for (const auto& [axes, set] :
+         sets_of<std::string>("held-", [&](std::uint32_t n) { return table_.nodes[n].hold; }))
       scene_.hold("*." + set, set, axes);
+  }
+
+  void write_results() {
+    if (table_.results.empty()) return;
+    scene_.add("\n[results]\n");
+    for (const auto& r : table_.results)
+      scene_.line(r.name, InlineTable().add("of", quoted(r.of)).add("take", quoted(r.take)).text());
   }
 
   const BarTable& table_;

@@ -10,6 +10,7 @@
 #include "io/formats/mesh/text_rows.hpp"
 #include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/import/moordyn.hpp"
+#include "io/scenes/import/moordyn_words.hpp"
 
 #include <fmt/format.h>
 
@@ -26,37 +27,7 @@ constexpr int kMostMoordynErrors = 50;
 constexpr double kMostSegments = 1e5, kMostNodes = 1e6;
 constexpr double kSeaWater = 1025, kBedStiffness = 3e6;  // MoorDyn's own defaults
 
-std::string in_capitals(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return out;
-}
-
-enum class Section { none, line_types, rod_types, bodies, rods, points, lines, options, outputs, other };
-
-/// By the words in a title, the longer ones first.
-Section section_named(const std::string& title) {
-  static const std::pair<const char*, Section> known[] = {{"LINE TYPES", Section::line_types},
-                                                          {"LINE DICTIONARY", Section::line_types},
-                                                          {"ROD TYPES", Section::rod_types},
-                                                          {"ROD DICTIONARY", Section::rod_types},
-                                                          {"BODIES", Section::bodies},
-                                                          {"BODY", Section::bodies},
-                                                          {"RODS", Section::rods},
-                                                          {"ROD ", Section::rods},
-                                                          {"POINT", Section::points},
-                                                          {"CONNECTION", Section::points},
-                                                          {"NODE PROP", Section::points},
-                                                          {"LINES", Section::lines},
-                                                          {"LINE LIST", Section::lines},
-                                                          {"LINE PROP", Section::lines},
-                                                          {"OPTIONS", Section::options},
-                                                          {"OUTPUT", Section::outputs}};
-  for (const auto& [words, section] : known)
-    if (title.find(words) != std::string::npos) return section;
-  return Section::other;
-}
+using Section = MoordynSection;
 
 struct LineType {
   double diameter = 0, mass = 0, EA = 0, EI = 0, cd = 0, cd_axial = 0;
@@ -83,6 +54,7 @@ class MooringReader {
       error(rows_.place(), "there are no lines",
             "a file of MoorDyn has the sections LINE TYPES, POINTS and LINES");
     if (errors() == 0) lay_on_bed();
+    if (errors() == 0) add_tensions();
     return std::move(out_);
   }
 
@@ -121,7 +93,8 @@ class MooringReader {
     std::string title;
     for (const auto& word : row) title += " " + in_capitals(word.text);
     section_ = section_named(title + " ");
-    if (section_ == Section::other && section_before_ != Section::none &&
+    const bool has_words = title.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != title.npos;
+    if (section_ == Section::other && has_words && section_before_ != Section::none &&
         title.find("NEED THIS LINE") == title.npos)
       leave_out(row[0].place, "the section" + title.substr(0, 60) + " is not read");
     if (section_ != Section::other) section_before_ = section_;
@@ -144,13 +117,17 @@ class MooringReader {
         return read_line(row);
       case Section::options:
         return read_option(row);
+      case Section::outputs:
+        return read_output(row);
       default:
         return;
     }
   }
 
-  /// Version 1 has the length of a line before its ends; its columns are known by this name alone.
+  /// Version 1 has the length of a line before its ends; its columns are known by this name alone. Its number
+  /// of rows may stand before the names: "2 NTypes".
   void read_names(const Row& row) {
+    if (names_ == 2 && formats::integer_in(row[0].text)) return;
     --names_;
     if (section_ != Section::lines || names_ != 1) return;
     for (std::size_t i = 0; i < row.size(); ++i)
@@ -321,21 +298,81 @@ class MooringReader {
   }
 
   void read_option(const Row& row) {
-    if (row.size() < 2) return;
+    if (row.size() < 2)
+      return leave_out(row[0].place, shown(row[0]) + " is no option, which is a value and then a name");
     const std::string name = in_capitals(row[1].text);
-    const auto is_one_of = [&](std::initializer_list<const char*> names) {
-      return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
-    };
-    if (is_one_of({"G", "GRAVITY"})) out_.table.gravity = number(row[0], "the gravity", 0, 100);
-    if (is_one_of({"RHO", "RHOW", "WTRDNSTY"}))
+    if (name == "G" || name == "GRAVITY")
+      out_.table.gravity = number(row[0], "the gravity", 0, 100);
+    else if (name == "RHO" || name == "RHOW" || name == "WTRDNSTY")
       out_.table.density = number(row[0], "the density of the water", 0, 1e5);
-    if (is_one_of({"KBOT", "KB"})) bed_stiffness_ = number(row[0], "the stiffness of the bed", 0, 1e12);
-    if (name == "SEAFLOORFILE" || (name == "WTRDPTH" && !formats::number_in(row[0].text)))
+    else if (name == "KBOT" || name == "KB")
+      bed_stiffness_ = number(row[0], "the stiffness of the bed", 0, 1e12);
+    else if (name == "SEAFLOORFILE" || (name == "WTRDPTH" && !formats::number_in(row[0].text)))
       leave_out(row[0].place, "a bed that is no plane is not read");
     else if (name == "WTRDPTH")
       depth_ = number(row[0], "the depth of the water", 0, formats::kFarthest);
-    if (is_one_of({"WAVEKIN", "CURRENTS", "WATERKIN"}) && formats::number_in(row[0].text) != 0.0)
-      leave_out(row[0].place, "waves and currents, which stand in other files, are not read");
+    else if (is_option_of_water(name))
+      leave_out_water(row[0]);
+    else
+      leave_out_option(row, name);
+  }
+
+  void leave_out_water(const formats::Word& value) {
+    if (formats::number_in(value.text) != 0.0)
+      leave_out(value.place, "waves and currents, which stand in other files, are not read");
+  }
+
+  void leave_out_option(const Row& row, const std::string& name) {
+    leave_out(row[0].place,
+              fmt::format("the option {} = {}: {}", row[1].text, row[0].text,
+                          meaning_of_option(name).value_or("it is not known here, and may be misspelt")));
+  }
+
+  void read_output(const Row& row) {
+    for (const auto& word : row) {
+      std::string text(word.text);
+      std::erase(text, '"');
+      const std::string name = in_capitals(text);
+      if (name == "END") return;
+      if (const auto tension = end_tension_named(name))
+        wanted_.push_back({word.place, text, *tension});
+      else
+        leave_out(word.place, "the output " + formats::in_quotes(text) +
+                                  ": the scene has tensions at ends of lines alone");
+    }
+  }
+
+  /// The force on the end of a line that is held, and at whose point no other line ends: the net force on the
+  /// node there, as MoorDyn gives it.
+  void add_tensions() {
+    std::map<std::uint32_t, int> lines_at;
+    for (const auto& rope : out_.table.ropes)
+      for (const auto end : {rope.bars.front().nodes[0], rope.bars.back().nodes[1]}) ++lines_at[end];
+    const auto is_known = [&](std::uint32_t end) {
+      return lines_at[end] == 1 && out_.table.nodes[end].hold == "xyz";
+    };
+    for (const auto& rope : out_.table.ropes) {
+      const std::string number = rope.name.substr(rope.name.find('-') + 1);
+      if (is_known(rope.bars.back().nodes[1]))
+        out_.table.results.push_back({"FairTen" + number, rope.name + ".end", "reaction"});
+      if (is_known(rope.bars.front().nodes[0]))
+        out_.table.results.push_back({"AnchTen" + number, rope.name + ".start", "reaction"});
+    }
+    for (const auto& w : wanted_) report_unknown_tension(w);
+  }
+
+  struct Wanted {
+    formats::Place place;
+    std::string text;
+    EndTension tension;
+  };
+  void report_unknown_tension(const Wanted& w) {
+    const std::string name = (w.tension.is_at_start ? "AnchTen" : "FairTen") + w.tension.line;
+    const auto& results = out_.table.results;
+    if (std::ranges::find(results, name, &TableResult::name) != results.end()) return;
+    leave_out(w.place, "the output " + formats::in_quotes(w.text) +
+                           ": the line does not end there at a held point of its own; the result has the "
+                           "tensions of all its bars");
   }
 
   void lay_on_bed() {
@@ -362,6 +399,7 @@ class MooringReader {
   std::map<std::string, Body> bodies_;
   std::map<std::string, std::size_t> point_named_;
   std::vector<std::uint32_t> lower_;  // nodes within lines
+  std::vector<Wanted> wanted_;        // outputs
   std::optional<double> depth_;       // [m]
   double bed_stiffness_ = kBedStiffness;
 };

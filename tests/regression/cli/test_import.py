@@ -74,8 +74,9 @@ class Imports(InFreshFolder):
         return ended
 
     def solved(self, results):
+        has_results = "\n[results]\n" in (self.folder / "scene.toml").read_text()
         with open(self.folder / "scene.toml", "a") as scene:
-            scene.write("\n[results]\n" + results)
+            scene.write(("" if has_results else "\n[results]\n") + results)
         ended = self.netloft("run", "scene.toml", "--json")
         self.assertEqual(ended.code, 0, ended.err + ended.out)
         return ended.json()["results"]
@@ -103,6 +104,21 @@ class Imports(InFreshFolder):
         # the first of 160 bars has the tension of its middle
         self.assertAlmostEqual(figures["top"] / math.hypot(H, V - w * 95 / 320), 1, delta=2e-4)
         self.assertAlmostEqual(figures["low"], -60, delta=1e-3)
+        # FairTen is that of the second end, which has the net force of its node
+        self.assertAlmostEqual(figures["AnchTen1"] / math.hypot(H, V), 1, delta=1e-4)
+        self.assertAlmostEqual(figures["FairTen1"] / math.hypot(H, V - w * 95), 1, delta=1e-4)
+
+    def test_lines_of_two_types_that_meet_on_the_bed_lie_on_it(self):
+        """Where they meet the bed is as stiff as under half a bar of each."""
+        text = changed(MOORING, ("---------------------- POINTS", "rope       0.1     10       1e7    -1         0    1.2  1    0.1    0\n"
+                                 "---------------------- POINTS"),
+                       ("4    Fixed       40   20  -60 ", "4    Fixed       0   20  -60 "), ("3    Fixed       0    20  -5 ", "3    Free        20    20  -60 "),
+                       ("2   wire      3       4       100      100     -", "2   wire      4       3       21       21     -\n3   rope      3       2       90       90     -"))
+        self.write("lines.txt", text)
+        self.imported("moordyn", "lines.txt")
+        figures = self.solved('joint = { of = "line-2.end", take = "z" }\n')
+        self.assertAlmostEqual(figures["joint"], -60, delta=1e-2)
+        self.assertNotIn("FairTen2", figures, "two lines end there")
 
     def test_what_is_wrong_is_said_and_nothing_is_written(self):
         self.write("gear.csv", "node,x,y,z\na,0,0,zero\n")

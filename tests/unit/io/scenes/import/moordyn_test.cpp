@@ -4,6 +4,8 @@
 #include "io/scenes/import/moordyn.hpp"
 #include "tests/unit/io/scenes/import/samples.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -97,7 +99,8 @@ TEST(MoorDyn, IsReadAsPointsAndLines) {
   EXPECT_EQ(table.density, 1000);
   EXPECT_EQ(table.gravity, 9.8);
   for (const auto& n : table.nodes) EXPECT_GE(n.at[2], -100);
-  ASSERT_EQ(read.mooring.findings.size(), 1u);  // point 4 is coupled
+  ASSERT_EQ(read.mooring.findings.size(), 3u);  // and the time step and a tension at a free point
+  EXPECT_NE(read.mooring.findings[0].text.find("point-4 is held"), std::string::npos);
   EXPECT_FALSE(read.mooring.findings[0].is_left_out);
 }
 
@@ -135,14 +138,83 @@ TEST(MoorDyn, SaysWhatItLeavesOut) {
   ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
   int left_out = 0;
   for (const auto& f : read.mooring.findings) left_out += f.is_left_out;
-  EXPECT_EQ(left_out, 3);
+  EXPECT_EQ(left_out, 5);  // with the time step and the tension at a free point
+}
+
+/// What is left out, as "line: text".
+std::vector<std::string> left_out_of(const std::string& text) {
+  const ReadMooring read(text);
+  EXPECT_EQ(read.diagnostics.errors(), 0) << read.said();
+  std::vector<std::string> texts;
+  for (const auto& f : read.mooring.findings)
+    if (f.is_left_out) texts.push_back(std::to_string(f.place.line) + ": " + f.text);
+  return texts;
+}
+
+TEST(MoorDyn, ListsEveryOptionThatIsNotUsedWithItsLineAndItsMeaning) {
+  const auto texts =
+      left_out_of(changed(kMooring, "9.8       g\n", "9.8 g\n0.7 FrictionCoefficient\n0 WaveKin\n5 Kbto\n"));
+  ASSERT_EQ(texts.size(), 4u);
+  EXPECT_EQ(texts[0], "25: the option dtM = 0.002: it controls how MoorDyn computes");
+  EXPECT_TRUE(texts[1].starts_with("30: the option FrictionCoefficient = 0.7: friction of the bed"))
+      << texts[1];
+  EXPECT_EQ(texts[2], "32: the option Kbto = 5: it is not known here, and may be misspelt");
+}
+
+TEST(MoorDyn, SkipsTheNumbersOfRowsOfItsFirstVersion) {
+  std::string text = changed(kOldMooring, "LineType  Diam", "1 NTypes - number of LineTypes\nLineType  Diam");
+  text = changed(text, "Node      Type", "3        NConnects - number of connections\nNode      Type");
+  text = changed(text, "Line     LineType", "2    NLines\nLine     LineType");
+  const BarTable counted = ReadMooring(text).mooring.table, plain = ReadMooring(kOldMooring).mooring.table;
+  EXPECT_EQ(left_out_of(text).size(), 1u);
+  EXPECT_EQ(counted.nodes.size(), plain.nodes.size());
+  ASSERT_EQ(counted.ropes.size(), 2u);
+  EXPECT_EQ(counted.ropes[1].bars[0].length, plain.ropes[1].bars[0].length);
+}
+
+TEST(MoorDyn, HasTensionsAtHeldEndsAsResults) {
+  const ReadMooring read(changed(kMooring, "FAIRTEN1\n", "\"FairTen2\"\nLINE1TENA FAIRTEN1\nPOINT2PX\n"));
+  const auto& results = read.mooring.table.results;
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_EQ(results[0].name, "AnchTen1");
+  EXPECT_EQ(results[0].of, "line-1.start");
+  EXPECT_EQ(results[1].name, "FairTen2");
+  EXPECT_EQ(results[2].of, "line-3.end");
+  const auto texts =
+      left_out_of(changed(kMooring, "FAIRTEN1\n", "\"FairTen2\" LINE1TENA FAIRTEN1\nPOINT2PX\n"));
+  ASSERT_EQ(texts.size(), 3u);  // with the time step
+  EXPECT_TRUE(texts[1].starts_with("32: the output \"POINT2PX\"")) << texts[1];
+  EXPECT_TRUE(texts[2].starts_with("31: the output \"FAIRTEN1\": the line does not end there")) << texts[2];
+  const auto made = scene_of(read.mooring.table, {}, "gear.mesh");
+  EXPECT_NE(made.scene.find("[results]\nAnchTen1 = { of = \"line-1.start\", take = \"reaction\" }\n"),
+            std::string::npos)
+      << made.scene;
+}
+
+TEST(MoorDyn, LaysEveryNodeOnOneBedWhereLinesOfTwoTypesMeet) {
+  std::string text =
+      changed(kMooring, "---------------------- BODIES",
+              "rope       0.2     20         1e7    -1          0          1.2    1      1.0     "
+              "0.5\n---------------------- BODIES");
+  text = changed(text, "2     chain", "2     rope ");
+  const auto made = scene_of(ReadMooring(text).mooring.table, {}, "gear.mesh");
+  std::vector<int> beds(made.mesh.node_count());
+  for (const auto& set : made.mesh.sets)
+    if (set.name.starts_with("on-bed-"))
+      for (const auto node : set.nodes) ++beds[node];
+  for (std::size_t n = 0; n < beds.size(); ++n) EXPECT_EQ(beds[n], 1) << n;
+  // At point 2 meet bars of 12.5 m and 42.5 m of chain and of 13 m of rope.
+  const double at_joint = 2e6 * (0.1 * (12.5 + 42.5) + 0.2 * 13) / (12.5 + 42.5 + 13);
+  for (const std::string& k :
+       {std::string("2e+05"), fmt::format("{}", at_joint).substr(0, 8), std::string("4e+05")})
+    EXPECT_NE(made.scene.find("stiffness = " + k), std::string::npos) << k << made.scene;
 }
 
 TEST(MoorDyn, AsksWhetherAFileWithoutAnEndIsWhole) {
   const std::string cut = kMooring.substr(0, kMooring.find("9.8       g"));
   const ReadMooring read(cut);
   ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
-  ASSERT_EQ(read.mooring.findings.size(), 2u);  // and point 4 is coupled
+  ASSERT_EQ(read.mooring.findings.size(), 3u);  // and point 4 is coupled, and the time step
   EXPECT_NE(read.mooring.findings.back().text.find("is it whole?"), std::string::npos);
 }
 
