@@ -32,8 +32,9 @@ Finding finite_at_rest(Bench&);
 Finding defaults_are_allowed(Bench&);
 Finding refuses_wrong_parameters(Bench&);
 
-// Declarations: does it read only what its table declares? (declaration_checks.cpp)
+// Declarations: does it read only what its table and its traits declare? (declaration_checks.cpp)
 Finding reads_what_it_declares(Bench&);
+Finding reads_the_inputs_it_declares(Bench&);
 std::string undeclared_text(const ByteRange& range);
 
 // Manners: does it keep to its outputs and inputs? (manners_checks.cpp)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Checks that an element reads only the parameters that its table declares, because the host fills no others.
+// Checks that an element reads only what it declares, because the host fills nothing else: the parameters of
+// its table, and the inputs that the traits of a term name.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace netloft::conformance {
 
@@ -61,6 +63,71 @@ Finding reads_what_it_declares(Bench& b) {
   for (const auto& range : ranges)
     if (const auto reader = reader_of(b, range); !reader.empty())
       fault += (fault.empty() ? "" : "; ") + reader + " reads " + undeclared_text(range);
+  return judged(fault);
+}
+
+namespace {
+
+/// An input that a term is given if it declares the trait; `also` is another trait with which it may read it.
+struct Input {
+  std::uint32_t trait;
+  const char* text;
+  std::uint32_t also = 0;
+};
+constexpr Input kInputs[] = {
+    {NETLOFT_READS_VELOCITY, "velocities, which take reads_velocity"},
+    {NETLOFT_READS_ACCELERATION, "accelerations, which take reads_acceleration"},
+    {NETLOFT_READS_CURRENT, "the current, which takes reads_current"},
+    {NETLOFT_READS_STATE, "what the element remembers, which takes reads_state"},
+    {NETLOFT_READS_TIME, "the time, which takes reads_time", NETLOFT_READS_WAVES},
+    {NETLOFT_READS_GROUND, "the velocity of the ground, which takes reads_ground"},
+    {NETLOFT_READS_BED, "the bed of the scene, which takes reads_bed"},
+    {NETLOFT_READS_WAVES, "acceleration and surface of the water, which take reads_waves"}};
+
+/// The same states with other values of one input, which terms are given whatever they declare: no numbers,
+/// or numbers that differ from place to place.
+States with_other(const Bench& b, const States& from, std::uint32_t trait, bool no_numbers) {
+  const auto value = [&](std::size_t i) {
+    return no_numbers ? std::numeric_limits<double>::quiet_NaN() : 0.75 + 0.25 * static_cast<double>(i % 7);
+  };
+  const auto fill = [&](std::vector<double>& field, std::size_t rows) {
+    field.resize(rows * kLanes);
+    for (std::size_t i = 0; i < field.size(); ++i) field[i] = value(i / kLanes + i % kLanes);
+  };
+  const std::size_t dofs = b.dofs();
+  States to = from;
+  to.exposed = trait;
+  if (trait & NETLOFT_READS_VELOCITY) fill(to.v, dofs);
+  if (trait & NETLOFT_READS_ACCELERATION) fill(to.a, dofs);
+  if (trait & NETLOFT_READS_CURRENT) fill(to.current, dofs), fill(to.current_dz, dofs);
+  if (trait & NETLOFT_READS_STATE) fill(to.memory, b.type.element.state_width);
+  if (trait & NETLOFT_READS_TIME) to.time = value(0) + 1;
+  if (trait & NETLOFT_READS_GROUND) to.ground = {value(0), value(1), 0};
+  if (trait & NETLOFT_READS_BED) fill(to.bed, 6 * static_cast<std::size_t>(b.type.nodes()));
+  if (trait & NETLOFT_READS_WAVES) fill(to.swing, dofs), fill(to.surface, dofs / 3);
+  return to;
+}
+
+/// Whether a term that does not declare an input answers otherwise when the input changes.
+bool reads(const Bench& b, const netloft_term& term, const States& s, const Input& input) {
+  for (const bool no_numbers : {false, true}) {
+    const States other = with_other(b, s, input.trait, no_numbers);
+    for (const auto want : wants_of(term))
+      if (!same_answer(b.specimen->evaluate(term, s, want), b.specimen->evaluate(term, other, want), s.count))
+        return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Finding reads_the_inputs_it_declares(Bench& b) {
+  std::string fault;
+  for (const auto& term : b.type.terms)
+    for (const auto& input : kInputs)
+      if (!(term.traits & (input.trait | input.also)) &&
+          std::ranges::any_of(b.tiles, [&](const States& s) { return reads(b, term, s, input); }))
+        fault += (fault.empty() ? "" : "; ") + ("term " + std::string(term.name)) + " reads " + input.text;
   return judged(fault);
 }
 

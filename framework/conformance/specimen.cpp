@@ -10,7 +10,8 @@ namespace netloft::conformance {
 namespace {
 
 constexpr std::uint32_t kMessage = 256;
-constexpr double kTime = 1;  // time of all evaluations [s]
+constexpr double kTime = 1;  // time of the members [s]
+
 /// Calls a function of the plugin, and converts an exception into a status.
 template <class Call>
 int guarded(std::string& message, Call&& call) {
@@ -25,6 +26,17 @@ int guarded(std::string& message, Call&& call) {
 }
 
 const double* pointer(const std::vector<double>& v) { return v.empty() ? nullptr : v.data(); }
+
+/// A term is given the inputs of its traits alone.
+void hide_undeclared(std::uint32_t traits, netloft_tile& t) {
+  if (!(traits & NETLOFT_READS_VELOCITY)) t.v = nullptr;
+  if (!(traits & NETLOFT_READS_ACCELERATION)) t.a = nullptr;
+  if (!(traits & NETLOFT_READS_CURRENT)) t.current = t.current_dz = nullptr;
+  if (!(traits & NETLOFT_READS_STATE)) t.state = nullptr;
+  if (!(traits & NETLOFT_READS_GROUND)) t.ground = nullptr;
+  if (!(traits & NETLOFT_READS_BED)) t.bed = nullptr;
+  if (!(traits & NETLOFT_READS_WAVES)) t.water_acceleration = t.surface = nullptr;
+}
 
 std::uint32_t kind_for(const netloft_law_slot& slot, std::uint32_t wanted) {
   if (slot.accepts & wanted) return wanted;
@@ -86,7 +98,7 @@ netloft_tile Specimen::tile(const States& states, Factors factors) const {
   t.size = sizeof t;
   t.first = states.first;
   t.count = states.count;
-  t.time = kTime;
+  t.time = states.time;
   t.cu = factors.cu;
   t.cv = factors.cv;
   t.ca = factors.ca;
@@ -102,6 +114,7 @@ netloft_tile Specimen::tile(const States& states, Factors factors) const {
   t.current_dz = pointer(states.current_dz);
   t.bed = pointer(states.bed);
   t.water_acceleration = pointer(states.swing);
+  t.surface = pointer(states.surface);
   t.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
   return t;
 }
@@ -133,14 +146,8 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   char message[kMessage] = "";
   netloft_tile t = tile(states, factors);
   t.want = want;
-  if (!(term.traits & NETLOFT_READS_VELOCITY)) t.v = nullptr;
-  if (!(term.traits & NETLOFT_READS_ACCELERATION)) t.a = nullptr;
-  if (!(term.traits & NETLOFT_READS_CURRENT)) t.current = t.current_dz = nullptr;
-  if (!(term.traits & NETLOFT_READS_STATE)) t.state = nullptr;
-  if (!(term.traits & NETLOFT_READS_GROUND)) t.ground = nullptr;
-  if (t.ground) t.state = nullptr;
-  if (!(term.traits & NETLOFT_READS_BED)) t.bed = nullptr;
-  if (!(term.traits & NETLOFT_READS_WAVES)) t.water_acceleration = nullptr;
+  hide_undeclared(term.traits | states.exposed, t);
+  if (term.traits & NETLOFT_READS_GROUND && t.ground && !states.exposed) t.state = nullptr;
   t.state_new = remembered(term) ? memory : nullptr;
   t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
   t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;

@@ -27,17 +27,20 @@ struct Sample {
 struct States {
   std::uint32_t first = 0, count = 0;
   std::vector<double> x, v, a, current, current_dz;
-  std::vector<double> memory = {};  // [state_width][64] memory of the elements; empty: none
-  std::vector<double> x_low = {};   // low-order part of x; empty: unknown
-  std::vector<double> ground = {};  // [3] velocity of the ground, one for all lanes; empty: at rest
-  std::vector<double> bed = {};     // [6 nodes][64] the bed below the nodes of the stencil; empty: none
-  std::vector<double> swing = {};   // [dof][64] acceleration of the water; empty: none
+  std::vector<double> memory = {};   // [state_width][64] memory of the elements; empty: none
+  std::vector<double> x_low = {};    // low-order part of x; empty: unknown
+  std::vector<double> ground = {};   // [3] velocity of the ground, one for all lanes; empty: at rest
+  std::vector<double> bed = {};      // [6 nodes][64] the bed below the nodes of the stencil; empty: none
+  std::vector<double> swing = {};    // [dof][64] acceleration of the water; empty: none
+  std::vector<double> surface = {};  // [nodes][64] height of the surface of the water; empty: z = 0
+  double time = 1;                   // [s]
+  std::uint32_t exposed = 0;         // traits of inputs that a term receives without having declared them
 };
 
 /// The fields of States that have lanes.
 inline constexpr std::vector<double> States::*kFields[] = {
     &States::x,      &States::v,     &States::a,   &States::current, &States::current_dz,
-    &States::memory, &States::x_low, &States::bed, &States::swing};
+    &States::memory, &States::x_low, &States::bed, &States::swing,   &States::surface};
 
 struct Factors {
   double cu = 1, cv = 0, ca = 0;

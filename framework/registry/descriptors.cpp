@@ -182,6 +182,11 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
         who + " offers a convex part or a metric, which are symmetric, and is not symmetric itself");
     faults.require(!(t.traits & NETLOFT_READS_STATE) || e.element.state_width > 0,
                    who + " reads a state, but the element remembers nothing");
+    faults.require(!(t.traits & NETLOFT_IS_DRAG) || !(t.traits & NETLOFT_READS_CURRENT) ||
+                       (t.traits & NETLOFT_READS_VELOCITY),
+                   who +
+                       " is drag that reads the current and no velocity, so a motion would lose it: declare "
+                       "reads_velocity, and let it follow from the current less the velocity");
     for (const auto& name : names_needed_by(t))
       faults.require(has_earlier_real(e.parameters, e.parameters.size(), name),
                      who + " needs the parameter \"" + name + "\", which the element does not have");

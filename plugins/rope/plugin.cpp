@@ -101,8 +101,8 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
       "tension", "constant tension instead of the spring", "rope.constant_tension");
   bar.term<netloft::rope::Sag, netloft::needs_gravity>(
       "sag", "sag and uneven stretch of the rope within a bar, under its weight", "rope.sag");
-  bar.term<Bar::Drag,
-           netloft::reads_current | netloft::reads_velocity | netloft::needs_flow | netloft::is_drag>(
+  bar.term<Bar::Drag, netloft::reads_current | netloft::reads_velocity | netloft::reads_time |
+                          netloft::needs_flow | netloft::is_drag>(
       "drag", "force of the water on the unstretched rope, by its law, half per node");
   bar.term<Bar::DryDrag, netloft::reads_current | netloft::reads_waves | netloft::reads_velocity |
                              netloft::needs_flow | netloft::from_outside | netloft::is_drag>(
@@ -110,11 +110,11 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.term<Bar::DryBuoyancy, netloft::conservative | netloft::reads_waves | netloft::symmetric |
                                  netloft::needs_gravity | netloft::from_outside | netloft::is_weight>(
       "dry-buoyancy", "buoyancy that is lost above the surface", "rope.surface");
-  bar.term<Bar::Damping, netloft::reads_velocity | netloft::needs_motion>(
+  bar.term<Bar::Damping, netloft::reads_velocity | netloft::reads_time | netloft::needs_motion>(
       "damping", "resistance to the rate of stretch, also when slack", "rope.damping");
   bar.term<Bar::Loss, netloft::reads_velocity | netloft::needs_motion | netloft::reads_time>(
       "loss", "damping of a taut rope by its material", "rope.loss_factor");
-  bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::needs_motion>(
+  bar.term<Bar::Inertia, netloft::reads_acceleration | netloft::reads_time | netloft::needs_motion>(
       "inertia", "mass of the rope, and added mass across it, half per node");
   bar.term<Bar::Waves, netloft::reads_waves | netloft::needs_waves | netloft::needs_motion>(
       "waves",

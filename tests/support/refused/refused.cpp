@@ -29,6 +29,7 @@ enum Flaw {
   FLAW_no_terms,
   FLAW_needs_unknown,
   FLAW_no_members,
+  FLAW_drag_at_rest,
   FLAW_nameless_parameter,
   FLAW_no_unit,
   FLAW_bad_choice,
@@ -140,6 +141,7 @@ const netloft_term* terms() {
   one.name = "one", two.name = "two", one.doc = two.doc = "a term";
   one.evaluate = two.evaluate = evaluate;
   two.needs = has(FLAW_needs_unknown) ? "strength" : "stiffness";
+  if (has(FLAW_drag_at_rest)) one.traits = NETLOFT_IS_DRAG | NETLOFT_READS_CURRENT;
   if (has(FLAW_no_members)) one.traits = NETLOFT_OF_MEMBERS | NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC;
   static const Array<netloft_term, 2, step_of(sizeof one, sizeof one)> rows({one, two});
   return rows.data();

@@ -313,6 +313,20 @@ struct UndampedAtRest {
   }
 };
 
+struct GrowsWithTime {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    evaluate_spring(p, d, s, out);
+    scale(out, 1 + 0.1 * s.time);
+    return Status::ok;
+  }
+};
+
+struct DragAtRest {
+  static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
+    return Drag<1, true>::evaluate(p, d, s, out);
+  }
+};
+
 struct RefusesAll {
   static constexpr auto stencil = NETLOFT_BAR;
   using Parameters = wrong::Parameters;
@@ -368,6 +382,7 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   add<WithMetric<Growing>, kPotential | has_convex | has_metric>(plugin, "metric_moves",
                                                                  "metric-is-constant");
   add<CountsCalls>(plugin, "counts_calls", "no-hidden-state");
+  add<GrowsWithTime>(plugin, "undeclared_time", "reads-the-inputs-it-declares");
   add<WritesPastCount>(plugin, "writes_past_count", "nothing-written-past-count");
   add<Overwrites>(plugin, "overwrites", "adds-not-overwrites");
   add<KnowsLane>(plugin, "knows_lane", "same-in-any-lane");
@@ -389,6 +404,7 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   add<Drag<-1, true>, kWater>(plugin, "gains_energy", "never-gains-energy");
   add<UndampedAtRest, kWater>(plugin, "undamped_at_rest", "missing-inputs-are-zero");
   add<Drag<1, false>, kWater>(plugin, "ignores_motion", "no-force-without-flow");
+  add<DragAtRest, reads_current | needs_flow>(plugin, "undeclared_velocity", "reads-the-inputs-it-declares");
   auto& by_law = bar<DragByLaw>(plugin, "drag_by_law", "says-how-much-it-stands-for");
   by_law.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water");
   by_law.term<DragByLaw::Term, kWater>("drag", "right");
