@@ -46,7 +46,7 @@ CheckResult run(const Check<Bench>& check, Bench& bench, Doubtful& doubtful) {
   r.hint = check.hint;
   if (const char* first = doubtful.among(check.depends_on)) {
     doubtful.add(check.name);
-    r.skipped = true;
+    r.skipped = r.depends = true;
     r.detail = std::string("depends on ") + first;
     return r;
   }

@@ -18,11 +18,12 @@ struct ConformanceOptions {
       0;  // of the laws in the slots of an element; 0: every kind that they accept, in turn
 };
 
-/// Result of one check. A check is skipped if one that it depends on failed, so that one mistake shows as one
-/// failure.
+/// Result of one check. A check is skipped if it does not apply, or if one that it depends on failed, so that
+/// one mistake shows as one failure.
 struct CheckResult {
   std::string name;  // "force-is-gradient"
   bool passed = false, skipped = false;
+  bool depends = false;          // skipped because a check that it depends on failed
   double figure = 0, limit = 0;  // the worst figure and its limit; both zero for yes-or-no checks
   std::string detail;            // where the worst figure occurred, or why the check was skipped
   std::string hint;              // a likely cause

@@ -9,7 +9,8 @@ struct DescribeOptions : PluginOptions {
 };
 
 struct TestOptions : PluginOptions {
-  std::string plugin;   // PLUGIN
+  std::string plugin;  // PLUGIN
+  bool verbose = false;
   double seconds = 60;  // --seconds. All checks of the largest shipped plugin take 1 s
 };
 

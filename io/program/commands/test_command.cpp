@@ -52,16 +52,34 @@ Targets find_targets(const std::string& target, Registry& registry) {
 
 std::string verdict(const CheckResult& c) { return c.skipped ? "skipped" : c.passed ? "passed" : "FAILED"; }
 
-void print_report(const ConformanceReport& report) {
+void print_check(const CheckResult& c) {
+  const std::string figure =
+      c.limit == 0 && c.figure == 0 ? "" : fmt::format("{:.2e} of {:.2e}", c.figure, c.limit);
+  std::puts(
+      fmt::format("  {:<8} {:<32} {:<22} {}", verdict(c), c.name, figure, c.passed ? "" : c.detail).c_str());
+  if (!c.passed && !c.skipped && !c.hint.empty())
+    std::puts(fmt::format("           usually: {}", c.hint).c_str());
+}
+
+/// "12 checks do not apply, 3 checks depend on one that failed: --verbose lists them".
+void print_number_of_skipped(const ConformanceReport& report) {
+  const auto depending = std::ranges::count_if(report.checks, &CheckResult::depends);
+  const auto idle = std::ranges::count_if(report.checks, &CheckResult::skipped) - depending;
+  std::string text;
+  const auto add = [&](auto number, const char* of_one, const char* of_more) {
+    if (number > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, number == 1 ? of_one : of_more);
+  };
+  add(idle, "check does not apply", "checks do not apply");
+  add(depending, "check depends on one that failed", "checks depend on one that failed");
+  if (!text.empty()) std::puts(fmt::format("  {}: --verbose lists them", text).c_str());
+}
+
+void print_report(const ConformanceReport& report, bool verbose) {
   std::puts(fmt::format("{}: {}", report.type, report.passed() ? "conforms" : "does not conform").c_str());
-  for (const auto& c : report.checks) {
-    const std::string figure =
-        c.limit == 0 && c.figure == 0 ? "" : fmt::format("{:.2e} of {:.2e}", c.figure, c.limit);
-    std::puts(fmt::format("  {:<8} {:<32} {:<22} {}", verdict(c), c.name, figure, c.passed ? "" : c.detail)
-                  .c_str());
-    if (!c.passed && !c.skipped && !c.hint.empty())
-      std::puts(fmt::format("           usually: {}", c.hint).c_str());
-  }
+  for (const auto& c : report.checks)
+    if (verbose || !c.skipped) print_check(c);
+  if (!verbose) print_number_of_skipped(report);
   for (const auto& t : report.timings)
     std::puts(fmt::format("  {:>8.1f} ns per {}: {}, {}", t.nanoseconds, t.per, t.term, t.want).c_str());
 }
@@ -80,13 +98,13 @@ Json report_json(const ConformanceReport& report) {
   return {{"type", report.type}, {"passed", report.passed()}, {"checks", checks}, {"timings", timings}};
 }
 
-/// Checks all targets, and prints each report at once if `aloud`.
-std::vector<ConformanceReport> check_all(const Targets& found, double seconds, bool aloud) {
+/// Checks all targets, and prints each report at once, unless JSON is wanted.
+std::vector<ConformanceReport> check_all(const Targets& found, const TestOptions& options) {
   std::vector<ConformanceReport> reports;
   const auto check = [&](const std::string& type, auto&& make) {
-    explain_crashes_of(type, seconds);
+    explain_crashes_of(type, options.seconds);
     reports.push_back(make());
-    if (aloud) print_report(reports.back());
+    if (!options.json) print_report(reports.back(), options.verbose);
     std::fflush(stdout);
   };
   if (!found.file.empty()) check(found.file, [&] { return check_file(found.file); });
@@ -105,7 +123,7 @@ int test_command(const TestOptions& options) {
   require_memory_to_solve();
   Registry registry;
   find_plugins(options, registry);
-  const auto reports = check_all(find_targets(options.plugin, registry), options.seconds, !options.json);
+  const auto reports = check_all(find_targets(options.plugin, registry), options);
   const bool passed = std::all_of(reports.begin(), reports.end(), [](const auto& r) { return r.passed(); });
   if (options.json) {
     Json lines = Json::array();

@@ -100,6 +100,20 @@ class Misuse(WithInstallation):
     def test_a_tangent_that_is_not_symmetric(self):
         self.found(self.element(EVALUATE, after=ASYMMETRIC, traits="<Otter::Elastic, netloft::symmetric>"), "symmetric-where-claimed")
 
+    def test_the_time_read_and_not_declared(self):
+        grows = "for (auto& f : out.force) f = f * g;\nfor (auto& row : out.tangent)\nfor (double& entry : row) entry *= g;"
+        self.found(self.element(EVALUATE, after=f"const double g = 1 + s.time; out.energy *= g; {grows}"), "reads-the-inputs-it-declares")
+        self.assertIn("term elastic reads the time, which takes reads_time", self.sh("netloft test otter.so", expect=1).out)
+
+    def test_checks_that_do_not_apply_are_counted_and_listed_on_demand(self):
+        self.compile(self.element(EVALUATE))
+        short, long = (self.sh(f"netloft test otter.so {more}").out for more in ("", "--verbose"))
+        self.assertNotIn("skipped", short)
+        self.assertIn(f"  {long.count('  skipped ')} checks do not apply", short)
+        self.assertIn("--verbose lists them", short)
+        self.compile(self.element(EVALUATE, 'throw std::runtime_error("unfinished");'))
+        self.assertRegex(self.sh("netloft test otter.so", expect=1).out, r"  \d+ checks depend on one that failed: --verbose lists them\n")
+
     def test_exported_symbols(self):
         self.found(self.element(EVALUATE, before="double helper_of_mine(double x) { return x; }"), "exports-one-symbol",
                    flags="-std=c++20 -O2 -fPIC -shared -I$(dirname $(dirname $(which netloft)))/include")

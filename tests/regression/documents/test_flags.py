@@ -40,7 +40,7 @@ COMMANDS = (
     (f"netloft list {COMMON}", "rope/bar"),
     (f"netloft describe rope/bar {COMMON}", "rope.EA"),
     (f"netloft schema {COMMON}", "$schema"),
-    (f"netloft test float --seconds 50 {COMMON}", "float/float"),
+    (f"netloft test float --seconds 50 --verbose {COMMON}", "float/float"),
     ("netloft new law square_plate", "square_plate.cpp"),
     (f"netloft catalogue twine {PRINTED}", "pe-braided-4mm"),
     (f"netloft check {GEAR} --set ropes.headline.length=7 {PRINTED}", '"findings"'),
