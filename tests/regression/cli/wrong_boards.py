@@ -104,7 +104,7 @@ ALL = [
     board("angles in metres", 'attack = { unit = "deg"', 'attack = { unit = "m"', "21:19", ""),
     board("angles in no unit", 'attack = { unit = "deg"', 'attack = { unit = "degs"', "21:19", ""),
     board("a column of another polar", "side = [0, 0, 0, 0]", "moment = [0, 0, 0, 0]", "25:1", 'unknown key "moment"', also=[("scene.toml:20:1", 'missing key "side"')]),
-    board("two polars", "span = 2\n", "span = 2\npolar = { attack = [0.2, 0.6], lift = [1, 1], drag = [1, 1] }\n", "11:1", "polar and polar_slip"),
+    board("two polars", "span = 2\n", "span = 2\npolar = { attack = [0.2, 0.6], lift = [1, 1], drag = [1, 1] }\n", "11:1", "board.polar and board.polar_slip"),
     board("a polar that does not ascend", "span = 2\n", "span = 2\npressure = { attack = [0.6, 0.2], chord = [0.3, 0.4], span = [0, 0] }\n", "19:23", "does not ascend"),
     board("polar of no name", "span = 2\n", 'span = 2\npolar = "camberred-low-aspect"\n', "19:9", "camberred-low-aspect", "cambered-low-aspect"),
     board("board without an area", "area = 4\n", "", "15:1", 'missing key "area"'),

@@ -269,7 +269,7 @@ TEST(Verdict, DoesNotCallARopeConvergedThatIsTooStiffForItsLoad) {
   s.part("load", "test/load", {{"z", -3.0}}, {middle});
   const Solution found = solve_sketch(s.scene).solution;
   EXPECT_EQ(found.status, SolveStatus::not_converged) << found.reason;
-  EXPECT_TRUE(contains(found.reason, "stiffness is too high")) << found.reason;
+  EXPECT_TRUE(contains(found.reason, "stiffness of the gear is too high")) << found.reason;
 }
 
 TEST(Verdict, HasNothingToFindWhereAllIsHeld) {
