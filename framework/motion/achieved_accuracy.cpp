@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/motion/achieved_accuracy.hpp"
 
+#include <netloft/scatter.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,17 +16,36 @@ constexpr double kLonger = 2, kShorter = 0.5;
 // Least relative difference of the mean steps of both marches. Marches with similar steps give no error
 // estimate.
 constexpr double kLeastDifference = 0.1;
+// Displacement of a disturbed start, over the longest element: far above the tolerance to which steps are
+// solved, far below what can be measured on a gear.
+constexpr double kDisturbance = 1e-7;
+
+double distance(const std::vector<double>& here, const std::vector<double>& there, std::size_t first) {
+  return std::hypot(here[first] - there[first], here[first + 1] - there[first + 1],
+                    here[first + 2] - there[first + 2]);
+}
 
 }  // namespace
 
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability) {
   MarchSettings s = settings;
   s.check = s.judged = false;
+  s.disturb = true;
   s.pace = is_bounded_by_stability ? kShorter : kLonger;
   if (s.step > 0) s.step *= s.pace;
   s.longest_step *= s.pace;
   s.output_interval *= s.pace;
   return s;
+}
+
+MarchSettings settings_of_disturbed(const MarchSettings& settings) {
+  MarchSettings s = settings;
+  s.disturb = false;
+  return s;
+}
+
+void disturb(MarchState& start, double element) {
+  for (std::size_t i = 0; i < start.u.size(); ++i) start.u[i] += kDisturbance * element * scattered(i);
 }
 
 void note_step_error(const StepControl& control, const Numbering& numbering, std::span<const double> error,
@@ -44,8 +65,7 @@ void note_path_error(const std::vector<double>& here, const std::vector<double>&
                      double longer, MarchState& state) {
   if (!(std::abs(longer - 1) >= kLeastDifference)) return;  // also if the ratio is not known
   for (std::size_t i = 0; i < here.size(); i += 3) {
-    const double apart =
-        std::hypot(here[i] - there[i], here[i + 1] - there[i + 1], here[i + 2] - there[i + 2]);
+    const double apart = distance(here, there, i);
     const double error = apart == 0 ? 0 : apart / std::min(1.0, std::abs(longer - 1));  // (1)
     if (!(error <= state.path_error)) {
       state.path_error = error;
@@ -53,6 +73,12 @@ void note_path_error(const std::vector<double>& here, const std::vector<double>&
       state.path_of = i / 3;
     }
   }
+}
+
+void note_parting(const std::vector<double>& here, const std::vector<double>& there, double t, double allowed,
+                  MarchState& state) {
+  for (std::size_t i = 0; i < here.size(); i += 3)
+    if (!(distance(here, there, i) <= allowed)) state.parted_at = std::min(state.parted_at, t);
 }
 
 AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings& settings,
@@ -68,6 +94,7 @@ AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings
   a.is_checked = true;
   a.path = state.path_error / control.element_size();
   a.path_at = state.path_at;
+  if (!state.other.empty()) a.unpredictable_from = state.other[0].parted_at;
   a.path_of =
       std::isfinite(a.path) ? of.scene.node_name(static_cast<std::uint32_t>(state.path_of)) : why_lost;
   return a;

@@ -5,6 +5,8 @@
 #include "framework/motion/march_state.hpp"
 #include "framework/motion/step_control.hpp"
 
+#include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +21,11 @@ namespace netloft {
 ///   the largest distance of a node between both at an output / min(1, |r − 1|)                  (1)
 /// with r the ratio of the mean steps. Outputs at which r differs from 1 by less than a tenth are ignored; if
 /// all are, the error is unknown. The estimate is an upper bound if the error is at least proportional to the
-/// step. In a motion dominated by errors, both marches are wrong by similar amounts, and so is their
-/// difference.
+/// step.
+/// In a chaotic motion, such as the fall of a slack chain or what follows a snap, any error grows until it is
+/// as large as the motion, whatever the steps. The host therefore compares the second march with a third one,
+/// with the same steps and a start displaced by 1e-7 of the longest element. From the time at which those two
+/// differ by more than the accuracy, the path cannot be predicted, and (1) is no longer updated.
 struct AchievedAccuracy {
   double asked = 0;    // accuracy of the path
   double element = 0;  // extent of the longest element along one axis [m]
@@ -38,12 +43,20 @@ struct AchievedAccuracy {
   double path = 0;
   double path_at = 0;  // [s]
   std::string path_of = {};
+  /// First output at which the disturbed march differs by more than `asked` [s]; infinite if there is none.
+  double unpredictable_from = std::numeric_limits<double>::infinity();
+  bool is_predictable() const { return std::isinf(unpredictable_from); }
   /// Whether the path is less accurate than requested.
-  bool is_missed() const { return is_checked && !(path <= asked); }
+  bool is_missed() const { return is_checked && !(path <= asked && is_predictable()); }
 };
 
 /// Settings of the march for comparison: the same, with steps r times as long.
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability);
+
+/// Settings of the third march, with which that of settings_of_comparison() is compared.
+MarchSettings settings_of_disturbed(const MarchSettings& settings);
+/// Displaces the start of a march by 1e-7 of the longest element, whose length is `element` [m].
+void disturb(MarchState& start, double element);
 
 /// Stores the estimated error of an accepted step that ends at time t, over all unknowns [m].
 void note_step_error(const StepControl& control, const Numbering& numbering, std::span<const double> error,
@@ -53,6 +66,10 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
 /// the other march are `longer` times as long.
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state);
+
+/// Stores t as the time from which two marches differ by more than `allowed` [m], unless one is stored.
+void note_parting(const std::vector<double>& here, const std::vector<double>& there, double t, double allowed,
+                  MarchState& state);
 
 /// The values stored in `state`. `why_lost`: the reason for which the other march failed, if it did.
 AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings& settings,

@@ -19,6 +19,7 @@ struct MarchSettings {
   bool budget = true;          // keep the energy budget
   bool judged = true;          // fail if the motion contains energy that nothing supplied
   bool check = false;          // compare with another march, with steps `pace` times as long
+  bool disturb = false;        // compare with another march, from a slightly displaced start
   double pace = 1;             // factor on all step lengths
   double mass_damping = 0;     // c of the force −c M v [1/s]
 

@@ -107,19 +107,25 @@ class March {
       next_.v = state_.v_before;
     }
     if (state_.memory.empty()) state_.memory = assembler_.memory();
-    if (state_.outputs == 0 && !settings_.check) write_checkpoint(state_.t);
+    if (state_.outputs == 0 && !has_companion()) write_checkpoint(state_.t);
     return true;
   }
 
+  bool has_companion() const { return settings_.check || settings_.disturb; }
+
   /// Continues the march for comparison from its last state; its first step follows later.
   bool begin_other() {
-    if (!settings_.check) return true;
-    other_settings_ = settings_of_comparison(settings_, scheme_.has_limit());
+    if (!has_companion()) return true;
+    other_settings_ = settings_.check ? settings_of_comparison(settings_, scheme_.has_limit())
+                                      : settings_of_disturbed(settings_);
     const std::vector<double> own = assembler_.memory();
-    if (state_.outputs == 0) state_.other = {other_start_};
+    if (state_.outputs == 0) {
+      state_.other = {other_start_};
+      if (settings_.disturb) disturb(state_.other[0], control_.element_size());
+    }
     if (!state_.other.empty()) {
       other_ = std::make_unique<March>(of_, methods_, limits_, other_settings_, nobody_, &state_.other[0]);
-      if (!other_->begin()) lose_other();
+      if (!other_->begin() || !other_->begin_other()) lose_other();
       assembler_.set_memory(own);
       winches_.restore();
     }
@@ -134,19 +140,23 @@ class March {
     state_.other.clear();
   }
 
-  /// Updates (1) of achieved_accuracy.hpp at an output. Returns false if interrupted.
+  /// Compares both marches at an output, as in achieved_accuracy.hpp. Returns false if interrupted.
   bool compare_paths(double t) {
     if (!other_ || !other_->times_.is_output(t)) return true;
     const std::vector<double> own = assembler_.memory();
-    const bool is_there = other_->reach(t);
+    const bool is_there = other_->reach(t) && other_->compare_paths(t);
     assembler_.set_memory(own);
     winches_.restore();
     if (!is_there && other_->result_.status == MarchStatus::interrupted) return !has_ended();
     if (!is_there) return lose_other(), true;
     show(t);
     other_->show(t);
-    note_path_error(assembler_.node_positions(shown_.x()), assembler_.node_positions(other_->shown_.x()), t,
-                    other_->state_.mean_step() / state_.mean_step(), state_);
+    const auto here = assembler_.node_positions(shown_.x()),
+               there = assembler_.node_positions(other_->shown_.x());
+    if (settings_.disturb)
+      note_parting(here, there, t, settings_.accuracy * control_.element_size(), state_);
+    else if (std::isinf(other_->state_.parted_at))
+      note_path_error(here, there, t, other_->state_.mean_step() / state_.mean_step(), state_);
     state_.other = {other_->state_};
     return true;
   }
@@ -171,10 +181,10 @@ class March {
       return end(MarchStatus::out_of_work, "the budget of work was spent at t = " + seconds_text(state_.t));
     return is_over_;
   }
-  /// Work of this march and of the march for comparison.
+  /// Work of this march and of the marches for comparison.
   Statistics work_done() const {
     Statistics all = problem_.statistics();
-    if (other_) all.add(other_->problem_.statistics());
+    if (other_) all.add(other_->work_done());
     return all;
   }
 

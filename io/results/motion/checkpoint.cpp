@@ -27,6 +27,7 @@ std::string pack_checkpoint(const MarchState& s) {
   to.put(s.path_error);
   to.put(s.path_at);
   to.put(s.path_of);
+  to.put(s.parted_at);
   to.put(std::uint64_t{s.other.size()});
   for (const MarchState& other : s.other) to.put(std::string_view(pack_checkpoint(other)));
   return to.bytes();
@@ -53,6 +54,7 @@ MarchState unpack_checkpoint(const std::string& bytes) {
   s.path_error = from.real();
   s.path_at = from.real();
   s.path_of = from.integer();
+  s.parted_at = from.real();
   for (std::uint64_t k = from.integer(); k > 0; --k)
     s.other.push_back(unpack_checkpoint(std::string(from.text())));
   if (!from.is_at_end()) throw formats::FileError("it is damaged: there is more than a checkpoint");

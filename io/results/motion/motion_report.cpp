@@ -35,6 +35,11 @@ std::string start_text(const scenes::LoadedScene& loaded, const StartBalance& s)
 /// What the scheme took, where it is too much to speak of one motion.
 std::string loss_text(const std::optional<NumericalLoss>& l) {
   if (!l || !l->is_large()) return "";
+  if (l->is_created())
+    return fmt::format(
+        "  warning: the scheme created {:.3g} J, and {:.3g} J were given: the motion is too lively\n"
+        "  a smaller accuracy creates less, and energy-momentum creates none\n",
+        -l->lost, l->given);
   return fmt::format(
       "  warning: the scheme took {:.3g} J of the {:.3g} J that were given, most of it ({:.3g} J) between t "
       "= {:.4g} "
@@ -50,6 +55,15 @@ nlohmann::ordered_json loss_json(const std::optional<NumericalLoss>& l) {
           {"node", l->node}};
 }
 
+/// Why no accuracy gives the whole path.
+std::string chaos_text(const AchievedAccuracy& a) {
+  return fmt::format(
+      "  warning: the motion is chaotic: a start displaced by 1e-7 of an element leads to another path from "
+      "t = {:.4g} s on, and no accuracy gives the path after that;\n  envelopes, energies and peaks of "
+      "several runs agree where ropes and twines have a damping\n",
+      a.unpredictable_from);
+}
+
 /// The error of the path, and whether that is what was asked for.
 std::string path_text(const AchievedAccuracy& a) {
   if (!a.is_checked) return "";
@@ -61,10 +75,12 @@ std::string path_text(const AchievedAccuracy& a) {
         "was lost at t = {:.4g} s ({})\n",
         a.path_at, a.path_of);
   if (a.path == 0) return "  error of the path: none against a march in other steps\n";
+  const bool is_more = !(a.path <= a.asked);
   return fmt::format(
-      "  {}error of the path {:.3g}, at t = {:.4g} s at {}, against a march in other steps{}\n",
-      a.is_missed() ? "warning: " : "", a.path, a.path_at, a.path_of,
-      a.is_missed() ? ": more than was asked for" : "");
+             "  {}error of the path{} {:.3g}, at t = {:.4g} s at {}, against a march in other steps{}\n",
+             is_more ? "warning: " : "", a.is_predictable() ? "" : " until it cannot be predicted", a.path,
+             a.path_at, a.path_of, is_more ? ": more than was asked for" : "") +
+         (a.is_predictable() ? "" : chaos_text(a));
 }
 
 /// What was asked for and what errors of steps came to; empty: steps were given.
@@ -82,10 +98,12 @@ nlohmann::ordered_json path_json(const AchievedAccuracy& a) {
   if (!a.is_checked) return nullptr;
   const bool is_known = std::isfinite(a.path);
   using Json = nlohmann::ordered_json;
-  return {{"error", is_known ? Json(a.path) : Json(nullptr)},
-          {"time", a.path_at},
-          {"node", is_known ? Json(a.path_of) : Json(nullptr)},
-          {"reached", !a.is_missed()}};
+  return {
+      {"error", is_known ? Json(a.path) : Json(nullptr)},
+      {"time", a.path_at},
+      {"node", is_known ? Json(a.path_of) : Json(nullptr)},
+      {"predictable_until", std::isfinite(a.unpredictable_from) ? Json(a.unpredictable_from) : Json(nullptr)},
+      {"reached", !a.is_missed()}};
 }
 
 nlohmann::ordered_json accuracy_json(const AchievedAccuracy& a) {

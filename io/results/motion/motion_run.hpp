@@ -4,6 +4,7 @@
 #include "io/results/file/write_result.hpp"
 #include "io/runs/prepared_scene.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace netloft::results {
@@ -14,8 +15,9 @@ struct NumericalLoss {
   double lost = 0, given = 0;             // in all [J]
   double worst = 0, from = 0, until = 0;  // most between two outputs [J], their times [s]
   std::string node;                       // whose velocity changed most between them
-  /// More than a twentieth went where the scheme decides: no accuracy resolves the path that follows.
-  bool is_large() const { return lost > 0.05 * given; }
+  /// The scheme decides about more than a twentieth: no accuracy resolves the path that follows.
+  bool is_large() const { return std::abs(lost) > 0.05 * given; }
+  bool is_created() const { return lost < 0; }
 };
 
 /// The result of a motion.

@@ -19,6 +19,32 @@ BALL = 4  # node of snap.toml
 # A chain sketched a fifth too short, so that its bars are thrown apart and tighten within a step.
 SHORT_CHAIN = ["parts.chain.sketch=[[0,0,-8],[3,0,-7.2]]", "parts.chain.rope.EA_compression=856", "analysis.duration=0.3"]
 
+# A ball on a light bar that stands on its lower end: it stays there, and any deviation grows as cosh(t sqrt(g/l)).
+UPRIGHT = """
+[water]
+density = 0
+gravity = 9.81
+[parts.bar]
+type = "rope/bar"
+length = 1
+cells = 1
+sketch = [[0, 0, 0], [0, 0, 0.9975475]]  # compressed by the weight of the ball
+rope = { diameter = "5 mm", EA = 2e4, EA_compression = 2e4, density = 1e-3 }
+[parts.ball]
+type = "float/float"
+on = "bar.end"
+float = { mass = 5, volume = 0 }
+[[hold]]
+on = "bar.start"
+[analysis]
+kind = "dynamic"
+accuracy = 1e-2
+tolerance = 1e-9
+check = true
+duration = 7
+output_interval = 0.02
+"""
+
 
 class AccuracyOfMotion(unittest.TestCase):
     def setUp(self):
@@ -87,6 +113,19 @@ class AccuracyOfMotion(unittest.TestCase):
         given = ["analysis.check=true", "analysis.adaptive=false", "analysis.duration=0.1", "analysis.integrator=central-difference"]
         errors = [self.ask("snap", *given, f"analysis.step={h}")["accuracy"]["path"]["error"] for h in (2e-4, 5e-5)]
         self.assertLess(errors[1], 0.5 * errors[0])
+
+    def test_of_a_chaotic_path_is_not_claimed_from_when_a_disturbance_has_grown_to_it(self):
+        scene = Path(self.folder.name) / "upright.toml"
+        scene.write_text(UPRIGHT)
+        path = self.ask(str(scene.with_suffix("")), exit_code=3)["accuracy"]["path"]
+        displaced = 1e-7 * np.hypot(*(2 * (0.61803398874989485 * (i + 1) % 1) - 1 for i in range(2)))  # of the ball [m]
+        expected = np.arccosh(1e-2 / displaced) / np.sqrt(9.81)
+        self.assertAlmostEqual(path["predictable_until"], expected, delta=0.02 * expected)
+        self.assertFalse(path["reached"])
+        self.assertIn("the motion is chaotic", self.ask(str(scene.with_suffix("")), text=True, exit_code=3))
+        hanging = self.ask(str(scene.with_suffix("")), "parts.bar.sketch=[[0,0,0],[0,0,-1]]")["accuracy"]["path"]
+        self.assertTrue(hanging["reached"])
+        self.assertIsNone(hanging["predictable_until"])
 
     def test_of_a_damper_that_sets_in_within_a_step_makes_no_energy(self):
         answer = self.ask("chain", *SHORT_CHAIN, "analysis.integrator=energy-momentum")
