@@ -293,10 +293,25 @@ std::string TableReader::choice(std::string_view key, const ChoiceSpec& spec) {
 std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& spec) {
   const Value* value = ask(key, !spec.fallback, "an array, each " + wanted_real(spec.unit), spec.doc);
   std::optional<std::vector<double>> result;
+  if (value && value->kind() == Kind::table) return values_in_unit(table(key), spec);
   if (value)
     result = read_reals({*value, path(key), diagnostics()}, spec.unit, spec.range, spec.count, spec.doc);
   if (!result) result = spec.fallback;
   return result ? *result : std::vector<double>(stand_in_size(spec.count), within(spec.range));
+}
+
+/// Numbers with one unit for all of them: { unit = "deg", values = [0, 5, 10] }.
+std::vector<double> TableReader::values_in_unit(TableReader own, const RealsSpec& spec) {
+  const std::string unit = own.text("unit", {.doc = "unit of the values, such as " + spec.unit});
+  const Quantity one = unit.empty() ? Quantity{} : to_si("1 " + unit, spec.unit);
+  if (!unit.empty() && !one.ok()) own.error("unit", one.error, one.hint);
+  const double factor = one.ok() && one.value > 0 ? one.value : 1;
+  Range range = spec.range;
+  range.lo /= factor;
+  range.hi /= factor;
+  auto values = own.reals("values", {.unit = "1", .doc = spec.doc, .range = range, .count = spec.count});
+  for (double& value : values) value *= factor;
+  return values;
 }
 
 std::vector<std::vector<double>> TableReader::rows(std::string_view key, const RowsSpec& spec) {

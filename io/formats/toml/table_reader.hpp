@@ -118,7 +118,8 @@ class TableReader {
   bool boolean(std::string_view key, const BooleanSpec& spec);
   std::string text(std::string_view key, const TextSpec& spec);
   std::string choice(std::string_view key, const ChoiceSpec& spec);
-  std::vector<double> reals(std::string_view key, const RealsSpec& spec);             // [0, "5 m"]
+  /// [0, "5 m"], or { unit = "m", values = [0, 5] } with one unit for all values.
+  std::vector<double> reals(std::string_view key, const RealsSpec& spec);
   std::vector<std::vector<double>> rows(std::string_view key, const RowsSpec& spec);  // [[0, 1], ["2 m", 3]]
   std::vector<std::int64_t> integers(std::string_view key, const IntegersSpec& spec);
   std::vector<std::string> texts(std::string_view key, const TextsSpec& spec);
@@ -153,6 +154,7 @@ class TableReader {
   void finish() const;
 
  private:
+  static std::vector<double> values_in_unit(TableReader own, const RealsSpec& spec);
   struct State;
   explicit TableReader(std::shared_ptr<State> state) : state_(std::move(state)) {}
   const Value* ask(std::string_view key);

@@ -11,21 +11,16 @@ namespace netloft::program::schema {
 
 namespace {
 
-/// Columns of numbers, each an SI number or a text with a unit.
+/// A column of numbers, each an SI number or a text with a unit, or numbers with one unit for all.
 Json column_schema(const char* unit, const std::string& doc) {
   const double inf = std::numeric_limits<double>::infinity();
-  return {
-      {"type", "array"}, {"items", quantity(unit, -inf, inf, doc)}, {"minItems", 1}, {"description", doc}};
-}
-
-/// The same, or numbers with one unit for all.
-Json column_or_values_schema(const char* unit, const std::string& doc) {
+  const Json each = {{"type", "array"}, {"items", quantity(unit, -inf, inf, doc)}, {"minItems", 1}};
   const Json values = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 1}};
   const Json with_unit = {{"type", "object"},
                           {"properties", {{"unit", {{"type", "string"}}}, {"values", values}}},
                           {"required", {"unit", "values"}},
                           {"additionalProperties", false}};
-  return {{"description", doc}, {"anyOf", {column_schema(unit, doc), with_unit}}};
+  return {{"description", doc}, {"anyOf", {each, with_unit}}};
 }
 
 Json parameter_schema(const netloft_parameter& p) {
@@ -34,7 +29,7 @@ Json parameter_schema(const netloft_parameter& p) {
       Json table = object();
       table["description"] = p.doc;
       for (std::size_t k = 0; p.columns[k]; ++k) {
-        table["properties"][p.columns[k]] = column_or_values_schema(p.column_units[k], p.doc);
+        table["properties"][p.columns[k]] = column_schema(p.column_units[k], p.doc);
         table["required"].push_back(p.columns[k]);
       }
       return table;

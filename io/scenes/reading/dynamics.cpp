@@ -164,6 +164,10 @@ Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry) {
   d.material_damping = k.material_damping;
   const IntegratorType& type = registry.integrator(d.integrator);
   if (analysis.diagnostics().errors() > errors_before) return d;  // what follows from them helps nobody
+  if (k.shortest_step > k.longest_step)
+    analysis.error("shortest_step", "is longer than longest_step, so that no step is allowed");
+  if (k.adaptive && k.step > k.longest_step)
+    analysis.error("step", "is longer than longest_step", "adaptive = false makes all steps as long as step");
   if (!k.adaptive && k.step == 0 && !type.is_explicit())
     analysis.error("step", "is 0 with adaptive = false: say how long all steps are");
   if (k.output_interval > 0 && k.duration / k.output_interval > 1e6)

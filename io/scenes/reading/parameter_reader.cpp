@@ -16,28 +16,12 @@ std::vector<std::string> words_of(const netloft_parameter& p) {
   return words;
 }
 
-/// A column of numbers, or { unit = "deg", values = [0, 5, 10] }.
-std::vector<double> read_column(const netloft_parameter& p, std::size_t k, formats::Count count,
-                                formats::TableReader& table) {
-  const char *name = p.columns[k], *unit = p.column_units[k];
-  if (table.kind(name) != formats::Kind::table)
-    return table.reals(name, {.unit = unit, .doc = p.doc, .count = count});
-  formats::TableReader own = table.table(name);
-  const std::string said = own.text("unit", {.doc = "unit of the values, such as deg"});
-  auto values = own.reals("values", {.unit = "1", .doc = p.doc, .count = count});
-  if (said.empty()) return values;
-  const formats::Quantity one = formats::to_si("1 " + said, unit);
-  if (!one.ok()) own.error("unit", one.error, one.hint);
-  for (double& value : values) value *= one.ok() ? one.value : 1;
-  return values;
-}
-
 /// A table of columns, as many numbers in each, row by row.
 Samples read_rows(const netloft_parameter& p, formats::TableReader& table) {
   Samples rows;
   for (std::size_t k = 0; p.columns[k]; ++k) {
-    const auto column =
-        read_column(p, k, k ? formats::exactly(rows.size()) : formats::Count{.least = 1}, table);
+    const formats::Count count = k ? formats::exactly(rows.size()) : formats::Count{.least = 1};
+    const auto column = table.reals(p.columns[k], {.unit = p.column_units[k], .doc = p.doc, .count = count});
     if (k == 0) rows.resize(column.size());
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(i < column.size() ? column[i] : 0.0);
   }

@@ -4,6 +4,7 @@
 #include "io/scenes/reading/beds.hpp"
 #include "io/scenes/reading/halves.hpp"
 #include "io/scenes/reading/tow.hpp"
+#include "io/scenes/reading/water_checks.hpp"
 
 #include <algorithm>
 
@@ -106,6 +107,7 @@ void check_symmetry(SceneReading& reading, const WaterReader& water) {
 
 void check_scene(SceneReading& reading, const WaterReader& water) {
   check_held(reading);
+  check_current(reading.out().scene, reading.root);
   check_ground(reading.draft, water.says_tow(), reading.diagnostics);
   if (!reading.out().scene.bed.is_there) check_bed(reading.draft, reading.diagnostics);
   check_beds(reading.out(), reading.diagnostics);

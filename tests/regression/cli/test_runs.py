@@ -395,6 +395,17 @@ class OtherCommands(InFreshFolder):
         self.write("rests.toml", gear)
         self.assertNotIn("warning", self.netloft("run", "rests.toml").out)
 
+    def test_a_current_that_nobody_means_gets_a_warning(self):
+        rope = (SOURCE / "gear-library" / "scenes" / "hanging-rope.toml").as_posix()
+        for current, words in [('{ z = ["0 m", "100 m"], x = [1.2, 0.4] }', "lies above the gear .* so that only its lowest value acts"),
+                               ('{ z = ["-500 m", "-100 m"], x = [1.2, 0.4] }', "lies below the gear .* so that only its highest value acts"),
+                               ('[1.5, 0, 0]\n[tow]\nspeed = 1.5', "is the speed of the tow once more: the water passes the gear at 3 m/s"),
+                               ('{ z = ["0 m", "-100 m"], x = [1.2, 0.4] }', None), ('[0.5, 0, 0]\n[tow]\nspeed = 1.5', None)]:
+            with self.subTest(current=current):
+                self.write("scene.toml", f'include = ["{rope}"]\n[water]\ncurrent = {current}\n')
+                said = self.netloft("plan", "scene.toml").err
+                self.assertRegex(said, words) if words else self.assertNotIn("water.current", said)
+
     def test_friction_on_ground_at_rest_gets_a_warning_in_water_that_flows(self):
         self.write("scene.toml", """
 [water]

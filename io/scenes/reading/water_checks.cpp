@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/water_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::scenes {
+
+namespace {
+
+struct Heights {
+  double low, high;  // [m]
+  std::string text() const { return fmt::format("z = {:.4g} m to {:.4g} m", low, high); }
+};
+
+Heights heights_of(const Scene& scene) {
+  Heights gear{scene.positions[2], scene.positions[2]};
+  for (std::size_t i = 2; i < scene.positions.size(); i += 3) {
+    gear.low = std::min(gear.low, scene.positions[i]);
+    gear.high = std::max(gear.high, scene.positions[i]);
+  }
+  return gear;
+}
+
+/// Outside its heights a profile is constant, so that one of its values acts on the whole gear.
+void check_profile(const Scene& scene, formats::TableReader& root) {
+  const auto& profile = scene.current.samples;
+  if (scene.current.is_uniform() || scene.positions.empty()) return;
+  const Heights gear = heights_of(scene), table{profile.front().z, profile.back().z};
+  const bool is_above = table.low >= gear.high;
+  if (!is_above && table.high > gear.low) return;
+  formats::TableReader current = root.table("water").table("current");
+  current.diagnostics().warning(
+      current.place("z"),
+      fmt::format("water.current: the profile lies {} the gear ({}; the gear starts at {}), so that only its "
+                  "{} value acts",
+                  is_above ? "above" : "below", table.text(), gear.text(), is_above ? "lowest" : "highest"),
+      "z points up and is 0 at the surface: a depth of 50 m is z = \"-50 m\"");
+}
+
+/// The speed of the tow as a current beside it: the water passes the gear twice as fast as was meant.
+void check_tow(const Scene& scene, formats::TableReader& root) {
+  constexpr double kAlike = 0.02;  // of the speed of the tow; a tow along a current of its own speed is rare
+  const auto& tow = scene.current.tow;
+  const double speed = std::hypot(tow[0], tow[1]);
+  if (speed == 0 || scene.current.samples.size() != 1) return;
+  const auto& v = scene.current.samples[0].velocity;
+  if (std::hypot(v[0] - tow[0], v[1] - tow[1]) > kAlike * speed) return;
+  root.diagnostics().warning(
+      root.table("water").place("current"),
+      fmt::format("water.current is the speed of the tow once more: the water passes the gear at {:.4g} m/s",
+                  2 * speed),
+      "leave it out: [tow] or [ship] alone lets the water and the ground pass the gear");
+}
+
+}  // namespace
+
+void check_current(const Scene& scene, formats::TableReader& root) {
+  check_profile(scene, root);
+  check_tow(scene, root);
+}
+
+}  // namespace netloft::scenes
