@@ -6,7 +6,7 @@
 
 Prints, for every gear and in all, how many figures have an error within their bar, the median of bar over error,
 and what the report says does not converge. Figures that do not vary with the mesh are left out. None of the twenty served
-to choose the rule; io/studies/compare/README.md says which did. --that-chose: the eleven that chose its factor of safety instead.
+to choose the rule; tests/bench/error_bars.md lists them. --that-chose: the eleven that chose its factor of safety instead.
 """
 import argparse
 import concurrent.futures

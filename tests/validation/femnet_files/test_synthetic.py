@@ -17,7 +17,7 @@ HERE = Path(__file__).parent
 SAME = ("01_two_bars", "02_netting_panel", "03_node_force_symmetry", "04_moving_bed", "06_netting2ropes", "08_free_surface",
         "09_hauling")
 METRES, NEWTONS = 1e-6, 1e-6
-# Bending with unstretched lengths; drag of netting beside a catch: io/scenes/import/README.md. [m]
+# Bending with unstretched lengths; drag of netting beside a catch: io/scenes/import/FORMATS.md. [m]
 DIFFERENT = {"07_bending_rest_angle": 2e-5, "05_catch_front": 0.048}
 
 
