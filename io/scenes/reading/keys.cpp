@@ -115,8 +115,7 @@ std::span<const netloft_parameter> analysis_keys() {
               "largest number of iterations of one stage, or of one step of a motion", 0, 1000000,
               Limits{}.iterations);
     t.real("work", &AnalysisKeys::work, "1",
-           "work budget of all stages together, in Newton iterations of the full scene; the same on every "
-           "machine",
+           "budget of all stages, in Newton iterations of the full scene; the same on every machine",
            {.lo = 0, .hi = 1e12, .fallback = 20000});
     t.real("max_seconds", &AnalysisKeys::max_seconds, "s", "processor time after which the search stops",
            {.lo = 0, .hi = 1e9, .fallback = 1e9});
