@@ -165,6 +165,9 @@ class MooringReader {
     if (is_new) type.EI = number(row[5], "EI", 0, 1e12);
     type.cd = number(row[is_new ? 6 : 7], "the transverse drag coefficient", 0, 100);
     type.cd_axial = number(row[8], "the tangential drag coefficient", 0, 30);
+    if (row.size() > 10 && formats::number_in(row[10].text) != 0.0)
+      leave_out(row[10].place,
+                "line type " + shown(row[0]) + ": lift by vortices, Cl = " + std::string(row[10].text));
     if (!line_types_.try_emplace(std::string(row[0].text), type).second)
       error(row[0].place, "there is a line type " + shown(row[0]) + " already");
   }

@@ -161,6 +161,13 @@ TEST(MoorDyn, ListsEveryOptionThatIsNotUsedWithItsLineAndItsMeaning) {
   EXPECT_EQ(texts[2], "32: the option Kbto = 5: it is not known here, and may be misspelt");
 }
 
+TEST(MoorDyn, LeavesOutTheLiftByVorticesOfALineType) {
+  EXPECT_EQ(left_out_of(changed(kMooring, "1.0     0.5\n", "1.0     0.5   0.8 0.08 0.18\n")).front(),
+            "6: line type \"chain\": lift by vortices, Cl = 0.8");
+  EXPECT_EQ(left_out_of(changed(kMooring, "1.0     0.5\n", "1.0     0.5   0\n")).size(),
+            left_out_of(kMooring).size());
+}
+
 TEST(MoorDyn, SkipsTheNumbersOfRowsOfItsFirstVersion) {
   std::string text = changed(kOldMooring, "LineType  Diam", "1 NTypes - number of LineTypes\nLineType  Diam");
   text = changed(text, "Node      Type", "3        NConnects - number of connections\nNode      Type");
