@@ -96,10 +96,10 @@ class Diagnosis {
       const auto pressed = std::count_if(t.of_elements.begin(), t.of_elements.end(),
                                          [&](double T) { return T < -kCounts * largest_; });
       if (pressed)
-        sentences_.push_back(fmt::format(
-            "{} bears compression in {} of {} elements, up to {:.3g} N: it may stand where nothing "
-            "but stiffness in compression holds it",
-            name(part), pressed, t.of_elements.size(), -t.least));
+        sentences_.push_back(
+            fmt::format("{} bears compression in {} of {} elements, up to {:.3g} N: stiffness in compression "
+                        "alone may hold it in its place",
+                        name(part), pressed, t.of_elements.size(), -t.least));
     }
   }
 

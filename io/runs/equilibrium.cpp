@@ -2,11 +2,12 @@
 #include "io/runs/equilibrium.hpp"
 
 #include "io/runs/diagnosis.hpp"
-#include "io/runs/search_setup.hpp"
 #include "io/runs/settle.hpp"
+#include "io/scenes/reading/halves.hpp"
 #include "io/scenes/reading/keys.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace netloft::runs {
@@ -29,6 +30,38 @@ class AllowedTime {
   }
   const Watch& watch_;
 };
+
+/// Options of a search by the solver of the analysis.
+SearchOptions search_options(PreparedScene& scene, const Limits& limits, const Watch& watch) {
+  const scenes::Analysis& analysis = scene.loaded().analysis;
+  SearchOptions options;
+  options.solver = {&scene.registry().solver(analysis.solver), analysis.solver_parameters};
+  options.limits = limits;
+  options.limits.interrupt = watch.interrupt;
+  options.given = analysis.given;
+  options.kept = watch.kept;
+  options.work = analysis.work;
+  options.on_iteration = watch.on_iteration;
+  options.on_stage = watch.on_stage;
+  return options;
+}
+
+StrategyUse strategy_of(PreparedScene& scene) {
+  const scenes::Analysis& analysis = scene.loaded().analysis;
+  return {&scene.registry().strategy(analysis.strategy), analysis.strategy_parameters};
+}
+
+/// Rejects equilibria in which the half gear has crossed its own plane of symmetry, since the whole gear has
+/// none there. Nodes that are held beyond the plane were put there on purpose.
+void reject_crossed_halves(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
+  if (!is_stationary(s) || !loaded.gear || loaded.gear->times != 2) return;
+  for (const scenes::Crossing& crossing : scenes::find_crossings(loaded, assembler.node_positions(s.x)))
+    if (!crossing.is_held) {
+      s.status = SolveStatus::not_converged;
+      s.at_fault = loaded.scene.parts[crossing.part].name;
+      s.reason = crossing.sentence + ". No whole gear lies so; start it elsewhere, or solve it as a whole";
+    }
+}
 
 void adopt_and_check(PreparedScene& scene, Solution& s) {
   scene.adopt(s);
@@ -77,6 +110,25 @@ Solution find_equilibrium_near(PreparedScene& scene, const std::vector<double>& 
   };
   if (found.status == SolveStatus::unstable) go_on_from(std::vector(found.u));
   if (!is_answer(found)) go_on_from({});
+  return found;
+}
+
+Solution find_start_of_motion(PreparedScene& scene, const Watch& watch) {
+  const scenes::LoadedScene& loaded = scene.loaded();
+  const ScenePlan plan = make_scene_plan(loaded.scene, scene.registry());
+  Assembler assembler(loaded.scene, plan, scene.source().threads);
+  assert(assembler.pattern().size == scene.assembler().pattern().size);
+  VariantSource source = scene.variants();
+  source.assembler = &assembler;
+  source.tangent = TangentChoice::exact;
+  Limits limits;
+  limits.seconds = loaded.analysis.limits.seconds;
+  limits.judging.accept_oscillation = loaded.analysis.limits.judging.accept_oscillation;
+  SearchOptions options =
+      search_options(scene, limits, {.interrupt = watch.interrupt, .on_iteration = watch.on_iteration});
+  options.solver = {&scene.registry().solver(scenes::kSolver), {}};
+  Solution found = netloft::find_equilibrium(source, options, strategy_of(scene));
+  reject_crossed_halves(loaded, assembler, found);
   return found;
 }
 

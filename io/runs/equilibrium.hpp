@@ -23,6 +23,11 @@ Solution continue_equilibrium(PreparedScene& scene, const std::vector<double>& u
 /// start of the scene if none was found.
 Solution find_equilibrium_near(PreparedScene& scene, const std::vector<double>& u, const Watch& watch = {});
 
+/// Finds the equilibrium that a motion starts from, with the forces, tangent, tolerance and solver of a
+/// static analysis: a motion may leave out parts of the tangent and still swing about this equilibrium. Both
+/// number their unknowns alike.
+Solution find_start_of_motion(PreparedScene& scene, const Watch& watch);
+
 /// Assesses displacements `u` that no solver has declared an equilibrium, by the given assembler: if a plugin
 /// does not come back, that of the scene stays busy.
 Solution assess_point(const PreparedScene& scene, std::span<const double> u, Assembler& assembler);

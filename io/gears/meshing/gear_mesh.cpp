@@ -36,11 +36,13 @@ struct Border {
 /// Divides one gear with one size; the member functions are steps in the order of execution.
 class Divider {
  public:
-  Divider(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size)
+  Divider(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size,
+          const OnMeshing& on_meshing)
       : gear_(gear),
         cloths_(cloths),
         fineness_(fineness),
         size_(size),
+        on_meshing_(on_meshing),
         lines_(seam_lines(gear, cloths, fineness, size)) {}
 
   GearMesh divide() {
@@ -137,9 +139,12 @@ class Divider {
   }
 
   void fill_cloths() {
+    std::size_t inside = 0;
     for (const auto& cloth : cloths_.cloths) {
+      if (on_meshing_) on_meshing_(gear_.panels[cloth.panel].name, mesh_.nodes + inside);
       borders_.push_back(border_of(cloth));
       planes_.push_back(fill(cloth, borders_.back()));
+      inside += planes_.back().points.size() - borders_.back().nodes.size();
     }
   }
 
@@ -212,6 +217,7 @@ class Divider {
 
   void add_cloth(std::size_t c) {
     const Cloth& cloth = cloths_.cloths[c];
+    if (on_meshing_) on_meshing_(gear_.panels[cloth.panel].name, mesh_.nodes);
     const PlaneMesh& plane = planes_[c];
     const auto own = add_own_nodes(cloth, *gear_.panels[cloth.panel].panel, borders_[c], plane);
     for (auto t : plane.triangles) {
@@ -362,6 +368,7 @@ class Divider {
   const Cloths& cloths_;
   const Fineness& fineness_;
   double size_;
+  const OnMeshing& on_meshing_;
   SeamLines lines_;
   std::vector<std::vector<std::uint32_t>> line_nodes_;
   std::vector<Border> borders_;    // one per cloth
@@ -372,21 +379,21 @@ class Divider {
 
 }  // namespace
 
-GearMesh divide(const Gear& gear, const Fineness& fineness) {
+GearMesh divide(const Gear& gear, const Fineness& fineness, const OnMeshing& on_meshing) {
   const Cloths cloths = cloths_of(gear);
   if (fineness.knots) {
     check_knots(gear);
-    return Divider(gear, cloths, fineness, shortest_bar(gear)).divide();
+    return Divider(gear, cloths, fineness, shortest_bar(gear), on_meshing).divide();
   }
   if (fineness.size > 0) {
     check_size(gear, fineness);
-    return Divider(gear, cloths, fineness, fineness.size).divide();
+    return Divider(gear, cloths, fineness, fineness.size, on_meshing).divide();
   }
   double size = size_for(gear, fineness);
   GearMesh best;
   double nearest = 1e300;
   for (int trial = 0; trial < kTrials && nearest > std::log1p(kNear); ++trial) {
-    GearMesh mesh = Divider(gear, cloths, fineness, size).divide();
+    GearMesh mesh = Divider(gear, cloths, fineness, size, on_meshing).divide();
     const double ratio =
         static_cast<double>(mesh.nodes) / static_cast<double>(std::max<std::size_t>(fineness.nodes, 3));
     size *= std::sqrt(ratio);

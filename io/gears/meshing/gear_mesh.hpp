@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -54,6 +55,9 @@ struct GearMesh {
   MeshQuality quality;
 };
 
+/// Called as a gear is divided, with the panel or step that begins and the number of nodes so far.
+using OnMeshing = std::function<void(const std::string& step, std::size_t nodes)>;
+
 /// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes.
 ///
 /// By knots, netting that is spread with an opening of one half is a lattice of equilateral triangles, each
@@ -62,6 +66,6 @@ struct GearMesh {
 /// by twine. Only along borders, which are straight where cuttings go in steps, are there triangles of other
 /// shapes. Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses
 /// itself, and for a size that would give millions of nodes.
-GearMesh divide(const Gear& gear, const Fineness& fineness);
+GearMesh divide(const Gear& gear, const Fineness& fineness, const OnMeshing& on_meshing = {});
 
 }  // namespace netloft::gears

@@ -96,7 +96,7 @@ void check_kind(const scenes::LoadedScene& loaded, bool is_of_motions) {
     throw UsageError{
         "--integrator goes through time, and this scene is static: compare --solver or --strategy"};
   if (is_of_motions && !loaded.analysis.dynamics.start_file.empty())
-    throw UsageError{"compare begins motions where the scene does, and analysis.start names a result"};
+    throw UsageError{"compare begins motions at the start of the scene, and analysis.start names a result"};
 }
 
 /// Prepares the scene once with every method, and on every mesh, so that all errors are reported at first.

@@ -6,10 +6,12 @@
 #include "io/program/commands/draw_polars.hpp"
 #include "io/program/commands/gears.hpp"
 #include "io/program/session/error_json.hpp"
+#include "io/program/session/meshing_progress.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -47,6 +49,13 @@ int say(const formats::Diagnostics& diagnostics, Terminal& terminal) {
   return kWrongInput;
 }
 
+void report_written(const std::string& output, Terminal& terminal) {
+  if (terminal.json())
+    std::puts(done_json(output).c_str());
+  else
+    terminal.say("written to " + output);
+}
+
 int draw_polars_command(const DrawOptions& options) {
   Terminal terminal(options);
   formats::Diagnostics diagnostics;
@@ -54,16 +63,21 @@ int draw_polars_command(const DrawOptions& options) {
   const std::string picture = draw_polars(options.file, output.ends_with(".html"), diagnostics);
   if (const int code = say(diagnostics, terminal); code != kDone) return code;
   replace_file(output, picture, {options.file}, {".svg", ".html"});
-  terminal.say("written to " + output);
+  report_written(output, terminal);
   return kDone;
 }
 
-std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes) {
+gears::GearMesh divide(const gears::Gear& gear, const gears::Fineness& fineness, Terminal& terminal) {
+  const MeshingProgress progress(terminal);
+  return gears::divide(gear, fineness, progress.observer());
+}
+
+std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes, Terminal& terminal) {
   const gears::Gear gear = gears::make_gear(plan, gears::Extent::whole);
   gears::Fineness fineness;
   fineness.nodes = nodes;
   try {
-    return gears::draw_mesh(plan, gear, gears::divide(gear, fineness));
+    return gears::draw_mesh(plan, gear, divide(gear, fineness, terminal));
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
@@ -76,9 +90,9 @@ int draw_plan(const DrawOptions& options) {
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
   if (const int code = say(diagnostics, terminal); code != kDone) return code;
   const std::string output = output_of(options);
-  replace_file(output, options.mesh ? draw_divided(plan, options.nodes) : gears::draw_plan(plan),
+  replace_file(output, options.mesh ? draw_divided(plan, options.nodes, terminal) : gears::draw_plan(plan),
                files_of(plan), {".svg"});
-  terminal.say("written to " + output);
+  report_written(output, terminal);
   return kDone;
 }
 

@@ -95,7 +95,7 @@ int new_command(const NewOptions& options) {
   check_name(options.name, registry);
   const fs::path folder = options.name;
   std::error_code error;
-  if (fs::exists(folder, error)) throw UsageError{folder.string() + ": there is something of that name"};
+  if (fs::exists(folder, error)) throw UsageError{folder.string() + ": a file or folder of that name exists"};
   if (!fs::create_directory(folder, error))
     throw formats::WriteError(folder.string() + " cannot be made: " + error.message());
   try {

@@ -27,7 +27,7 @@ std::vector<studies::MeshLevel> levels_of_gear(const RefineOptions& options,
     throw UsageError{"--cells: a gear is divided as a whole; write --nodes 500,2000,8000"};
   if (options.nodes.empty()) return studies::gear_levels(loaded, {500, 2000, 8000, 30000});
   if (options.nodes.size() < 2)
-    throw UsageError{"--nodes: two or more numbers are wanted, better four, such as 500,2000,8000,30000"};
+    throw UsageError{"--nodes needs two or more numbers, better four, such as 500,2000,8000,30000"};
   return studies::gear_levels(loaded, options.nodes);
 }
 

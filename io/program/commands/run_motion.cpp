@@ -15,11 +15,12 @@ void refuse_options_of_equilibria(const RunOptions& options) {
   if (!options.start_from.empty())
     throw UsageError{"--start-from is for equilibria; --set analysis.start=RESULT.hdf is for motions"};
   if (options.stages)
-    throw UsageError{"--stages is for equilibria; output_interval says when a motion is kept"};
+    throw UsageError{"--stages is for equilibria; analysis.output_interval sets the outputs of a motion"};
   if (options.error)
     throw UsageError{
-        "--error is for equilibria; of a motion, compare runs with other cells and `accuracy` by `netloft "
-        "diff`"};
+        "--error is for equilibria; for a motion, run it with other cells and another `accuracy`, and "
+        "compare the "
+        "results by `netloft diff`"};
 }
 
 /// The scene as it was read and changed. A motion can be resumed only with the same.

@@ -39,10 +39,10 @@ void replace_file(const std::string& output, const std::string& content,
                   const std::vector<std::string>& sources, const std::vector<std::string>& endings) {
   std::error_code none;
   if (fs::exists(output, none) && !fs::is_regular_file(output, none))
-    throw UsageError{output + " is no file that may be replaced"};
+    throw UsageError{output + " is a folder or a device, and cannot be replaced"};
   for (const auto& source : sources)
     if (fs::equivalent(output, source, none))
-      throw UsageError{output + " is what it would be made from; name another file with -o"};
+      throw UsageError{output + " is an input of this command; name another file with -o"};
   if (!has_one_of(output, endings)) throw UsageError{output + ": this is written as " + list_of(endings)};
   formats::write_whole(output, content);
 }

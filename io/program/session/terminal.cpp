@@ -49,6 +49,8 @@ std::string json_number(double value) { return std::isfinite(value) ? fmt::forma
 // seconds between two signs of progress
 constexpr double kRedraw = 0.1, kEvent = 1, kLogLine = 60;
 
+constexpr double kSilentMeshing = 2;  // seconds without a sign of progress
+
 }  // namespace
 
 Terminal::Terminal(const CommonOptions& options)
@@ -63,10 +65,12 @@ void Terminal::say(const std::string& text) {
   if (!text.empty() && text.back() != '\n') std::fputc('\n', stderr);
 }
 
+/// Seconds between two lines.
+double Terminal::pause() const { return json_ ? kEvent : is_terminal_ ? kRedraw : kLogLine; }
+
 /// Whether it is time for another line.
 bool Terminal::is_due(double now) {
-  const double pause = json_ ? kEvent : is_terminal_ ? kRedraw : kLogLine;
-  if (now - begun_ < 1 || now - last_ < pause) return false;
+  if (now - begun_ < 1 || now - last_ < pause()) return false;
   last_ = now;
   return true;
 }
@@ -131,6 +135,16 @@ void Terminal::progress_in_steps(const std::string& things, std::size_t done, st
                    left.empty() ? "" : " left=" + left),
        fmt::format(R"({{"event": "progress", "{}": {}, "of": {}, "seconds": {:.1f}, "left": {}}})", things,
                    done, all ? of : "null", seconds, left.empty() ? "null" : left));
+}
+
+void Terminal::progress_in_meshing(const std::string& step, std::size_t nodes) {
+  const double now = wall_seconds(), seconds = now - begun_;
+  if (seconds < kSilentMeshing || now - last_of_meshing_ < pause()) return;
+  last_of_meshing_ = now;
+  show(fmt::format("meshing {}: {} nodes, {:.1f} s gone", step, nodes, seconds),
+       fmt::format("meshing=\"{}\" nodes={} seconds={:.1f}", step, nodes, seconds),
+       fmt::format(R"({{"event": "progress", "meshing": "{}", "nodes": {}, "seconds": {:.1f}}})", step, nodes,
+                   seconds));
 }
 
 void Terminal::clear() {

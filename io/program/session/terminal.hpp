@@ -33,14 +33,17 @@ class Terminal {
   /// the last one.
   void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
                          const std::string& last);
+  /// The same for meshing, after two seconds: the panel or step under way, and the number of nodes so far.
+  void progress_in_meshing(const std::string& step, std::size_t nodes);
   void clear();
 
  private:
+  double pause() const;
   bool is_due(double now);
   void show(const std::string& bar, const std::string& pairs, const std::string& object);
 
   bool is_terminal_, color_, json_, drawn_ = false;
-  double begun_, last_ = 0;
+  double begun_, last_ = 0, last_of_meshing_ = 0;
   int stage_ = 1, last_iteration_ = -1;
   double first_residual_ = 0, stage_begun_ = 0;
 };

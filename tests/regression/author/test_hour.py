@@ -62,7 +62,7 @@ class Hour(WithInstallation):
         self.write("there", "")
         for name, why in (("rope", "there is a plugin of that name"), ("Otter", "small letters"), ("2nd", "small letters"),
                           ("a/b", "small letters"), ("", "small letters"), ("x" * 41, "40 at most"), ("test", "has a meaning"),
-                          ("there", "there is something of that name")):
+                          ("there", "a file or folder of that name exists")):
             with self.subTest(name):
                 ended = self.sh(f"netloft new element '{name}'", expect=2)
                 self.assertIn(why, ended.err)

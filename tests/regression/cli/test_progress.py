@@ -44,6 +44,14 @@ class Progress(InFreshFolder):
         event = json.loads(self.first_line("compare", PANEL, *NEVER, "--solver", "newton", "--tolerance", "1e-16:1e-16", "--json"))
         self.assertEqual(event["event"], "progress")
 
+    def test_meshing_names_the_panel_and_counts_nodes(self):
+        words = ("draw", str(SOURCE / "gear-library/gears/two-panel.toml"), "--mesh", "--nodes", "900000", "-o", "a.svg")
+        event = json.loads(self.first_line(*words, "--json"))
+        self.assertEqual(event["event"], "progress")
+        self.assertGreater(event["nodes"], 1000)
+        self.assertGreaterEqual(event["seconds"], 2)
+        self.assertRegex(self.first_line(*words), r'^progress meshing="[\w-]+" nodes=\d+ seconds=[\d.]+$')
+
     def test_a_study_counts_its_items(self):
         self.write("s.toml", f'scene = "{PANEL}"\n{VARIABLE}[design]\nsamples = 200\n')
         self.assertEqual(self.netloft("study", "plan", "s.toml").code, 0)

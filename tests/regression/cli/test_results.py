@@ -313,9 +313,9 @@ class Results(InFreshFolder):
     def test_what_it_is_made_from_is_never_replaced(self):
         result = self.solved("a", GOOD)
         before = (self.folder / result).read_bytes()
-        self.assertIn("is what it would be made from", self.refused("view", result, "-o", result))
-        self.assertIn("is what it would be made from", self.refused("draw", result, "-o", result))
-        self.assertIn("is no file that may be replaced", self.refused("draw", result, "-o", "."))
+        self.assertIn("is an input of this command", self.refused("view", result, "-o", result))
+        self.assertIn("is an input of this command", self.refused("draw", result, "-o", result))
+        self.assertIn("is a folder or a device, and cannot be replaced", self.refused("draw", result, "-o", "."))
         self.assertEqual((self.folder / result).read_bytes(), before)
 
     def test_a_state_that_is_not_there_is_refused(self):

@@ -36,7 +36,7 @@ double middle(double sketch, std::optional<double> start, const std::vector<std:
 }
 
 // From an unstable equilibrium that a user names the search goes on there, and not from the sketch.
-TEST(SolveFrom, LeavesAnUnstableEquilibriumWhereverTheSceneIsSketched) {
+TEST(EquilibriumNearAPoint, LeavesAnUnstableEquilibriumWhereverTheSceneIsSketched) {
   const double rise = std::sqrt(1.05 * 1.05 - 1);
   const std::vector<std::string> by{"analysis.strategy=auto"};
   for (const double side : {-1, 1})
@@ -47,11 +47,22 @@ TEST(SolveFrom, LeavesAnUnstableEquilibriumWhereverTheSceneIsSketched) {
 }
 
 /// The bars are heavy because a motion without a load has no scale for its residual.
-TEST(SolveFrom, BeginsAMotionThereToo) {
+TEST(EquilibriumNearAPoint, BeginsAMotionThereToo) {
   const std::vector<std::string> heavy{"analysis.solver=generalized-alpha", "water.gravity=9.81",
                                        "parts.bar.rope.density=5000", "analysis.tolerance=1e-5"};
   EXPECT_LT(middle(kStraight - 0.25, {}, heavy), kStraight - 0.1);
   EXPECT_GT(middle(kStraight - 0.25, kStraight + 0.25, heavy), kStraight + 0.1);
+}
+
+TEST(ContinuedEquilibrium, IsGivenUpAfterItsIterations) {
+  PreparedScene rope({test::source_folder() + "/gear-library/scenes/hanging-rope.toml", {}, 1},
+                     test::shipped_plugins());
+  ASSERT_EQ(rope.prepare(), PreparedScene::State::ready);
+  const std::vector<double> u = rope.assembler().displacements_to(rope.assembler().start());
+  EXPECT_EQ(continue_equilibrium(rope, u, 1).status, SolveStatus::not_converged);
+  const Solution found = find_equilibrium(rope);
+  ASSERT_EQ(found.status, SolveStatus::converged);
+  EXPECT_EQ(continue_equilibrium(rope, found.u, 1).status, SolveStatus::converged);
 }
 
 }  // namespace
