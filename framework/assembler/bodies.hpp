@@ -4,27 +4,27 @@
 
 namespace netloft {
 
-/// Rates of all dofs and the factors of a matrix, as bodies need them; see Kinematics.
+/// Rates over all dofs and the factors of a matrix; see Kinematics.
 struct BodyMotion {
   const double *v = nullptr, *a = nullptr;
   double cu = 1, cv = 0, ca = 0;
 };
 
-/// Matrix values of one evaluation. `damping` and `mass` are those of cv = 1 and of ca = 1 alone, of all
-/// elements at carried nodes; null at rest.
+/// Matrix values of one evaluation. `damping` and `mass` are the values for cv = 1 alone and for ca = 1
+/// alone, with all elements at carried nodes; null at rest.
 struct BodyMatrices {
   double* values = nullptr;
   const double *damping = nullptr, *mass = nullptr;
 };
 
 /// Nodes carried by rigid bodies. Elements treat them like any other node; their forces and matrices are
-/// passed on to the body. With ψ the rotation vector, q = ℓψ what stands for it among the unknowns, ℓ the arm
-/// of the body, and r a node in the body's own axes,
+/// passed on to the body. ψ is the rotation vector of the body, ℓ its arm, q = ℓψ the unknowns of the
+/// rotation, and r a node in the body's own axes:
 ///   x = X + R(ψ) r,   ẋ = Ẋ + G q̇,   ẍ = Ẍ + G q̈ + Ġ q̇,   G = ∂x/∂q                                     (1)
 ///   f_X += f,   f_q += Gᵀ f (2) K ← [I G]ᵀ K [I G],   K_qq += cu Σ_i f_i ∂²x_i/∂q²   the geometric term (3)
-///   K_·q += [I G]ᵀ (C V + M (cv A_v + cu A)),  V = cu ∂ẋ/∂q,  A_v = ∂ẍ/∂q̇,  A = ∂ẍ/∂q    of what moves   (4)
-/// where K = cu ∂f/∂x + cv C + ca M. All derivatives are exact, by dual numbers. f_q is a force: the moment
-/// that does work on ψ, over the arm.
+///   K_·q += [I G]ᵀ (C V + M (cv A_v + cu A)),  V = cu ∂ẋ/∂q,  A_v = ∂ẍ/∂q̇,  A = ∂ẍ/∂q    if it moves     (4)
+/// where K = cu ∂f/∂x + cv C + ca M. All derivatives are exact (dual numbers). f_q is a force: the moment
+/// that does work on ψ, divided by the arm.
 class Bodies {
  public:
   Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
@@ -33,7 +33,7 @@ class Bodies {
   /// Nodes of each body: its origin and its rotation.
   const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
   double arm(std::size_t body) const { return bodies_[body].arm; }
-  /// The origin of the body that carries a node; a node that none carries is its own.
+  /// The origin of the body that carries a node; the node itself if no body carries it.
   std::uint32_t carrier(std::uint32_t node) const {
     for (const Point& point : points_)
       if (point.node == node) return pairs_[point.body][0];
@@ -50,13 +50,13 @@ class Bodies {
                const BodyMatrices& matrices, bool exact);
   /// In a metric, which is passed on by (3), the rotation block A of each body becomes
   ///   tr(A) I ≥ A                                                                           (5)
-  /// A is singular where the body hangs by points on one line: about it, it turns freely.
+  /// A is singular if all points of the body are on one line, about which it turns freely.
   void resist_turning(double* metric) const;
   /// Masses, blocks of nodes, are passed on, (3); `between` has a block per body, origin x rotation.
   void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
-  /// Rotation vectors of more than ¾ of a turn become those of the same rotation that are shorter, and rates
-  /// those of the same spin, in displacements u of the unknowns from `start` and their rates, which may be
-  /// empty. Returns whether some did.
+  /// Replaces rotation vectors of more than ¾ of a turn by the shorter vectors of the same rotation, and
+  /// their rates by those of the same spin, in displacements u of the unknowns from `start` and their rates,
+  /// which may be empty. Returns whether any vector was replaced.
   bool shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                std::span<double> a) const;
 

@@ -105,7 +105,7 @@ void ElementFamily::gather_nodes(const Scene& scene, std::uint32_t first_global_
   }
 }
 
-/// The rotation of a body stands behind its origin.
+/// Adds the rotation of a body after its origin.
 void ElementFamily::add_body_of(const Scene& scene, std::uint32_t origin, const Part& part) {
   const auto body = scene.body_at(origin);
   if (!body) throw SceneError({{part.name, type_->type + " stands on rigid bodies, and this is none"}});

@@ -4,6 +4,7 @@
 #include "framework/scene/scene_plan.hpp"
 
 #include <array>
+#include <cassert>
 #include <memory>
 #include <string_view>
 
@@ -32,26 +33,30 @@ class ElementFamily {
   /// which come last.
   int all_nodes_per_element() const { return type_->dofs() / 3; }
   std::uint32_t node(std::size_t element, int corner) const {
+    assert(element < size() && corner >= 0 && corner < all_nodes_per_element());
     return nodes_[element * static_cast<std::size_t>(all_nodes_per_element()) +
                   static_cast<std::size_t>(corner)];
   }
   /// The scene part to which an element belongs.
   std::uint32_t part(std::size_t element) const { return parts_[part_[element]]; }
   const std::vector<std::uint32_t>& parts() const { return parts_; }
-  /// Of the viscosity that its parts meet to that of the water.
+  /// Viscosity of the water at its parts, divided by the viscosity of the scene's water.
   double viscosity_ratio() const { return viscosity_ratio_; }
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
-  /// Of an element on a body the arm that its rotation is counted by [m].
-  double arm(std::size_t element) const { return arms_[element]; }
-  /// Calls one of the element's terms, or asks for its outputs; plugin_call.hpp then names the element.
+  /// The arm of the body on which an element is [m]. Rotations times this arm are the unknowns.
+  double arm(std::size_t element) const {
+    assert(element < arms_.size());
+    return arms_[element];
+  }
+  /// Calls one of the element's terms, or its outputs; plugin_call.hpp then names the element.
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
 
-  /// The numbers of a table that a scene part gives, as its elements read them; empty: there is none.
+  /// The numbers of a table of a scene part, as its elements read them; empty if there is none.
   std::span<double> table(std::uint32_t scene_part, std::string_view parameter) const;
-  /// Adds the times at which tables in time have a corner [s].
+  /// Adds the times of all rows of tables in time [s].
   void add_corners_in_time(std::vector<double>& times) const;
 
   /// The shared unknowns of a part: one node per part, none if the type has no shared unknowns.
@@ -63,7 +68,7 @@ class ElementFamily {
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
-  /// Terms that a static analysis leaves out, and a matrix by rates has.
+  /// Terms that a static analysis leaves out, but that are part of its matrices with rates.
   const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
   /// One per law slot in use.
   const std::vector<std::unique_ptr<LawWatch>>& law_watches() const { return watches_; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Gathers the inputs of the elements of a tile.
-#include "framework/assembler/workspace.hpp"
+#include "framework/assembler/gather.hpp"
+
+#include <algorithm>
+#include <cassert>
 
 namespace netloft {
 
@@ -11,8 +12,8 @@ namespace {
 void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, double* to) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
-  const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
-  for (std::size_t d = 0; d < dofs; ++d, map += kLanes, to += kLanes)
+  const std::int32_t* map = &tiling.vector_map[tile * dofs * kTileLanes];
+  for (std::size_t d = 0; d < dofs; ++d, map += kTileLanes, to += kTileLanes)
 #pragma GCC unroll 8
     for (std::size_t lane = 0; lane < count; ++lane) to[lane] = from[map[lane]];
 }
@@ -20,21 +21,49 @@ void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, d
 /// Elements see the rotation of a body in radians, where the unknowns are lengths.
 void divide_rotations(const Tiling& tiling, std::size_t tile, double* rows) {
   for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane)
-    for (std::size_t d = 3; d < 6; ++d) rows[d * kLanes + lane] /= tiling.family->arm(tile * kLanes + lane);
+    for (std::size_t d = 3; d < 6; ++d)
+      rows[d * kTileLanes + lane] /= tiling.family->arm(tile * kTileLanes + lane);
 }
 
 }  // namespace
 
-/// Gathers a tile for all families of a group at once.
-void Assembler::gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x,
-                       const Kinematics& motion, Workspace& w) const {
+void gather_positions(const Tiling& tiling, std::size_t tile, const double* x, double* to) {
+  gather_vector(tiling, tile, x, to);
+  if (tiling.family->type().is_on_body()) divide_rotations(tiling, tile, to);
+}
+
+Gatherer::Gatherer(const Scene& scene, const ScenePlan& plan)
+    : water_(scene.water),
+      current_(scene.current),
+      waves_(plan.kind == AnalysisKind::dynamics ? scene.waves : nullptr),
+      ground_(scene.ground),
+      bed_(scene.bed),
+      ground_passes_(scene.ground != std::array<double, 3>{}),
+      has_rates_(plan.kind == AnalysisKind::dynamics) {}
+
+TileInputs Gatherer::make_inputs(std::size_t dofs) const {
+  const std::size_t numbers = dofs * kTileLanes, flow = current_.flows() || waves_ ? numbers : 0;
+  TileInputs in;
+  in.x.resize(numbers);
+  in.x_low.resize(numbers);
+  in.v.resize(has_rates_ ? numbers : 0);
+  in.a.resize(in.v.size());
+  in.current.resize(flow);
+  in.current_dz.resize(flow);
+  in.water_acceleration.resize(waves_ ? numbers : 0);
+  in.surface.resize(in.water_acceleration.size() / 3);
+  in.bed.resize(2 * numbers);
+  return in;
+}
+
+void Gatherer::gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x,
+                      const Kinematics& motion, TileInputs& w) const {
+  assert(tile < group.tiling.tiles);
   const Tiling& tiling = group.tiling;
-  const auto some_read = [&](std::uint32_t trait) {
-    return std::any_of(group.families.begin(), group.families.end(),
-                       [&](std::size_t family) { return families_[family]->reads(trait); });
-  };
+  const auto some_read = [&](std::uint32_t trait) { return (group.traits & trait) != 0; };
   gather_vector(tiling, tile, x.data(), w.x.data());
   if (motion.x_low) gather_vector(tiling, tile, motion.x_low, w.x_low.data());
+  assert((!motion.v || !some_read(NETLOFT_READS_VELOCITY) || !w.v.empty()) && "a static plan has no rates");
   if (motion.v && some_read(NETLOFT_READS_VELOCITY)) gather_vector(tiling, tile, motion.v, w.v.data());
   if (motion.a && some_read(NETLOFT_READS_ACCELERATION)) gather_vector(tiling, tile, motion.a, w.a.data());
   if (tiling.family->type().is_on_body())
@@ -47,19 +76,12 @@ void Assembler::gather(const FamilyGroup& group, std::size_t tile, std::span<con
   if (bed_.is_there && some_read(NETLOFT_READS_BED)) gather_bed(tiling, tile, w);
 }
 
-void Assembler::gather_positions(const Tiling& tiling, std::size_t tile, const double* x, double* to) const {
-  gather_vector(tiling, tile, x, to);
-  if (tiling.family->type().is_on_body()) divide_rotations(tiling, tile, to);
-}
-
-/// Makes the view of a tile that one family receives.
-netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Kinematics& motion,
-                                  Workspace& w) const {
-  const ElementFamily& f = *families_[family];
+netloft_tile Gatherer::make_tile(const ElementFamily& f, std::size_t tile, const Kinematics& motion,
+                                 TileInputs& w) const {
   netloft_tile t{};
   t.size = sizeof t;
-  t.first = static_cast<std::uint32_t>(tile * kLanes);
-  t.count = static_cast<std::uint32_t>(std::min(kLanes, f.size() - tile * kLanes));
+  t.first = static_cast<std::uint32_t>(tile * kTileLanes);
+  t.count = static_cast<std::uint32_t>(std::min(kTileLanes, f.size() - tile * kTileLanes));
   t.time = motion.time;
   t.cu = motion.cu;
   t.cv = motion.cv;
@@ -81,23 +103,20 @@ netloft_tile Assembler::make_tile(std::size_t family, std::size_t tile, const Ki
     t.water_acceleration = w.water_acceleration.data();
     t.surface = w.surface.data();
   }
-  t.state = memories_[family].kept(tile);
-  t.message = w.message;
-  t.message_size = sizeof w.message;
   return t;
 }
 
 /// Computes the velocity of the water at the nodes of a tile, whose positions have been gathered. A uniform
 /// current is filled in already.
-void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
+void Gatherer::gather_current(const Tiling& tiling, std::size_t tile, double time, TileInputs& w) const {
   if (current_.is_uniform() && !waves_) return fill_current(time, w);
   std::array<double, 3> velocity, dz;
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
-      current_.at(w.x[(3 * node + 2) * kLanes + lane], velocity, dz, time);
+      current_.at(w.x[(3 * node + 2) * kTileLanes + lane], velocity, dz, time);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        w.current[(3 * node + axis) * kLanes + lane] = velocity[axis];
-        w.current_dz[(3 * node + axis) * kLanes + lane] = dz[axis];
+        w.current[(3 * node + axis) * kTileLanes + lane] = velocity[axis];
+        w.current_dz[(3 * node + axis) * kTileLanes + lane] = dz[axis];
       }
     }
 }
@@ -105,36 +124,36 @@ void Assembler::gather_current(const Tiling& tiling, std::size_t tile, double ti
 /// Adds the waves to the current at the nodes of a tile, which has been gathered. How waves change from place
 /// to place at the same height is left out of the tangent, as `current_dz` has no room for it: over a step it
 /// is the drag's slope times k a omega h, small against inertia.
-void Assembler::gather_waves(const Tiling& tiling, std::size_t tile, double time, Workspace& w) const {
+void Gatherer::gather_waves(const Tiling& tiling, std::size_t tile, double time, TileInputs& w) const {
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
-      const auto at = [&](std::size_t axis) { return (3 * node + axis) * kLanes + lane; };
+      const auto at = [&](std::size_t axis) { return (3 * node + axis) * kTileLanes + lane; };
       const WaterMotion water = waves_->at({w.x[at(0)], w.x[at(1)], w.x[at(2)]}, time);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         w.current[at(axis)] += water.velocity[axis];
         w.current_dz[at(axis)] += water.velocity_dz[axis];
         w.water_acceleration[at(axis)] = water.acceleration[axis];
       }
-      w.surface[node * kLanes + lane] = water.surface;
+      w.surface[node * kTileLanes + lane] = water.surface;
     }
 }
 
 /// The bed below the nodes of a tile, whose positions have been gathered.
-void Assembler::gather_bed(const Tiling& tiling, std::size_t tile, Workspace& w) const {
+void Gatherer::gather_bed(const Tiling& tiling, std::size_t tile, TileInputs& w) const {
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
-      const auto below = bed_.at(w.x[3 * node * kLanes + lane], w.x[(3 * node + 1) * kLanes + lane]);
-      for (std::size_t k = 0; k < 6; ++k) w.bed[(6 * node + k) * kLanes + lane] = below[k];
+      const auto below = bed_.at(w.x[3 * node * kTileLanes + lane], w.x[(3 * node + 1) * kTileLanes + lane]);
+      for (std::size_t k = 0; k < 6; ++k) w.bed[(6 * node + k) * kTileLanes + lane] = below[k];
     }
 }
 
 /// Fills in a current that is the same at all heights, for all tiles at this time.
-void Assembler::fill_current(double time, Workspace& w) const {
+void Gatherer::fill_current(double time, TileInputs& w) const {
   if (w.current_time == time) return;
   w.current_time = time;
   std::array<double, 3> velocity, dz;
   current_.at(0, velocity, dz, time);
-  for (std::size_t i = 0; i < w.current.size(); ++i) w.current[i] = velocity[i / kLanes % 3];
+  for (std::size_t i = 0; i < w.current.size(); ++i) w.current[i] = velocity[i / kTileLanes % 3];
 }
 
 }  // namespace netloft

@@ -7,35 +7,35 @@
 
 namespace netloft {
 
-/// How far a law was asked within and beyond one range that it was measured in. Weights are metres of twine
-/// or square metres of netting, as elements tell them; where they do not, every call weighs one.
+/// How much a law was used inside and outside one of the ranges that it was measured in. Weights are metres
+/// of twine or square metres of netting as given by the elements; elements that give none weigh one per call.
 struct RangeUse {
   const netloft_validity* range = nullptr;
   double inside = 0, outside = 0;
   double least = std::numeric_limits<double>::infinity(), most = -least;  // of the quantity
 
-  /// Of all that the law acts on, 0 to 1.
+  /// The fraction of all weights, 0 to 1.
   double fraction_outside() const { return outside > 0 ? outside / (inside + outside) : 0; }
 };
 
-/// What the parts of a family ask of a law.
+/// How the parts of a family use a law.
 struct LawUse {
   const LawType* law = nullptr;
   std::vector<std::uint32_t> parts;  // of the scene
   std::vector<RangeUse> ranges;
 };
 
-/// Stands between elements and a law that was measured in some range. It passes every call on, and while it
-/// watches, it adds up for how much of the gear each range is left. Watching is serial.
+/// Passes the calls of elements on to a law. While it watches, it adds up for each range of the law how much
+/// of the gear is outside. Watching is serial.
 class LawWatch {
  public:
-  /// `parameters` must outlive it, and have no errors.
+  /// `parameters` have to outlive this object, and have no errors.
   LawWatch(const LawType& law, const ParameterBlock& parameters);
 
-  /// The law as elements are handed it: without a range to watch, the plain one.
+  /// The law that elements call: the plain one if it has no range to watch.
   netloft_bound_law bound() const;
   void begin() { watches_ = true; }
-  /// Stops watching and returns what was seen.
+  /// Stops watching and returns the use since begin().
   LawUse end();
 
  private:
@@ -48,7 +48,7 @@ class LawWatch {
   bool watches_ = false;
 };
 
-/// The quantity of a lane of a flow that a range of a law of this kind is about.
+/// The value of a quantity (NETLOFT_REYNOLDS …) in one lane of a flow, for a law of this kind.
 double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_law_tile& flow,
                      std::size_t lane);
 

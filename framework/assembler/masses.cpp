@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The nodal blocks of ∂r/∂a, by which explicit schemes divide. They are summed from the elements' tangents,
-// without a sparse matrix.
-#include "framework/assembler/workspace.hpp"
+#include "framework/assembler/masses.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace netloft {
@@ -15,7 +13,7 @@ namespace {
 const double* entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::size_t r,
                        std::size_t c) {
   const std::size_t at = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * dofs + c;
-  return tangent + at * kLanes;
+  return tangent + at * kTileLanes;
 }
 
 double largest_lane(std::span<const double> lanes) {
@@ -24,20 +22,86 @@ double largest_lane(std::span<const double> lanes) {
   return largest;
 }
 
-/// What a row of an element on a body is multiplied by among the unknowns: rotations by the arm.
+/// The unknown of a row of an element on a body, divided by the coordinate of the element: the arm for
+/// rotations, otherwise 1.
 double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row) {
   return row / 3 == 1 ? f.arm(element) : 1;
 }
 
 /// The body that has its origin at a node.
-template <class Pairs>
-std::size_t body_at(const Pairs& pairs, std::uint32_t origin) {
-  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const auto& p) { return p[0] == origin; });
-  return static_cast<std::size_t>(found - pairs.begin());
+std::size_t body_at(std::span<const std::array<std::uint32_t, 2>> bodies, std::uint32_t origin) {
+  const auto found = std::ranges::find_if(bodies, [&](const auto& body) { return body[0] == origin; });
+  assert(found != bodies.end());
+  return static_cast<std::size_t>(found - bodies.begin());
 }
 
-/// M ← Qᵀ M Q, row by row.
-void turn(double* M, const std::array<double, 9>& Q) {
+/// Adds the masses of elements on bodies, whose rows are those of the origin, of the rotation and of shared
+/// unknowns.
+void add_on_bodies(const ElementFamily& f, const netloft_tile& t, std::size_t r, std::size_t c,
+                   const double* lanes, std::span<const std::array<std::uint32_t, 2>> bodies,
+                   MassBlocks& masses) {
+  for (std::size_t lane = 0; lane < t.count; ++lane) {
+    const std::size_t e = t.first + lane;
+    const double m = lanes[lane] / (turn_factor(f, e, r) * turn_factor(f, e, c));
+    if (r / 3 == c / 3)
+      masses.nodes[9 * std::size_t{f.node(e, static_cast<int>(r / 3))} + 3 * (r % 3) + c % 3] += m;
+    else if (r < 3 && c / 3 == 1)
+      masses.between[9 * body_at(bodies, f.node(e, 0)) + 3 * r + c % 3] += m;
+    else if (r / 3 != 1 || c >= 3)
+      masses.coupled = std::max(masses.coupled, std::abs(m));
+  }
+}
+
+void add_on_nodes(const ElementFamily& f, const netloft_tile& t, std::size_t r, std::size_t c,
+                  const double* lanes, MassBlocks& masses) {
+  if (r / 3 != c / 3) {
+    masses.coupled = std::max(masses.coupled, largest_lane({lanes, t.count}));
+    return;
+  }
+  for (std::size_t lane = 0; lane < t.count; ++lane)
+    masses.nodes[9 * std::size_t{f.node(t.first + lane, static_cast<int>(r / 3))} + 3 * (r % 3) + c % 3] +=
+        lanes[lane];
+}
+
+bool add_term(TileEvaluator& elements, std::size_t family, const netloft_term& term,
+              std::span<const std::array<std::uint32_t, 2>> bodies, std::span<const double> x,
+              MassBlocks& masses) {
+  const ElementFamily& f = *elements.tiles().families[family];
+  const auto dofs = static_cast<std::size_t>(f.type().dofs());
+  const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
+  const auto evaluate = [&](std::size_t, netloft_tile& t, TileSums& sums) {
+    t.force = nullptr;
+    t.tangent = sums.scratch.data();
+    std::fill_n(t.tangent, (symmetric ? packed(dofs) : dofs * dofs) * kTileLanes, 0.0);
+    t.want = NETLOFT_WANT_TANGENT;
+    return f.evaluate(term, t);
+  };
+  const auto add = [&](std::size_t, const netloft_tile& t, const TileSums& sums) {
+    for (std::size_t r = 0; r < dofs; ++r)
+      for (std::size_t c = 0; c < dofs; ++c) {
+        const double* lanes = entry_of(sums.scratch.data(), symmetric, dofs, r, c);
+        if (f.type().is_on_body())
+          add_on_bodies(f, t, r, c, lanes, bodies, masses);
+        else
+          add_on_nodes(f, t, r, c, lanes, masses);
+      }
+  };
+  return elements.visit(x, {.cu = 0, .cv = 0, .ca = 1}, family, evaluate, add);
+}
+
+}  // namespace
+
+bool add_masses(TileEvaluator& elements, std::span<const std::array<std::uint32_t, 2>> bodies,
+                std::span<const double> x, MassBlocks& masses) {
+  const auto families = elements.tiles().families;
+  for (std::size_t f = 0; f < families.size(); ++f)
+    for (const auto& term : families[f]->active_terms())
+      if ((term.traits & NETLOFT_READS_ACCELERATION) && !add_term(elements, f, term, bodies, x, masses))
+        return false;
+  return true;
+}
+
+void turn_mass(const std::array<double, 9>& Q, double* M) {
   double left[9] = {}, both[9] = {};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
@@ -46,60 +110,6 @@ void turn(double* M, const std::array<double, 9>& Q) {
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t k = 0; k < 3; ++k) both[3 * i + j] += left[3 * i + k] * Q[3 * k + j];
   std::copy_n(both, 9, M);
-}
-
-}  // namespace
-
-bool Assembler::masses(std::span<const double> x, std::span<double> blocks, double& coupled) {
-  std::fill(blocks.begin(), blocks.end(), 0.0);
-  coupled = 0;
-  for (std::size_t f = 0; f < families_.size(); ++f)
-    if (families_[f]->reads(NETLOFT_READS_ACCELERATION) && !add_masses(x, f, blocks, coupled)) return false;
-  if (!bodies_.empty())
-    bodies_.hand_on_masses(x, blocks.first(3 * numbering_.dofs()), blocks.subspan(3 * numbering_.dofs()));
-  for (const auto& [node, Q] : axes_) turn(&blocks[9 * std::size_t{node}], Q);
-  return true;
-}
-
-bool Assembler::add_masses(std::span<const double> x, std::size_t family, std::span<double> blocks,
-                           double& coupled) {
-  const auto between = blocks.subspan(3 * numbering_.dofs());
-  const ElementFamily& f = *families_[family];
-  const auto dofs = static_cast<std::size_t>(f.type().dofs());
-  const bool on_body = f.type().is_on_body();
-  for (const auto& term : f.active_terms()) {
-    if (!(term.traits & NETLOFT_READS_ACCELERATION)) continue;
-    const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
-    const auto evaluate = [&](std::size_t, netloft_tile& t) {
-      t.force = nullptr;
-      t.tangent = workspaces_[0]->scratch.data();
-      std::fill_n(t.tangent, (symmetric ? packed(dofs) : dofs * dofs) * kLanes, 0.0);
-      t.want = NETLOFT_WANT_TANGENT;
-      return f.evaluate(term, t);
-    };
-    const auto add = [&](std::size_t, const netloft_tile& t, const Workspace& w) {
-      for (std::size_t r = 0; r < dofs; ++r)
-        for (std::size_t c = 0; c < dofs; ++c) {
-          const double* lanes = entry_of(w.scratch.data(), symmetric, dofs, r, c);
-          if (!on_body && r / 3 != c / 3) {
-            coupled = std::max(coupled, largest_lane({lanes, t.count}));
-            continue;
-          }
-          for (std::size_t lane = 0; lane < t.count; ++lane) {
-            const std::size_t e = t.first + lane;
-            const double m = lanes[lane] / (on_body ? turn_factor(f, e, r) * turn_factor(f, e, c) : 1);
-            if (r / 3 == c / 3)
-              blocks[9 * std::size_t{f.node(e, static_cast<int>(r / 3))} + 3 * (r % 3) + c % 3] += m;
-            else if (r < 3 && c / 3 == 1)
-              between[9 * body_at(bodies_.pairs(), f.node(e, 0)) + 3 * r + c % 3] += m;
-            else if (r / 3 != 1 || c >= 3)
-              coupled = std::max(coupled, std::abs(m));
-          }
-        }
-    };
-    if (!visit_tiles(x, {.cu = 0, .cv = 0, .ca = 1}, family, evaluate, add)) return false;
-  }
-  return true;
 }
 
 }  // namespace netloft

@@ -2,6 +2,7 @@
 #pragma once
 #include <netloft/plugin.h>
 
+#include <cassert>
 #include <cstddef>
 #include <vector>
 
@@ -16,15 +17,21 @@ class Memory {
       : stride_(width * NETLOFT_LANES), kept_(tiles * stride_, 0.0), next_(kept_) {}
 
   bool empty() const { return kept_.empty(); }
-  const double* kept(std::size_t tile) const { return empty() ? nullptr : &kept_[tile * stride_]; }
+  const double* kept(std::size_t tile) const { return empty() ? nullptr : &kept_[place_of(tile)]; }
+  double* mutable_kept(std::size_t tile) { return &kept_[place_of(tile)]; }
   /// The place where a tile writes its next state; it contains the current state at first.
-  double* next(std::size_t tile) { return &next_[tile * stride_]; }
+  double* next(std::size_t tile) { return &next_[place_of(tile)]; }
   void begin() { next_ = kept_; }
   void accept() { kept_.swap(next_); }
   std::vector<double>& all() { return kept_; }
   const std::vector<double>& all() const { return kept_; }
 
  private:
+  std::size_t place_of(std::size_t tile) const {
+    assert((tile + 1) * stride_ <= kept_.size());
+    return tile * stride_;
+  }
+
   std::size_t stride_;
   std::vector<double> kept_, next_;
 };

@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// Where a degree of freedom stands in vectors over all of them, the unknowns first. It is not the number of
-/// a node, nor 3 node + axis.
+/// The index of a degree of freedom in vectors over all of them, the unknowns first. It is neither the number
+/// of a node nor 3 node + axis.
 struct Dof {
   std::int32_t place = 0;
 

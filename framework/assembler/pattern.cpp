@@ -67,7 +67,7 @@ std::size_t NodeBlocks::base(std::uint32_t row, std::uint32_t column) const {
   const auto begin = row_node.begin() + static_cast<std::ptrdiff_t>(column_start[column]);
   const auto end = row_node.begin() + static_cast<std::ptrdiff_t>(column_start[column + 1]);
   const auto at = std::lower_bound(begin, end, row);
-  assert(at != end && *at == row && "some element stands on both nodes");
+  assert(at != end && *at == row && "some element has both nodes");
   return 9 * static_cast<std::size_t>(at - row_node.begin());
 }
 

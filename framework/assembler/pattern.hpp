@@ -18,7 +18,8 @@ struct NodeBlocks {
   std::vector<std::uint32_t> row_node;    // ascending in a column
 
   std::size_t count() const { return row_node.size(); }
-  /// First of the nine values; row >= column if the problem is symmetric. Both nodes must have unknowns.
+  /// Index of the first of the nine values. row >= column if the matrix is symmetric; some element has both
+  /// nodes, and both have unknowns.
   std::size_t base(std::uint32_t row, std::uint32_t column) const;
 };
 

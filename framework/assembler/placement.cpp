@@ -46,7 +46,7 @@ void Placement::place(std::span<const double> u, std::span<double> x, double tim
 void Placement::place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                            std::span<double> x_low) const {
   assert(is_over_dofs(base) && is_over_unknowns(u) && is_over_dofs(x) && is_over_dofs(x_low));
-  assert(!has_bodies() && "a body carries nodes by products, whose digits are not kept");
+  assert(!has_bodies() && "a body carries nodes by products, whose low-order parts are not kept");
   std::copy(u.begin(), u.end(), x_low.begin());
   std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
   frames_.turn_back(u, x_low);
@@ -83,6 +83,7 @@ std::array<double, 3> Placement::node_position(std::uint32_t node, std::span<con
 }
 
 std::array<double, 3> Placement::rotation(std::size_t body, std::span<const double> x) const {
+  assert(body < bodies_.pairs().size());
   auto turn = node_position(bodies_.pairs()[body][1], x);
   for (double& component : turn) component /= bodies_.arm(body);
   return turn;

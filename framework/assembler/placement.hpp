@@ -10,9 +10,9 @@
 
 namespace netloft {
 
-/// Kinematics between unknowns and nodes, which elements know nothing of: where the nodes of a scene are and
-/// how they move, with holds, guides, frames of their own and bodies that carry them. Vectors over all dofs
-/// are in the order of `numbering()`.
+/// Kinematics between unknowns and nodes: positions and rates of the nodes of a scene with holds, guides,
+/// frames of their own and bodies that carry them. Elements see nodes only. Vectors over all dofs are in the
+/// order of `numbering()`.
 class Placement {
  public:
   /// `nodes` are those of the scene and all that behave like nodes; `blocks` the pairs of them that share
@@ -28,14 +28,14 @@ class Placement {
   void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                   std::span<double> x_low) const;
   bool has_bodies() const { return !bodies_.empty(); }
-  /// The origin of the body that carries a node; a node that none carries is its own.
+  /// The origin of the body that carries a node; the node itself if no body carries it.
   std::uint32_t carrier(std::uint32_t node) const { return bodies_.carrier(node); }
-  /// Rates over all dofs at positions x from those of the unknowns and those of the guides.
+  /// Rates over all dofs at positions x from the rates of the unknowns and of the guides.
   void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
             std::span<double> all_v, std::span<double> all_a) const;
-  /// Rotations of bodies by more than ¾ of a turn become the same rotations by shorter vectors, in
-  /// displacements u of the unknowns and their rates, which may be empty. Between two solutions only: a
-  /// displacement in between would lead nowhere. Returns whether some did.
+  /// Replaces rotation vectors of bodies by more than ¾ of a turn by the shorter vectors of the same
+  /// rotations, in displacements u of the unknowns and their rates, which may be empty. Only between two
+  /// solutions: a solver's differences of displacements lose their meaning. Returns whether any was replaced.
   bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;
   /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
   /// the scene [m].
@@ -43,13 +43,13 @@ class Placement {
   /// Displacements of the unknowns that bring all of them to where `x` has them, a vector over all degrees of
   /// freedom of an assembler with as many, numbered alike.
   std::vector<double> displacements_to(std::span<const double> x) const;
-  /// Turns the bodies in displacements u as those of another division of the same gear are at x.
+  /// Copies to displacements u the rotations of the bodies of another mesh of the same gear at x.
   void take_rotations(const Placement& from, std::span<const double> x, std::span<double> u) const;
   /// Positions of the nodes of the scene, three of each, out of a vector x over all degrees of freedom [m];
-  /// velocities or displacements likewise. What elements share is in no place and is left out.
+  /// velocities or displacements likewise. Shared unknowns of elements have no position and are left out.
   std::vector<double> node_positions(std::span<const double> x) const;
   std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
-  /// Whether an entry of a vector over all dofs belongs to a node of the scene: it is a coordinate [m].
+  /// Whether an entry of a vector over all dofs is a coordinate of a node of the scene [m].
   bool is_place(std::size_t i) const { return numbering_.node(Dof(i)) < scene_nodes_; }
   /// The rotation vector of a body at positions x over all dofs [rad].
   std::array<double, 3> rotation(std::size_t body, std::span<const double> x) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/projection.hpp"
 
-#include "framework/assembler/workspace.hpp"
+#include "framework/assembler/lanes.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -24,10 +24,10 @@ void project_convex(double* tangent, int dofs) {
 void add_bounds(const double* tangent, bool symmetric, std::size_t dofs, std::size_t count,
                 double* packed_tangent) {
   const auto row_of = [&](std::size_t r, std::size_t c) {
-    return tangent + (symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * dofs + c) * kLanes;
+    return tangent + (symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * dofs + c) * kTileLanes;
   };
   for (std::size_t r = 0; r < dofs; ++r) {
-    double* bound = packed_tangent + (packed(r) + r) * kLanes;
+    double* bound = packed_tangent + (packed(r) + r) * kTileLanes;
     for (std::size_t c = 0; c < dofs; ++c) {
       const double *here = row_of(r, c), *there = row_of(c, r);
       for (std::size_t lane = 0; lane < count; ++lane)

@@ -22,6 +22,7 @@ std::vector<FamilyGroup> find_family_groups(std::span<const std::unique_ptr<Elem
     });
     FamilyGroup& group = at == groups.end() ? groups.emplace_back() : *at;
     group.families.push_back(f);
+    for (const netloft_term& term : families[f]->active_terms()) group.traits |= term.traits;
   }
   return groups;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Adds the results of the elements of a tile to the global sums.
-#include "framework/assembler/workspace.hpp"
+#include "framework/assembler/scatter.hpp"
+
 #include "framework/simd/registers.hpp"
 
 #include <algorithm>
@@ -18,18 +17,18 @@ template <int Nodes>
 void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* __restrict tangent,
                       double* values) {
   for (int P = 0; P < Nodes; ++P)
-    for (int Q = 0; Q <= P; ++Q, map += kLanes) {
+    for (int Q = 0; Q <= P; ++Q, map += kTileLanes) {
       const double* row[3];
       for (int r = 0; r < 3; ++r)
         row[r] = tangent +
-                 (packed(static_cast<std::size_t>(3 * P + r)) + static_cast<std::size_t>(3 * Q)) * kLanes;
+                 (packed(static_cast<std::size_t>(3 * P + r)) + static_cast<std::size_t>(3 * Q)) * kTileLanes;
       for (std::size_t lane = 0; lane < count; ++lane) {
         const bool transposed = map[lane] < 0;
         double* to = values + (transposed ? ~map[lane] : map[lane]);
         const int down = transposed ? 1 : 3, across = transposed ? 3 : 1;
         for (int r = 0; r < 3; ++r)
           for (int c = 0; c < (P == Q ? r + 1 : 3); ++c)
-            to[r * down + c * across] += row[r][static_cast<std::size_t>(c) * kLanes + lane];
+            to[r * down + c * across] += row[r][static_cast<std::size_t>(c) * kTileLanes + lane];
       }
     }
 }
@@ -39,10 +38,10 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
                double* values) {
   for (const auto& twin : tiling.twins[tile]) {
     const auto P = static_cast<std::size_t>(twin.P), Q = static_cast<std::size_t>(twin.Q);
-    double* to = values + map[(packed(P) + Q) * kLanes + twin.lane];
+    double* to = values + map[(packed(P) + Q) * kTileLanes + twin.lane];
     for (std::size_t r = 0; r < 3; ++r)
       for (std::size_t c = 0; c < 3; ++c)
-        to[3 * r + c] += tangent[(packed(3 * P + c) + 3 * Q + r) * kLanes + twin.lane];
+        to[3 * r + c] += tangent[(packed(3 * P + c) + 3 * Q + r) * kTileLanes + twin.lane];
   }
 }
 
@@ -79,7 +78,7 @@ NETLOFT_INLINE Entries square_entries(const double* square, int P, int Q) {
   for (std::size_t i = 0; i < 9; ++i)
     entries.at[i] = square + ((3 * static_cast<std::size_t>(P) + i / 3) * 3 * Nodes +
                               3 * static_cast<std::size_t>(Q) + i % 3) *
-                                 kLanes;
+                                 kTileLanes;
   return entries;
 }
 
@@ -88,7 +87,7 @@ NETLOFT_INLINE Entries packed_entries(const double* packed_tangent, int P, int Q
   for (std::size_t i = 0; i < 9; ++i) {
     const std::size_t row = 3 * static_cast<std::size_t>(P) + i / 3,
                       column = 3 * static_cast<std::size_t>(Q) + i % 3;
-    entries.at[i] = packed_tangent + (packed(std::max(row, column)) + std::min(row, column)) * kLanes;
+    entries.at[i] = packed_tangent + (packed(std::max(row, column)) + std::min(row, column)) * kTileLanes;
   }
   return entries;
 }
@@ -154,7 +153,7 @@ struct Tangents {
 template <bool kWide, int Nodes>
 NETLOFT_INLINE void add_blocks(const std::int32_t* to, std::size_t count, const Tangents& t, double* values) {
   for (int P = 0; P < Nodes; ++P)
-    for (int Q = 0; Q < Nodes; ++Q, to += kLanes)
+    for (int Q = 0; Q < Nodes; ++Q, to += kTileLanes)
       if (!t.triangle)
         add_pair<kWide>(to, count, square_entries<Nodes>(t.square, P, Q), values);
       else if (!t.square)
@@ -217,19 +216,19 @@ void with_nodes(std::size_t dofs, const Add& add) {
 /// rotations.
 void divide_moments(const Tiling& tiling, std::size_t tile, double* force, double* triangle, double* square) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
-  std::array<double, kLanes> inverse;
+  std::array<double, kTileLanes> inverse;
   for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane)
-    inverse[lane] = 1 / tiling.family->arm(tile * kLanes + lane);
+    inverse[lane] = 1 / tiling.family->arm(tile * kTileLanes + lane);
   const auto is_turn = [](std::size_t d) { return d / 3 == 1; };
   const auto divide = [&](double* row) {
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) row[lane] *= inverse[lane];
   };
   for (std::size_t r = 0; r < dofs; ++r) {
-    if (force && is_turn(r)) divide(force + r * kLanes);
+    if (force && is_turn(r)) divide(force + r * kTileLanes);
     for (std::size_t c = 0; c < dofs; ++c)
       for (int times = is_turn(r) + is_turn(c); times > 0; --times) {
-        if (square) divide(square + (r * dofs + c) * kLanes);
-        if (triangle && c <= r) divide(triangle + (packed(r) + c) * kLanes);
+        if (square) divide(square + (r * dofs + c) * kTileLanes);
+        if (triangle && c <= r) divide(triangle + (packed(r) + c) * kTileLanes);
       }
   }
 }
@@ -237,48 +236,21 @@ void divide_moments(const Tiling& tiling, std::size_t tile, double* force, doubl
 void add_rows(const Tiling& tiling, std::size_t tile, const double* rows, double* sums) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
-  const std::int32_t* map = &tiling.vector_map[tile * dofs * kLanes];
+  const std::int32_t* map = &tiling.vector_map[tile * dofs * kTileLanes];
   for (std::size_t d = 0; d < dofs; ++d)
-    for (std::size_t lane = 0; lane < count; ++lane) sums[map[d * kLanes + lane]] += rows[d * kLanes + lane];
-}
-
-}  // namespace
-
-/// Terms will add to the same rows after this: they are left as they are.
-void Assembler::scatter_gradient(const Tiling& tiling, std::size_t tile, double* gradient, Workspace& w) {
-  if (!w.force.is_open()) return;
-  const double* rows = w.force.data();
-  if (tiling.family->type().is_on_body()) {
-    std::copy_n(rows, static_cast<std::size_t>(tiling.family->type().dofs()) * kLanes, w.scratch.data());
-    divide_moments(tiling, tile, w.scratch.data(), nullptr, nullptr);
-    rows = w.scratch.data();
-  }
-  add_rows(tiling, tile, rows, gradient);
-}
-
-void Assembler::scatter(const FamilyGroup& group, std::size_t tile, const Request& request, Workspace& w) {
-  const Tiling& tiling = group.tiling;
-  if (tiling.family->type().is_on_body())
-    divide_moments(tiling, tile, request.residual && !w.force.is_zero() ? w.force.data() : nullptr,
-                   request.values && !w.packed_tangent.is_zero() ? w.packed_tangent.data() : nullptr,
-                   request.values && !w.square_tangent.is_zero() ? w.square_tangent.data() : nullptr);
-  if (request.energy) {
-    double sum = 0;
-    for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) sum += w.energy[lane];
-    tile_energy_[group.first_tile + tile] = sum;
-  }
-  if (request.residual && !w.force.is_zero()) add_rows(tiling, tile, w.force.data(), request.residual);
-  if (request.values) scatter_matrix(tiling, tile, request.values, w);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      sums[map[d * kTileLanes + lane]] += rows[d * kTileLanes + lane];
 }
 
 /// Many tiles add nothing, such as netting without bending or limits that are not reached; they are skipped.
-void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* values, Workspace& w) {
+void scatter_matrix(const Tiling& tiling, std::size_t tile, bool is_symmetric, double* values,
+                    TileSums& sums) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   const std::size_t count = tiling.lanes(tile);
-  const std::int32_t* map = &tiling.block_map[tile * tiling.blocks_per_element * kLanes];
-  const double *triangle = w.packed_tangent.data(), *square = w.square_tangent.data();
-  const bool symmetric = !w.packed_tangent.is_zero(), unsymmetric = !w.square_tangent.is_zero();
-  if (pattern_.symmetric) {
+  const std::int32_t* map = &tiling.block_map[tile * tiling.blocks_per_element * kTileLanes];
+  const double *triangle = sums.packed_tangent.data(), *square = sums.square_tangent.data();
+  const bool symmetric = !sums.packed_tangent.is_zero(), unsymmetric = !sums.square_tangent.is_zero();
+  if (is_symmetric) {
     if (!symmetric) return;
     add_twins(tiling, tile, map, triangle, values);
     with_nodes(dofs, [&](auto nodes) { add_lower_blocks<nodes>(map, count, triangle, values); });
@@ -286,6 +258,30 @@ void Assembler::scatter_matrix(const Tiling& tiling, std::size_t tile, double* v
     static const AddBlocks add = best_way_to_add_blocks();
     add(dofs, map, count, {symmetric ? triangle : nullptr, unsymmetric ? square : nullptr}, values);
   }
+}
+
+}  // namespace
+
+void scatter_gradient(const Tiling& tiling, std::size_t tile, TileSums& sums, double* gradient) {
+  if (!sums.force.is_open()) return;
+  const double* rows = sums.force.data();
+  if (tiling.family->type().is_on_body()) {
+    std::copy_n(rows, static_cast<std::size_t>(tiling.family->type().dofs()) * kTileLanes,
+                sums.scratch.data());
+    divide_moments(tiling, tile, sums.scratch.data(), nullptr, nullptr);
+    rows = sums.scratch.data();
+  }
+  add_rows(tiling, tile, rows, gradient);
+}
+
+void scatter(const Tiling& tiling, std::size_t tile, bool is_symmetric, TileSums& sums, double* residual,
+             double* values) {
+  if (tiling.family->type().is_on_body())
+    divide_moments(tiling, tile, residual && !sums.force.is_zero() ? sums.force.data() : nullptr,
+                   values && !sums.packed_tangent.is_zero() ? sums.packed_tangent.data() : nullptr,
+                   values && !sums.square_tangent.is_zero() ? sums.square_tangent.data() : nullptr);
+  if (residual && !sums.force.is_zero()) add_rows(tiling, tile, sums.force.data(), residual);
+  if (values) scatter_matrix(tiling, tile, is_symmetric, values, sums);
 }
 
 }  // namespace netloft

@@ -6,15 +6,15 @@
 
 namespace netloft {
 
-/// Where a sparse matrix may be non-zero: compressed columns, rows ascending, every diagonal entry present.
-/// Symmetric matrices keep the lower triangle only.
+/// The entries of a sparse matrix that may be non-zero: compressed columns, rows ascending, every diagonal
+/// entry present. Symmetric matrices hold the lower triangle only.
 struct SparsePattern {
   std::int32_t size = 0;                   // unknowns
   std::vector<std::int32_t> column_start;  // size + 1
   std::vector<std::int32_t> row;           // one per entry
   std::vector<std::int32_t> node;          // unknown -> node, for orderings of the node graph; size long
   bool symmetric = true;
-  std::vector<std::int32_t> slot;  // entry -> where its value stands; empty: entry k at k
+  std::vector<std::int32_t> slot;  // entry -> index of its value; empty: entry k at k
   std::size_t slots = 0;           // values there are, when `slot` is not empty
 
   std::size_t entries() const { return row.size(); }

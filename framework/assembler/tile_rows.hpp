@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <netloft/plugin.h>
+#include "framework/assembler/lanes.hpp"
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace netloft {
 
-/// Rows of NETLOFT_LANES numbers that the terms of a tile add to. Rows are set to zero when the first term of
-/// a tile asks for them, in the lanes of that tile, unless the previous tile left them zero. Rows that no
-/// term asks for cost nothing, and whatever a term wrongly wrote beyond the last lane is cleared before it is
-/// used.
+/// Rows of 64 numbers that the terms of a tile add to. Rows are set to zero when the first term of a tile
+/// opens them, in the lanes of that tile, unless the previous tile left them zero. Rows that no term opens
+/// cost nothing, and numbers that a term wrongly wrote beyond the last lane are cleared before they are used.
 class TileRows {
  public:
-  explicit TileRows(std::size_t rows) : all_(rows * kWidth) {}
+  explicit TileRows(std::size_t rows) : all_(rows * kTileLanes) {}
 
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
@@ -26,6 +26,7 @@ class TileRows {
   /// Opens the first `rows` rows in the first `lanes` lanes for a term to add to; all terms of a tile use the
   /// same number of lanes.
   double* open(std::size_t rows, std::size_t lanes) {
+    assert(rows * kTileLanes <= all_.size() && lanes <= kTileLanes);
     if (rows > rows_) {
       set_zero(rows_, rows, lanes);
       rows_ = rows;
@@ -34,12 +35,12 @@ class TileRows {
     lanes_ = lanes;
     return all_.data();
   }
-  /// Whether a term of this tile has asked for rows.
+  /// Whether a term of this tile has opened rows.
   bool is_open() const { return rows_ > 0; }
   /// Whether this tile has added nothing.
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)
-      if (!is_zero(all_.data() + row * kWidth)) return false;
+      if (!is_zero(all_.data() + row * kTileLanes)) return false;
     if (rows_ > 0) {
       zero_rows_ = rows_;
       zero_lanes_ = lanes_;
@@ -48,7 +49,6 @@ class TileRows {
   }
 
  private:
-  static constexpr std::size_t kWidth = NETLOFT_LANES;
   // kAtOnce rows are set to zero by one call: 2 KiB, for which libraries use plain stores. For larger areas
   // they use instructions with a long start-up, and row by row the number of calls matters. With fewer than
   // kManyLanes lanes, rows are cleared eight numbers at a time.
@@ -56,12 +56,13 @@ class TileRows {
 
   void set_zero(std::size_t begin, std::size_t end, std::size_t lanes) {
     if (lanes <= zero_lanes_) begin = std::max(begin, zero_rows_);
-    double *from = all_.data() + begin * kWidth, *to = all_.data() + end * kWidth;
+    double *from = all_.data() + begin * kTileLanes, *to = all_.data() + end * kTileLanes;
     if (lanes > kManyLanes)
-      for (; from < to; from += kAtOnce * kWidth) std::fill(from, std::min(from + kAtOnce * kWidth, to), 0.0);
+      for (; from < to; from += kAtOnce * kTileLanes)
+        std::fill(from, std::min(from + kAtOnce * kTileLanes, to), 0.0);
     else
       for (std::size_t lane = 0; lane < lanes; lane += kEight)
-        for (double* row = from; row < to; row += kWidth) std::fill_n(row + lane, kEight, 0.0);
+        for (double* row = from; row < to; row += kTileLanes) std::fill_n(row + lane, kEight, 0.0);
   }
   bool is_zero(const double* row) const {
     constexpr std::size_t kApart = 8;  // independent accumulators

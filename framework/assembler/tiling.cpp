@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/tiling.hpp"
 
-#include "framework/assembler/workspace.hpp"
+#include "framework/assembler/lanes.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace netloft {
 
@@ -17,9 +18,9 @@ std::vector<int> colour_tiles(const ElementFamily& family, std::size_t tiles, st
   int next_alone = 64;
   for (std::size_t t = 0; t < tiles; ++t) {
     std::uint64_t seen = 0;
-    const std::size_t end = std::min(family.size(), (t + 1) * kLanes);
+    const std::size_t end = std::min(family.size(), (t + 1) * kTileLanes);
     const auto for_nodes = [&](auto&& visit) {
-      for (std::size_t e = t * kLanes; e < end; ++e)
+      for (std::size_t e = t * kTileLanes; e < end; ++e)
         for (int n = 0; n < family.all_nodes_per_element(); ++n) visit(family.node(e, n));
     };
     for_nodes([&](std::uint32_t node) { seen |= taken[node]; });
@@ -48,10 +49,10 @@ void order_by_colour(const std::vector<int>& colours, Tiling& tiling) {
 void map_vectors(const Numbering& numbering, Tiling& tiling) {
   const ElementFamily& family = *tiling.family;
   const auto dofs = static_cast<std::size_t>(family.type().dofs());
-  tiling.vector_map.assign(tiling.tiles * dofs * kLanes, 0);
+  tiling.vector_map.assign(tiling.tiles * dofs * kTileLanes, 0);
   for (std::size_t e = 0; e < family.size(); ++e)
     for (std::size_t d = 0; d < dofs; ++d)
-      tiling.vector_map[(e / kLanes * dofs + d) * kLanes + e % kLanes] =
+      tiling.vector_map[(e / kTileLanes * dofs + d) * kTileLanes + e % kTileLanes] =
           numbering.dof(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3)).place;
 }
 
@@ -69,12 +70,13 @@ void map_blocks(const Scene& scene, const NodeBlocks& blocks, bool symmetric, Ti
   const int corners = family.all_nodes_per_element();
   tiling.blocks_per_element =
       static_cast<std::size_t>(symmetric ? corners * (corners + 1) / 2 : corners * corners);
-  tiling.block_map.assign(tiling.tiles * tiling.blocks_per_element * kLanes, 0);
+  tiling.block_map.assign(tiling.tiles * tiling.blocks_per_element * kTileLanes, 0);
   for (std::size_t e = 0; e < family.size(); ++e) {
-    std::int32_t* map = &tiling.block_map[e / kLanes * tiling.blocks_per_element * kLanes + e % kLanes];
-    const std::size_t spare = tiling.first_spare + 9 * (e / kLanes);
+    std::int32_t* map =
+        &tiling.block_map[e / kTileLanes * tiling.blocks_per_element * kTileLanes + e % kTileLanes];
+    const std::size_t spare = tiling.first_spare + 9 * (e / kTileLanes);
     for (int P = 0; P < corners; ++P)
-      for (int Q = 0; Q < (symmetric ? P + 1 : corners); ++Q, map += kLanes)
+      for (int Q = 0; Q < (symmetric ? P + 1 : corners); ++Q, map += kTileLanes)
         *map = find_block(family, scene, blocks, symmetric, e, P, Q, spare);
   }
 }
@@ -86,19 +88,22 @@ void find_twins(const Scene& scene, Tiling& tiling) {
     for (int P = 0; P < family.all_nodes_per_element(); ++P)
       for (int Q = 0; Q < P; ++Q)
         if (family.node(e, P) == family.node(e, Q) && !scene.stands_still(family.node(e, P)))
-          tiling.twins[e / kLanes].push_back({static_cast<std::uint32_t>(e % kLanes), P, Q});
+          tiling.twins[e / kTileLanes].push_back({static_cast<std::uint32_t>(e % kTileLanes), P, Q});
 }
 
 }  // namespace
 
-std::size_t Tiling::lanes(std::size_t tile) const { return std::min(kLanes, family->size() - tile * kLanes); }
+std::size_t Tiling::lanes(std::size_t tile) const {
+  assert(tile < tiles);
+  return std::min(kTileLanes, family->size() - tile * kTileLanes);
+}
 
 std::vector<std::uint32_t> find_carried_tiles(const Tiling& tiling, const std::vector<bool>& carried) {
   std::vector<std::uint32_t> tiles;
   const ElementFamily& family = *tiling.family;
   for (std::size_t e = 0; e < family.size(); ++e)
     for (int n = 0; n < family.nodes_per_element(); ++n)
-      if (const auto tile = static_cast<std::uint32_t>(e / kLanes);
+      if (const auto tile = static_cast<std::uint32_t>(e / kTileLanes);
           carried[family.node(e, n)] && (tiles.empty() || tiles.back() != tile))
         tiles.push_back(tile);
   return tiles;
@@ -108,7 +113,7 @@ Tiling make_tiling(const ElementFamily& family, const Scene& scene, const Number
                    const NodeBlocks& blocks, bool symmetric, std::size_t first_spare) {
   Tiling tiling;
   tiling.family = &family;
-  tiling.tiles = (family.size() + kLanes - 1) / kLanes;
+  tiling.tiles = (family.size() + kTileLanes - 1) / kTileLanes;
   tiling.first_spare = first_spare;
   order_by_colour(colour_tiles(family, tiling.tiles, scene.node_count()), tiling);
   map_vectors(numbering, tiling);

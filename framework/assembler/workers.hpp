@@ -60,12 +60,12 @@ class Workers {
   static constexpr std::uint64_t kBits = 24, kMask = (1u << kBits) - 1;
   static std::size_t count_of(std::uint64_t ticket) { return ticket >> kBits & kMask; }
   static std::size_t index_of(std::uint64_t ticket) { return ticket & kMask; }
-  // Pauses, together about the time in which the system wakes a thread: who waits as long as that before
-  // going to sleep never takes more than twice what the best choice takes (A. Karlin, M. Manasse, L. McGeoch
-  // and S. Owicki, Competitive randomized algorithms for nonuniform problems, 1990).
-  // Measured on two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes 21 us after its call
-  // (median of 2000; 18 us for the first tenth), which 900 pauses make up. Other processors differ. No
-  // bench prints these figures.
+  // Pauses that together take about as long as the system needs to wake a thread. A thread that waits as long
+  // as that before it sleeps never takes more than twice the time of the best choice (A. Karlin, M. Manasse,
+  // L. McGeoch and S. Owicki, Competitive randomized algorithms for nonuniform problems, 1990). Measured on
+  // two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes 21 us after its call (median of 2000;
+  // 18 us for the first tenth), which 900 pauses make up. Other processors differ. No bench prints these
+  // figures.
   static constexpr int kSpins = 1000;
 
   static void pause() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/balance/scales.hpp"
 
+#include "framework/assembler/reports.hpp"
+
 #include <algorithm>
 
 namespace netloft {
@@ -47,7 +49,7 @@ std::vector<double> Scales::sum_of_terms(std::span<const double> x, bool (*count
   for (std::size_t f = 0; f < assembler_.families().size(); ++f) {
     const auto& terms = assembler_.families()[f]->active_terms();
     for (std::size_t t = 0; t < terms.size(); ++t) {
-      if (!counts(terms[t].traits) || !assembler_.evaluate_term(x, f, t, term)) continue;
+      if (!counts(terms[t].traits) || !assembler_.reports().evaluate_term(x, f, t, term)) continue;
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term[i];
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/motion/energy_budget.hpp"
 
+#include "framework/assembler/reports.hpp"
+
 #include <netloft/vectors.hpp>
 
 #include <algorithm>
@@ -269,7 +271,7 @@ bool EnergyBudget::find_energies(const std::vector<double>& x, double t, double&
     double energy = 0;
     for (const auto& [family, term] : account.terms) {
       double part = 0;
-      if (!assembler_.term_energy(x, family, term, part, {.time = t})) return false;
+      if (!assembler_.reports().term_energy(x, family, term, part, {.time = t})) return false;
       energy += part;
     }
     if (keep) account.value = energy;
@@ -282,7 +284,7 @@ bool EnergyBudget::sum_force(const Account& account, const std::vector<double>& 
                              std::vector<double>& force) {
   force.assign(scratch_.size(), 0.0);
   for (const auto& [family, term] : account.terms) {
-    if (!assembler_.evaluate_term(x, family, term, scratch_, motion)) return false;
+    if (!assembler_.reports().evaluate_term(x, family, term, scratch_, motion)) return false;
     for (std::size_t i = 0; i < force.size(); ++i) force[i] += scratch_[i];
   }
   return true;

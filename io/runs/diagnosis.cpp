@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/runs/diagnosis.hpp"
 
+#include "framework/assembler/reports.hpp"
 #include "framework/registry/element_outputs.hpp"
 
 #include <fmt/format.h>
@@ -65,7 +66,7 @@ class Diagnosis {
     for (std::size_t f = 0; f < assembler_.families().size(); ++f) {
       const ElementFamily& family = *assembler_.families()[f];
       std::vector<std::vector<double>> values;
-      assembler_.outputs(x_, f, values);
+      assembler_.reports().outputs(x_, f, values);
       for (std::size_t k = 0; k < values.size(); ++k)
         if (is_tension(family.type().outputs[k])) add_tensions(family, values[k]);
     }

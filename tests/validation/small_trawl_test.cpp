@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <random>
 
+#include "framework/assembler/reports.hpp"
 #include "tests/verification/scene_file.hpp"
 
 namespace netloft::test {
@@ -99,7 +100,7 @@ double lift_without_bed(const SolvedFile& s) {
     if (family.type().type == "seabed/plane") continue;
     for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
       std::vector<double> sums(3 * family.parts().size());
-      EXPECT_TRUE(s.solved.assembler->sum_term(s.solved.solution.x, f, t, sums));
+      EXPECT_TRUE(s.solved.assembler->reports().sum_term(s.solved.solution.x, f, t, sums));
       for (std::size_t p = 0; p < family.parts().size(); ++p) lift -= sums[3 * p + 2];
     }
   }

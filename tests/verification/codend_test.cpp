@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "framework/assembler/reports.hpp"
 #include "tests/verification/scene_file.hpp"
 
 namespace netloft::test {
@@ -129,7 +130,7 @@ std::vector<double> output(const SolvedFile& s, const std::string& type, const s
     for (std::size_t k = 0; k < family.outputs.size() && family.type == type; ++k)
       if (family.outputs[k].name == name) {
         std::vector<std::vector<double>> values;
-        s.solved.assembler->outputs(s.solved.solution.x, f, values);
+        s.solved.assembler->reports().outputs(s.solved.solution.x, f, values);
         return values[k];
       }
   }

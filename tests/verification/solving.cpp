@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/verification/solving.hpp"
+#include "framework/assembler/reports.hpp"
 #include "tests/folders.hpp"
 
 #include "framework/search/search.hpp"
@@ -100,7 +101,7 @@ double Solved::lowest_z() const {
 std::vector<double> Solved::output(const std::string& name) const {
   const auto& outputs = assembler->families()[0]->type().outputs;
   std::vector<std::vector<double>> values;
-  assembler->outputs(solution.x, 0, values);
+  assembler->reports().outputs(solution.x, 0, values);
   for (std::size_t k = 0; k < outputs.size(); ++k)
     if (outputs[k].name == name) return values[k];
   throw std::invalid_argument("no output \"" + name + "\"");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/figures/response.hpp"
 
+#include "framework/assembler/reports.hpp"
+
 #include <algorithm>
 
 namespace netloft::results {
@@ -13,7 +15,8 @@ void add_forces(const Scene& scene, Assembler& assembler, std::size_t f, const K
   std::vector<double> sums(3 * family.parts().size());
   for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
     const netloft_term& term = family.active_terms()[t];
-    if ((term.traits & NETLOFT_OF_MEMBERS) || !assembler.sum_term(answer.x, f, t, sums, motion)) continue;
+    if ((term.traits & NETLOFT_OF_MEMBERS) || !assembler.reports().sum_term(answer.x, f, t, sums, motion))
+      continue;
     for (std::size_t p = 0; p < family.parts().size(); ++p)
       answer.forces.push_back({scene.parts[family.parts()[p]].name,
                                term.name,
@@ -56,7 +59,7 @@ void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, co
   if (std::ranges::find(reached, 1) == reached.end()) return;
   std::vector<double> sums(3 * bodies * family.parts().size());
   for (std::size_t t = 0; t < family.active_terms().size(); ++t) {
-    if (!assembler.sum_term_at(answer.x, f, t, groups, bodies, sums, motion)) continue;
+    if (!assembler.reports().sum_term_at(answer.x, f, t, groups, bodies, sums, motion)) continue;
     for (std::size_t k = 0; k < sums.size() / 3; ++k) {
       const double* sum = &sums[3 * k];
       if (!reached[k]) continue;
@@ -77,7 +80,7 @@ Response ask_elements(const Scene& scene, Assembler& assembler, std::span<const 
                       const Kinematics& motion, bool with_forces) {
   Response answer{{x.begin(), x.end()}, FamilyOutputs(assembler.families().size()), {}, {}};
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
-    assembler.outputs(x, f, answer.outputs[f], motion);
+    assembler.reports().outputs(x, f, answer.outputs[f], motion);
     if (!with_forces) continue;
     add_forces(scene, assembler, f, motion, answer);
     add_body_forces(scene, assembler, f, motion, answer);

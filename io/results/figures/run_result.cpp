@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/figures/run_result.hpp"
 
+#include "framework/assembler/reports.hpp"
 #include "framework/judging/correction.hpp"
 #include "io/results/figures/fallen_boards.hpp"
 #include "io/results/figures/overload.hpp"
@@ -190,7 +191,7 @@ void collect(const scenes::LoadedScene& loaded, Assembler& assembler, RunResult&
   result.gear = collect_gear(loaded, assembler, answer);
   result.ropes = find_rope_tensions(loaded, assembler, answer);
   result.warnings = overload_warnings(loaded, assembler, answer);
-  result.law_use = assembler.find_law_use(result.solution.x, at_rest(result.solution));
+  result.law_use = assembler.reports().find_law_use(result.solution.x, at_rest(result.solution));
   for (auto& sentence : law_range_warnings(loaded.scene, result.law_use))
     result.warnings.push_back(std::move(sentence));
   for (auto& doubt : doubt_warnings(loaded, assembler, answer)) result.warnings.push_back(std::move(doubt));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/validation/real_gears/comparison.hpp"
 
+#include "framework/assembler/reports.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -129,7 +131,7 @@ std::map<std::vector<std::uint32_t>, double> output_by_nodes(Assembler& assemble
     const ElementFamily& family = *assembler.families()[f];
     if (family.type().type != type) continue;
     std::vector<std::vector<double>> values;
-    assembler.outputs(x, f, values);
+    assembler.reports().outputs(x, f, values);
     for (std::size_t k = 0; k < values.size(); ++k)
       if (family.type().outputs[k].name == name)
         for (std::size_t e = 0; e < family.size(); ++e) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/assembler.hpp"
+#include "framework/assembler/reports.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +64,8 @@ TEST(Assembler, LeavesOutTermsWithATrait) {
       if (terms[t].traits & NETLOFT_OF_MEMBERS) continue;
       std::vector<double> one(x.size());
       double of_one = 0;
-      ASSERT_TRUE(a.assembler.evaluate_term(x, f, t, one) && a.assembler.term_energy(x, f, t, of_one));
+      ASSERT_TRUE(a.assembler.reports().evaluate_term(x, f, t, one) &&
+                  a.assembler.reports().term_energy(x, f, t, of_one));
       for (std::size_t i = 0; i < x.size(); ++i) weights[i] += one[i];
       weight_energy += of_one;
     }
@@ -199,14 +201,14 @@ TEST(Assembler, GivesOneTermAloneAndSumsOfItByPart) {
   std::vector<double> sum(x.size(), 0.0), term(x.size());
   for (std::size_t f = 0; f < a.assembler.families().size(); ++f)
     for (std::size_t t = 0; t < a.assembler.families()[f]->active_terms().size(); ++t) {
-      ASSERT_TRUE(a.assembler.evaluate_term(x, f, t, term));
+      ASSERT_TRUE(a.assembler.reports().evaluate_term(x, f, t, term));
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term[i];
     }
   EXPECT_LT(largest_difference(sum, a.residual(x)), 1e-12 * largest(sum));
 
   // Weight of the ropes, 30 and 20 m long.
   std::vector<double> weight(3 * a.assembler.families()[1]->parts().size());
-  ASSERT_TRUE(a.assembler.sum_term(x, 1, 1, weight));
+  ASSERT_TRUE(a.assembler.reports().sum_term(x, 1, 1, weight));
   const double per_metre = std::acos(-1.0) / 4 * 1e-4 * (7850 - 1025) * 9.81;
   EXPECT_EQ(a.assembler.families()[1]->active_terms()[1].name, std::string("weight"));
   EXPECT_NEAR(weight[2], 20 * per_metre, 1e-10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "framework/assembler/between.hpp"
+#include "framework/assembler/mean_tension.hpp"
 
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/bodies.hpp"
+#include "framework/assembler/tile_evaluator.hpp"
+
+namespace netloft {
+
+/// Passes the forces and matrices of an evaluation on from carried nodes to their bodies, (2) to (4) of
+/// bodies.hpp. Evaluates the elements at these nodes again for what (3) and (4) need beyond the request.
+class CarriedNodes {
+ public:
+  /// Both objects have to outlive this one; `dofs` counts all degrees of freedom.
+  CarriedNodes(Bodies& bodies, TileEvaluator& elements, TangentChoice tangent, std::size_t dofs)
+      : bodies_(bodies), elements_(elements), tangent_(tangent), dofs_(dofs) {}
+
+  /// Passes on the sums of a request, to which all elements at x have been added. Returns false if an element
+  /// could not be evaluated: see elements.fault().
+  bool pass_on(std::span<const double> x, const Request& request);
+
+ private:
+  bool find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices);
+
+  Bodies& bodies_;
+  TileEvaluator& elements_;
+  TangentChoice tangent_;
+  std::size_t dofs_;
+  std::vector<double> forces_, damping_, mass_;
+};
+
+}  // namespace netloft

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/element_tiles.hpp"
+#include "framework/assembler/memory.hpp"
+#include "framework/assembler/request.hpp"
+
+#include <span>
+#include <vector>
+
+namespace netloft {
+
+class TileEvaluator;
+
+/// The memory of each family. On a ground that passes, elements that slide on it have no past.
+std::vector<Memory> make_memories(const ElementTiles& tiles, bool ground_passes);
+
+/// Makes all elements remember positions x (over all dofs) as the last accepted step. Returns false if an
+/// element could not be evaluated; then nothing has changed.
+bool remember(TileEvaluator& elements, std::span<const double> x, const Kinematics& motion);
+
+/// All numbers that elements remember, rates of stretch included, one family after another.
+std::vector<double> read_memory(TileEvaluator& elements);
+void write_memory(TileEvaluator& elements, std::span<const double> numbers);
+
+}  // namespace netloft

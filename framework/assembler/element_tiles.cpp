@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/assembler/element_tiles.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace netloft {
+
+const FamilyGroup& ElementTiles::group_of(std::size_t family) const {
+  const auto found = std::ranges::find_if(groups, [&](const FamilyGroup& group) {
+    return std::ranges::find(group.families, family) != group.families.end();
+  });
+  assert(found != groups.end() && "each family is in a group");
+  return *found;
+}
+
+std::size_t ElementTiles::most_dofs() const {
+  std::size_t dofs = 0;
+  for (const auto& family : families) dofs = std::max(dofs, static_cast<std::size_t>(family->type().dofs()));
+  return dofs;
+}
+
+ElementTiles make_element_tiles(std::span<const std::unique_ptr<ElementFamily>> families, const Scene& nodes,
+                                const Numbering& numbering, const NodeBlocks& blocks,
+                                const SparsePattern& pattern) {
+  ElementTiles all{families, find_family_groups(families), 0, pattern.symmetric};
+  for (FamilyGroup& group : all.groups) {
+    group.tiling = make_tiling(*families[group.families.front()], nodes, numbering, blocks, pattern.symmetric,
+                               pattern.slots + 9 * all.count);
+    group.first_tile = all.count;
+    all.count += group.tiling.tiles;
+    if (!nodes.bodies.empty()) group.carried_tiles = find_carried_tiles(group.tiling, nodes.carried);
+  }
+  all.values = pattern.slots + 9 * all.count;
+  return all;
+}
+
+}  // namespace netloft

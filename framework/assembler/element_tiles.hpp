@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/riders.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace netloft {
+
+/// All elements of a scene, cut into tiles group by group.
+struct ElementTiles {
+  std::span<const std::unique_ptr<ElementFamily>> families;
+  std::vector<FamilyGroup> groups;
+  std::size_t count = 0;   // tiles of all groups
+  bool symmetric = true;   // matrices hold their lower triangle only
+  std::size_t values = 0;  // numbers of a matrix, with spare blocks for held nodes
+
+  const FamilyGroup& group_of(std::size_t family) const;
+  /// Degrees of freedom of the widest element.
+  std::size_t most_dofs() const;
+};
+
+/// `families` have to outlive the tiles.
+ElementTiles make_element_tiles(std::span<const std::unique_ptr<ElementFamily>> families, const Scene& nodes,
+                                const Numbering& numbering, const NodeBlocks& blocks,
+                                const SparsePattern& pattern);
+
+}  // namespace netloft

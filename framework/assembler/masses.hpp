@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/tile_evaluator.hpp"
+
+#include <array>
+
+namespace netloft {
+
+/// The nodal blocks of ∂r/∂a, by which explicit schemes divide, summed from the tangents of the elements
+/// without a sparse matrix.
+struct MassBlocks {
+  std::span<double> nodes;    // per node 3 x 3, row by row [kg]
+  std::span<double> between;  // per body 3 x 3, origin x rotation [kg]
+  double coupled = 0;         // the largest entry between other nodes, which no block holds [kg]
+};
+
+/// Adds all elements at x. `bodies` are the nodes of each body, its origin and its rotation. Returns false if
+/// an element could not be evaluated: see elements.fault().
+bool add_masses(TileEvaluator& elements, std::span<const std::array<std::uint32_t, 2>> bodies,
+                std::span<const double> x, MassBlocks& masses);
+
+/// M ← Qᵀ M Q for a block of a node with axes Q, both row by row.
+void turn_mass(const std::array<double, 9>& Q, double* M);
+
+}  // namespace netloft

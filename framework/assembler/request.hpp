@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+
+namespace netloft {
+
+enum class MatrixKind { none, exact, convex, metric };
+
+/// The motion of a scene during an evaluation: rates over all dofs (null at rest), the factors of the matrix
+/// cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a, and the low-order part of the positions if it is known.
+struct Kinematics {
+  double time = 0;                          // [s]
+  const double *v = nullptr, *a = nullptr;  // [m/s], [m/s²]
+  double cu = 1, cv = 0, ca = 0;
+  const double* x_low = nullptr;  // over all dofs: low-order part of the positions [m]
+};
+
+/// The ends of a step over which mean forces are taken (netloft_motion::solve_between). Positions are over
+/// all degrees of freedom [m].
+struct StepEnds {
+  const double *before = nullptr, *after = nullptr;
+  double length = 0;   // h of the step [s]
+  double damping = 0;  // χ of (3) in mean_of_members.hpp
+};
+
+/// The sums that an evaluation computes. Null or none: not wanted, not computed.
+struct Request {
+  double* energy = nullptr;        // one number [J]
+  bool conservative_only = false;  // leave out forces that have no energy: the residual is its gradient
+  std::uint32_t without = 0;       // terms with any of these traits are left out
+  double* residual = nullptr;      // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
+  double* gradient = nullptr;      // beside the residual: its part from forces that have an energy [N]
+  MatrixKind matrix = MatrixKind::none;
+  double* values = nullptr;  // Assembler::value_slots() long [N/m]
+  Kinematics motion = {};
+  const StepEnds* between = nullptr;  // mean forces of this step; its middle is the positions
+};
+
+}  // namespace netloft

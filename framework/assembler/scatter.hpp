@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/tile_sums.hpp"
+#include "framework/assembler/tiling.hpp"
+
+namespace netloft {
+
+// Adds the sums of a tile to those of the scene: forces to vectors over all dofs [N], tangents to the values
+// of a matrix [N/m]. Moments on bodies are divided by the arm that counts their rotations as lengths.
+
+/// Adds the forces, to which terms may still add afterwards.
+void scatter_gradient(const Tiling& tiling, std::size_t tile, TileSums& sums, double* gradient);
+
+/// Adds forces and tangents, which the tile no longer needs. Null: not wanted. `is_symmetric`: the matrix
+/// holds its lower triangle only.
+void scatter(const Tiling& tiling, std::size_t tile, bool is_symmetric, TileSums& sums, double* residual,
+             double* values);
+
+}  // namespace netloft

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/family.hpp"
+#include "framework/assembler/request.hpp"
+#include "framework/assembler/tile_sums.hpp"
+
+#include <vector>
+
+namespace netloft {
+
+/// One thread's inputs for mean forces of a step on a tile.
+struct StepTile {
+  /// Room for elements of up to `dofs` degrees of freedom; 0 if no mean forces are asked for.
+  explicit StepTile(std::size_t dofs)
+      : before(dofs * kTileLanes),
+        after(before.size()),
+        energies(2 * kTileLanes),
+        forces(2 * before.size()) {}
+
+  std::vector<double> before, after;     // positions at the ends of the step, [dof][64] [m]
+  std::vector<double> energies, forces;  // of one term at two places, [place][64] [J], [place][dof][64] [N]
+  std::vector<netloft_member> members_before, members, members_after;  // [lane][member]
+};
+
+/// One family of a tile whose forces and tangents in the middle of a step have been added up, and are to be
+/// corrected to mean forces.
+struct TileOfStep {
+  const ElementFamily& family;
+  const netloft_tile& tile;
+  const Request& request;
+  bool symmetric;  // the matrix holds its lower triangle only
+  TileSums& sums;
+  StepTile& step;
+
+  std::size_t dofs() const { return static_cast<std::size_t>(family.type().dofs()); }
+  bool has_slope() const { return request.values && request.matrix != MatrixKind::metric; }
+  /// Null if the request wants no forces.
+  double* open_force() const { return request.residual ? sums.force.open(dofs(), tile.count) : nullptr; }
+  double* open_slope() const { return sums.open_tangent(symmetric, dofs(), tile.count); }
+};
+
+}  // namespace netloft
