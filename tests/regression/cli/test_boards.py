@@ -216,7 +216,7 @@ z = { of = "wire.end", take = "min z" }
     def test_leaving_a_polar_is_said(self):
         """The polar of the catalogue's cambered board begins at 15 degrees; turned inward the water passes it from behind."""
         outside = self.run_scene(turned(NAMED, np.radians((-40, 20, 20)))).json()["warnings"]
-        self.assertTrue(any("door" in w and "have no numbers" in w for w in outside), outside)
+        self.assertTrue(any("door" in w and "do not cover the direction of the flow" in w for w in outside), outside)
 
 
 MESH = 'nodes = 0\nsize = "0.3 m"\nfiner = { bridle = 2 }'  # the same in the half and in the whole
