@@ -26,10 +26,11 @@ bool can_halve(const scenes::PartGeometry& part, Halved which) {
   });
 }
 
-std::string override_of(const scenes::PartGeometry& part) {
-  std::string cells;
-  for (const int n : part.cells) cells += (cells.empty() ? "" : ",") + std::to_string(half_of(n));
-  return "parts." + part.name + ".cells=" + (part.cells.size() == 1 ? cells : "[" + cells + "]");
+formats::Change halve(const scenes::PartGeometry& part) {
+  formats::Array cells;
+  for (const int n : part.cells) cells.items.push_back({{}, std::int64_t{half_of(n)}});
+  return formats::make_change({"parts", part.name, "cells"},
+                              part.cells.size() == 1 ? cells.items[0] : formats::Value{{}, cells});
 }
 
 /// Nodes at the corners of the cells of a part, and those in the middles of them, which come behind.
@@ -138,11 +139,11 @@ bool is_numbered(const scenes::GearInScene& gear, const std::vector<scenes::Part
 }
 
 /// Sides twice as long: a quarter of the nodes.
-std::vector<std::string> coarser_gear(const scenes::GearInScene& gear, const scenes::LoadedScene& fine) {
+std::vector<formats::Change> coarser_gear(const scenes::GearInScene& gear, const scenes::LoadedScene& fine) {
   const std::size_t nodes = fine.scene.node_count();
   if (nodes / 4 < kFewestNodes || is_numbered(gear, fine.parts)) return {};
-  if (gear.size > 0) return {"gear.size=" + std::to_string(2 * gear.size)};
-  return {"gear.nodes=" + std::to_string(gear.nodes / 4)};
+  if (gear.size > 0) return {formats::make_change({"gear", "size"}, {{}, 2 * gear.size})};
+  return {formats::make_change({"gear", "nodes"}, {{}, static_cast<std::int64_t>(gear.nodes / 4)})};
 }
 
 /// Origins and points of rigid bodies; whoever turns bodies turns them alike (Sites::transfer).
@@ -166,13 +167,12 @@ void carry_gear(const scenes::LoadedScene& from, const std::vector<double>& x, c
 
 }  // namespace
 
-std::vector<std::string> halved_cells(const scenes::LoadedScene& fine, Halved which) {
-  std::vector<std::string> overrides;
+std::vector<formats::Change> halved_cells(const scenes::LoadedScene& fine, Halved which) {
+  std::vector<formats::Change> changes;
   for (const auto& part : fine.parts)
-    if (is_divided(part) && can_halve(part, which)) overrides.push_back(override_of(part));
-  if (fine.gear)
-    for (auto& word : coarser_gear(*fine.gear, fine)) overrides.push_back(std::move(word));
-  return overrides;
+    if (is_divided(part) && can_halve(part, which)) changes.push_back(halve(part));
+  if (fine.gear) formats::append(changes, coarser_gear(*fine.gear, fine));
+  return changes;
 }
 
 std::optional<std::vector<double>> carried_over(const scenes::LoadedScene& from, const std::vector<double>& x,

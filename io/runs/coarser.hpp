@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/formats/toml/change.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
 #include <optional>
@@ -12,10 +13,10 @@ namespace netloft::runs {
 /// shape: parts that are joined, or that have square cells alone, may not fit then.
 enum class Halved { all, even_only };
 
-/// Overrides that give every rope and panel half its cells where these are many enough, and where nothing
+/// Changes that give every rope and panel half its cells where these are many enough, and where nothing
 /// acts on a node of it by its number; and a gear from a net plan a quarter of its nodes, unless something
 /// acts so on any of its panels and ropes. Empty when nothing is left to halve.
-std::vector<std::string> halved_cells(const scenes::LoadedScene& fine, Halved which);
+std::vector<formats::Change> halved_cells(const scenes::LoadedScene& fine, Halved which);
 
 /// Positions of the nodes of one scene [m], 3 per node, read off another division of the same gear where it
 /// has been brought to `x`. Between the nodes of a rope lines are straight, within the triangles of a panel

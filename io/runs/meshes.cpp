@@ -2,7 +2,6 @@
 #include "io/runs/meshes.hpp"
 
 #include "io/runs/coarser.hpp"
-#include "io/scenes/reading/read_scene.hpp"
 
 #include <utility>
 
@@ -53,16 +52,16 @@ std::unique_ptr<scenes::LoadedScene> Meshes::read_coarser(const scenes::LoadedSc
 }
 
 std::unique_ptr<scenes::LoadedScene> Meshes::read_halved(const scenes::LoadedScene& finer,
-                                                         const std::vector<std::string>& halved) {
+                                                         const std::vector<formats::Change>& halved) {
   if (halved.empty()) return nullptr;
-  std::vector<std::string> overrides = source_.overrides;
-  overrides.insert(overrides.end(), halved.begin(), halved.end());
+  std::vector<formats::Change> changes = source_.changes;
+  formats::append(changes, halved);
   formats::Diagnostics diagnostics;
   bool refused = false;
-  auto coarse = std::make_unique<scenes::LoadedScene>(
-      scenes::read_scene(source_.file, overrides, registry_, diagnostics, refused));
+  auto coarse =
+      std::make_unique<scenes::LoadedScene>(source_.scene.instance(changes, registry_, diagnostics, refused));
   if (refused || diagnostics.errors() || !start_like(finer, *coarse)) return nullptr;
-  source_.overrides = std::move(overrides);
+  source_.changes = std::move(changes);
   return coarse;
 }
 

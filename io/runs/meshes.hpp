@@ -21,7 +21,7 @@ class Meshes : public Levels {
   const scenes::LoadedScene* loaded(unsigned level);
   std::unique_ptr<scenes::LoadedScene> read_coarser(const scenes::LoadedScene& finer);
   std::unique_ptr<scenes::LoadedScene> read_halved(const scenes::LoadedScene& finer,
-                                                   const std::vector<std::string>& halved);
+                                                   const std::vector<formats::Change>& halved);
 
   CaseSource source_;  // of the coarsest one that has been read
   const scenes::LoadedScene& finest_;

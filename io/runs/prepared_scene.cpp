@@ -8,7 +8,6 @@
 #include "io/runs/material_damping.hpp"
 #include "io/runs/meshes.hpp"
 #include "io/runs/stretch_damping.hpp"
-#include "io/scenes/reading/read_scene.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
 #include "solvers/factorisation/make_factorisation.hpp"
 
@@ -46,7 +45,7 @@ PreparedScene::State PreparedScene::prepare(const std::function<void(scenes::Loa
 PreparedScene::State PreparedScene::read() {
   Timed timed(seconds_.reading);
   bool refused = false;
-  loaded_ = scenes::read_scene(source_.file, source_.overrides, registry_, diagnostics_, refused);
+  loaded_ = source_.scene.instance(source_.changes, registry_, diagnostics_, refused);
   if (!diagnostics_.errors()) return State::ready;
   return refused ? State::refused : State::wrong_input;
 }

@@ -5,7 +5,7 @@
 #include "framework/scene/scene_plan.hpp"
 #include "framework/search/variant_problems.hpp"
 #include "io/formats/toml/diagnostics.hpp"
-#include "io/scenes/reading/loaded_scene.hpp"
+#include "io/scenes/reading/scene_source.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -17,11 +17,16 @@ namespace netloft::runs {
 
 class Meshes;
 
-/// A scene file, the changes to it, and the threads that work on it.
+/// The scene of a case, its changes, and the threads that work on it. Copies share what was read of the
+/// scene.
 struct CaseSource {
-  std::filesystem::path file;
-  std::vector<std::string> overrides;  // "path=value", as --set takes them
-  int threads = 1;                     // of the assembly and of large factorisations
+  /// `set`: "path=value", as `--set` takes them.
+  CaseSource(std::filesystem::path file, const std::vector<std::string>& set = {}, int thread_count = 1)
+      : scene(std::move(file)), changes(formats::read_changes(set)), threads(thread_count) {}
+
+  scenes::SceneSource scene;
+  std::vector<formats::Change> changes;
+  int threads;  // of the assembly and of large factorisations
 };
 
 /// A scene that is ready to be evaluated: read, checked, planned and assembled. equilibrium.hpp and march.hpp
@@ -82,9 +87,9 @@ class PreparedScene {
   Seconds seconds_;
 };
 
-/// The overrides for `--solver newton:method=classic` or `--strategy auto:restarts=6`: analysis.solver and
-/// analysis.newton.method. `key` is "solver" or "strategy". Throws std::invalid_argument with a
-/// sentence when the specification is not understood.
-std::vector<std::string> overrides_of(const std::string& key, const std::string& specification);
+/// The changes of analysis.solver and analysis.newton.method for `--solver newton:method=classic`, and the
+/// same for a strategy or an integrator. `key` is "solver", "strategy" or "integrator". Throws
+/// std::invalid_argument with a sentence if the specification cannot be read.
+std::vector<formats::Change> choose_method(const std::string& key, const std::string& specification);
 
 }  // namespace netloft::runs

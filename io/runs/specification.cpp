@@ -36,11 +36,11 @@ const char* example_of(const std::string& key) {
 
 }  // namespace
 
-std::vector<std::string> overrides_of(const std::string& key, const std::string& specification) {
+std::vector<formats::Change> choose_method(const std::string& key, const std::string& specification) {
   const auto colon = specification.find(':');
   const std::string name = specification.substr(0, colon);
   if (!is_component_name(name)) refuse(key, specification, "\"" + name + "\" is no name of a " + key);
-  std::vector<std::string> all{"analysis." + key + "=\"" + name + "\""};
+  std::vector<formats::Change> all{formats::read_change("analysis." + key + "=\"" + name + "\"")};
   if (colon == std::string::npos) return all;
   if (colon + 1 == specification.size()) refuse(key, specification, "nothing follows the colon");
   std::set<std::string> keys;
@@ -52,7 +52,8 @@ std::vector<std::string> overrides_of(const std::string& key, const std::string&
     if (!keys.insert(pair.substr(0, equals)).second)
       refuse(key, specification, pair.substr(0, equals) + " is given twice");
     const scenes::ComponentTable at = scenes::table_of_component(name);
-    all.push_back("analysis." + at.plugin + (at.component.empty() ? "" : "." + at.component) + "." + pair);
+    all.push_back(formats::read_change("analysis." + at.plugin +
+                                       (at.component.empty() ? "" : "." + at.component) + "." + pair));
   }
   return all;
 }

@@ -10,7 +10,7 @@
 #include "framework/registry/registry.hpp"
 #include "framework/scene/scene_plan.hpp"
 #include "io/formats/toml/diagnostics.hpp"
-#include "io/scenes/reading/read_scene.hpp"
+#include "io/scenes/reading/scene_source.hpp"
 #include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
@@ -92,8 +92,9 @@ void print_trawls(double largest, Registry& registry) {
     formats::Diagnostics diagnostics;
     bool refused = false;
     const scenes::LoadedScene loaded =
-        scenes::read_scene(netloft::test::source_folder() + "/gear-library/scenes/83-112-flume-3.0kn.toml",
-                           {"gear.nodes=" + std::to_string(nodes)}, registry, diagnostics, refused);
+        scenes::SceneSource(netloft::test::source_folder() + "/gear-library/scenes/83-112-flume-3.0kn.toml")
+            .instance({formats::make_change({"gear", "nodes"}, {{}, std::int64_t{nodes}})}, registry,
+                      diagnostics, refused);
     if (!diagnostics.errors()) print_row("83-112", loaded.scene, registry);
   }
 }

@@ -3,7 +3,7 @@
 // library at hand. What is read without an error is planned and assembled, if it is small.
 #include "framework/assembler/assembler.hpp"
 #include "framework/scene/scene_plan.hpp"
-#include "io/scenes/reading/read_scene.hpp"
+#include "io/scenes/reading/scene_source.hpp"
 #include "tests/folders.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 
@@ -44,8 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }();
   formats::Diagnostics diagnostics;
   bool refused = false;
-  const auto scene =
-      scenes::read_scene(fuzz::write_scratch("scene.toml", data, size), {}, registry, diagnostics, refused);
+  const auto scene = scenes::SceneSource(fuzz::write_scratch("scene.toml", data, size))
+                         .instance({}, registry, diagnostics, refused);
   fuzz::use(diagnostics.render(false).size());
   if (diagnostics.errors() == 0) assemble(scene, registry);
   return 0;

@@ -55,8 +55,8 @@ struct Off {
 
 Off off(const std::vector<std::string>& overrides, HungBars bars) {
   runs::CaseSource source{test::source_folder() + "/tests/stability/scenes/rope.toml", overrides, 1};
-  source.overrides.push_back("parts.rope.cells=" + std::to_string(bars.n));
-  source.overrides.insert(source.overrides.begin(), "analysis.strategy=auto");
+  source.changes.push_back(formats::make_change({"parts", "rope", "cells"}, {{}, std::int64_t{bars.n}}));
+  source.changes.insert(source.changes.begin(), formats::read_change("analysis.strategy=auto"));
   runs::PreparedScene rope(source, shipped_plugins());
   EXPECT_EQ(rope.prepare(), runs::PreparedScene::State::ready);
   const Solution s = runs::find_equilibrium(rope);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/scenes/reading/read_scene.hpp"
+#include "io/scenes/reading/scene_source.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -28,8 +28,9 @@ struct SolvedFile {
 inline SolvedFile solve_file(const std::string& name, const std::vector<std::string>& overrides = {}) {
   formats::Diagnostics diagnostics;
   bool refused = false;
-  scenes::LoadedScene loaded = scenes::read_scene(test::source_folder() + "/gear-library/scenes/" + name,
-                                                  overrides, shipped_plugins(), diagnostics, refused);
+  scenes::LoadedScene loaded =
+      scenes::SceneSource(test::source_folder() + "/gear-library/scenes/" + name)
+          .instance(formats::read_changes(overrides), shipped_plugins(), diagnostics, refused);
   if (diagnostics.errors()) throw std::invalid_argument(diagnostics.render(false));
   Solving how;
   how.solver_parameters = loaded.analysis.solver_parameters;

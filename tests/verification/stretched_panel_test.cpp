@@ -43,10 +43,11 @@ scenes::LoadedScene load_panel(double opening_stiffness, int n) {
   formats::Diagnostics diagnostics;
   bool refused = false;
   scenes::LoadedScene loaded =
-      scenes::read_scene(test::source_folder() + "/gear-library/scenes/verification/stretched-panel.toml",
-                         {"parts.net.cells=[" + cells + "," + cells + "]",
-                          "parts.net.twine.opening_stiffness=" + std::to_string(opening_stiffness)},
-                         shipped_plugins(), diagnostics, refused);
+      scenes::SceneSource(test::source_folder() + "/gear-library/scenes/verification/stretched-panel.toml")
+          .instance(formats::read_changes(
+                        {"parts.net.cells=[" + cells + "," + cells + "]",
+                         "parts.net.twine.opening_stiffness=" + std::to_string(opening_stiffness)}),
+                    shipped_plugins(), diagnostics, refused);
   if (diagnostics.errors()) throw std::invalid_argument(diagnostics.render(false));
   return loaded;
 }

@@ -59,6 +59,26 @@ void Diagnostics::add(Diagnostic entry) {
   entries_.push_back(std::move(entry));
 }
 
+int Diagnostics::append(const Diagnostics& other) {
+  const int by = static_cast<int>(sources_.size());
+  sources_.insert(sources_.end(), other.sources_.begin(), other.sources_.end());
+  for (Diagnostic entry : other.entries_) {
+    if (entry.place.file >= 0) entry.place.file += by;
+    add(std::move(entry));
+  }
+  return by;
+}
+
+Diagnostics Diagnostics::without_messages() const {
+  Diagnostics silent;
+  silent.sources_ = sources_;
+  return silent;
+}
+
+void Diagnostics::take_messages(const std::vector<Diagnostic>& messages) {
+  for (const Diagnostic& message : messages) add(message);
+}
+
 std::vector<Diagnostic> Diagnostics::sorted() const {
   std::vector<Diagnostic> result = entries_;
   const auto key = [](const Diagnostic& d) { return std::tuple(d.place.file, d.place.line, d.place.column); };

@@ -15,6 +15,7 @@ struct Place {
   int line = 0;   // 0: the file as a whole
   int column = 0;
   int length = 1;  // characters to underline, never beyond the line
+  bool operator==(const Place&) const = default;
 };
 
 enum class Severity { error, warning };
@@ -37,6 +38,15 @@ class Diagnostics {
 
   void error(const Place& place, std::string message, std::string hint = {});
   void warning(const Place& place, std::string message, std::string hint = {});
+
+  /// Adds the sources and the messages of `other`. Returns what the numbers of its sources grow by.
+  int append(const Diagnostics& other);
+  /// The same sources, without messages.
+  Diagnostics without_messages() const;
+  /// Adds messages of another that has the same sources.
+  void take_messages(const std::vector<Diagnostic>& messages);
+  /// All messages, in the order in which they came.
+  const std::vector<Diagnostic>& messages() const { return entries_; }
 
   int errors() const { return errors_; }
   int warnings() const { return static_cast<int>(entries_.size()) - errors_; }

@@ -10,8 +10,8 @@
 #include <optional>
 #include <set>
 
+#include "io/formats/toml/change.hpp"
 #include "io/formats/toml/merge.hpp"
-#include "io/formats/toml/override.hpp"
 #include "io/formats/toml/parse.hpp"
 
 namespace netloft::formats {
@@ -171,7 +171,7 @@ Document Document::load(const fs::path& path, const std::vector<std::string>& ov
                         Diagnostics& diagnostics) {
   Document document;
   document.root_ = Loader(document.files_, diagnostics).load(path, {});
-  for (const std::string& text : overrides) apply_override(document.root_, text, diagnostics);
+  for (const std::string& text : overrides) apply(document.root_, read_change(text), diagnostics);
   return document;
 }
 
@@ -179,7 +179,7 @@ Document Document::parse(std::string text, const std::string& name, const std::v
                          Diagnostics& diagnostics) {
   Document document;
   document.root_ = Loader(document.files_, diagnostics).add(std::move(text), name, {});
-  for (const std::string& change : overrides) apply_override(document.root_, change, diagnostics);
+  for (const std::string& change : overrides) apply(document.root_, read_change(change), diagnostics);
   return document;
 }
 

@@ -18,15 +18,18 @@ struct Table {
   std::vector<Member> members;  // in the order of the file
   const Member* find(std::string_view key) const;
   Member* find(std::string_view key);
+  bool operator==(const Table&) const;
 };
 
 struct Array {
   std::vector<Value> items;
   bool from_headers = false;  // written as [[hold]], not as hold = [...]
+  bool operator==(const Array&) const;
 };
 
 struct Date {
   std::string text;
+  bool operator==(const Date&) const = default;
 };
 
 enum class Kind { table, array, text, integer, real, boolean, date };
@@ -45,12 +48,15 @@ struct Value {
   T* as() {
     return std::get_if<T>(&data);
   }
+  /// Whether place and data are equal. Numbers are compared bit by bit: 0 differs from -0.
+  bool operator==(const Value&) const;
 };
 
 struct Member {
   std::string key;
   Place place;  // of the key
   Value value;
+  bool operator==(const Member&) const = default;
 };
 
 inline const Member* Table::find(std::string_view key) const {
@@ -62,6 +68,9 @@ inline const Member* Table::find(std::string_view key) const {
 inline Member* Table::find(std::string_view key) {
   return const_cast<Member*>(static_cast<const Table*>(this)->find(key));
 }
+
+/// Moves every place of a value from file `f` to file `f + by`.
+void shift_files(Value& value, int by);
 
 /// A key in the spelling of a dotted path: bare, or quoted if necessary.
 std::string spell_key(std::string_view key);

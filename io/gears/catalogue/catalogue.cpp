@@ -165,6 +165,28 @@ void Catalogue::add(CataloguePart part, const formats::Place& place, std::size_t
                                  "\" is in this folder twice, also in " + earlier->file);
 }
 
+void Catalogue::shift_files(int by) {
+  for (CataloguePart& part : parts_)
+    for (auto& [key, table] : part.tables) formats::shift_files(table, by);
+}
+
+std::shared_ptr<const Catalogue> KeptCatalogue::of(const std::vector<std::filesystem::path>& folders,
+                                                   formats::Diagnostics& diagnostics) {
+  if (!catalogue_ || folders != folders_) {
+    said_ = {};
+    catalogue_ = std::make_shared<Catalogue>(Catalogue::load(folders, said_));
+    folders_ = folders;
+    first_file_ = 0;
+  }
+  if (const int first = diagnostics.append(said_); first != first_file_) {
+    Catalogue moved = *catalogue_;
+    moved.shift_files(first - first_file_);
+    catalogue_ = std::make_shared<Catalogue>(std::move(moved));
+    first_file_ = first;
+  }
+  return catalogue_;
+}
+
 const CataloguePart* Catalogue::find(const std::string& name, const std::vector<std::string>& kinds) const {
   for (const auto& part : parts_)
     if (part.name == name && std::find(kinds.begin(), kinds.end(), part.kind->name) != kinds.end())

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ class Catalogue {
   /// The parts of one file.
   static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
+  /// Moves all places from file `f` of some diagnostics to file `f + by` of others.
+  void shift_files(int by);
+
   /// Null if no part of these kinds has the name.
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
   /// In the order in which they were read.
@@ -58,6 +62,20 @@ class Catalogue {
   std::vector<CataloguePart> parts_;
   std::vector<formats::SourceFile> files_;
   std::vector<std::filesystem::path> folders_;
+};
+
+/// The last catalogue that was loaded, with what was wrong with it. Files are read once.
+class KeptCatalogue {
+ public:
+  /// The catalogue of these folders. Its sources and messages are added to `diagnostics`.
+  std::shared_ptr<const Catalogue> of(const std::vector<std::filesystem::path>& folders,
+                                      formats::Diagnostics& diagnostics);
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+  formats::Diagnostics said_;  // while it was loaded
+  int first_file_ = 0;         // its places count files from here
+  std::shared_ptr<const Catalogue> catalogue_;
 };
 
 }  // namespace netloft::gears

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/catalogue/folders.hpp"
 
+#include "io/formats/toml/table_reader.hpp"
+
 #include <cstdlib>
 #include <sstream>
 
@@ -26,6 +28,19 @@ std::string folder_fault(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder, fault)) return folder.string() + " is no folder";
   std::filesystem::directory_iterator(folder, fault);
   return fault ? folder.string() + " cannot be read: " + fault.message() : "";
+}
+
+std::vector<std::filesystem::path> named_folders(const formats::Value& document,
+                                                 const std::filesystem::path& folder,
+                                                 formats::Diagnostics& diagnostics) {
+  formats::TableReader root(document, diagnostics);
+  std::vector<std::filesystem::path> folders;
+  for (const auto& name :
+       root.texts("catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}})) {
+    folders.push_back(folder / name);
+    if (const auto fault = folder_fault(folders.back()); !fault.empty()) root.error("catalogue", fault);
+  }
+  return folders;
 }
 
 std::vector<std::filesystem::path> catalogue_folders(formats::Diagnostics& diagnostics,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/formats/toml/diagnostics.hpp"
+#include "io/formats/toml/value.hpp"
 
 #include <filesystem>
 #include <string>
@@ -14,6 +15,12 @@ namespace netloft::gears {
 /// read is an error.
 std::vector<std::filesystem::path> catalogue_folders(formats::Diagnostics& diagnostics,
                                                      std::vector<std::filesystem::path> own = {});
+
+/// The folders that the key `catalogue` of a document names, relative to `folder`. One that cannot be read is
+/// an error.
+std::vector<std::filesystem::path> named_folders(const formats::Value& document,
+                                                 const std::filesystem::path& folder,
+                                                 formats::Diagnostics& diagnostics);
 
 /// What keeps a folder from being read, as a sentence; empty if nothing does.
 std::string folder_fault(const std::filesystem::path& folder);

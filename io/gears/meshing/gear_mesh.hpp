@@ -21,6 +21,7 @@ struct Fineness {
   double size = 0;           // if not 0, used instead of `nodes`: length of edges in the spread netting [m]
   // by panel or rope: the factor by which edges are shorter than elsewhere
   std::map<std::string, double> finer;
+  bool operator==(const Fineness&) const = default;
 };
 
 /// Netting in triangles. Its own nodes are numbered from 0 and refer to nodes of the gear.

@@ -2,18 +2,13 @@
 #pragma once
 #include "io/gears/meshing/gear_mesh.hpp"
 
+#include "io/gears/meshing/recent.hpp"
+
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace netloft::gears {
-
-/// A side of a triangle or a bar of a rope, between nodes of the gear.
-struct MeshSide {
-  std::uint32_t from, to;
-};
-
-/// All sides; one that several triangles have in common is listed once for each.
-std::vector<MeshSide> sides_of(const GearMesh& mesh);
 
 /// For each node, its neighbours along ropes and their distances [m].
 using Neighbours = std::vector<std::vector<std::pair<std::uint32_t, double>>>;
@@ -30,8 +25,19 @@ struct Gain {
 std::vector<double> by_gains(std::size_t nodes, const std::vector<Gain>& gains,
                              const std::vector<std::pair<std::uint32_t, double>>& fixed);
 
-/// The field with given values at some nodes that is as smooth as possible between them.
-std::vector<double> harmonic(std::size_t nodes, const std::vector<MeshSide>& sides,
-                             const std::vector<std::pair<std::uint32_t, double>>& fixed);
+class GainFactors;
+
+/// Fields with given values at some nodes of a mesh that are as smooth as possible between them. The matrix
+/// depends on which nodes have values; the factors of the last few such sets are kept.
+class HarmonicFields {
+ public:
+  explicit HarmonicFields(const GearMesh& mesh);
+  std::vector<double> with(const std::vector<std::pair<std::uint32_t, double>>& fixed);
+
+ private:
+  std::size_t nodes_;
+  std::vector<Gain> sides_;
+  Recent<std::vector<std::uint32_t>, GainFactors> factors_{8};  // by nodes with values
+};
 
 }  // namespace netloft::gears

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/start_shape.hpp"
 
-#include "io/gears/meshing/girth.hpp"
-#include "io/gears/meshing/knot_graph.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,18 +32,48 @@ struct Lead {
       between;  // nodes from `to` back, how far they are from `from` [m]
 };
 
+void collect_sketch(const GearPanel& panel, const PanelMesh& mesh, std::vector<KnownCoordinate>& known) {
+  for (std::size_t own = 0; own < mesh.nodes.size(); ++own) {
+    const auto point = panel.sketched({mesh.meshes[own][0], mesh.meshes[own][1]});
+    for (int axis = 0; axis < 3; ++axis)
+      known.push_back({mesh.nodes[own], axis, point[static_cast<std::size_t>(axis)]});
+  }
+}
+
+/// All known coordinates, each once: those of the caller, which have priority, then points of the plan, the
+/// plane of symmetry and sketches.
+std::vector<KnownCoordinate> collect_known(const Gear& gear, const GearMesh& mesh,
+                                           std::vector<KnownCoordinate> known) {
+  for (const auto& point : gear.points)
+    if (const auto node = mesh.points.find(point.name); point.at && node != mesh.points.end())
+      for (int axis = 0; axis < 3; ++axis)
+        known.push_back({node->second, axis, (*point.at)[static_cast<std::size_t>(axis)]});
+  for (const auto node : mesh.middle) known.push_back({node, 1, 0.0});
+  for (std::size_t p = 0; p < mesh.panels.size(); ++p)
+    if (gear.panels[p].has_sketch()) collect_sketch(gear.panels[p], mesh.panels[p], known);
+  std::vector<bool> is_known(3 * mesh.nodes);
+  std::erase_if(known, [&](const auto& k) {
+    const bool again = is_known[at(k.node, k.axis)];
+    is_known[at(k.node, k.axis)] = true;
+    return again;
+  });
+  return known;
+}
+
 /// Makes one shape; the member functions are steps in the order of execution.
 class Shaper {
  public:
-  Shaper(const Gear& gear, const GearMesh& mesh, const std::vector<KnownCoordinate>& known)
+  Shaper(const Gear& gear, const GearMesh& mesh, const Girth& girth, HarmonicFields& fields,
+         const std::vector<KnownCoordinate>& known)
       : gear_(gear),
         mesh_(mesh),
+        girth_(girth),
+        fields_(fields),
         known_(known),
         positions_(3 * mesh.nodes, 0.0),
         placed_(mesh.nodes, false) {}
 
   std::vector<double> make() {
-    collect_known();
     put_on_rings();
     stand_as_a_whole();
     put_ropes();
@@ -58,42 +85,15 @@ class Shaper {
  private:
   double& x(std::uint32_t node, int axis) { return positions_[at(node, axis)]; }
 
-  /// Collects known positions: those of the caller, which have priority, then points of the plan, the plane
-  /// of symmetry and sketches.
-  void collect_known() {
-    for (const auto& point : gear_.points)
-      if (const auto node = mesh_.points.find(point.name); point.at && node != mesh_.points.end())
-        for (int axis = 0; axis < 3; ++axis)
-          known_.push_back({node->second, axis, (*point.at)[static_cast<std::size_t>(axis)]});
-    for (const auto node : mesh_.middle) known_.push_back({node, 1, 0.0});
-    for (std::size_t p = 0; p < mesh_.panels.size(); ++p)
-      if (gear_.panels[p].has_sketch()) collect_sketch(gear_.panels[p], mesh_.panels[p]);
-    std::vector<bool> is_known(positions_.size());
-    std::erase_if(known_, [&](const auto& k) {
-      const bool again = is_known[at(k.node, k.axis)];
-      is_known[at(k.node, k.axis)] = true;
-      return again;
-    });
-  }
-
-  void collect_sketch(const GearPanel& panel, const PanelMesh& mesh) {
-    for (std::size_t own = 0; own < mesh.nodes.size(); ++own) {
-      const auto point = panel.sketched({mesh.meshes[own][0], mesh.meshes[own][1]});
-      for (int axis = 0; axis < 3; ++axis)
-        known_.push_back({mesh.nodes[own], axis, point[static_cast<std::size_t>(axis)]});
-    }
-  }
-
   void put_on_rings() {
-    const Girth girth(gear_, mesh_);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node) {
-      if (!girth.covers(node)) continue;
-      const double half = girth.half_girth(node), w = half_width(half);
+      if (!girth_.covers(node)) continue;
+      const double half = girth_.half_girth(node), w = half_width(half);
       const double angle =
-          std::clamp(std::numbers::pi * girth.around(node) / half, 0.0, std::numbers::pi);  // (3)
-      x(node, 0) = girth.aft(node);
-      x(node, 1) = girth.side(node) * w * std::sin(angle);
-      x(node, 2) = girth.is_closed(node) ? 0 : kAspect * w * std::cos(angle);
+          std::clamp(std::numbers::pi * girth_.around(node) / half, 0.0, std::numbers::pi);  // (3)
+      x(node, 0) = girth_.aft(node);
+      x(node, 1) = girth_.side(node) * w * std::sin(angle);
+      x(node, 2) = girth_.is_closed(node) ? 0 : kAspect * w * std::cos(angle);
       placed_[node] = true;
     }
   }
@@ -270,13 +270,12 @@ class Shaper {
 
   /// Adds displacements that are harmonic on the net and bring every known coordinate to its value.
   void follow_known() {
-    const auto sides = sides_of(mesh_);
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<std::pair<std::uint32_t, double>> moved;
       for (const auto& k : known_)
         if (k.axis == axis) moved.push_back({k.node, k.value - x(k.node, axis)});
       if (moved.empty()) continue;
-      const auto displacement = harmonic(mesh_.nodes, sides, moved);
+      const auto displacement = fields_.with(moved);
       for (std::uint32_t node = 0; node < mesh_.nodes; ++node) x(node, axis) += displacement[node];
     }
   }
@@ -294,16 +293,22 @@ class Shaper {
 
   const Gear& gear_;
   const GearMesh& mesh_;
-  std::vector<KnownCoordinate> known_;
+  const Girth& girth_;
+  HarmonicFields& fields_;
+  const std::vector<KnownCoordinate>& known_;
   std::vector<double> positions_;
   std::vector<bool> placed_;
 };
 
 }  // namespace
 
-std::vector<double> start_shape(const Gear& gear, const GearMesh& mesh,
-                                const std::vector<KnownCoordinate>& known) {
-  return Shaper(gear, mesh, known).make();
+StartShapes::StartShapes(const Gear& gear, const GearMesh& mesh)
+    : gear_(gear), mesh_(mesh), girth_(gear, mesh), fields_(mesh) {}
+
+std::vector<double> StartShapes::with(const Gear& placed, const std::vector<KnownCoordinate>& known) {
+  return *shapes_.of(collect_known(placed, mesh_, known), [&](const std::vector<KnownCoordinate>& all) {
+    return std::make_shared<const std::vector<double>>(Shaper(gear_, mesh_, girth_, fields_, all).make());
+  });
 }
 
 }  // namespace netloft::gears

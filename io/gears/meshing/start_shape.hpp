@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/meshing/gear_mesh.hpp"
+#include "io/gears/meshing/girth.hpp"
+#include "io/gears/meshing/knot_graph.hpp"
 
+#include <bit>
 #include <vector>
 
 namespace netloft::gears {
@@ -11,10 +13,16 @@ struct KnownCoordinate {
   std::uint32_t node = 0;  // of the gear
   int axis = 0;            // 0, 1, 2: aft, to starboard, up
   double value = 0;        // [m]
+  /// Values are compared bit by bit: 0 differs from -0.
+  bool operator==(const KnownCoordinate& other) const {
+    return node == other.node && axis == other.axis &&
+           std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(other.value);
+  }
 };
 
-/// Initial positions of the nodes of a gear, 3 per node [m]: x aft, y to starboard, z up. They need not be
-/// accurate, but must be free of kinks and folds, on the right side, and about as large as the gear.
+/// Makes initial positions of the nodes of a divided gear, 3 per node [m]: x aft, y to starboard, z up. They
+/// need not be accurate, but must be free of kinks and folds, on the right side, and about as large as the
+/// gear.
 ///
 /// Two fields on the nodes of the netting, both by least squares over the sides of all triangles, since
 /// panels that are sewn together need not fit:
@@ -30,7 +38,23 @@ struct KnownCoordinate {
 /// The gear as a whole is then placed so that ropes to known points are straight, and its lowest
 /// point as deep as the lowest known one. What is known, sketches of panels among it, is put in its place,
 /// and all else follows by displacements that are harmonic on the net. Ropes off the netting are straight.
-std::vector<double> start_shape(const Gear& gear, const GearMesh& mesh,
-                                const std::vector<KnownCoordinate>& known = {});
+///
+/// Fields, factors and the last few shapes are kept for the next one.
+class StartShapes {
+ public:
+  /// `gear` and its `mesh` must live longer.
+  StartShapes(const Gear& gear, const GearMesh& mesh);
+
+  /// The shape for coordinates known to the caller, which have priority, and for the points and sketches of
+  /// `placed`: a gear that differs in these, if at all, from the one that was divided.
+  std::vector<double> with(const Gear& placed, const std::vector<KnownCoordinate>& known = {});
+
+ private:
+  const Gear& gear_;
+  const GearMesh& mesh_;
+  Girth girth_;
+  HarmonicFields fields_;
+  Recent<std::vector<KnownCoordinate>, const std::vector<double>> shapes_{4};
+};
 
 }  // namespace netloft::gears

@@ -29,6 +29,7 @@ struct MeshCount {
   std::string name;
   double meshes = 0;
   formats::Place place;
+  bool operator==(const MeshCount&) const = default;
 };
 
 /// A stretch of a side that is cut at one rate, going aft.
@@ -43,6 +44,7 @@ struct Cut {
   double across = 0, deep = 0;  // meshes, as computed
   double selvedge = 0;          // meshes gathered into the seam along it
   formats::Place place;
+  bool operator==(const Cut&) const = default;
 };
 
 /// Computes the extent of each cut of a side from the given numbers and the depth of the panel.
@@ -52,6 +54,7 @@ void settle(std::vector<Cut>& side, double depth);
 struct OpenEdge {
   std::string name;
   formats::Place place;
+  bool operator==(const OpenEdge&) const = default;
 };
 
 struct Panel {
@@ -83,6 +86,7 @@ struct Panel {
   double count(const std::vector<MeshCount>& edge) const;
   /// (u, v) in bars of a point, or of the vector from one point to another; twine_coordinates.hpp.
   std::array<double, 2> twines_at(double across, double deep) const;
+  bool operator==(const Panel&) const = default;
 };
 
 constexpr double kWinchSpeed = 2;    // [m/s]; trawl winches haul some 80 to 120 m in a minute
@@ -120,6 +124,7 @@ struct Hanging {
   double length = 0;
   double ratio = 0;  // length of rope divided by that of the stretched edge; 0: given by the length
   formats::Place edge_place, rope_place, place;
+  bool operator==(const Hanging&) const = default;
 };
 
 /// Edges sewn together, each side one edge or several in a row. If both sides are the same edge, port is sewn
@@ -132,6 +137,7 @@ struct Join {
   formats::Place place;
 
   bool is_to_itself() const { return edges[0] == edges[1]; }
+  bool operator==(const Join&) const = default;
 };
 
 /// "47 along headrope", "2 at footrope.end": floats, weights or pieces of ground gear, distributed along a
@@ -152,6 +158,7 @@ struct Point {
   Standing stands = Standing::pair;
   std::optional<std::array<double, 3>> at;  // [m]; for a pair the one to starboard
   formats::Place place;
+  bool operator==(const Point&) const = default;
 };
 
 /// A rigid body, such as an otter board. A plan knows where ropes lead to, `door.warp`; what it is, a scene
@@ -161,6 +168,7 @@ struct PlanBody {
   Standing stands = Standing::pair;
   std::vector<std::string> points;  // by name; each is a point of the plan as well
   formats::Place place;
+  bool operator==(const PlanBody&) const = default;
 };
 
 /// How a ship goes at a time: straight between times, and as at the last one beyond.

@@ -6,7 +6,9 @@
 #include "io/gears/plan/plan_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <span>
 
 namespace netloft::gears {
 
@@ -29,12 +31,9 @@ bool joins_parts(formats::TableReader& join) {
 /// Reads one plan; the member functions are steps in the order of execution.
 class PlanReader {
  public:
-  /// A null `catalogue` stands for that of the user and the library.
-  PlanReader(const formats::Document& document, std::filesystem::path folder, const Catalogue* catalogue,
-             formats::Diagnostics& diagnostics)
-      : root_(document.root(), diagnostics), diagnostics_(diagnostics), folder_(std::move(folder)) {
-    plan_.files = document.files();
-    read_catalogue(catalogue);
+  PlanReader(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics)
+      : root_(root, diagnostics), diagnostics_(diagnostics), catalogue_(catalogue) {
+    root_.has("catalogue");  // read by the caller
   }
 
   NetPlan read() {
@@ -97,17 +96,6 @@ class PlanReader {
     add_ship(plan_, ship, catalogue_);
   }
 
-  void read_catalogue(const Catalogue* at_hand) {
-    std::vector<std::filesystem::path> own;
-    for (const auto& name : root_.texts(
-             "catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}})) {
-      own.push_back(folder_ / name);
-      if (const auto fault = folder_fault(own.back()); !fault.empty()) root_.error("catalogue", fault);
-    }
-    catalogue_ = at_hand ? *at_hand : Catalogue::load(catalogue_folders(diagnostics_, own), diagnostics_);
-    plan_.files.insert(plan_.files.end(), catalogue_.files().begin(), catalogue_.files().end());
-  }
-
   template <class Read>
   void read_named(const char* key, const char* doc, formats::Presence presence, const Read& read) {
     formats::TableReader tables = root_.table(key, presence, doc);
@@ -143,8 +131,7 @@ class PlanReader {
 
   formats::TableReader root_;
   formats::Diagnostics& diagnostics_;
-  std::filesystem::path folder_;
-  Catalogue catalogue_;
+  const Catalogue& catalogue_;
   NetPlan plan_;
   std::set<std::string> names_;
 };
@@ -158,35 +145,68 @@ const T* find_named(const std::vector<T>& all, const std::string& name) {
 
 }  // namespace
 
+namespace {
+
+NetPlan read_document(const formats::Document& document, const Catalogue& catalogue,
+                      formats::Diagnostics& diagnostics) {
+  NetPlan plan = PlanReader(document.root(), catalogue, diagnostics).read();
+  plan.files = document.files();
+  plan.files.insert(plan.files.end(), catalogue.files().begin(), catalogue.files().end());
+  return plan;
+}
+
+/// The catalogue of the user, of the library, and of the folders that the document names.
+Catalogue catalogue_of(const formats::Document& document, const std::filesystem::path& folder,
+                       formats::Diagnostics& diagnostics) {
+  const auto own = named_folders(document.root(), folder, diagnostics);
+  return Catalogue::load(catalogue_folders(diagnostics, own), diagnostics);
+}
+
+void drop(formats::Value& value, std::span<const char* const> keys) {
+  if (formats::Table* table = value.as<formats::Table>())
+    std::erase_if(table->members, [&](const formats::Member& m) {
+      return std::ranges::any_of(keys, [&](const char* key) { return m.key == key; });
+    });
+}
+
+}  // namespace
+
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   formats::Diagnostics& diagnostics) {
   const formats::Document document = formats::Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
-  return PlanReader(document, file.parent_path(), nullptr, diagnostics).read();
+  return read_document(document, catalogue_of(document, file.parent_path(), diagnostics), diagnostics);
 }
 
-NetPlan read_plan(const formats::Document& document, const std::filesystem::path& folder,
+bool holds_plan(const formats::Value& root) {
+  const formats::Table* table = root.as<formats::Table>();
+  return table && std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
+                              [&](const char* key) { return table->find(key); });
+}
+
+formats::Value tables_of_plan(formats::Value scene) {
+  drop(scene, kOfScenes);
+  drop(scene, std::array{"catalogue"});
+  if (formats::Member* gear = scene.as<formats::Table>()->find("gear")) drop(gear->value, kOfModels);
+  return scene;
+}
+
+NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue,
                   formats::Diagnostics& diagnostics) {
-  return PlanReader(document, folder, nullptr, diagnostics).read();
-}
-
-bool holds_plan(const formats::Document& document) {
-  const formats::Table* root = document.root().as<formats::Table>();
-  return root && std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
-                             [&](const char* key) { return root->find(key); });
+  return PlanReader(tables, catalogue, diagnostics).read();
 }
 
 NetPlan read_plan_text(const std::string& text, const std::string& name, formats::Diagnostics& diagnostics) {
   const formats::Document document = formats::Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
-  return PlanReader(document, {}, nullptr, diagnostics).read();
+  return read_document(document, catalogue_of(document, {}, diagnostics), diagnostics);
 }
 
 NetPlan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
                        formats::Diagnostics& diagnostics) {
   const formats::Document document = formats::Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
-  return PlanReader(document, {}, &catalogue, diagnostics).read();
+  return read_document(document, catalogue, diagnostics);
 }
 
 const Panel* NetPlan::find_panel(const std::string& name) const { return find_named(panels, name); }

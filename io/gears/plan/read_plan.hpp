@@ -13,13 +13,16 @@ namespace netloft::gears {
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   formats::Diagnostics& diagnostics);
 
-/// Reads a plan from a document in memory: a scene that contains the tables of a plan. Other tables of the
-/// scene are ignored, and so are the keys of `[gear]` about the model. `folder` is the base of `catalogue`.
-NetPlan read_plan(const formats::Document& document, const std::filesystem::path& folder,
-                  formats::Diagnostics& diagnostics);
+/// Whether a document, by its root, contains tables of a plan.
+bool holds_plan(const formats::Value& root);
 
-/// Whether a document contains tables of a plan.
-bool holds_plan(const formats::Document& document);
+/// The part of a scene that its plan depends on: without the other tables of the scene, the keys of `[gear]`
+/// about the model, and the folders of catalogues.
+formats::Value tables_of_plan(formats::Value scene);
+
+/// Reads the plan that `tables_of_plan` returned. The plan has no files.
+NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue,
+                  formats::Diagnostics& diagnostics);
 
 /// Reads a plan from a text in memory.
 NetPlan read_plan_text(const std::string& text, const std::string& name, formats::Diagnostics& diagnostics);

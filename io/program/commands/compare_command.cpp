@@ -136,7 +136,7 @@ class Inspection {
     own.prepare();
     for (const auto& level : studies::mesh_levels(own.loaded(), *task.cells)) {
       runs::CaseSource mesh = studies::source_for(source, task.methods.front(), task.tolerances.front());
-      mesh.overrides.insert(mesh.overrides.end(), level.overrides.begin(), level.overrides.end());
+      formats::append(mesh.changes, level.changes);
       if (const int code = open(mesh); code != kDone) return code;
     }
     return kDone;

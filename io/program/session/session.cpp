@@ -29,7 +29,7 @@ runs::CaseSource source_of(const MethodOptions& options) {
   runs::CaseSource source = source_of(static_cast<const SceneOptions&>(options));
   const auto add = [&](const char* key, const std::string& specification) {
     if (specification.empty()) return;
-    for (auto& word : runs::overrides_of(key, specification)) source.overrides.push_back(std::move(word));
+    formats::append(source.changes, runs::choose_method(key, specification));
   };
   try {
     add("strategy", options.strategy);

@@ -66,18 +66,6 @@ std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry
   return known;
 }
 
-std::vector<std::filesystem::path> own_folders(formats::Value& scene, const std::filesystem::path& folder,
-                                               formats::Diagnostics& diagnostics) {
-  std::vector<std::filesystem::path> own;
-  formats::TableReader root(scene, diagnostics);
-  for (const auto& name :
-       root.texts("catalogue", {.doc = "folders with catalogues", .fallback = std::vector<std::string>{}})) {
-    own.push_back(folder / name);
-    if (const auto fault = gears::folder_fault(own.back()); !fault.empty()) root.error("catalogue", fault);
-  }
-  return own;
-}
-
 /// Of a part that was not found, some other of its kind stands in, so that the rest is read as usual.
 const gears::CataloguePart* stand_in(const gears::Catalogue& catalogue, const std::string& key) {
   for (const auto& part : catalogue.parts())
@@ -154,18 +142,22 @@ void put_polar(const NamedPolar& named, const gears::Catalogue& catalogue,
 
 }  // namespace
 
-std::vector<formats::SourceFile> put_catalogue_parts(formats::Value& scene,
-                                                     const std::filesystem::path& folder, Registry& registry,
-                                                     formats::Diagnostics& diagnostics,
-                                                     std::map<std::string, Strength>& strengths) {
+SceneCatalogue::SceneCatalogue(gears::KeptCatalogue& kept, const formats::Value& scene,
+                               const std::filesystem::path& folder, formats::Diagnostics& diagnostics)
+    : kept_(kept), diagnostics_(diagnostics), own_(gears::named_folders(scene, folder, diagnostics)) {}
+
+std::shared_ptr<const gears::Catalogue> SceneCatalogue::load() {
+  if (!catalogue_) catalogue_ = kept_.of(gears::catalogue_folders(diagnostics_, own_), diagnostics_);
+  return catalogue_;
+}
+
+void put_catalogue_parts(formats::Value& scene, SceneCatalogue& catalogue, Registry& registry,
+                         formats::Diagnostics& diagnostics, std::map<std::string, Strength>& strengths) {
   const auto mentions = find_mentions(scene);
-  const auto own = own_folders(scene, folder, diagnostics);
-  if (mentions.empty() && find_polars(scene).empty()) return {};
-  const gears::Catalogue catalogue =
-      gears::Catalogue::load(gears::catalogue_folders(diagnostics, own), diagnostics);
-  for (const auto& mention : mentions) put(mention, catalogue, registry, diagnostics, strengths);
-  for (const auto& polar : find_polars(scene)) put_polar(polar, catalogue, diagnostics);
-  return catalogue.files();
+  if (mentions.empty() && find_polars(scene).empty()) return;
+  const auto parts = catalogue.load();
+  for (const auto& mention : mentions) put(mention, *parts, registry, diagnostics, strengths);
+  for (const auto& polar : find_polars(scene)) put_polar(polar, *parts, diagnostics);
 }
 
 }  // namespace netloft::scenes

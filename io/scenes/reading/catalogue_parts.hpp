@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/registry/registry.hpp"
-#include "io/formats/toml/document.hpp"
+#include "io/gears/catalogue/catalogue.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
 namespace netloft::scenes {
 
-/// Replaces the names of catalogue parts in a scene, `twine = "pe-braided-4mm"`, by what they stand for. No
-/// catalogue is read for a scene without such names. `catalogue` of the scene names folders of its own,
-/// relative to `folder`. Returns the catalogue files that were read, for the record of a run, and
-/// puts what its parts bear into `strengths`.
-std::vector<formats::SourceFile> put_catalogue_parts(formats::Value& scene,
-                                                     const std::filesystem::path& folder, Registry& registry,
-                                                     formats::Diagnostics& diagnostics,
-                                                     std::map<std::string, Strength>& strengths);
+/// The catalogue of a scene, which is loaded when it is first needed: the folders that the scene names, those
+/// of the user, and the library.
+class SceneCatalogue {
+ public:
+  /// `catalogue` of the scene names folders relative to `folder`.
+  SceneCatalogue(gears::KeptCatalogue& kept, const formats::Value& scene, const std::filesystem::path& folder,
+                 formats::Diagnostics& diagnostics);
+
+  std::shared_ptr<const gears::Catalogue> load();
+  /// Null if it was not needed.
+  const gears::Catalogue* loaded() const { return catalogue_.get(); }
+
+ private:
+  gears::KeptCatalogue& kept_;
+  formats::Diagnostics& diagnostics_;
+  std::vector<std::filesystem::path> own_;
+  std::shared_ptr<const gears::Catalogue> catalogue_;
+};
+
+/// Replaces the names of catalogue parts in a scene, `twine = "pe-braided-4mm"`, by their numbers, and puts
+/// the loads that they bear into `strengths`. A scene without such names needs no catalogue.
+void put_catalogue_parts(formats::Value& scene, SceneCatalogue& catalogue, Registry& registry,
+                         formats::Diagnostics& diagnostics, std::map<std::string, Strength>& strengths);
 
 }  // namespace netloft::scenes

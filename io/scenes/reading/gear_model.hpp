@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/formats/toml/table_reader.hpp"
-#include "io/gears/meshing/start_shape.hpp"
+#include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/net_plan.hpp"
 
 #include <optional>

@@ -37,7 +37,7 @@ bool is_seam(formats::TableReader& join) {
 }
 
 GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice,
-                     Draft& draft)
+                     Draft& draft, gears::Divisions& divisions)
     : plan_(plan), draft_(draft), diagnostics_(root.diagnostics()) {
   for (const char* key : {"panels", "ropes", "hang", "floats", "points", "ship"}) root.has(key);
   const int errors_before = diagnostics_.errors();
@@ -55,9 +55,9 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
   formats::TableReader table = root.table("elements", formats::Presence::optional);
   elements_.emplace(plan, gear_, table, choice);
   if (diagnostics_.errors() > errors_before) return;
-  mesh_ = gears::divide(gear_, fineness);
-  if (fineness.knots) in_scene.nodes = mesh_.nodes;
-  own_.resize(mesh_.nodes);
+  division_ = divisions.of(plan, gear_.extent, fineness);
+  if (fineness.knots) in_scene.nodes = mesh().nodes;
+  own_.resize(mesh().nodes);
 }
 
 /// A board starts where warps of such boards have it: as deep as they reach, on the bed where there is one.
@@ -83,8 +83,8 @@ void GearParts::tie(const gears::GearBody& body, std::size_t part) {
   if (body.body->stands == gears::Standing::pair)
     draft_.out.gear->pairs[body.body->name].push_back(static_cast<std::uint32_t>(part));
   for (std::uint32_t k = 0; geometry.body && k < geometry.body->names.size(); ++k) {
-    const auto node = mesh_.points.find(body.name + "." + geometry.body->names[k]);
-    if (node == mesh_.points.end()) continue;
+    const auto node = mesh().points.find(body.name + "." + geometry.body->names[k]);
+    if (node == mesh().points.end()) continue;
     own_[node->second].push_back({part, k + 1});
     for (int axis = 0; axis < 3; ++axis)
       known_.push_back({node->second, axis,
@@ -93,9 +93,9 @@ void GearParts::tie(const gears::GearBody& body, std::size_t part) {
 }
 
 void GearParts::add_parts() {
-  start_ = gears::start_shape(gear_, mesh_, known_);
-  for (std::size_t p = 0; p < mesh_.panels.size(); ++p) add_panel(gear_.panels[p], mesh_.panels[p]);
-  for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) add_rope(gear_.ropes[r], mesh_.ropes[r]);
+  start_ = division_->start_shapes().with(gear_, known_);
+  for (std::size_t p = 0; p < mesh().panels.size(); ++p) add_panel(gear_.panels[p], mesh().panels[p]);
+  for (std::size_t r = 0; r < mesh().ropes.size(); ++r) add_rope(gear_.ropes[r], mesh().ropes[r]);
   for (const auto& pieces : gear_.pieces) draft_.announce_rider(pieces.name);
   name_points();
 }
@@ -160,7 +160,7 @@ void GearParts::add_part(std::string_view kind, const std::string& name, const s
 
 /// Points of the plan that no part has for its own: towing points.
 void GearParts::name_points() {
-  for (const auto& [name, node] : mesh_.points)
+  for (const auto& [name, node] : mesh().points)
     if (name.find('.') == std::string::npos && !own_[node].empty()) {
       const auto& [part, own] = own_[node].front();
       draft_.points[name] = {part, {own}};
@@ -183,7 +183,7 @@ std::uint32_t GearParts::scene_node(std::uint32_t gear_node) const {
 void GearParts::add_pieces() {
   GearInScene& gear = *draft_.out.gear;
   for (const auto& pieces : gear_.pieces) put_pieces(pieces);
-  for (const auto& [name, node] : mesh_.points) gear.points[point_name(name)] = scene_node(node);
+  for (const auto& [name, node] : mesh().points) gear.points[point_name(name)] = scene_node(node);
   name_lines(gear);
 }
 
@@ -206,15 +206,15 @@ std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
     carried[from] += length / 2;
     carried[to] += length / 2;
   };
-  if (!pieces.point.empty()) return {scene_node(mesh_.points.at(pieces.point))};
+  if (!pieces.point.empty()) return {scene_node(mesh().points.at(pieces.point))};
   if (!pieces.rope.empty()) {
     const gears::RopeMesh& rope =
-        mesh_.ropes[static_cast<std::size_t>(gear_.find_rope(pieces.rope) - gear_.ropes.data())];
+        mesh().ropes[static_cast<std::size_t>(gear_.find_rope(pieces.rope) - gear_.ropes.data())];
     for (const auto node : rope.nodes) nodes.push_back(scene_node(node));
     for (std::size_t i = 1; i < nodes.size(); ++i) carry(nodes[i - 1], nodes[i], rope.rest_lengths[i - 1]);
   }
   for (const auto& ref : pieces.edges) {
-    const gears::PanelMesh& panel = mesh_.panels[ref.panel];
+    const gears::PanelMesh& panel = mesh().panels[ref.panel];
     const auto& edge = panel.sets.at(gear_.panels[ref.panel].outline.edges[ref.edge].name);
     for (std::size_t i = 0; i < edge.size(); ++i) {
       nodes.push_back(scene_node(panel.nodes[edge[i]]));
@@ -257,14 +257,14 @@ std::string GearParts::point_name(const std::string& name) const {
 bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
     if (gear_.ropes[r].rope->name == rope)
-      return std::ranges::all_of(mesh_.ropes[r].nodes,
+      return std::ranges::all_of(mesh().ropes[r].nodes,
                                  [&](auto node) { return carried.contains(scene_node(node)); });
   return false;
 }
 
 bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const {
   for (const std::string& name : {point, "starboard-" + point})
-    if (const auto node = mesh_.points.find(name); node != mesh_.points.end())
+    if (const auto node = mesh().points.find(name); node != mesh().points.end())
       return carried.contains(scene_node(node->second));
   return false;
 }
@@ -314,10 +314,10 @@ bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
 }
 
 void GearParts::hold_middle() {
-  if (mesh_.middle.empty()) return;
+  if (mesh().middle.empty()) return;
   Scene& scene = draft_.out.scene;
   Hold hold{kPlaneOfSymmetry, {}, {}};
-  for (const auto node : mesh_.middle) {
+  for (const auto node : mesh().middle) {
     hold.nodes.push_back(scene_node(node));
     hold.axes.push_back(kAxisY);
     scene.held[hold.nodes.back()] |= kAxisY;
@@ -332,7 +332,7 @@ void GearParts::hold_blocks() {
   Hold hold{kShip, {}, {}};
   for (const auto& point : gear_.points) {
     if (point.point->name != gears::kBlock) continue;
-    const std::uint32_t node = scene_node(mesh_.points.at(point.name));
+    const std::uint32_t node = scene_node(mesh().points.at(point.name));
     hold.nodes.push_back(node);
     hold.axes.push_back(kAllAxes);
     scene.held[node] = kAllAxes;
@@ -353,7 +353,7 @@ void GearParts::set_winches() {
     const gears::GearRope& rope = gear_.ropes[r];
     const gears::Rope& plan = *rope.rope;
     if (!plan.tension && plan.winch.empty()) continue;
-    const std::uint32_t block = scene_node(mesh_.ropes[r].nodes.front());
+    const std::uint32_t block = scene_node(mesh().ropes[r].nodes.front());
     const double tension = plan.tension.value_or(0),
                  wanted = rope.is_mirrored ? plan.tension_port.value_or(tension) : tension;
     if (plan.tension)
@@ -371,15 +371,15 @@ void GearParts::set_winches() {
 }
 
 void GearParts::follow_holds() {
-  if (mesh_.nodes == 0) return;
+  if (mesh().nodes == 0) return;
   Scene& scene = draft_.out.scene;
   std::vector<gears::KnownCoordinate> known = known_;
-  for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+  for (std::uint32_t node = 0; node < mesh().nodes; ++node)
     for (int axis = 0; axis < 3; ++axis)
       if (const auto in = scene_node(node); scene.held[in] & (1 << axis) && !scene.frames.contains(in))
         known.push_back({node, axis, scene.positions[3 * std::size_t{in} + static_cast<std::size_t>(axis)]});
-  const auto start = gears::start_shape(gear_, mesh_, known);
-  for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
+  const auto start = division_->start_shapes().with(gear_, known);
+  for (std::uint32_t node = 0; node < mesh().nodes; ++node)
     std::copy_n(start.begin() + 3 * std::ptrdiff_t{node}, 3,
                 scene.positions.begin() + 3 * std::ptrdiff_t{scene_node(node)});
 }

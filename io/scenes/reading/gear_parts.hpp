@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/meshing/start_shape.hpp"
+#include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/net_plan.hpp"
 #include "io/scenes/reading/draft.hpp"
 #include "io/scenes/reading/plan_elements.hpp"
@@ -26,11 +26,11 @@ bool is_seam(formats::TableReader& join);
 class GearParts {
  public:
   /// `plan` has no errors. Reads `[gear]` and `[elements]`.
-  GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice,
-            Draft& draft);
+  GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice, Draft& draft,
+            gears::Divisions& divisions);
 
   /// False after an error: then nothing in the scene can be judged.
-  bool is_divided() const { return mesh_.nodes > 0; }
+  bool is_divided() const { return division_ && mesh().nodes > 0; }
   const std::vector<gears::GearBody>& bodies() const { return gear_.bodies; }
   /// Where a body of the plan stands.
   BodyOfPlan place_of(const gears::GearBody& body) const;
@@ -59,6 +59,7 @@ class GearParts {
   bool has_name(const std::string& name) const;
 
  private:
+  const gears::GearMesh& mesh() const { return division_->mesh(); }
   bool is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const;
   bool is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const;
 
@@ -79,8 +80,8 @@ class GearParts {
   Draft& draft_;
   formats::Diagnostics& diagnostics_;
   gears::Gear gear_;
-  std::optional<PlanElements> elements_;  // once it is read
-  gears::GearMesh mesh_;
+  std::optional<PlanElements> elements_;       // once it is read
+  std::shared_ptr<gears::Division> division_;  // null after an error
   std::vector<gears::KnownCoordinate> known_;  // points of bodies
   std::vector<double> start_;                  // 3 per node of the gear
   /// Parts and own nodes that a node of the gear is: its first is where its position comes from.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/meshing/start_shape.hpp"
+#include "io/gears/plan/gear.hpp"
 #include "io/gears/plan/net_plan.hpp"
 #include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/keys.hpp"

@@ -13,7 +13,7 @@ namespace netloft::scenes {
 /// What those have in common who read one scene: its tables, and what has come of them so far.
 struct SceneReading {
   /// `plan`: of a gear that stands in the scene; null without.
-  SceneReading(const formats::Value& tables, const gears::NetPlan* net_plan,
+  SceneReading(const formats::Value& tables, const gears::NetPlan* net_plan, gears::Divisions& divisions,
                const std::filesystem::path& file, Registry& plugins, formats::Diagnostics& said,
                bool& is_refused)
       : root(tables, said),
@@ -26,7 +26,7 @@ struct SceneReading {
         plan(net_plan) {
     draft.out.scene.name = file.stem().string();
     root.has("catalogue");  // read with the parts that are named
-    if (plan) gear.emplace(*plan, root, elements, draft);
+    if (plan) gear.emplace(*plan, root, elements, draft, divisions);
   }
 
   LoadedScene& out() { return draft.out; }

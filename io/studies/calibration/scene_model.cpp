@@ -33,15 +33,27 @@ struct SceneModel::Solved {
   bool is_stable = true;
 };
 
-std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t scene,
-                                      const std::vector<double>& parameters) {
-  std::vector<std::string> words = file.scenes[scene].set;
+namespace {
+
+/// "path=value" for the variables that a scene has.
+std::vector<std::string> values_of(const CalibrationFile& file, std::size_t scene,
+                                   const std::vector<double>& parameters) {
+  std::vector<std::string> words;
   for (std::size_t v = 0; v < file.variables.size(); ++v) {
     const CalibrationVariable& variable = file.variables[v];
     if (std::find(variable.scenes.begin(), variable.scenes.end(), scene) == variable.scenes.end()) continue;
     for (auto& word : variable.variable.overrides(variable.variable.value_of(parameters[v])))
       words.push_back(std::move(word));
   }
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t scene,
+                                      const std::vector<double>& parameters) {
+  std::vector<std::string> words = file.scenes[scene].set;
+  for (auto& word : values_of(file, scene, parameters)) words.push_back(std::move(word));
   return words;
 }
 
@@ -52,7 +64,10 @@ SceneModel::SceneModel(const CalibrationFile& file, std::filesystem::path folder
       registry_(registry),
       watch_(std::move(watch)),
       on_solve_(std::move(on_solve)),
-      last_(file.scenes.size()) {}
+      last_(file.scenes.size()) {
+  for (const CalibrationScene& scene : file_.scenes)
+    sources_.emplace_back(folder_ / scene.file, scene.set, 1);
+}
 
 SceneModel::~SceneModel() = default;
 
@@ -67,9 +82,9 @@ std::vector<std::string> SceneModel::unstable() const {
 std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
                                                        const std::vector<double>& parameters, Solved& from,
                                                        bool keep) {
-  auto prepared = std::make_unique<runs::PreparedScene>(
-      runs::CaseSource{folder_ / file_.scenes[scene].file, overrides_of(file_, scene, parameters), 1},
-      registry_);
+  runs::CaseSource source = sources_[scene];
+  formats::append(source.changes, formats::read_changes(values_of(file_, scene, parameters)));
+  auto prepared = std::make_unique<runs::PreparedScene>(std::move(source), registry_);
   trouble_ = file_.scenes[scene].name + ": ";
   if (prepared->prepare() != runs::PreparedScene::State::ready)
     return trouble_ += "it cannot be read with these values", std::nullopt;

@@ -41,7 +41,8 @@ class SceneModel : public Model {
   Registry& registry_;
   runs::Watch watch_;
   OnSolve on_solve_;
-  std::vector<Solved> last_;  // of each scene
+  std::vector<runs::CaseSource> sources_;  // of each scene, without variables
+  std::vector<Solved> last_;               // of each scene
   int solves_ = 0;
   std::string trouble_;
 };

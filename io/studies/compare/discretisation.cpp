@@ -11,7 +11,7 @@ constexpr double kTolerance = 1e-10;  // keeps solver errors well below those of
 
 runs::CaseSource divided(const runs::CaseSource& source, const MeshLevel& level) {
   runs::CaseSource with = source;
-  with.overrides.insert(with.overrides.end(), level.overrides.begin(), level.overrides.end());
+  formats::append(with.changes, level.changes);
   return with;
 }
 

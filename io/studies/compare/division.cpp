@@ -52,11 +52,11 @@ const scenes::PartGeometry& part_named(const scenes::LoadedScene& loaded, const 
   refuse("--cells: there is no part \"" + name + "\" that is divided into cells; divided are " + divided);
 }
 
-std::string spell_cells(const scenes::PartGeometry& part, Factor factor) {
-  std::string all;
-  for (const int cells : part.cells) all += (all.empty() ? "" : ",") + std::to_string(factor.of(cells));
-  return "parts." + formats::spell_key(part.name) +
-         ".cells=" + (part.cells.size() > 1 ? "[" + all + "]" : all);
+formats::Change divide(const scenes::PartGeometry& part, Factor factor) {
+  formats::Array all;
+  for (const int cells : part.cells) all.items.push_back({{}, factor.of(cells)});
+  return formats::make_change({"parts", part.name, "cells"},
+                              part.cells.size() > 1 ? formats::Value{{}, all} : all.items.at(0));
 }
 
 bool divides(const scenes::PartGeometry& part, Factor factor) {
@@ -83,7 +83,7 @@ MeshLevel level(const std::vector<const scenes::PartGeometry*>& parts, std::int6
       refuse(fmt::format(
           "--cells {}: \"{}\" has {} cells and would have {} of that, which is not a whole number of cells",
           cells, part->name, fmt::join(part->cells, " x "), fmt::format("{}/{}", factor.up, factor.down)));
-    made.overrides.push_back(spell_cells(*part, factor));
+    made.changes.push_back(divide(*part, factor));
   }
   return made;
 }
@@ -184,7 +184,9 @@ std::vector<MeshLevel> gear_levels(const scenes::LoadedScene& loaded,
   refuse_numbered_nodes(loaded, parts);
   std::vector<MeshLevel> levels;
   for (const auto count : nodes)
-    levels.push_back({count, {"gear.nodes=" + std::to_string(count), "gear.size=0"}});
+    levels.push_back({count,
+                      {formats::make_change({"gear", "nodes"}, {{}, count}),
+                       formats::make_change({"gear", "size"}, {{}, std::int64_t{0}})}});
   return levels;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/formats/toml/change.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
 #include <cstdint>
@@ -10,7 +11,7 @@ namespace netloft::studies {
 struct MeshLevel {
   // cells of the leading part across or along it, or the approximate number of gear nodes
   std::int64_t cells = 0;
-  std::vector<std::string> overrides;
+  std::vector<formats::Change> changes;
 };
 
 /// The measure of how finely a scene is divided, by which meshes are compared.

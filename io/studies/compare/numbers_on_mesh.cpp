@@ -21,11 +21,13 @@ NumbersOnMesh numbers_of(const runs::PreparedScene& solved, const results::RunRe
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
                                       Registry& registry, const runs::Watch& watch, std::string& why_not) {
   runs::CaseSource divided = source;
-  divided.overrides.insert(divided.overrides.end(), level.overrides.begin(), level.overrides.end());
+  formats::append(divided.changes, level.changes);
   runs::PreparedScene one(divided, registry);
   if (one.prepare() != runs::PreparedScene::State::ready) {
     const auto errors = one.diagnostics().sorted();
-    why_not = fmt::format("with {} the scene has an error: {}", fmt::join(level.overrides, ", "),
+    std::vector<std::string> texts;
+    for (const formats::Change& change : level.changes) texts.push_back(change.text);
+    why_not = fmt::format("with {} the scene has an error: {}", fmt::join(texts, ", "),
                           errors.empty() ? "" : errors.front().message);
     return {};
   }

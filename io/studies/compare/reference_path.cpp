@@ -33,7 +33,8 @@ const std::optional<ReferenceAnswer>& ReferencePaths::path_of(const Method& meth
   const auto [known, is_new] = found_.try_emplace(key);
   if (!is_new) return known->second;
   runs::CaseSource source = source_;
-  if (!is_damped) source.overrides.push_back("analysis.material_damping=false");
+  if (!is_damped)
+    source.changes.push_back(formats::make_change({"analysis", "material_damping"}, {{}, false}));
   for (const double finer : kFiner) {
     Trial trial = run_trial(source, registry_, method, finer * tightest_, 1, watch_);
     if (!trial.converged()) continue;

@@ -115,10 +115,9 @@ std::string Method::name() const {
 
 runs::CaseSource source_for(const runs::CaseSource& source, const Method& method, double tolerance) {
   runs::CaseSource with = source;
-  const auto overrides = runs::overrides_of(method.kind(), method.name());
-  with.overrides.insert(with.overrides.end(), overrides.begin(), overrides.end());
-  with.overrides.push_back(
-      fmt::format("analysis.{}={:e}", method.kind() == "integrator" ? "accuracy" : "tolerance", tolerance));
+  formats::append(with.changes, runs::choose_method(method.kind(), method.name()));
+  with.changes.push_back(formats::make_change(
+      {"analysis", method.kind() == "integrator" ? "accuracy" : "tolerance"}, {{}, tolerance}));
   return with;
 }
 

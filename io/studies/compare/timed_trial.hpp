@@ -52,7 +52,7 @@ struct Method {
   std::string name() const;
 };
 
-/// Returns `source` with the overrides of a method and of a tolerance added.
+/// Returns `source` with a method and a tolerance chosen.
 runs::CaseSource source_for(const runs::CaseSource& source, const Method& method, double tolerance);
 
 /// Solves the scene `repeats` times from its initial guess, each time in a new case; with an integrator, goes

@@ -27,7 +27,10 @@ class StudyInspection {
  public:
   StudyInspection(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
                   formats::Diagnostics& diagnostics)
-      : file_(file), folder_(folder), registry_(registry), diagnostics_(diagnostics) {
+      : file_(file),
+        scene_(folder / file.scene, file.set, 1),
+        registry_(registry),
+        diagnostics_(diagnostics) {
     for (std::size_t v = 0; v < file.variables.size(); ++v) {
       if (!file.variables[v].is_sound) continue;
       counts_.insert(v);
@@ -51,12 +54,12 @@ class StudyInspection {
 
  private:
   bool open(const std::map<std::size_t, VariableValue>& others) {
-    runs::CaseSource source{folder_ / file_.scene, file_.set, 1};
+    runs::CaseSource source = scene_;
     for (const std::size_t v : counts_) {
       const Variable& variable = file_.variables[v].variable;
       const auto other = others.find(v);
-      for (auto& word : variable.overrides(other == others.end() ? tried(variable).front() : other->second))
-        source.overrides.push_back(std::move(word));
+      formats::append(source.changes,
+                      variable.changes(other == others.end() ? tried(variable).front() : other->second));
     }
     runs::PreparedScene scene(source, registry_);
     const runs::PreparedScene::State state = scene.prepare();
@@ -108,7 +111,7 @@ class StudyInspection {
   }
 
   const StudyFile& file_;
-  const std::filesystem::path& folder_;
+  runs::CaseSource scene_;
   Registry& registry_;
   formats::Diagnostics& diagnostics_;
   std::map<std::string, formats::Place> places_;  // of keys

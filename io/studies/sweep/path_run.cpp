@@ -38,6 +38,7 @@ class PathRun {
       : study_(study),
         item_(item),
         context_(context),
+        source_(source_of(study, item, context)),
         make_(keep_analyses(make_factorisation)),
         watch_(context.watch),
         branch_(
@@ -62,24 +63,24 @@ class PathRun {
  private:
   bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
 
-  std::shared_ptr<runs::PreparedScene> make_case(const std::vector<std::string>& set) const {
-    return std::make_shared<runs::PreparedScene>(source_of(study_, item_, set, context_), *context_.registry,
-                                                 make_);
+  std::shared_ptr<runs::PreparedScene> make_case(const std::vector<formats::Change>& changes) const {
+    runs::CaseSource source = source_;
+    formats::append(source.changes, changes);
+    return std::make_shared<runs::PreparedScene>(std::move(source), *context_.registry, make_);
   }
 
   /// Between points.
   std::shared_ptr<runs::PreparedScene> open_at(const std::vector<VariableValue>& values) const {
-    std::vector<std::string> set;
+    std::vector<formats::Change> changes;
     std::size_t v = 0;
     for (const StudyColumn& column : study_.columns)
-      if (column.is_in_path)
-        for (auto& word : column.variable.overrides(values[v++])) set.push_back(std::move(word));
-    auto scene = make_case(set);
+      if (column.is_in_path) formats::append(changes, column.variable.changes(values[v++]));
+    auto scene = make_case(changes);
     return scene->prepare() == runs::PreparedScene::State::ready ? scene : nullptr;
   }
 
   PointRecord solve(const StudyPoint& point) {
-    const auto scene = make_case(point.set);
+    const auto scene = make_case(formats::read_changes(point.set));
     PointRecord record;
     if (scene->prepare() != runs::PreparedScene::State::ready) {
       record.status = "wrong input";
@@ -118,6 +119,7 @@ class PathRun {
   const Study& study_;
   const StudyItem& item_;
   const PathContext& context_;
+  runs::CaseSource source_;
   MakeFactorisation make_;
   runs::Watch watch_;
   Branch branch_;
@@ -129,11 +131,9 @@ std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, co
   return PathRun(study, item, context).run();
 }
 
-runs::CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
-                           const PathContext& context) {
+runs::CaseSource source_of(const Study& study, const StudyItem& item, const PathContext& context) {
   runs::CaseSource source{context.folder / study.scene, study.set, context.threads};
-  source.overrides.insert(source.overrides.end(), item.set.begin(), item.set.end());
-  source.overrides.insert(source.overrides.end(), set.begin(), set.end());
+  formats::append(source.changes, formats::read_changes(item.set));
   return source;
 }
 

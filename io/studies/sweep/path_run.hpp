@@ -23,9 +23,8 @@ struct PathContext {
 /// planned.
 std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, const PathContext& context);
 
-/// The scene of an item with what a point sets, beside the item and the study.
-runs::CaseSource source_of(const Study& study, const StudyItem& item, const std::vector<std::string>& set,
-                           const PathContext& context);
+/// The scene of an item, with the changes of the study and of the item.
+runs::CaseSource source_of(const Study& study, const StudyItem& item, const PathContext& context);
 
 /// The first error of a scene that cannot be read.
 std::string first_fault(const formats::Diagnostics& diagnostics);

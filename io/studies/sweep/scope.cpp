@@ -118,7 +118,7 @@ class ScopeRun {
   std::shared_ptr<runs::PreparedScene> make_case(const std::vector<VariableValue>& values) const {
     runs::CaseSource source = source_;
     for (std::size_t v = 0; v < values.size(); ++v)
-      for (auto& word : variables_[v].overrides(values[v])) source.overrides.push_back(std::move(word));
+      formats::append(source.changes, variables_[v].changes(values[v]));
     return std::make_shared<runs::PreparedScene>(std::move(source), registry_, make_);
   }
 

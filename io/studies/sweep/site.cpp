@@ -2,10 +2,10 @@
 #include "io/studies/sweep/site.hpp"
 
 #include "framework/parameters/nearest.hpp"
-#include "io/formats/toml/override.hpp"
+#include "io/formats/toml/change.hpp"
+#include "io/formats/toml/spelled_value.hpp"
 #include "io/formats/units/units.hpp"
 #include "io/studies/variables/read_variable.hpp"
-#include "io/studies/variables/written_value.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,7 +45,7 @@ class SiteReader {
   Site read(const std::vector<std::string>& words, SiteNeeds needs) {
     for (const std::string& some : words)
       for (const std::string& word : split_at_commas(some))
-        formats::apply_override(root_, word, diagnostics_, "--at");
+        formats::apply(root_, formats::read_change(word, "--at"), diagnostics_);
     refuse_unknown();
     if (needs == SiteNeeds::all) refuse_missing();
     Site site;
@@ -104,7 +104,7 @@ class SiteReader {
   }
 
   std::optional<VariableValue> read_choice(std::size_t v, const formats::Member& member) {
-    const std::string text = spell_for_set(member.value);
+    const std::string text = formats::spell_value(member.value);
     std::vector<std::string> known;
     for (const StudyRow& row : table_.rows) {
       if (row.values[v].text == text) return row.values[v];

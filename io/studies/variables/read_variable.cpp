@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/variables/read_variable.hpp"
 
+#include "io/formats/toml/spelled_value.hpp"
 #include "io/formats/units/units.hpp"
-#include "io/studies/variables/written_value.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +77,7 @@ class VariableReader {
   }
 
   VariableValue read_value(const formats::Value& item) {
-    VariableValue value{spell_for_set(item), std::nullopt};
+    VariableValue value{formats::spell_value(item), std::nullopt};
     if (number_in(item)) value.number = in_own_unit(item);
     return value;
   }

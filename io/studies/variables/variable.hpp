@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/formats/toml/diagnostics.hpp"
+#include "io/formats/toml/change.hpp"
 
 #include <optional>
 #include <string>
@@ -41,6 +41,10 @@ struct Variable {
   VariableValue value_of(double number) const;
   /// "path=value" for every key, as `--set` takes them.
   std::vector<std::string> overrides(const VariableValue& value) const;
+  /// The same as changes of a scene.
+  std::vector<formats::Change> changes(const VariableValue& value) const {
+    return formats::read_changes(overrides(value));
+  }
 };
 
 }  // namespace netloft::studies

@@ -9,10 +9,6 @@ namespace {
 
 constexpr const char* kAuto = "auto";
 
-void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 }  // namespace
 
 std::string Column::head() const {
@@ -44,8 +40,12 @@ std::string component_of(const std::string& specification) {
 /// The solver and strategy of a column apply in any case: no other setting replaces them.
 std::vector<std::string> overrides_of(const Column& column) {
   std::vector<std::string> all = column.overrides;
-  if (!column.solver.empty()) append(all, runs::overrides_of("solver", column.solver));
-  if (!column.strategy.empty()) append(all, runs::overrides_of("strategy", column.strategy));
+  const auto choose = [&](const char* key, const std::string& specification) {
+    if (specification.empty()) return;
+    for (const formats::Change& change : runs::choose_method(key, specification)) all.push_back(change.text);
+  };
+  choose("solver", column.solver);
+  choose("strategy", column.strategy);
   return all;
 }
 

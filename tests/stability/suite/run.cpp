@@ -79,7 +79,7 @@ class SuiteRun {
   runs::CaseSource source(const HardCase& c, const std::string& size, const Column& column) const {
     runs::CaseSource source{c.scene, c.overrides, options_.threads};
     const auto add = [&](const std::vector<std::string>& words) {
-      source.overrides.insert(source.overrides.end(), words.begin(), words.end());
+      formats::append(source.changes, formats::read_changes(words));
     };
     add(c.sizes.at(size));
     add({"analysis.max_seconds=" + std::to_string(seconds_for(size))});

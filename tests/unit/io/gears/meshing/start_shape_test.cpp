@@ -26,7 +26,7 @@ struct Trawl {
 // Bridles lead to a towing point that may be anywhere.
 TEST(StartShape, OfAHalfHasItsNettingToStarboardOfItsPlane) {
   const Trawl trawl(Extent::half);
-  const auto x = start_shape(trawl.gear, trawl.mesh);
+  const auto x = StartShapes(trawl.gear, trawl.mesh).with(trawl.gear);
   for (const auto& panel : trawl.mesh.panels)
     for (const auto node : panel.nodes) EXPECT_GE(x[3 * node + 1], -1e-6) << node;
   for (const auto node : trawl.mesh.middle) EXPECT_NEAR(x[3 * node + 1], 0, 1e-6) << node;
@@ -34,7 +34,7 @@ TEST(StartShape, OfAHalfHasItsNettingToStarboardOfItsPlane) {
 
 TEST(StartShape, OfTheWholeIsSymmetric) {
   const Trawl trawl(Extent::whole);
-  const auto x = start_shape(trawl.gear, trawl.mesh);
+  const auto x = StartShapes(trawl.gear, trawl.mesh).with(trawl.gear);
   EXPECT_NEAR(trawl.at(x, "headrope.start", 1), -trawl.at(x, "headrope.end", 1),
               0.05 * trawl.at(x, "headrope.end", 1));
   EXPECT_GT(trawl.at(x, "headrope.end", 1), 2);
@@ -42,7 +42,7 @@ TEST(StartShape, OfTheWholeIsSymmetric) {
 
 TEST(StartShape, HasTheHeadropeAboveTheFootropeAndTheCodendAft) {
   const Trawl trawl(Extent::half);
-  const auto x = start_shape(trawl.gear, trawl.mesh);
+  const auto x = StartShapes(trawl.gear, trawl.mesh).with(trawl.gear);
   EXPECT_GT(trawl.at(x, "headrope.start", 2), trawl.at(x, "footrope.start", 2) + 1);
   EXPECT_GT(trawl.at(x, "top-codend.aft-outer", 0), trawl.at(x, "headrope.start", 0) + 20);
 }
@@ -50,8 +50,9 @@ TEST(StartShape, HasTheHeadropeAboveTheFootropeAndTheCodendAft) {
 TEST(StartShape, PutsEveryKnownCoordinateInItsPlaceAndLeadsBridlesStraight) {
   const Trawl trawl(Extent::half);
   const auto towed = trawl.mesh.points.at("towing-point"), tip = trawl.mesh.points.at("headrope.end");
-  const auto x = start_shape(trawl.gear, trawl.mesh,
-                             {{towed, 0, -60.0}, {towed, 1, 9.0}, {towed, 2, -20.0}, {tip, 1, 8.75}});
+  const auto x =
+      StartShapes(trawl.gear, trawl.mesh)
+          .with(trawl.gear, {{towed, 0, -60.0}, {towed, 1, 9.0}, {towed, 2, -20.0}, {tip, 1, 8.75}});
   EXPECT_NEAR(trawl.at(x, "towing-point", 0), -60, 1e-6);
   EXPECT_NEAR(trawl.at(x, "towing-point", 2), -20, 1e-6);
   EXPECT_NEAR(trawl.at(x, "headrope.end", 1), 8.75, 1e-6);
@@ -62,7 +63,7 @@ TEST(StartShape, PutsEveryKnownCoordinateInItsPlaceAndLeadsBridlesStraight) {
 
 TEST(StartShape, StretchesNoSideOfATriangleFarBeyondItsTwines) {
   const Trawl trawl(Extent::half);
-  const auto x = start_shape(trawl.gear, trawl.mesh);
+  const auto x = StartShapes(trawl.gear, trawl.mesh).with(trawl.gear);
   for (std::size_t p = 0; p < trawl.mesh.panels.size(); ++p) {
     const PanelMesh& panel = trawl.mesh.panels[p];
     for (std::size_t i = 0; i < panel.triangles.size(); ++i) {

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/studies/variables/written_value.hpp"
+#include "io/formats/toml/spelled_value.hpp"
 
-#include "io/formats/toml/override.hpp"
+#include "io/formats/toml/change.hpp"
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
-namespace netloft::studies {
+namespace netloft::formats {
 namespace {
 
-using formats::test::Input;
+using test::Input;
 
 /// The spelling of a value in TOML, after a check that --set reads it back as the same.
 std::string spelt(const std::string& toml) {
   Input in("v = " + toml);
-  const formats::Value& value = in.document.root().as<formats::Table>()->find("v")->value;
-  const std::string text = spell_for_set(value);
-  formats::Value again{{}, formats::Table{}};
-  formats::Diagnostics diagnostics;
-  formats::apply_override(again, "v=" + text, diagnostics);
-  const formats::Value& back = again.as<formats::Table>()->find("v")->value;
+  const Value& value = in.document.root().as<Table>()->find("v")->value;
+  const std::string text = spell_value(value);
+  Value again{{}, Table{}};
+  Diagnostics diagnostics;
+  apply(again, read_change("v=" + text), diagnostics);
+  const Value& back = again.as<Table>()->find("v")->value;
   EXPECT_EQ(back.kind(), value.kind()) << text;
-  EXPECT_EQ(spell_for_set(back), text);
+  EXPECT_EQ(spell_value(back), text);
   return text;
 }
 
-TEST(WrittenValue, LeavesQuantitiesAndNamesWithoutQuotes) {
+TEST(SpelledValue, LeavesQuantitiesAndNamesWithoutQuotes) {
   EXPECT_EQ(spelt("\"2.5 kn\""), "2.5 kn");
   EXPECT_EQ(spelt("\"pe-braided-4mm\""), "pe-braided-4mm");
   EXPECT_EQ(spelt("\"priour/triangle\""), "priour/triangle");
 }
-TEST(WrittenValue, QuotesTextsThatWouldBeReadAsSomethingElse) {
+TEST(SpelledValue, QuotesTextsThatWouldBeReadAsSomethingElse) {
   EXPECT_EQ(spelt("\"3\""), "\"3\"");
   EXPECT_EQ(spelt("\"true\""), "\"true\"");
   EXPECT_EQ(spelt("\"1e3\""), "\"1e3\"");
@@ -38,17 +38,17 @@ TEST(WrittenValue, QuotesTextsThatWouldBeReadAsSomethingElse) {
   EXPECT_EQ(spelt("\"\""), "\"\"");
   EXPECT_EQ(spelt("\"a \\\"b\\\" \\\\ \\u0001\""), "\"a \\\"b\\\" \\\\ \\u0001\"");
 }
-TEST(WrittenValue, KeepsKindsOfNumbers) {
+TEST(SpelledValue, KeepsKindsOfNumbers) {
   EXPECT_EQ(spelt("64"), "64");
   EXPECT_EQ(spelt("64.0"), "64.0");
   EXPECT_EQ(spelt("0.1"), "0.1");
   EXPECT_EQ(spelt("1e300"), "1e300");
   EXPECT_EQ(spelt("false"), "false");
 }
-TEST(WrittenValue, KeepsQuotesInsideArraysAndTables) {
+TEST(SpelledValue, KeepsQuotesInsideArraysAndTables) {
   EXPECT_EQ(spelt("[\"1 m\", 2, [3]]"), "[\"1 m\", 2, [3]]");
   EXPECT_EQ(spelt("{ part = \"pe-braided-4mm\", \"a b\" = 1 }"), "{part = \"pe-braided-4mm\", \"a b\" = 1}");
 }
 
 }  // namespace
-}  // namespace netloft::studies
+}  // namespace netloft::formats

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/studies/variables/written_value.hpp"
+#include "io/formats/toml/spelled_value.hpp"
 
 #include "io/formats/units/units.hpp"
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace netloft::studies {
+namespace netloft::formats {
 
 namespace {
 
@@ -34,56 +34,54 @@ bool is_plain(const std::string& text) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-' || c == '/' || c == '.';
   };
-  if (const formats::WrittenQuantity quantity = formats::read_as_written(text); quantity.ok())
-    return !quantity.unit.empty();
+  if (const WrittenQuantity quantity = read_as_written(text); quantity.ok()) return !quantity.unit.empty();
   return !text.empty() && !(text[0] >= '0' && text[0] <= '9') && text[0] != '-' &&
          std::all_of(text.begin(), text.end(), is_of_words) &&
          std::find(kValues.begin(), kValues.end(), text) == kValues.end();
 }
 
 template <class Items, class Spell>
-std::string listed(const Items& items, const char* brackets, const Spell& spell) {
+std::string bracketed(const Items& items, const char* brackets, const Spell& spell) {
   std::string text;
   for (const auto& item : items) text += (text.empty() ? "" : ", ") + spell(item);
   return brackets[0] + text + brackets[1];
 }
 
 /// Texts within an array or a table need their quotes.
-std::string spell_inside(const formats::Value& value) {
+std::string spell_inside(const Value& value) {
   const auto* text = value.as<std::string>();
-  return text ? quote(*text) : spell_for_set(value);
+  return text ? quote(*text) : spell_value(value);
 }
 
 std::string spell_real(double real) {
-  const std::string text = formats::format(real);
+  const std::string text = format(real);
   const bool is_real = !std::isfinite(real) || text.find_first_of(".e") != std::string::npos;
   return is_real ? text : text + ".0";
 }
 
 }  // namespace
 
-std::string spell_for_set(const formats::Value& value) {
+std::string spell_value(const Value& value) {
   switch (value.kind()) {
-    case formats::Kind::table:
-      return listed(value.as<formats::Table>()->members, "{}", [](const formats::Member& m) {
-        return formats::spell_key(m.key) + " = " + spell_inside(m.value);
-      });
-    case formats::Kind::array:
-      return listed(value.as<formats::Array>()->items, "[]", spell_inside);
-    case formats::Kind::text: {
+    case Kind::table:
+      return bracketed(value.as<Table>()->members, "{}",
+                       [](const Member& m) { return spell_key(m.key) + " = " + spell_inside(m.value); });
+    case Kind::array:
+      return bracketed(value.as<Array>()->items, "[]", spell_inside);
+    case Kind::text: {
       const std::string& text = *value.as<std::string>();
       return is_plain(text) ? text : quote(text);
     }
-    case formats::Kind::integer:
+    case Kind::integer:
       return std::to_string(*value.as<std::int64_t>());
-    case formats::Kind::real:
+    case Kind::real:
       return spell_real(*value.as<double>());
-    case formats::Kind::boolean:
+    case Kind::boolean:
       return *value.as<bool>() ? "true" : "false";
-    case formats::Kind::date:
-      return value.as<formats::Date>()->text;
+    case Kind::date:
+      return value.as<Date>()->text;
   }
   return {};
 }
 
-}  // namespace netloft::studies
+}  // namespace netloft::formats

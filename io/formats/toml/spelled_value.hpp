@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace netloft::studies {
+namespace netloft::formats {
 
 /// A value in the spelling in which `--set` reads it back. Texts have quotes only where they need them, so
 /// that "2.5 kn" and names of parts look as people write them.
-std::string spell_for_set(const formats::Value& value);
+std::string spell_value(const Value& value);
 
-}  // namespace netloft::studies
+}  // namespace netloft::formats

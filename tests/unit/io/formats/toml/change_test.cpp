@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/formats/toml/override.hpp"
+#include "io/formats/toml/change.hpp"
 
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
@@ -11,32 +11,32 @@ using test::Input;
 const char* const kScene =
     "[parts.net]\ncells = [32, 32]\ntwine = { EA = 1, density = 2 }\n[[hold]]\non = \"net.fore\"\n";
 
-TEST(Override, ReplacesAValue) {
+TEST(Change, ReplacesAValue) {
   Input in(kScene, {"parts.net.cells=[64,64]"});
   EXPECT_EQ(in.reader.table("parts").table("net").integers("cells", {}), (std::vector<std::int64_t>{64, 64}));
 }
-TEST(Override, AddsAKey) {
+TEST(Change, AddsAKey) {
   Input in(kScene, {"parts.net.twine.diameter=3"});
   EXPECT_EQ(in.reader.table("parts").table("net").table("twine").integer("diameter", {}), 3);
 }
-TEST(Override, MakesTheTablesOnItsWay) {
+TEST(Change, MakesTheTablesOnItsWay) {
   Input in(kScene, {"water.current.speed=3"});
   EXPECT_EQ(in.reader.table("water").table("current").integer("speed", {}), 3);
 }
-TEST(Override, ReplacesAWholeTable) {
+TEST(Change, ReplacesAWholeTable) {
   Input in(kScene, {"parts.net.twine={ EA = 7 }"});
   EXPECT_EQ(in.reader.table("parts").table("net").table("twine").keys(), std::vector<std::string>{"EA"});
 }
-TEST(Override, ReplacesAnItemOfAnArray) {
+TEST(Change, ReplacesAnItemOfAnArray) {
   Input in(kScene, {"parts.net.cells[1]=64"});
   EXPECT_EQ(in.reader.table("parts").table("net").integers("cells", {}), (std::vector<std::int64_t>{32, 64}));
 }
-TEST(Override, ReachesIntoTheTablesOfAnArray) {
+TEST(Change, ReachesIntoTheTablesOfAnArray) {
   Input in(kScene, {"hold[0].at=[[1, 2, 3]]", "hold[0].at[0][2]=7 m"});
   EXPECT_EQ(in.reader.tables("hold")[0].rows("at", {.unit = "m"}),
             (std::vector<std::vector<double>>{{1, 2, 7}}));
 }
-TEST(Override, RefusesItemsThatAreNotThere) {
+TEST(Change, RefusesItemsThatAreNotThere) {
   EXPECT_EQ(Input(kScene, {"parts.net.cells[2]=1"}).error(),
             "1:1: parts.net.cells has 2 items, so there is no parts.net.cells[2]");
   EXPECT_EQ(Input(kScene, {"parts.net[0]=1"}).error(),
@@ -46,36 +46,36 @@ TEST(Override, RefusesItemsThatAreNotThere) {
     EXPECT_TRUE(Input(kScene, {std::string(path) + "=1"}).error().ends_with("is not a path of dotted keys"))
         << path;
 }
-TEST(Override, LeavesBracketsInQuotesAlone) {
+TEST(Change, LeavesBracketsInQuotesAlone) {
   Input in(kScene, {"\"a[0]\".b=3"});
   EXPECT_EQ(in.reader.table("a[0]").integer("b", {}), 3);
 }
-TEST(Override, TakesABareWordAsAText) {
+TEST(Change, TakesABareWordAsAText) {
   Input in(kScene, {"solver=newton"});
   EXPECT_EQ(in.reader.text("solver", {}), "newton");
 }
-TEST(Override, TakesANumberWithAUnitAsAText) {
+TEST(Change, TakesANumberWithAUnitAsAText) {
   Input in(kScene, {"bar = 0.6 m"});
   EXPECT_EQ(in.reader.real("bar", {.unit = "m"}), 0.6);
 }
-TEST(Override, TakesNothingAsAnEmptyText) {
+TEST(Change, TakesNothingAsAnEmptyText) {
   Input in(kScene, {"solver="});
   EXPECT_EQ(in.reader.text("solver", {.fallback = "x"}), "");
 }
-TEST(Override, TakesAValueThatBringsASecondKeyAsAText) {
+TEST(Change, TakesAValueThatBringsASecondKeyAsAText) {
   Input in(kScene, {"a=1\nb=2"});
   EXPECT_EQ(in.reader.text("a", {}), "1\nb=2");
   EXPECT_FALSE(in.reader.has("b"));
 }
-TEST(Override, AcceptsQuotedKeys) {
+TEST(Change, AcceptsQuotedKeys) {
   Input in(kScene, {"\"a=b\".c=3"});
   EXPECT_EQ(in.reader.table("a=b").integer("c", {}), 3);
 }
-TEST(Override, LetsTheLastOneWin) {
+TEST(Change, LetsTheLastOneWin) {
   Input in(kScene, {"a=1", "a=2"});
   EXPECT_EQ(in.reader.integer("a", {}), 2);
 }
-TEST(Override, ShowsItselfAsThePlaceOfItsValue) {
+TEST(Change, ShowsItselfAsThePlaceOfItsValue) {
   Input in(kScene, {"parts.net.cells=[64,x4]", "parts.net.cells=[64,-4]"});
   in.reader.table("parts").table("net").integers("cells", {.lo = 1});
   EXPECT_EQ(in.diagnostics.render(false),
@@ -83,27 +83,40 @@ TEST(Override, ShowsItselfAsThePlaceOfItsValue) {
             "  1 | parts.net.cells=[64,-4]\n"
             "    |                     ^~\n");
 }
-TEST(Override, DoesNotWalkThroughAValue) {
+TEST(Change, DoesNotWalkThroughAValue) {
   EXPECT_EQ(Input(kScene, {"parts.net.cells.x=1"}).error(),
             "1:1: parts.net.cells is not a table, so parts.net.cells.x cannot be set");
 }
-TEST(Override, DoesNotWalkThroughAnArrayOfTables) {
+TEST(Change, DoesNotWalkThroughAnArrayOfTables) {
   EXPECT_EQ(Input(kScene, {"hold.on=1"}).hint(),
             "set the whole array: hold=[...], or one of its items: hold[0]=...");
 }
-TEST(Override, DoesNotWalkThroughWhatAnotherOneSet) {
+TEST(Change, DoesNotWalkThroughWhatAnotherOneSet) {
   EXPECT_EQ(Input(kScene, {"a=1", "a.b=2"}).error(), "1:1: a is not a table, so a.b cannot be set");
 }
-TEST(Override, WantsAnEqualsSign) {
+TEST(Change, WantsAnEqualsSign) {
   EXPECT_EQ(Input(kScene, {"parts.net"}).error(), "1:1: there is no '=' in parts.net");
 }
-TEST(Override, CannotSetInclude) {
+TEST(Change, CannotSetInclude) {
   EXPECT_EQ(Input(kScene, {"include=[]"}).error(),
             "1:1: include cannot be set: files are read before values are set");
 }
 
-TEST(Override, FindsNoEqualsSignInAKeyThatIsNeverClosed) {
+TEST(Change, FindsNoEqualsSignInAKeyThatIsNeverClosed) {
   EXPECT_EQ(Input(kScene, {"\"a=1"}).error(), "1:1: there is no '=' in \"a=1");
+}
+
+TEST(Change, MadeOfKeysIsThatOfTheSameText) {
+  EXPECT_EQ(
+      make_change({"parts", "a b", "cells"}, {{}, Array{{{{}, std::int64_t{4}}, {{}, std::int64_t{8}}}}}),
+      [] {
+        Change read = read_change("parts.\"a b\".cells=[4, 8]");
+        // Only the items have places of their own in a text.
+        for (Value& item : read.value.as<Array>()->items) item.place = read.value.place;
+        return read;
+      }());
+  EXPECT_EQ(make_change({"analysis", "tolerance"}, {{}, 1e-8}), read_change("analysis.tolerance=1e-08"));
+  EXPECT_EQ(make_change({"tow", "speed"}, {{}, std::string("3 kn")}), read_change("tow.speed=3 kn"));
 }
 
 class BadPath : public ::testing::TestWithParam<const char*> {};
@@ -111,7 +124,7 @@ TEST_P(BadPath, IsRefused) {
   Input in(kScene, {std::string(GetParam()) + "=1"});
   EXPECT_NE(in.error().find("is not a path of dotted keys"), std::string::npos) << in.error();
 }
-INSTANTIATE_TEST_SUITE_P(Override, BadPath,
+INSTANTIATE_TEST_SUITE_P(Change, BadPath,
                          ::testing::Values("", ".", "a.", "a..b", "a b", "hold[0", "[a]", "#", "a\nb", "é"));
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/formats/toml/override.hpp"
+#include "io/formats/toml/change.hpp"
 
 #include <charconv>
 #include <optional>
@@ -9,6 +9,7 @@
 
 #include "io/formats/toml/key_depth.hpp"
 #include "io/formats/toml/parse.hpp"
+#include "io/formats/toml/spelled_value.hpp"
 
 namespace netloft::formats {
 namespace {
@@ -48,12 +49,6 @@ std::optional<std::vector<std::string>> parse_keys(const std::string& path) {
   return keys.empty() ? std::nullopt : std::optional(keys);
 }
 
-/// From a table to what one of its keys leads to, or from an array to one of its items.
-struct Step {
-  std::string key;
-  std::optional<std::size_t> item;  // of an array; the key is empty
-};
-
 /// Takes "[2]" off the front of `rest`; nothing if it does not begin so.
 std::optional<std::size_t> take_item(std::string_view& rest) {
   std::size_t item = 0;
@@ -76,13 +71,13 @@ std::string_view take_keys(std::string_view& rest) {
 }
 
 /// "hold[0].at[2]" as steps. Nothing if the path cannot be read.
-std::optional<std::vector<Step>> parse_path(std::string_view rest) {
-  std::vector<Step> steps;
+std::optional<std::vector<PathStep>> parse_path(std::string_view rest) {
+  std::vector<PathStep> steps;
   while (!rest.empty()) {
     if (!steps.empty() && rest.front() == '.') rest.remove_prefix(1);
     const auto keys = parse_keys(std::string(take_keys(rest)));
     if (!keys) return std::nullopt;
-    for (const std::string& key : *keys) steps.push_back({key, {}});
+    for (const std::string& key : *keys) steps.push_back({key});
     while (!rest.empty() && rest.front() == '[') {
       const auto item = take_item(rest);
       if (!item) return std::nullopt;
@@ -99,19 +94,17 @@ int length_of(const std::string& text) {
   return length;
 }
 
-void move_places(Value& value, int file, int columns) {
-  const auto moved = [&](Place& place) {
-    place.file = file;
-    if (place.line == 1) place.column += columns;
-  };
-  moved(value.place);
+/// Calls visit(place) for all places of a value.
+template <class Visit>
+void for_places(Value& value, const Visit& visit) {
+  visit(value.place);
   if (Table* table = value.as<Table>())
     for (Member& member : table->members) {
-      moved(member.place);
-      move_places(member.value, file, columns);
+      visit(member.place);
+      for_places(member.value, visit);
     }
   if (Array* array = value.as<Array>())
-    for (Value& item : array->items) move_places(item, file, columns);
+    for (Value& item : array->items) for_places(item, visit);
 }
 
 /// `place` is that of the text after the '='.
@@ -123,7 +116,9 @@ Value parse_value(const std::string& text, const Place& place) {
   if (!table || table->members.size() != 1 || table->members.front().key != "v")
     return {place, trimmed(text)};
   Value value = std::move(table->members.front().value);
-  move_places(value, place.file, place.column - 1 - length_of(kKey));
+  for_places(value, [columns = place.column - 1 - length_of(kKey)](Place& at) {
+    if (at.line == 1) at.column += columns;
+  });
   return value;
 }
 
@@ -136,7 +131,7 @@ class Walk {
   /// Null after a step that cannot be made, which was reported.
   Value* end() const { return at_; }
 
-  void go(const Step& step) {
+  void go(const PathStep& step) {
     if (!at_) return;
     step.item ? go_to_item(*step.item) : go_to_key(step.key);
   }
@@ -181,26 +176,65 @@ class Walk {
 
 }  // namespace
 
-void apply_override(Value& root, const std::string& text, Diagnostics& diagnostics,
-                    const std::string& option) {
-  const std::size_t equals = find_equals(text);
-  const std::string path = trimmed(text.substr(0, equals));
-  const int file = diagnostics.add_source(path.empty() ? option : option + " " + path, text,
-                                          Diagnostics::Source::command_line);
-  const Place path_place{file, 1, 1, length_of(path)};
-  if (equals == std::string::npos)
-    return diagnostics.error(path_place, "there is no '=' in " + text, shape(option));
-  const auto steps = parse_path(path);
-  if (!steps)
-    return diagnostics.error(path_place, "\"" + path + "\" is not a path of dotted keys", shape(option));
-  if (steps->front().key == "include")
-    return diagnostics.error(path_place, "include cannot be set: files are read before values are set");
+namespace {
 
+Change without_value(Change change, std::string fault, std::string hint = {}) {
+  change.fault = std::move(fault);
+  change.hint = std::move(hint);
+  return change;
+}
+
+}  // namespace
+
+Change read_change(const std::string& text, const std::string& option) {
+  const std::size_t equals = find_equals(text);
+  Change change{option, trimmed(text.substr(0, equals)), text, {}, {}, {}, {}};
+  if (equals == std::string::npos)
+    return without_value(std::move(change), "there is no '=' in " + text, shape(option));
+  auto steps = parse_path(change.path);
+  if (!steps)
+    return without_value(std::move(change), "\"" + change.path + "\" is not a path of dotted keys",
+                         shape(option));
+  if (steps->front().key == "include")
+    return without_value(std::move(change), "include cannot be set: files are read before values are set");
+  change.steps = std::move(*steps);
   const std::string rest = text.substr(equals + 1);
-  const Place value_place{file, 1, length_of(text.substr(0, equals)) + 2, length_of(rest)};
-  Walk walk(root, path, path_place, diagnostics);
-  for (const Step& step : *steps) walk.go(step);
-  if (walk.end()) *walk.end() = parse_value(rest, value_place);
+  change.value = parse_value(rest, {-1, 1, length_of(text.substr(0, equals)) + 2, length_of(rest)});
+  return change;
+}
+
+std::vector<Change> read_changes(const std::vector<std::string>& texts) {
+  std::vector<Change> changes;
+  for (const std::string& text : texts) changes.push_back(read_change(text));
+  return changes;
+}
+
+Change make_change(std::initializer_list<std::string_view> keys, Value value) {
+  Change change;
+  for (const std::string_view key : keys) {
+    change.path = join_path(change.path, key);
+    change.steps.push_back({std::string(key)});
+  }
+  const std::string spelled = spell_value(value);
+  change.text = change.path + "=" + spelled;
+  for_places(value, [at = Place{-1, 1, length_of(change.path) + 2, length_of(spelled)}](Place& place) {
+    place = at;
+  });
+  change.value = std::move(value);
+  return change;
+}
+
+void apply(Value& root, const Change& change, Diagnostics& diagnostics) {
+  const int file =
+      diagnostics.add_source(change.path.empty() ? change.option : change.option + " " + change.path,
+                             change.text, Diagnostics::Source::command_line);
+  const Place path_place{file, 1, 1, length_of(change.path)};
+  if (!change.fault.empty()) return diagnostics.error(path_place, change.fault, change.hint);
+  Walk walk(root, change.path, path_place, diagnostics);
+  for (const PathStep& step : change.steps) walk.go(step);
+  if (!walk.end()) return;
+  *walk.end() = change.value;
+  for_places(*walk.end(), [file](Place& place) { place.file = file; });
 }
 
 }  // namespace netloft::formats

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/meshing/division.hpp"
+
+#include <tuple>
+
+namespace netloft::gears {
+
+namespace {
+
+std::vector<MeshCount> without_places(std::vector<MeshCount> counts) {
+  for (MeshCount& count : counts) count.place = {};
+  return counts;
+}
+
+std::vector<Cut> without_places(std::vector<Cut> side) {
+  for (Cut& cut : side) cut.place = {};
+  return side;
+}
+
+Panel geometry_of(const Panel& panel) {
+  Panel shape;
+  shape.name = panel.name;
+  shape.stands = panel.stands;
+  shape.mesh = panel.mesh;
+  shape.orientation = panel.orientation;
+  shape.angle = panel.angle;
+  shape.fore = without_places(panel.fore);
+  shape.aft = without_places(panel.aft);
+  shape.states_aft = panel.states_aft;
+  shape.depth = panel.depth;
+  shape.pieces = panel.pieces;
+  shape.has_corners = panel.has_corners;
+  shape.is_round = panel.is_round;
+  shape.outer = without_places(panel.outer);
+  shape.inner = without_places(panel.inner);
+  return shape;
+}
+
+Rope geometry_of(const Rope& rope) {
+  Rope shape;
+  shape.name = rope.name;
+  shape.stands = rope.stands;
+  shape.length = rope.length;
+  shape.length_port = rope.length_port;
+  shape.role = rope.role;
+  shape.between = rope.between;
+  shape.is_selvedge = rope.is_selvedge;
+  return shape;
+}
+
+}  // namespace
+
+NetPlan geometry_of(const NetPlan& plan) {
+  NetPlan shape;
+  for (const Panel& panel : plan.panels) shape.panels.push_back(geometry_of(panel));
+  for (const Rope& rope : plan.ropes) shape.ropes.push_back(geometry_of(rope));
+  for (const Hanging& hanging : plan.hangings)
+    shape.hangings.push_back({hanging.edge, hanging.rope, hanging.length, hanging.ratio, {}, {}, {}});
+  for (const Join& join : plan.joins)
+    shape.joins.push_back({join.edges, join.take_up, join.selvedge, {}, {}});
+  for (const Point& point : plan.points) shape.points.push_back({point.name, point.stands, {}, {}});
+  for (const PlanBody& body : plan.bodies) shape.bodies.push_back({body.name, body.stands, body.points, {}});
+  return shape;
+}
+
+namespace {
+
+bool is_same(const Rope& a, const Rope& b) {
+  const auto all = [](const Rope& r) {
+    return std::tie(r.name, r.stands, r.length, r.length_port, r.role, r.between, r.is_selvedge);
+  };
+  return all(a) == all(b);
+}
+
+}  // namespace
+
+bool DivisionInput::operator==(const DivisionInput& other) const {
+  const NetPlan &a = geometry, &b = other.geometry;
+  return extent == other.extent && fineness == other.fineness && a.panels == b.panels &&
+         std::ranges::equal(a.ropes, b.ropes, is_same) && a.hangings == b.hangings && a.joins == b.joins &&
+         a.points == b.points && a.bodies == b.bodies;
+}
+
+Division::Division(DivisionInput input)
+    : input_(std::move(input)),
+      gear_(make_gear(input_.geometry, input_.extent)),
+      mesh_(divide(gear_, input_.fineness)),
+      shapes_(gear_, mesh_) {}
+
+std::shared_ptr<Division> Divisions::of(const NetPlan& plan, Extent extent, const Fineness& fineness) {
+  return recent_.of({geometry_of(plan), extent, fineness},
+                    [](const DivisionInput& input) { return std::make_shared<Division>(input); });
+}
+
+}  // namespace netloft::gears

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenes/reading/scene_source.hpp"
+
+#include "io/gears/meshing/recent.hpp"
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/read_plan.hpp"
+#include "io/scenes/reading/analysis.hpp"
+#include "io/scenes/reading/catalogue_parts.hpp"
+#include "io/scenes/reading/hold_reader.hpp"
+#include "io/scenes/reading/join_reader.hpp"
+#include "io/scenes/reading/part_reader.hpp"
+#include "io/scenes/reading/read_bodies.hpp"
+#include "io/scenes/reading/read_winches.hpp"
+#include "io/scenes/reading/result_reader.hpp"
+#include "io/scenes/reading/rider_reader.hpp"
+#include "io/scenes/reading/scene_checks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace netloft::scenes {
+
+namespace {
+
+/// Reads one scene; members are steps in the order they happen.
+class SceneReader {
+ public:
+  /// `plan`: of a gear that stands in the scene; null without.
+  SceneReader(const formats::Value& root, const gears::NetPlan* plan, gears::Divisions& divisions,
+              const std::filesystem::path& file, Registry& registry, formats::Diagnostics& diagnostics,
+              bool& refused)
+      : reading_(root, plan, divisions, file, registry, diagnostics, refused),
+        diagnostics_(diagnostics),
+        out_(reading_.out()),
+        gear_(reading_.gear) {}
+
+  LoadedScene read() {
+    if (gear_ && !gear_->is_divided()) return std::move(out_);
+    water_.read();
+    read_parts();
+    joins_.read();
+    add_bodies(reading_.draft, diagnostics_);
+    read_riders();
+    read_holds();
+    place_points(out_.scene);
+    read_analysis_and_results();
+    reading_.root.finish();
+    out_.files = reading_.meshes.files();
+    if (diagnostics_.errors() > 0) return std::move(out_);
+    check_scene(reading_, water_);
+    holds_.report_one_sided();
+    return std::move(out_);
+  }
+
+ private:
+  void read_parts() {
+    if (gear_) {
+      parts_.read_bodies_of_plan();
+      gear_->add_parts();
+    }
+    parts_.read_parts();
+    if (!gear_) parts_.read_bodies();
+  }
+
+  void read_riders() {
+    if (gear_) gear_->add_pieces();
+    for (auto& [name, table] : parts_.riders()) riders_.read(name, table);
+    if (gear_) riders_.read_contacts();
+    riders_.add_companions();
+  }
+
+  void read_holds() {
+    if (gear_) {
+      gear_->hold_middle();
+      gear_->hold_blocks();
+    }
+    holds_.read();
+    if (gear_) gear_->follow_holds();
+  }
+
+  void read_analysis_and_results() {
+    out_.analysis = read_analysis(reading_.root.table("analysis", formats::Presence::optional),
+                                  reading_.registry, reading_.refused);
+    water_.take_model();
+    if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) {
+      holds_.check_guides();
+      water_.check_waves();
+    }
+    ResultReader(reading_).read();
+    if (diagnostics_.errors() == 0) water_.lay_bottom();
+    if (reading_.plan) ready_winches(*reading_.plan, reading_.registry, out_, diagnostics_);
+    if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry(reading_, water_);
+  }
+
+  SceneReading reading_;
+  formats::Diagnostics& diagnostics_;
+  LoadedScene& out_;  // of the draft
+  std::optional<GearParts>& gear_;
+  WaterReader water_{reading_};
+  PartReader parts_{reading_};
+  JoinReader joins_{reading_};
+  RiderReader riders_{reading_};
+  HoldReader holds_{reading_};
+};
+
+/// What a net plan is read from. The catalogue is never changed.
+struct PlanInput {
+  formats::Value tables;
+  std::shared_ptr<const gears::Catalogue> catalogue;
+  bool operator==(const PlanInput&) const = default;
+};
+
+/// A plan as it was read and checked, and what is wrong with it.
+struct PlanRead {
+  gears::NetPlan plan;
+  std::vector<formats::Diagnostic> messages;
+};
+
+/// `said`: diagnostics with the sources of the scene, and no messages.
+std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, formats::Diagnostics said) {
+  auto read = std::make_shared<PlanRead>();
+  read->plan = gears::read_plan(input.tables, *input.catalogue, said);
+  if (said.errors() == 0) gears::check_plan(read->plan, said);
+  read->messages = said.messages();
+  return read;
+}
+
+void append_new(std::vector<formats::SourceFile>& files, const std::vector<formats::SourceFile>& more) {
+  for (const auto& file : more)
+    if (std::none_of(files.begin(), files.end(), [&](const auto& f) { return f.path == file.path; }))
+      files.push_back(file);
+}
+
+}  // namespace
+
+/// The file, and the results of the expensive steps of its last instances.
+class SceneSource::Memory {
+ public:
+  explicit Memory(std::filesystem::path file) : file_(std::move(file)) {}
+
+  const std::filesystem::path& file() const { return file_; }
+
+  LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
+                       formats::Diagnostics& diagnostics, bool& refused) {
+    formats::Value root = changed(changes, diagnostics);
+    if (diagnostics.errors()) return {};
+    formats::Value plan_tables = gears::holds_plan(root) ? gears::tables_of_plan(root) : formats::Value{};
+    SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
+    std::map<std::string, Strength> strengths;
+    put_catalogue_parts(root, catalogue, registry, diagnostics, strengths);
+    std::shared_ptr<const PlanRead> plan;
+    if (gears::holds_plan(root)) plan = read_plan({std::move(plan_tables), catalogue.load()}, diagnostics);
+    if (plan && diagnostics.errors()) return {};  // nothing in a scene can be judged without its gear
+    LoadedScene loaded =
+        SceneReader(root, plan ? &plan->plan : nullptr, divisions_, file_, registry, diagnostics, refused)
+            .read();
+    loaded.strengths.merge(strengths);
+    if (auto& start = loaded.analysis.dynamics.start_file; !start.empty())
+      start = file_.parent_path() / start;
+    const auto meshes = std::exchange(loaded.files, document_->files());
+    append_new(loaded.files, meshes);
+    if (const gears::Catalogue* used = catalogue.loaded()) append_new(loaded.files, used->files());
+    return loaded;
+  }
+
+ private:
+  /// The tables of the document with the changes applied. Places refer to sources of `diagnostics`.
+  formats::Value changed(const std::vector<formats::Change>& changes, formats::Diagnostics& diagnostics) {
+    if (!document_) document_ = formats::Document::load(file_, {}, said_);
+    formats::Value root = document_->root();
+    if (const int first = diagnostics.append(said_); first != 0) formats::shift_files(root, first);
+    for (const formats::Change& change : changes) formats::apply(root, change, diagnostics);
+    return root;
+  }
+
+  /// After an error a plan is read for its own errors alone, and not kept.
+  std::shared_ptr<const PlanRead> read_plan(PlanInput input, formats::Diagnostics& diagnostics) {
+    if (diagnostics.errors())
+      return std::make_shared<PlanRead>(
+          PlanRead{gears::read_plan(input.tables, *input.catalogue, diagnostics), {}});
+    const auto read = plans_.of(std::move(input), [&](const PlanInput& one) {
+      return read_and_check(one, diagnostics.without_messages());
+    });
+    diagnostics.take_messages(read->messages);
+    return read;
+  }
+
+  std::filesystem::path file_;
+  std::optional<formats::Document> document_;
+  formats::Diagnostics said_;  // while the document was loaded
+  gears::KeptCatalogue catalogue_;
+  gears::Recent<PlanInput, const PlanRead> plans_{4};
+  gears::Divisions divisions_;
+};
+
+SceneSource::SceneSource(std::filesystem::path file) : memory_(std::make_shared<Memory>(std::move(file))) {}
+
+const std::filesystem::path& SceneSource::file() const { return memory_->file(); }
+
+LoadedScene SceneSource::instance(const std::vector<formats::Change>& changes, Registry& registry,
+                                  formats::Diagnostics& diagnostics, bool& refused) const {
+  return memory_->instance(changes, registry, diagnostics, refused);
+}
+
+}  // namespace netloft::scenes
