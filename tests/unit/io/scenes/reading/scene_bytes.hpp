@@ -136,7 +136,7 @@ class SceneBytes {
   }
   void put(const Limits& l) {
     const auto& [tolerance, iterations, seconds, interrupt, path, model, work, judging] = l;
-    put_all(tolerance, iterations, seconds, path, work, judging.ask_growth, judging.accept_swinging);
+    put_all(tolerance, iterations, seconds, path, work, judging.examine_growth, judging.accept_oscillation);
   }
   void put(const Analysis& a) {
     const auto& [kind, settles, dynamics, strategy, strategy_parameters, work, solver, solver_parameters,
