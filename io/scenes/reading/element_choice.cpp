@@ -27,6 +27,12 @@ std::string read_name(formats::TableReader& table, const char* key, const char* 
   return name;
 }
 
+std::vector<int> nodes_per_element(std::span<const ElementType* const> types) {
+  std::vector<int> counts;
+  for (const ElementType* type : types) counts.push_back(type->nodes());
+  return counts;
+}
+
 const ElementType* ElementChoice::find(const std::string& name, formats::TableReader& table) const {
   if (name.empty()) return nullptr;
   try {

@@ -4,6 +4,8 @@
 #include "framework/scene/scene.hpp"
 #include "io/formats/toml/table_reader.hpp"
 
+#include <span>
+
 namespace netloft::scenes {
 
 /// Puts what a registry said when it refused a plugin at a key: its sentence is the first line; where it was
@@ -12,6 +14,9 @@ void report_refusal(formats::TableReader& table, const char* key, const std::str
 
 /// A text that must not be empty.
 std::string read_name(formats::TableReader& table, const char* key, const char* doc);
+
+/// The number of nodes of an element of each type; all types are known.
+std::vector<int> nodes_per_element(std::span<const ElementType* const> types);
 
 /// What parts are made of: elements, those that come with them, and laws, out of the plugins that a scene
 /// names.

@@ -9,7 +9,9 @@
 #include "io/scenes/reading/inventory.hpp"
 #include "io/scenes/reading/known_parameters.hpp"
 #include "io/scenes/reading/part_names.hpp"
+#include "io/scenes/reading/part_reader.hpp"
 #include "io/scenes/reading/plan_contact.hpp"
+#include "io/scenes/reading/read_winches.hpp"
 #include "io/scenes/reading/riding.hpp"
 #include "io/scenes/reading/ship_course.hpp"
 #include "io/scenes/reading/thickness.hpp"
@@ -30,7 +32,7 @@ void keep_strength(LoadedScene& loaded, const std::string& part, const formats::
 
 }  // namespace
 
-bool is_seam(formats::TableReader& join) {
+bool GearParts::is_seam(formats::TableReader& join) const {
   const bool sews = join.has("edges") && !join.has("points");
   if (sews) join.has("take_up");
   return sews;
@@ -39,7 +41,7 @@ bool is_seam(formats::TableReader& join) {
 GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice,
                      Draft& draft, gears::Divisions& divisions)
     : plan_(plan), draft_(draft), diagnostics_(root.diagnostics()) {
-  for (const char* key : {"panels", "ropes", "hang", "floats", "points", "ship"}) root.has(key);
+  for (const char* key : {"panels", "ropes", "hang", "floats", "points", "bodies", "ship"}) root.has(key);
   const int errors_before = diagnostics_.errors();
   GearInScene& in_scene = draft_.out.gear.emplace();
   gears::Fineness fineness;
@@ -90,6 +92,18 @@ void GearParts::tie(const gears::GearBody& body, std::size_t part) {
       known_.push_back({node->second, axis,
                         geometry.positions[3 * (k + std::size_t{1}) + static_cast<std::size_t>(axis)]});
   }
+}
+
+void GearParts::read_parts(PartReader& parts) {
+  for (const gears::GearBody& body : gear_.bodies) {
+    const BodyOfPlan place = place_of(body);
+    const bool is_pair = body.body->stands == gears::Standing::pair;
+    const auto part = parts.read_body_of_plan(body.name, body.body->name, is_pair ? &place : nullptr);
+    if (!part) break;  // reported once, not for both sides
+    tie(body, *part);
+  }
+  add_parts();
+  parts.read_parts(formats::Presence::optional);
 }
 
 void GearParts::add_parts() {
@@ -313,6 +327,11 @@ bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
   });
 }
 
+void GearParts::add_holds() {
+  hold_middle();
+  hold_blocks();
+}
+
 void GearParts::hold_middle() {
   if (mesh().middle.empty()) return;
   Scene& scene = draft_.out.scene;
@@ -382,6 +401,20 @@ void GearParts::follow_holds() {
   for (std::uint32_t node = 0; node < mesh().nodes; ++node)
     std::copy_n(start.begin() + 3 * std::ptrdiff_t{node}, 3,
                 scene.positions.begin() + 3 * std::ptrdiff_t{scene_node(node)});
+}
+
+void GearParts::refuse_motions() const {
+  const auto refuse = [&](const char* what, formats::Place place) {
+    diagnostics_.error(place, std::string(what) + ": nothing moves in a static analysis",
+                       "kind = \"dynamic\" in [analysis], or leave it out");
+  };
+  if (plan_.ship && !plan_.ship->path.empty()) refuse("ship.path", plan_.ship->path_place);
+  for (const auto& rope : plan_.ropes)
+    if (!rope.winch.empty()) refuse("ship.warp.winch", rope.winch_place);
+}
+
+void GearParts::complete_winches(Registry& registry) const {
+  ready_winches(plan_, registry, draft_.out, diagnostics_);
 }
 
 bool GearParts::has_name(const std::string& name) const {

@@ -2,7 +2,7 @@
 #pragma once
 #include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/net_plan.hpp"
-#include "io/scenes/reading/draft.hpp"
+#include "io/scenes/reading/gear_steps.hpp"
 #include "io/scenes/reading/plan_elements.hpp"
 #include "io/scenes/reading/read_bodies.hpp"
 
@@ -18,45 +18,28 @@ inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
 /// Name of the hold that is the ship.
 inline constexpr const char* kShip = "ship";
 
-/// Whether `join` is a seam of a net plan rather than a join of parts.
-bool is_seam(formats::TableReader& join);
-
 /// What a net plan becomes in a scene: panels of triangles and ropes of bars, joined where the plan joins
 /// them, floats and weights on them. Members are steps of reading a scene, in the order they happen.
-class GearParts {
+class GearParts : public GearSteps {
  public:
   /// `plan` has no errors. Reads `[gear]` and `[elements]`.
   GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice, Draft& draft,
             gears::Divisions& divisions);
 
-  /// False after an error: then nothing in the scene can be judged.
-  bool is_divided() const { return division_ && mesh().nodes > 0; }
-  const std::vector<gears::GearBody>& bodies() const { return gear_.bodies; }
-  /// Where a body of the plan stands.
-  BodyOfPlan place_of(const gears::GearBody& body) const;
-  /// Ropes lead to the points of this part, which is that body. All bodies come before `add_parts`.
-  void tie(const gears::GearBody& body, std::size_t part);
-  /// Panels and ropes, on nodes of their own, and the names of points.
-  void add_parts();
-  /// Nodes that panels and ropes share become one.
-  void join(Joiner& joiner) const;
-  /// Floats and what else is hung on, once the scene has its nodes.
-  void add_pieces();
-  /// With `[elements.contact]`, the parts that carry the gear on the bed, as they would stand in `[parts]`:
-  /// one for each rope and body of the plan that touches it and that no part of the scene carries already:
-  /// `carried` are the nodes of those.
-  std::vector<std::pair<std::string, formats::Value>> contacts(const std::set<std::uint32_t>& carried) const;
-  /// Whether the footrope of a towed gear has nothing that would carry it on the bed.
-  bool sinks_into_bed(const std::set<std::uint32_t>& carried) const;
-  /// Of a half: the plane of symmetry.
-  void hold_middle();
-  /// The blocks of the ship, where there is one.
-  void hold_blocks();
-  /// The start again, now that it is known what is held where.
-  void follow_holds();
-
-  /// Whether the plan makes something of this name.
-  bool has_name(const std::string& name) const;
+  bool is_divided() const override { return division_ && mesh().nodes > 0; }
+  const gears::Ship* ship() const override { return plan_.ship ? &*plan_.ship : nullptr; }
+  bool has_name(const std::string& name) const override;
+  void read_parts(PartReader& parts) override;
+  bool is_seam(formats::TableReader& join) const override;
+  void join(Joiner& joiner) const override;
+  void add_pieces() override;
+  std::vector<std::pair<std::string, formats::Value>> contacts(
+      const std::set<std::uint32_t>& carried) const override;
+  bool sinks_into_bed(const std::set<std::uint32_t>& carried) const override;
+  void add_holds() override;
+  void follow_holds() override;
+  void refuse_motions() const override;
+  void complete_winches(Registry& registry) const override;
 
  private:
   const gears::GearMesh& mesh() const { return division_->mesh(); }
@@ -68,6 +51,13 @@ class GearParts {
   void add_part(std::string_view kind, const std::string& name, const std::string& path,
                 formats::Value numbers, bool is_of_catalogue, Geometry geometry,
                 const std::vector<std::uint32_t>& nodes);
+  /// The position of a body before anything is known of the equilibrium.
+  BodyOfPlan place_of(const gears::GearBody& body) const;
+  /// Lets ropes lead to the points of this part, which is that body.
+  void tie(const gears::GearBody& body, std::size_t part);
+  void add_parts();
+  void hold_middle();
+  void hold_blocks();
   void name_points();
   void put_pieces(const gears::GearPieces& pieces);
   std::vector<std::uint32_t> nodes_of(const gears::GearPieces& pieces, std::vector<double>& carried) const;

@@ -20,7 +20,7 @@ void HoldReader::read() {
     if (nodes.empty() || diagnostics_.errors() > errors_before) continue;
     out_.holds.push_back(holder.hold(entry, nodes, table));
     guide(read_course(table), entry, out_.holds.back(), table);
-    if (gear_ && out_.gear->times == 1) one_sided_.add(entry, table.place("on"));
+    if (out_.gear && out_.gear->times == 1) one_sided_.add(entry, table.place("on"));
   }
 }
 
@@ -73,14 +73,7 @@ void HoldReader::check_guides() {
   for (auto& hold : guides_)
     hold.error(hold.has("velocity") ? "velocity" : "displacement", "nothing moves in a static analysis",
                "kind = \"dynamic\" in [analysis], or leave it out");
-  if (!plan_) return;
-  const auto refuse = [&](const char* what, formats::Place place) {
-    diagnostics_.error(place, std::string(what) + ": nothing moves in a static analysis",
-                       "kind = \"dynamic\" in [analysis], or leave it out");
-  };
-  if (plan_->ship && !plan_->ship->path.empty()) refuse("ship.path", plan_->ship->path_place);
-  for (const auto& rope : plan_->ropes)
-    if (!rope.winch.empty()) refuse("ship.warp.winch", rope.winch_place);
+  gear_.refuse_motions();
 }
 
 void HoldReader::check_hold_name(const HoldEntry& entry, formats::TableReader& table) {

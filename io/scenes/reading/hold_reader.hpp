@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/scenes/reading/gear_steps.hpp"
 #include "io/scenes/reading/holder.hpp"
 #include "io/scenes/reading/one_sided_holds.hpp"
-#include "io/scenes/reading/scene_reading.hpp"
 
 namespace netloft::scenes {
 
 /// Reads `[[hold]]`: what is held, where, and along which course it goes.
-class HoldReader : ReadingStep {
+class HoldReader {
  public:
-  explicit HoldReader(SceneReading& reading) : ReadingStep(reading) {}
+  HoldReader(formats::TableReader& root, Draft& draft, const GearSteps& gear)
+      : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out), gear_(gear) {}
 
   void read();
   /// Nothing moves in a static analysis, unless somebody looks at a motion that way for once.
@@ -22,6 +23,11 @@ class HoldReader : ReadingStep {
   void guide(Course course, const HoldEntry& entry, const Hold& hold, formats::TableReader& table);
   void check_hold_name(const HoldEntry& entry, formats::TableReader& table);
 
+  formats::TableReader& root_;
+  formats::Diagnostics& diagnostics_;
+  Draft& draft_;
+  LoadedScene& out_;  // of the draft
+  const GearSteps& gear_;
   std::vector<formats::TableReader> guides_;  // holds that move
   OneSidedHolds one_sided_;
   std::map<std::string, formats::Place> hold_names_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/join_reader.hpp"
+
 #include "io/formats/units/in_quotes.hpp"
+#include "io/scenes/reading/element_choice.hpp"
 
 namespace netloft::scenes {
 
@@ -8,7 +10,7 @@ void JoinReader::read() {
   Joiner joiner(draft_.geometries);
   join_by_others(joiner);
   for (auto& table : root_.tables("join")) {
-    if (gear_ && is_seam(table)) continue;
+    if (gear_.is_seam(table)) continue;
     read_join(table, joiner);
   }
   if (diagnostics_.errors() == 0) check_joins(joiner);
@@ -17,8 +19,8 @@ void JoinReader::read() {
 
 /// Nodes that meshes and the net plan have in common.
 void JoinReader::join_by_others(Joiner& joiner) const {
-  reading_.meshes.connect(joiner);
-  if (gear_) gear_->join(joiner);
+  meshes_.connect(joiner);
+  gear_.join(joiner);
 }
 
 void JoinReader::read_join(formats::TableReader& table, Joiner& joiner) {
@@ -61,12 +63,12 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
 /// Joins must leave every element its size. The first that does not is found by making them again one by
 /// one.
 void JoinReader::check_joins(Joiner& joiner) const {
-  if (!joiner.find_collapse(reading_.nodes_per_element())) return;
+  if (!joiner.find_collapse(nodes_per_element(draft_.types))) return;
   Joiner again(draft_.geometries);
   join_by_others(again);
   for (const auto& join : joins_) {
     join.make(again);
-    if (const auto fault = again.find_collapse(reading_.nodes_per_element()))
+    if (const auto fault = again.find_collapse(nodes_per_element(draft_.types)))
       return diagnostics_.error(
           join.at.place,
           join.at.path + ": " + formats::in_quotes(draft_.out.scene.parts[fault->part].name) + " element " +

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/scenes/reading/gear_steps.hpp"
 #include "io/scenes/reading/joiner.hpp"
-#include "io/scenes/reading/scene_reading.hpp"
+#include "io/scenes/reading/mesh_parts.hpp"
 
 namespace netloft::scenes {
 
 /// Joins parts, by `[[join]]`, by their meshes and by the net plan, and numbers the nodes of the scene.
-class JoinReader : ReadingStep {
+class JoinReader {
  public:
-  explicit JoinReader(SceneReading& reading) : ReadingStep(reading), reading_(reading) {}
+  JoinReader(formats::TableReader& root, Draft& draft, const MeshParts& meshes, const GearSteps& gear)
+      : root_(root), diagnostics_(root.diagnostics()), draft_(draft), meshes_(meshes), gear_(gear) {}
 
   void read();
 
@@ -28,7 +30,11 @@ class JoinReader : ReadingStep {
   void check_joins(Joiner& joiner) const;
   void number(Joiner& joiner);
 
-  SceneReading& reading_;
+  formats::TableReader& root_;
+  formats::Diagnostics& diagnostics_;
+  Draft& draft_;
+  const MeshParts& meshes_;
+  const GearSteps& gear_;
   std::vector<Join> joins_;
 };
 

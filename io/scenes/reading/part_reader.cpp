@@ -21,11 +21,10 @@ bool is_turned(formats::TableReader& part) {
 
 }  // namespace
 
-void PartReader::read_parts() {
-  formats::TableReader parts =
-      root_.table("parts", gear_ ? formats::Presence::optional : formats::Presence::required,
-                  "the pieces of the gear, a table each");
-  if (!gear_ && root_.kind("parts") == formats::Kind::table && parts.keys().empty())
+void PartReader::read_parts(formats::Presence presence) {
+  formats::TableReader parts = root_.table("parts", presence, "the pieces of the gear, a table each");
+  if (presence == formats::Presence::required && root_.kind("parts") == formats::Kind::table &&
+      parts.keys().empty())
     root_.error("parts", "there are no parts: a scene needs at least one, such as [parts.net]");
   for (const auto& name : parts.keys()) {
     check_part_name(name, parts);
@@ -61,16 +60,15 @@ void PartReader::read_bodies() {
   }
 }
 
-void PartReader::read_bodies_of_plan() {
+std::optional<std::size_t> PartReader::read_body_of_plan(const std::string& name,
+                                                         const std::string& name_in_plan,
+                                                         const BodyOfPlan* place) {
   formats::TableReader bodies = root_.table("bodies", formats::Presence::optional);
-  for (const gears::GearBody& body : gear_->bodies()) {
-    if (!draft_.is_sound.empty() && !draft_.is_sound.back()) return;  // said once, not for both sides
-    const BodyOfPlan place = gear_->place_of(body);
-    formats::TableReader table = bodies.table(body.body->name);
-    table.has("stands");
-    read_part(body.name, table, Home::bodies, body.body->stands == gears::Standing::pair ? &place : nullptr);
-    gear_->tie(body, draft_.geometries.size() - 1);
-  }
+  if (!draft_.is_sound.empty() && !draft_.is_sound.back()) return std::nullopt;
+  formats::TableReader table = bodies.table(name_in_plan);
+  table.has("stands");
+  read_part(name, table, Home::bodies, place);
+  return draft_.geometries.size() - 1;
 }
 
 void PartReader::check_part_name(const std::string& name, formats::TableReader& parts) {
@@ -79,7 +77,7 @@ void PartReader::check_part_name(const std::string& name, formats::TableReader& 
       has_dot ? "must not hold a dot, which leads to its edges (net.fore)" : name_fault(name);
   if (!fault.empty())
     diagnostics_.error(parts.place(name), "the name of a part, " + formats::in_quotes(name) + ", " + fault);
-  if (gear_ && gear_->has_name(name))
+  if (gear_.has_name(name))
     diagnostics_.error(parts.place(name),
                        "the net plan has something named " + formats::in_quotes(name) + " already",
                        "[elements." + name + "] says more of it; parts of the scene have names of their own");

@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/scenes/reading/element_choice.hpp"
+#include "io/scenes/reading/gear_steps.hpp"
+#include "io/scenes/reading/mesh_parts.hpp"
 #include "io/scenes/reading/read_bodies.hpp"
-#include "io/scenes/reading/scene_reading.hpp"
 
 namespace netloft::scenes {
 
 /// Reads parts on nodes of their own, bodies among them. Parts that stand on others are announced, and kept.
-class PartReader : ReadingStep {
+class PartReader {
  public:
-  explicit PartReader(SceneReading& reading) : ReadingStep(reading), meshes_(reading.meshes) {}
+  PartReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, MeshParts& meshes,
+             const GearSteps& gear)
+      : root_(root),
+        diagnostics_(root.diagnostics()),
+        elements_(elements),
+        draft_(draft),
+        meshes_(meshes),
+        gear_(gear) {}
 
-  void read_parts();
+  /// A scene without a net plan requires at least one part.
+  void read_parts(formats::Presence presence);
   /// Parts that make rigid bodies. Their elements are those of `type`; others may stand on them.
   void read_bodies();
-  /// Those of a net plan, to starboard and to port.
-  void read_bodies_of_plan();
+  /// Reads a body under its name in the plan. Returns its part; nothing if the body before it has an error.
+  std::optional<std::size_t> read_body_of_plan(const std::string& name, const std::string& name_in_plan,
+                                               const BodyOfPlan* place);
   /// Names and tables of the parts that stand on others.
   std::vector<std::pair<std::string, formats::TableReader>>& riders() { return riders_; }
 
@@ -29,7 +40,12 @@ class PartReader : ReadingStep {
   void read_extra_data(const ElementType& type, Geometry& geometry, formats::TableReader& table);
   void check_thickness(const Part& part, const Geometry& geometry, formats::TableReader& table);
 
+  formats::TableReader& root_;
+  formats::Diagnostics& diagnostics_;
+  const ElementChoice& elements_;
+  Draft& draft_;
   MeshParts& meshes_;
+  const GearSteps& gear_;
   std::vector<std::pair<std::string, formats::TableReader>> riders_;
 };
 

@@ -2,6 +2,7 @@
 #include "io/scenes/reading/result_reader.hpp"
 
 #include "io/formats/units/in_quotes.hpp"
+#include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/part_names.hpp"
 #include "io/scenes/reading/result_request.hpp"
 

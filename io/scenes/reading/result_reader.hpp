@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/scenes/reading/scene_reading.hpp"
+#include "io/scenes/reading/draft.hpp"
 
 namespace netloft::scenes {
 
 /// Reads `[results]`: what is asked of the answer, and whether there is such a thing.
-class ResultReader : ReadingStep {
+class ResultReader {
  public:
-  explicit ResultReader(SceneReading& reading) : ReadingStep(reading) {}
+  ResultReader(formats::TableReader& root, Draft& draft)
+      : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out) {}
 
   void read();
 
  private:
   void read_result(const std::string& name, formats::TableReader& entry, bool holds_are_known);
   void check_reaction(const ResultRequest& request, formats::TableReader& entry);
+
+  formats::TableReader& root_;
+  formats::Diagnostics& diagnostics_;
+  Draft& draft_;
+  LoadedScene& out_;  // of the draft
 };
 
 }  // namespace netloft::scenes

@@ -45,12 +45,12 @@ void RiderReader::read(const std::string& name, formats::TableReader& table) {
 
 void RiderReader::read_contacts() {
   const std::set<std::uint32_t> carried = carried_by_beds();
-  if (const auto all = gear_->contacts(carried); !all.empty() && !out_.scene.bed.is_there)
+  if (const auto all = gear_.contacts(carried); !all.empty() && !out_.scene.bed.is_there)
     return diagnostics_.error(
         all.front().second.place,
         "elements." + std::string(kContact) + ": there is no bed that the gear could touch",
         "[bed] depth = \"100 m\"");
-  for (const auto& [name, said] : gear_->contacts(carried)) {
+  for (const auto& [name, said] : gear_.contacts(carried)) {
     formats::TableReader table(said, diagnostics_, "elements." + std::string(kContact));
     const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
     if (type && !rests_on_bed(*type))
@@ -59,7 +59,7 @@ void RiderReader::read_contacts() {
     table.finish();
     if (diagnostics_.errors()) return;  // said once, not of every rope
   }
-  if (out_.scene.bed.is_there && gear_->sinks_into_bed(carried))
+  if (out_.scene.bed.is_there && gear_.sinks_into_bed(carried))
     diagnostics_.warning(
         root_.table("bed").place(), "the footrope passes through the bed: no part carries the gear there",
         "[elements.contact] seabed = { friction = 0.47 } lets all of the plan that touches the bed "

@@ -2,6 +2,7 @@
 #include "io/scenes/reading/scene_checks.hpp"
 
 #include "io/scenes/reading/beds.hpp"
+#include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/halves.hpp"
 #include "io/scenes/reading/tow.hpp"
 #include "io/scenes/reading/water_checks.hpp"
@@ -13,17 +14,17 @@ namespace netloft::scenes {
 namespace {
 
 /// Parameters across the plane y = 0, which are called so.
-void check_symmetric_parameters(const SceneReading& reading, const std::string& cure) {
-  const LoadedScene& out = reading.draft.out;
-  for (std::size_t p = 0; p < reading.draft.types.size(); ++p) {
-    const ElementType* type = reading.draft.types[p];  // null for one that is not there, which was said
-    if (!type || type->is_on_body()) continue;         // whose y is outward
+void check_symmetric_parameters(const Draft& draft, const std::string& cure,
+                                formats::Diagnostics& diagnostics) {
+  const LoadedScene& out = draft.out;
+  for (std::size_t p = 0; p < draft.types.size(); ++p) {
+    const ElementType* type = draft.types[p];   // null for one that is not there, which was said
+    if (!type || type->is_on_body()) continue;  // whose y is outward
     const Part& part = out.scene.parts[p];
     for (const auto& [name, value] : part.parameters)
       if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
-        reading.diagnostics.error(out.place_of(part.name),
-                                  part.name + ": " + name + " is not zero, and tells port from starboard",
-                                  cure);
+        diagnostics.error(out.place_of(part.name),
+                          part.name + ": " + name + " is not zero, and tells port from starboard", cure);
   }
 }
 
@@ -39,10 +40,11 @@ void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) 
   }
 }
 
-void check_held(const SceneReading& reading) {
-  const LoadedScene& out = reading.draft.out;
-  for (const auto& fault : find_loose_parts(out.scene, reading.nodes_per_element()))
-    reading.diagnostics.error(out.place_of(fault.part), fault.message);
+/// `types`: of all parts of the scene.
+void check_held(const LoadedScene& out, const std::vector<const ElementType*>& types,
+                formats::Diagnostics& diagnostics) {
+  for (const auto& fault : find_loose_parts(out.scene, nodes_per_element(types)))
+    diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
 /// Friction of what the gear is towed over points aft only if the ground passes, too; and where it stands,
@@ -84,34 +86,38 @@ void check_bed(const Draft& draft, formats::Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_symmetry(SceneReading& reading, const WaterReader& water) {
-  const LoadedScene& out = reading.out();
+void check_symmetry(formats::TableReader& root, const Draft& draft, const WaterReader& water) {
+  const LoadedScene& out = draft.out;
   const std::string cure = "[gear] extent = \"whole\"";
   const auto across = [](const auto& all) {
     return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.velocity[1] != 0; });
   };
   if (across(out.scene.current.samples) || across(out.scene.current.drifts)) {
-    reading.root.table("water", formats::Presence::optional)
+    root.table("water", formats::Presence::optional)
         .error("current", "flows across the plane y = 0, of which half a gear is the mirror image", cure);
   }
   if (out.scene.ground[1] != 0) {
-    reading.root.table("tow").error(
-        "leeway", "leads across the plane y = 0, of which half a gear is the mirror image", cure);
+    root.table("tow").error("leeway",
+                            "leads across the plane y = 0, of which half a gear is the mirror image", cure);
   }
   if (const char* key = water.uneven_key()) {
-    reading.root.table("bed").error(
+    root.table("bed").error(
         key, "tells port from starboard of the plane y = 0, of which half a gear is the mirror image", cure);
   }
-  check_symmetric_parameters(reading, cure);
+  check_symmetric_parameters(draft, cure, root.diagnostics());
 }
 
-void check_scene(SceneReading& reading, const WaterReader& water) {
-  check_held(reading);
-  check_current(reading.out().scene, reading.root);
-  check_ground(reading.draft, water.says_tow(), reading.diagnostics);
-  if (!reading.out().scene.bed.is_there) check_bed(reading.draft, reading.diagnostics);
-  check_beds(reading.out(), reading.diagnostics);
-  check_crossings(reading.out(), reading.diagnostics);
+void check_scene(formats::TableReader& root, const Draft& draft,
+                 const std::vector<const ElementType*>& companions, const WaterReader& water) {
+  formats::Diagnostics& diagnostics = root.diagnostics();
+  std::vector<const ElementType*> types = draft.types;
+  types.insert(types.end(), companions.begin(), companions.end());
+  check_held(draft.out, types, diagnostics);
+  check_current(draft.out.scene, root);
+  check_ground(draft, water.says_tow(), diagnostics);
+  if (!draft.out.scene.bed.is_there) check_bed(draft, diagnostics);
+  check_beds(draft.out, diagnostics);
+  check_crossings(draft.out, diagnostics);
 }
 
 }  // namespace netloft::scenes

@@ -6,11 +6,11 @@
 #include "io/gears/plan/read_plan.hpp"
 #include "io/scenes/reading/analysis.hpp"
 #include "io/scenes/reading/catalogue_parts.hpp"
+#include "io/scenes/reading/gear_parts.hpp"
 #include "io/scenes/reading/hold_reader.hpp"
 #include "io/scenes/reading/join_reader.hpp"
 #include "io/scenes/reading/part_reader.hpp"
 #include "io/scenes/reading/read_bodies.hpp"
-#include "io/scenes/reading/read_winches.hpp"
 #include "io/scenes/reading/result_reader.hpp"
 #include "io/scenes/reading/rider_reader.hpp"
 #include "io/scenes/reading/scene_checks.hpp"
@@ -25,82 +25,81 @@ namespace {
 /// Reads one scene; members are steps in the order they happen.
 class SceneReader {
  public:
-  /// `plan`: of a gear that stands in the scene; null without.
+  /// `plan`: null for a scene without a net plan.
   SceneReader(const formats::Value& root, const gears::NetPlan* plan, gears::Divisions& divisions,
-              const std::filesystem::path& file, Registry& registry, formats::Diagnostics& diagnostics,
+              const std::filesystem::path& folder, Registry& registry, formats::Diagnostics& diagnostics,
               bool& refused)
-      : reading_(root, plan, divisions, file, registry, diagnostics, refused),
+      : registry_(registry),
         diagnostics_(diagnostics),
-        out_(reading_.out()),
-        gear_(reading_.gear) {}
+        refused_(refused),
+        root_(root, diagnostics),
+        elements_(registry, refused),
+        draft_(diagnostics),
+        meshes_(folder, diagnostics),
+        gear_(plan ? std::make_unique<GearParts>(*plan, root_, elements_, draft_, divisions)
+                   : std::make_unique<GearSteps>()) {
+    root_.has("catalogue");  // it was read with the parts that name its parts
+  }
 
   LoadedScene read() {
-    if (gear_ && !gear_->is_divided()) return std::move(out_);
+    if (!gear_->is_divided()) return std::move(out_);
     water_.read();
-    read_parts();
+    gear_->read_parts(parts_);
     joins_.read();
-    add_bodies(reading_.draft, diagnostics_);
+    add_bodies(draft_, diagnostics_);
     read_riders();
     read_holds();
     place_points(out_.scene);
     read_analysis_and_results();
-    reading_.root.finish();
-    out_.files = reading_.meshes.files();
+    root_.finish();
+    out_.files = meshes_.files();
     if (diagnostics_.errors() > 0) return std::move(out_);
-    check_scene(reading_, water_);
+    check_scene(root_, draft_, riders_.companions(), water_);
     holds_.report_one_sided();
     return std::move(out_);
   }
 
  private:
-  void read_parts() {
-    if (gear_) {
-      parts_.read_bodies_of_plan();
-      gear_->add_parts();
-    }
-    parts_.read_parts();
-    if (!gear_) parts_.read_bodies();
-  }
-
   void read_riders() {
-    if (gear_) gear_->add_pieces();
+    gear_->add_pieces();
     for (auto& [name, table] : parts_.riders()) riders_.read(name, table);
-    if (gear_) riders_.read_contacts();
+    riders_.read_contacts();
     riders_.add_companions();
   }
 
   void read_holds() {
-    if (gear_) {
-      gear_->hold_middle();
-      gear_->hold_blocks();
-    }
+    gear_->add_holds();
     holds_.read();
-    if (gear_) gear_->follow_holds();
+    gear_->follow_holds();
   }
 
   void read_analysis_and_results() {
-    out_.analysis = read_analysis(reading_.root.table("analysis", formats::Presence::optional),
-                                  reading_.registry, reading_.refused);
+    out_.analysis = read_analysis(root_.table("analysis", formats::Presence::optional), registry_, refused_);
     water_.take_model();
     if (out_.analysis.kind == AnalysisKind::statics && diagnostics_.errors() == 0) {
       holds_.check_guides();
       water_.check_waves();
     }
-    ResultReader(reading_).read();
+    ResultReader(root_, draft_).read();
     if (diagnostics_.errors() == 0) water_.lay_bottom();
-    if (reading_.plan) ready_winches(*reading_.plan, reading_.registry, out_, diagnostics_);
-    if (gear_ && out_.gear && out_.gear->times == 2) check_symmetry(reading_, water_);
+    gear_->complete_winches(registry_);
+    if (out_.gear && out_.gear->times == 2) check_symmetry(root_, draft_, water_);
   }
 
-  SceneReading reading_;
+  Registry& registry_;
   formats::Diagnostics& diagnostics_;
-  LoadedScene& out_;  // of the draft
-  std::optional<GearParts>& gear_;
-  WaterReader water_{reading_};
-  PartReader parts_{reading_};
-  JoinReader joins_{reading_};
-  RiderReader riders_{reading_};
-  HoldReader holds_{reading_};
+  bool& refused_;
+  formats::TableReader root_;
+  ElementChoice elements_;
+  Draft draft_;
+  LoadedScene& out_ = draft_.out;
+  MeshParts meshes_;
+  std::unique_ptr<GearSteps> gear_;
+  WaterReader water_{root_, draft_, *gear_};
+  PartReader parts_{root_, elements_, draft_, meshes_, *gear_};
+  JoinReader joins_{root_, draft_, meshes_, *gear_};
+  RiderReader riders_{root_, elements_, draft_, *gear_};
+  HoldReader holds_{root_, draft_, *gear_};
 };
 
 /// What a net plan is read from. The catalogue is never changed.
@@ -151,9 +150,10 @@ class SceneSource::Memory {
     std::shared_ptr<const PlanRead> plan;
     if (gears::holds_plan(root)) plan = read_plan({std::move(plan_tables), catalogue.load()}, diagnostics);
     if (plan && diagnostics.errors()) return {};  // nothing in a scene can be judged without its gear
-    LoadedScene loaded =
-        SceneReader(root, plan ? &plan->plan : nullptr, divisions_, file_, registry, diagnostics, refused)
-            .read();
+    LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, divisions_, file_.parent_path(),
+                                     registry, diagnostics, refused)
+                             .read();
+    loaded.scene.name = file_.stem().string();
     loaded.strengths.merge(strengths);
     if (auto& start = loaded.analysis.dynamics.start_file; !start.empty())
       start = file_.parent_path() / start;

@@ -38,14 +38,15 @@ void WaterReader::check_waves() {
 /// A ship tows the gear of a net plan.
 void WaterReader::read_ship() {
   if (!root_.has("ship")) return;
-  if (!plan_)
+  const gears::Ship* ship = gear_.ship();
+  if (!ship)
     return root_.error("ship", "tows a gear from a net plan, and there is none",
                        "[tow] speed and a [[hold]] tow other gears");
   if (says_tow_)
-    diagnostics_.error(plan_->ship->speed_place, "ship.speed stands beside [tow], and either tows the gear",
+    diagnostics_.error(ship->speed_place, "ship.speed stands beside [tow], and either tows the gear",
                        "leave out one of them");
   says_tow_ = true;
-  out_.scene.ground = {plan_->ship->speed, 0, 0};
+  out_.scene.ground = {ship->speed, 0, 0};
   out_.scene.current.tow = out_.scene.ground;
 }
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/scenes/reading/bottom.hpp"
+#include "io/scenes/reading/gear_steps.hpp"
 #include "io/scenes/reading/keys.hpp"
-#include "io/scenes/reading/scene_reading.hpp"
 #include "io/scenes/reading/tauti.hpp"
 
 namespace netloft::scenes {
 
 /// Reads what a gear is towed through and over: `[water]`, `[tow]`, `[bed]`, and the speed of the `[ship]`.
-class WaterReader : ReadingStep {
+class WaterReader {
  public:
-  explicit WaterReader(SceneReading& reading) : ReadingStep(reading) {}
+  WaterReader(formats::TableReader& root, Draft& draft, const GearSteps& gear)
+      : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out), gear_(gear) {}
 
   void read();
   /// Waves act on what moves; a static result would be one of still water.
@@ -27,6 +28,11 @@ class WaterReader : ReadingStep {
   void read_ship();
   void take_water(const WaterKeys& keys, formats::TableReader& water);
 
+  formats::TableReader& root_;
+  formats::Diagnostics& diagnostics_;
+  const Draft& draft_;
+  LoadedScene& out_;  // of the draft
+  const GearSteps& gear_;
   bool says_tow_ = false;
   SeaBottom bottom_;
   std::optional<TautiModel> tauti_;
