@@ -12,8 +12,8 @@ namespace {
 // Cells are counted by int: no mesh can be halved more often.
 constexpr unsigned kMostLevels = 32;
 
-/// What is free to move starts where the finer mesh does; what is held, where it is held.
-/// False: the two are no divisions of the same parts, so that nothing leads from one to the other.
+/// Lets free nodes start on the finer mesh. Held nodes stay where they are held. False if the two scenes are
+/// no divisions of the same parts.
 bool start_like(const scenes::LoadedScene& finer, scenes::LoadedScene& coarse) {
   const auto positions = carried_over(finer, finer.scene.positions, coarse);
   if (!positions) return false;
@@ -44,7 +44,7 @@ const scenes::LoadedScene* Meshes::loaded(unsigned level) {
   return coarser_[level - 1].get();
 }
 
-/// Where parts do not fit with half of all cells, parts with odd numbers stay as they are.
+/// If parts do not fit with half of all cells, parts with odd numbers keep theirs.
 std::unique_ptr<scenes::LoadedScene> Meshes::read_coarser(const scenes::LoadedScene& finer) {
   for (const Halved which : {Halved::all, Halved::even_only})
     if (auto coarse = read_halved(finer, halved_cells(finer, which))) return coarse;

@@ -21,7 +21,7 @@ formats::TableReader own_table(formats::TableReader& analysis, const std::string
   return at.component.empty() ? plugin : plugin.table(at.component, formats::Presence::optional);
 }
 
-/// What the scene says of a solver, an integrator or a strategy; read once.
+/// The parameters of a solver, an integrator or a strategy in the scene; read once.
 template <class Type>
 const Values& parameters_of(const Type& component, formats::TableReader& analysis, Analysis& a) {
   const auto [given, is_new] = a.given.try_emplace(component.type);
@@ -53,7 +53,7 @@ void pass_over_time(formats::TableReader& table) {
                   "kind = \"dynamic\" for a motion, kind = \"static\" to keep it for another day");
 }
 
-/// What speaks of time. True: no solver of an equilibrium is wanted.
+/// Reads the keys of motions. True if the analysis needs no solver of equilibria.
 bool read_time(formats::TableReader& table, Registry& registry, Analysis& a) {
   const bool moves = a.kind == AnalysisKind::dynamics;
   a.settles = !moves && is_integrator(registry, a.solver);
@@ -162,7 +162,7 @@ void check_named_by(const StrategyType& strategy, const Values& values, formats:
   }
 }
 
-/// Of every strategy that something is said of: which of them another one calls is seen when it is solved.
+/// Checks the names of all strategies with a table. Which of them another strategy calls is known only later.
 void check_names(formats::TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
   for (const auto& [type, values] : a.given)
     for (const auto& strategy : registry.plugin(table_of_component(type).plugin).strategies)

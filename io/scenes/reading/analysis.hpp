@@ -6,7 +6,7 @@
 
 namespace netloft::scenes {
 
-/// Where a solver, an integrator or a strategy has its table in `[analysis]`: `newton` and `newton/newton` in
+/// The table of a solver, an integrator or a strategy in `[analysis]`: `newton` and `newton/newton` in
 /// `newton`, `tension/stages` in `tension.stages`.
 struct ComponentTable {
   std::string plugin, component;  // the latter empty where the plugin's name is enough

@@ -6,9 +6,8 @@
 
 namespace netloft::scenes {
 
-/// What the bed of a scene is made of, `[bed] bottom`: rows of x, y and factors of what the elements that
-/// rest on it say of it. It is handed to every element type with a grid named `bottom`, which says by its
-/// columns which of the factors it takes.
+/// The ground of the bed of a scene, `[bed] bottom`: rows of x, y and factors on parameters of the elements
+/// that rest on it. Every element type with a grid named `bottom` receives the factors that its columns name.
 class SeaBottom {
  public:
   SeaBottom() = default;

@@ -13,7 +13,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Where a scene names a part of the catalogue.
+/// A part of the catalogue that a scene names.
 struct NamedPart {
   std::string name;  // of the part of the scene
   formats::Table* part;
@@ -52,7 +52,7 @@ void insert_numbers(std::set<std::string>& known, const std::vector<netloft_para
     if (std::string_view(p.name).starts_with(prefix)) known.insert(p.name + prefix.size());
 }
 
-/// What elements of a part's plugin know under `key`: those that ride on it read the same table.
+/// The numbers that elements of a part's plugin take under `key`. Its riders read the same table.
 std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry) {
   std::set<std::string> known;
   const formats::Member* type = mention.part->find("type");
@@ -66,7 +66,7 @@ std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry
   return known;
 }
 
-/// Of a part that was not found, some other of its kind stands in, so that the rest is read as usual.
+/// A part of the same kind in place of one that was not found, so that the rest can be read.
 const gears::CataloguePart* stand_in(const gears::Catalogue& catalogue, const std::string& key) {
   for (const auto& part : catalogue.parts())
     if (part.kind->key == key) return &part;
@@ -91,7 +91,7 @@ void put(const NamedPart& mention, const gears::Catalogue& catalogue, Registry& 
 
 constexpr const char *kPolar = "polar", *kSlip = "sideslip";
 
-/// Where a board names its polar: `board = { polar = "cambered-low-aspect" }`.
+/// A polar that a board names: `board = { polar = "cambered-low-aspect" }`.
 struct NamedPolar {
   formats::Table* board;
   std::string path;
@@ -120,7 +120,7 @@ std::optional<formats::Value> columns_of(const gears::CataloguePart& polar,
   return has_values ? std::optional<formats::Value>{{place, std::move(table)}} : std::nullopt;
 }
 
-/// What a polar knows takes the place of its name.
+/// Replaces the name of a polar by its columns.
 void put_polar(const NamedPolar& named, const gears::Catalogue& catalogue,
                formats::Diagnostics& diagnostics) {
   formats::Member* said = named.board->find(kPolar);

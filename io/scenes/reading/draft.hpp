@@ -13,7 +13,7 @@ namespace netloft::scenes {
 /// Keeps the first of each.
 void drop_repeats(std::vector<std::uint32_t>& nodes);
 
-/// Where a name was written, for errors about it.
+/// A name and its place, for errors.
 struct Mention {
   std::string name;
   formats::Place place;
@@ -50,8 +50,8 @@ class Draft {
   /// "*.middle" as the names of this edge or point of all parts that have it; other names as they are. If
   /// nothing has it, it is said where it was mentioned.
   std::vector<Mention> expand(const Mention& m);
-  /// What a pair of a plan is called in the whole gear, "starboard-door.toe" and "port-door.toe", where
-  /// "door.toe" is mentioned; other names as they are. So a part stands on it in the half and in the whole.
+  /// The names of a pair of the plan in the whole gear: "starboard-door.toe" and "port-door.toe" for
+  /// "door.toe". Other names stay as they are. So a part rests on a pair in the half and in the whole.
   std::vector<Mention> both_sides(const Mention& m) const;
 
   LoadedScene out;

@@ -18,8 +18,7 @@ std::string read_name(formats::TableReader& table, const char* key, const char* 
 /// The number of nodes of an element of each type; all types are known.
 std::vector<int> nodes_per_element(std::span<const ElementType* const> types);
 
-/// What parts are made of: elements, those that come with them, and laws, out of the plugins that a scene
-/// names.
+/// The elements, companion elements and laws of parts, from the plugins that a scene names.
 class ElementChoice {
  public:
   ElementChoice(Registry& registry, bool& refused) : registry_(registry), refused_(refused) {}

@@ -45,7 +45,7 @@ void check_knots(formats::TableReader& gear) {
                  "leave one of them out");
 }
 
-/// What the half of a gear cannot have.
+/// Refuses half a gear if the plan differs between port and starboard.
 void check_halves(const gears::NetPlan& plan, formats::TableReader& table) {
   for (const auto& body : plan.bodies)
     if (body.stands != gears::Standing::pair)

@@ -10,7 +10,7 @@
 
 namespace netloft::scenes {
 
-/// What of a net plan is modelled, the whole or a half, and how finely.
+/// The modelled part of a net plan, the whole or a half, and its fineness.
 struct GearModel {
   gears::Gear gear;
   gears::Fineness fineness;
@@ -19,7 +19,7 @@ struct GearModel {
 /// Reads `[gear]`. Nothing where its keys are wrong, as the diagnostics then say.
 std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
-/// Of the names in a gear those that a plan's name stands for: itself, or in the whole both of a pair.
+/// The names in a gear for a name in its plan: the same name, or both of a pair in the whole gear.
 std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::scenes

@@ -23,7 +23,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// What the part of a plan bears, where it says so.
+/// Stores the breaking load of a part, if the plan states it.
 void keep_strength(LoadedScene& loaded, const std::string& part, const formats::Value& numbers, int twines,
                    const std::string& material) {
   const double load = breaking_load_of(numbers) * twines;
@@ -212,7 +212,7 @@ void GearParts::put_pieces(const gears::GearPieces& pieces) {
   draft_.add_rider(std::move(part), pieces.pieces->place, elements_->type_of("floats"), is_sound);
 }
 
-/// Where pieces are hung, and how much of the rope or edge every node carries.
+/// The nodes that carry pieces, and the length of rope or edge that each of them carries.
 std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
                                                std::vector<double>& carried) const {
   std::vector<std::uint32_t> nodes;
@@ -267,7 +267,7 @@ std::string GearParts::point_name(const std::string& name) const {
   return end == "end" ? rope->name + ".starboard" : name;
 }
 
-/// Of a pair, by the one to starboard.
+/// A pair counts as carried if the part to starboard is.
 bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
     if (gear_.ropes[r].rope->name == rope)
@@ -365,8 +365,8 @@ void GearParts::hold_blocks() {
   draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
 }
 
-/// Of a warp with a tension the length is found, and its winch holds the tension in a motion unless it is
-/// said how it runs. It starts at its block.
+/// Adds a setting for each warp with a tension, whose length is found, and a winch, which holds the tension
+/// in a motion unless the plan states how it runs. A warp starts at its block.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::GearRope& rope = gear_.ropes[r];

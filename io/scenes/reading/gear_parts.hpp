@@ -18,8 +18,8 @@ inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
 /// Name of the hold that is the ship.
 inline constexpr const char* kShip = "ship";
 
-/// What a net plan becomes in a scene: panels of triangles and ropes of bars, joined where the plan joins
-/// them, floats and weights on them. Members are steps of reading a scene, in the order they happen.
+/// The parts of a net plan in a scene: panels of triangles and ropes of bars, joined as in the plan, with
+/// floats and weights. Members are steps of reading a scene, in the order in which they happen.
 class GearParts : public GearSteps {
  public:
   /// `plan` has no errors. Reads `[gear]` and `[elements]`.

@@ -13,7 +13,7 @@ inline constexpr std::int64_t kMostCells = 100000;  // along one direction
 
 using Point = std::array<double, 3>;
 
-/// What parts have that stand so or so.
+/// Something that each layout of a part has.
 template <class T>
 struct ByLayout {
   T point, line, panel_in_triangles, panel_in_bars, body;

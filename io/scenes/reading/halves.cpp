@@ -11,8 +11,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Of the breadth of a gear. What is solved to the usual tolerance was up to 5e-10 beyond, what had crossed
-// 0.1.
+// Tolerance, as a fraction of the breadth of a gear. Solutions to the usual tolerance were up to 5e-10 beyond
+// the plane, crossed gears 0.1.
 constexpr double kRounding = 1e-6;
 constexpr std::size_t kMostNames = 5;
 
@@ -53,7 +53,7 @@ std::string list_names(const LoadedScene& loaded, const std::vector<Beyond>& par
   return names;
 }
 
-/// Of a whole gear, which may be towed askew: the one to starboard must be there as seen from the other.
+/// Adds crossings of pairs of a whole gear, which may be towed askew: each body is seen from the other one.
 void add_pairs(const LoadedScene& loaded, std::span<const double> positions,
                std::vector<Crossing>& crossings) {
   for (const auto& [name, parts] : loaded.gear->pairs) {

@@ -8,8 +8,8 @@
 
 namespace netloft::scenes {
 
-/// What lies on the other side of the plane of symmetry, y = 0, and may not: nothing else keeps the half that
-/// is modelled, or a body of a pair, from passing through its mirror image.
+/// A part on the wrong side of the plane of symmetry, y = 0. Nothing else keeps half a gear, or a body of a
+/// pair, from passing through its mirror image.
 struct Crossing {
   std::uint32_t part = 0;  // of Scene::parts, the one that is farthest beyond
   bool is_held = false;    // whether some of it is held there along y

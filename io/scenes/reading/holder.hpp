@@ -32,7 +32,7 @@ class Holder {
 
  private:
   using Point = std::array<double, 3>;
-  /// Where an entry has put a node, along which axes, and where it says so.
+  /// The position and the axes at which an entry holds a node, and the place of the entry.
   struct Put {
     Point point;
     std::uint8_t axes;

@@ -17,7 +17,7 @@ double breaking_load_of(const formats::Value& numbers);
 /// the plan, port and starboard in one row.
 std::vector<BillItem> bill_of(const gears::NetPlan& plan);
 
-/// Where every panel of the gear lies on the drawing of its plan.
+/// The place of every panel of the gear on the drawing of its plan.
 std::map<std::string, SheetPlace> sheet_of(const gears::NetPlan& plan, const gears::Gear& gear);
 
 }  // namespace netloft::scenes

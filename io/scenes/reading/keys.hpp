@@ -8,8 +8,8 @@
 
 namespace netloft::scenes {
 
-/// What `[analysis]` means where it names none: the solver of stages and of the steps of a motion, how an
-/// equilibrium is found, and how if only a solver is named.
+/// Defaults of `[analysis]`: the solver of stages and of the steps of a motion, the strategy, and the
+/// strategy if only a solver is named.
 inline constexpr const char *kSolver = "newton", *kStrategy = "auto", *kStrategyOfNamedSolver = "direct";
 
 /// `[analysis]`, but for the tables of solvers and strategies.
@@ -63,8 +63,8 @@ struct GearKeys {
 /// The kind of what touches the bed. It is there only where a scene has `[elements.contact]`.
 inline constexpr const char* kContact = "contact";
 
-/// What the parts of a net plan are made of, `[elements.KIND]`: which key of a part they take from the plan,
-/// and which elements they are if nothing else is said.
+/// The elements of a kind of parts of a net plan, `[elements.KIND]`: the key of a part that they take from
+/// the plan, and the default type.
 struct GearElements {
   const char *kind, *key, *type, *doc;
   std::uint32_t stencil;  // that they are divided into

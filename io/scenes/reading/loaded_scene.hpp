@@ -76,13 +76,13 @@ struct BillItem {
   double area = 0;           // of a body, projected [m2]
 };
 
-/// Where a panel lies on the drawing of its plan: the point (U, V) in meshes is at
+/// The place of a panel on the drawing of its plan: the point (U, V) in meshes is at
 /// (x + U x_across + V x_deep, y + U y_across + V y_deep), in metres of stretched netting, y aft.
 struct SheetPlace {
   double x = 0, y = 0, x_across = 0, y_across = 0, x_deep = 0, y_deep = 0;
 };
 
-/// What of a scene comes out of a net plan, for reports in the plan's names. Parts are numbered as in
+/// The parts of a scene that come from a net plan, for reports in the plan's names. Parts are numbered as in
 /// Scene::parts.
 struct GearInScene {
   int times = 1;  // 2: a half was modelled, and what is summed up counts twice
@@ -102,13 +102,13 @@ struct GearInScene {
   std::map<std::string, SheetPlace> sheet;  // by panel, as the gear names it
 };
 
-/// What a part bears, as its plan or the catalogue says.
+/// The strength of a part, from its plan or the catalogue.
 struct Strength {
   double breaking_load = 0;  // of a rope, or of the twines of a bar [N]; NaN: not known
   std::string material;      // in the catalogue; empty: written in the scene
 };
 
-/// What a rigid body of Scene::bodies is called, and how it looks.
+/// Names and looks of a rigid body of Scene::bodies.
 struct BodyInScene {
   std::uint32_t part = 0;                      // of Scene::parts, the one that made it
   double side = 1;                             // 1 to starboard, -1 to port

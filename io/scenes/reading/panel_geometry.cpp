@@ -14,7 +14,7 @@ namespace netloft::scenes {
 
 namespace {
 
-// Of one part: 3·10⁷ unknowns, three times what has been solved; a matrix may have 10⁸.
+// In one part: 3·10⁷ unknowns, three times as many as have been solved; a matrix may have 10⁸.
 constexpr std::int64_t kMostElements = 20000000;
 
 /// Rows and columns of a structured panel.
@@ -42,7 +42,7 @@ void name_edges(const Grid& g, PartGeometry& names) {
   names.sets["aft-right"] = {g.node(g.across, g.along)};
 }
 
-/// Where a panel starts: the point a share s of the way across and t of the way along.
+/// The initial surface of a panel: the point at the fractions s across and t along.
 using SurfacePoint = std::function<Point(double s, double t)>;
 
 /// The bilinear surface through the four corners.
@@ -100,7 +100,7 @@ std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   return through_corners(sketch);
 }
 
-/// What the keys of a panel say, before it is divided.
+/// A panel by its keys, before it is divided.
 struct Panel {
   double across, along, bar;  // [meshes], [m]
   Grid cells;

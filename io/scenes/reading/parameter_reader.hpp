@@ -8,7 +8,7 @@
 namespace netloft::scenes {
 
 /// Reads what a parameter table asks for out of a TOML table; a dot in a name is a table within ("twine.EA").
-/// What is absent and not required is left to its default. Errors are located and go to the diagnostics.
+/// Absent parameters that are not required keep their defaults. Errors are located and go to the diagnostics.
 Values read_parameters(std::span<const netloft_parameter> table, formats::TableReader& from);
 
 }  // namespace netloft::scenes

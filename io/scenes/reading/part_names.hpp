@@ -8,7 +8,7 @@
 
 namespace netloft::scenes {
 
-/// What is wrong with the name of a part or a result, as the end of a sentence; empty when nothing is.
+/// The fault of a name of a part or a result, as the end of a sentence; empty if there is none.
 std::string name_fault(const std::string& name);
 
 /// Own nodes of a part by the name of a set, or "node-17". False: there is none.

@@ -8,14 +8,14 @@
 
 namespace netloft::scenes {
 
-// What of a net plan touches the bed, and what its tables say about that.
+// Contact of a net plan with the bed, and the tables that describe it.
 
 /// The row of gear_elements() for it.
 const GearElements& contact_elements();
 
-/// What `[elements.NAME]` says of a part itself, not of how it touches the bed. Takes a table.
+/// The keys of `[elements.NAME]` about a part itself, without those about its contact. `said` is a table.
 formats::Value without_contact(formats::Value said);
-/// What it says of how it touches the bed alone.
+/// The keys about its contact alone.
 formats::Value only_contact(formats::Value said);
 
 /// Whether a rope lies on the bed where a gear is towed over it, by its role in the plan.

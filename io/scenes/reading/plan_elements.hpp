@@ -21,7 +21,7 @@ class PlanElements {
   PlanElements(const gears::NetPlan& plan, const gears::Gear& gear, formats::TableReader& elements,
                const ElementChoice& choice);
 
-  /// Of parts of a kind, such as "netting"; null after an error.
+  /// The element type of a kind of parts, such as "netting"; null after an error.
   const ElementType* type_of(std::string_view kind) const { return made(kind).type; }
   /// Parameters of a part of a kind: its numbers in the plan, over them what `[elements.KIND]` says of all,
   /// and over both what `[elements.NAME]` says of this one. `path` names the part in messages. False:

@@ -6,10 +6,10 @@
 
 namespace netloft::scenes {
 
-/// What a net plan says of a body beside its table.
+/// Side and initial guess of a body of a net plan, beside its table.
 struct BodyOfPlan {
   double side = 1;  // 1 to starboard, -1 to port, of which `at` is the mirror image
-  /// Where it starts if its table does not say so; the lowest of its points and of its outline is given.
+  /// Its initial position, unless its table has one, from the lowest of its points and of its outline.
   std::function<std::array<double, 3>(double lowest)> guess;
 };
 

@@ -19,7 +19,7 @@ bool rests_on_bed(const ElementType& type) {
          });
 }
 
-/// What only the riders of a part know has been handed to them.
+/// Removes parameters that only the riders of a part know; the riders have them.
 void keep_own_parameters(Part& part, const ElementType& type) {
   std::erase_if(part.parameters, [&](const auto& given) {
     return std::none_of(type.parameters.begin(), type.parameters.end(),

@@ -71,7 +71,7 @@ void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagn
   }
 }
 
-/// What lies on the bed of the scene wants one.
+/// Refuses elements that need a bed of the scene if there is none.
 void check_bed(const Draft& draft, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p)

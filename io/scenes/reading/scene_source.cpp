@@ -102,7 +102,7 @@ class SceneReader {
   HoldReader holds_{root_, draft_, *gear_};
 };
 
-/// What a net plan is read from. The catalogue is never changed.
+/// The input of a net plan. The catalogue is never changed.
 struct PlanInput {
   formats::Value tables;
   std::shared_ptr<const gears::Catalogue> catalogue;

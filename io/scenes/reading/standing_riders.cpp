@@ -103,7 +103,7 @@ class RiderMaker {
     }
   }
 
-  /// As many names as an element has nodes may be points, on which one element stands.
+  /// Whether there are as many names as an element has nodes: one element may rest on these points.
   bool is_one_of_corners() const { return names_.size() == static_cast<std::size_t>(type_.nodes()); }
 
   void stand_between_points() {

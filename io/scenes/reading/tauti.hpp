@@ -18,8 +18,7 @@ namespace netloft::scenes {
 struct TautiModel {
   double lengths = 1, twines = 1;  // λ, λ'
 
-  /// Of the viscosity at which netting of the gear's own size has the Reynolds number (3) to that of the
-  /// tank.
+  /// Ratio of the viscosity at which full-size netting has the Reynolds number (3) to that of the tank.
   double viscosity_of_netting() const;
   /// Makes the ropes and floats of a scene, whose water has the viscosity above, those of the model, in
   /// lengths of the gear.

@@ -7,7 +7,7 @@
 
 namespace netloft::scenes {
 
-/// What is wrong with the table `key` of a part.
+/// A fault in the table `key` of a part.
 struct ThicknessFault {
   const char* key;
   std::string message;

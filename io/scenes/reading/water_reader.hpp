@@ -18,7 +18,7 @@ class WaterReader {
   void check_waves();
   /// Forces of an equilibrium are similar by Tauti's rule, masses are not.
   void take_model();
-  /// What the bed is made of, under all parts that rest on it.
+  /// Gives the ground of the bed to all parts that rest on it.
   void lay_bottom();
   /// The key of the bed that tells port from starboard; null: none does.
   const char* uneven_key() const;

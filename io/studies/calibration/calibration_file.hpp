@@ -17,7 +17,7 @@ struct CalibrationScene {
   std::vector<std::string> set;  // as `--set` takes them
 };
 
-/// What is not known of the scenes, with what is known of it before.
+/// An unknown number of the scenes, with its prior.
 struct CalibrationVariable {
   Variable variable;
   Distribution distribution;
@@ -28,7 +28,7 @@ struct CalibrationVariable {
   double prior_deviation() const;
 };
 
-/// What was measured of a figure of a scene. Value and deviation are texts with units until the unit of the
+/// A measured figure of a scene. Value and deviation are texts with units until the unit of the
 /// figure is known.
 struct MeasuredFigure {
   std::size_t scene = 0;
@@ -38,7 +38,7 @@ struct MeasuredFigure {
   bool is_held_back = false;
 };
 
-/// What a calibration file says (CALIBRATION.md).
+/// A calibration file (CALIBRATION.md).
 struct CalibrationFile {
   std::string name;         // of the file, without its ending
   double confidence = 0.9;  // of intervals and bands

@@ -34,7 +34,7 @@ class CalibrationInspection {
     return means;
   }
 
-  /// What is wrong with one value is mostly wrong with the others: once is enough.
+  /// Stops at the first wrong value, because the others are mostly wrong in the same way.
   void inspect(std::size_t scene) {
     if (!open(scene, means(), true)) return;
     for (std::size_t v = 0; v < file_.variables.size(); ++v) {

@@ -25,7 +25,7 @@ class SceneModel : public Model {
   bool is_interrupted() const override { return watch_.interrupt && watch_.interrupt->load(); }
 
   int solves() const { return solves_; }
-  /// What is wrong with the last scene that had no answer: "slow: not converged; largest residual …".
+  /// The fault of the last scene without a result: "slow: not converged; largest residual …".
   const std::string& trouble() const { return trouble_; }
   /// Scenes whose equilibrium at the last prediction is not stable.
   std::vector<std::string> unstable() const;

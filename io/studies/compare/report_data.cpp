@@ -92,7 +92,7 @@ Json motion_json(const MethodResult& m) {
       {"integrator", m.method.name()}, {"trials", trials}, {"reference", path_reference_json(m.reference)}};
 }
 
-/// Of a comparison of motions.
+/// The comparison of motions as JSON.
 Json motions_json(const Comparison& c, const char* status) {
   Json methods = Json::array();
   for (const auto& m : c.methods) methods.push_back(motion_json(m));

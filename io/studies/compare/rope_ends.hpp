@@ -4,8 +4,8 @@
 
 namespace netloft::studies {
 
-/// Where netting has a free corner, the tension at the end of the rope there has no limit on finer meshes: it
-/// is singular. Such a figure has no error, but the tension a little way inside has one.
+/// At a free corner of netting the tension at the end of the rope is singular: it has no limit on finer
+/// meshes. Such a figure has no error, but the tension a little way inside has one.
 ///
 /// Whether `figure` is the tension at the end of a rope, or one made of such tensions.
 bool is_of_rope_end(const std::string& figure);

@@ -41,7 +41,7 @@ struct Trial {
   }
 };
 
-/// What is compared: a solver in the form that `--solver` takes, or a strategy or integrator behind that
+/// A method that is compared: a solver in the form of `--solver`, or a strategy or an integrator behind that
 /// word.
 struct Method {
   std::string specification;  // "newton:method=classic", "strategy auto", "integrator newmark"

@@ -14,7 +14,7 @@ namespace {
 
 using Values = std::vector<VariableValue>;
 
-// Of a step, after `halvings`: a smooth way would have 2^-5 of it, a jump all of it.
+// Fraction of a step that a jump leaves after `halvings`. A smooth path leaves 2^-5, a jump all of it.
 constexpr double kLeftOfAJump = 0.25;
 constexpr double kElsewhere = 4;  // times as far as the way so far leads
 
@@ -159,8 +159,8 @@ bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Value
   return false;
 }
 
-/// Where the last two places lead, or the last one alone. A parabola through three led the 83-112 at sea with
-/// 300 nodes worse: kinks of slack twines and of the bed are no parabolas.
+/// Extrapolates the last two places linearly, or returns the last one alone. A parabola through three led the
+/// 83-112 at sea with 300 nodes worse: kinks of slack twines and of the bed are no parabolas.
 std::vector<double> Branch::led_on(const Way& way, double at) {
   const Place& last = way.back();
   std::vector<double> x = last.solved.solution.x;

@@ -29,8 +29,8 @@ struct BranchOptions {
   // by millimetres, less is lost in rounding: on four gears 2^-16 to 2^-20 take the fewest factorisations,
   // and the 83-112 at sea two to five times as many with 2^-12 and 2^-28.
   double little = 0x1p-20;
-  // Where no two places lead on: a step that took more may have jumped, and is looked at again. Steps of the
-  // 83-112 with 600 and 1000 nodes took 1 to 4.
+  // Limit without two places to extrapolate: a step with more iterations may have jumped, and is checked.
+  // Steps of the 83-112 with 600 and 1000 nodes took 1 to 4.
   int few_iterations = 4;
   double noticed = 1e-3;  // of the gear's size: what moves less is no event, such as a twine that goes slack
 };

@@ -5,7 +5,7 @@
 
 namespace netloft::studies {
 
-/// What was found out about the scenes of a study before it is planned.
+/// Properties of the scenes of a study, found before it is planned.
 struct CheckedScenes {
   bool refused = false;                                    // a plugin is missing or was refused
   std::vector<std::pair<std::string, std::string>> files;  // path and hash of all that was read

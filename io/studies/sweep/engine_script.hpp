@@ -7,7 +7,7 @@ namespace netloft::studies {
 /// Who starts the programs that compute items.
 enum class Engine { parallel, slurm };
 
-/// What a script for an engine is made of.
+/// Options of a script for an engine.
 struct ScriptOptions {
   std::string program;               // path of netloft
   std::vector<std::string> plugins;  // folders, as --plugins takes them

@@ -40,7 +40,7 @@ double squared_distance(const Numbers& a, const Numbers& b) {
 /// Estimates one number at a place, with the error (1).
 class NumberEstimate {
  public:
-  /// Of the coordinates the first `listed` are of variables with listed values; the others are sampled.
+  /// The first `listed` coordinates belong to variables with listed values; the others are sampled.
   NumberEstimate(const std::vector<Numbers>& points, const Numbers& values, const Numbers& place,
                  std::size_t listed, const KrigingScales* scales = nullptr)
       : points_(points), place_(place), listed_(listed), kriging_(points, values, scales) {}

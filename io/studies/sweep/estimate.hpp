@@ -6,7 +6,7 @@
 
 namespace netloft::studies {
 
-/// Where figures are asked for.
+/// The place at which figures are estimated.
 struct EstimateRequest {
   /// "speed=2.7 kn", or several with commas between: every variable with listed values, and of those that are
   /// sampled all or none.
@@ -35,7 +35,7 @@ struct LeftOutRow {
   std::string status, reason;
 };
 
-/// What a table says of a place between its points.
+/// Figures at a place between the points of a table.
 struct StudyEstimate {
   std::vector<std::pair<std::string, std::string>> at;  // variables and their values
   std::size_t samples = 0;                              // over so many; 0: one place
@@ -62,7 +62,7 @@ struct StudyEstimate {
 /// which is as large as errors of e_d can make it. A sample with fewer than three points along a variable is
 /// left out.
 ///
-/// What is wrong with the request goes to `diagnostics`, and then there is no estimate: variables that are
+/// Faults of the request go to `diagnostics`, and there is no estimate then: variables that are
 /// not there or are missing, wrong units, places beyond the values of a variable or between its only two.
 /// Throws StudyError with a sentence if none of the points that would count has a stable equilibrium.
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,

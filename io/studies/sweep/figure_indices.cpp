@@ -43,7 +43,7 @@ struct Coordinate {
   }
 };
 
-/// What is known of one figure.
+/// The known values of one figure.
 struct KnownFigures {
   std::vector<Numbers> points;
   Numbers values;

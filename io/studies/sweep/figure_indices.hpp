@@ -43,7 +43,7 @@ struct StudyIndices {
 /// S_g are indices of the response without one of k groups of samples, at most ten of them, and S_l without a
 /// value l of the listed variable v that is neither its first nor its last.
 ///
-/// What is wrong with the request goes to `diagnostics`, and then there is no answer: figures and variables
+/// Faults of the request go to `diagnostics`, and there is no result then: figures and variables
 /// that are not there, variables that have to be held because they are no numbers or have only two values,
 /// lists, which vary no variable by itself. Throws StudyError with a sentence where no point counts.
 std::optional<StudyIndices> study_indices(const StudyTable& table, const IndicesRequest& request,

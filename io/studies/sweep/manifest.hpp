@@ -19,7 +19,7 @@ std::string manifest_text(const Study& study);
 /// Reads a manifest that manifest_text() wrote. Throws StudyError with the line if it is damaged.
 Study read_manifest(const std::filesystem::path& path);
 
-/// Where things are in the folder of a study.
+/// Paths of files in the folder of a study.
 std::filesystem::path manifest_path(const std::filesystem::path& folder);
 std::filesystem::path record_path(const std::filesystem::path& folder, const StudyItem& item);
 std::filesystem::path failure_path(const std::filesystem::path& folder, const StudyItem& item);

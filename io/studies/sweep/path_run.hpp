@@ -9,7 +9,7 @@
 
 namespace netloft::studies {
 
-/// Where and with what an item is solved.
+/// Folder, plugins and threads with which an item is solved.
 struct PathContext {
   std::filesystem::path folder;  // of the study
   Registry* registry = nullptr;

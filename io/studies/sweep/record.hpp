@@ -13,7 +13,7 @@ struct StudyFigure {
   double value = 0;        // NaN: there is none at this point
 };
 
-/// What came out at one point.
+/// The result at one point.
 struct PointRecord {
   std::string status;               // as in result files; "wrong input": the scene cannot be read so
   std::string reason;               // sentence
@@ -24,13 +24,13 @@ struct PointRecord {
   std::vector<StudyFigure> figures;
 };
 
-/// What depends on when and where an item was computed. It is kept apart: no table holds it.
+/// The cost of an item. It depends on time and machine, so no table of results has it.
 struct ItemCost {
   double wall_seconds = 0, cpu_seconds = 0;
   std::string host, started;
 };
 
-/// What came out of one item.
+/// The results of one item.
 struct ItemRecord {
   std::string hash, program;  // of the item; version of Netloft
   std::vector<PointRecord> points;

@@ -23,7 +23,7 @@ struct ScopePoint {
   std::string why_not = {};                                       // there are no numbers
 };
 
-/// What was found at one depth.
+/// The results at one depth.
 struct ScopeRow {
   double depth = 0;
   std::vector<ScopePoint> points;     // warps ascending; all of them, unless the user interrupted

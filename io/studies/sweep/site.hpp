@@ -16,7 +16,7 @@ bool is_same_number(double a, double b);
 /// The numbers that a variable has in a table, ascending, each once.
 std::vector<double> levels_of(const StudyTable& table, std::size_t column);
 
-/// What a place has to have: a value of every variable, or none.
+/// Whether a place must have a value of every variable.
 enum class SiteNeeds { all, nothing };
 
 /// Reads a place out of words such as "speed=2.7 kn", which may have several, with commas between. All that

@@ -21,7 +21,7 @@ struct DesignVariable {
   bool is_sampled() const { return variable.interval.has_value(); }
 };
 
-/// What a study file says (STUDY.md): which scene, what of it is varied, and how the values are combined.
+/// A study file (STUDY.md): the scene, its variables, and the combination of their values.
 struct StudyFile {
   std::string name;   // of the file, without its ending
   std::string scene;  // path of the scene, from the folder of the file

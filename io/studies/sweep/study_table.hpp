@@ -33,7 +33,7 @@ std::string study_csv(const StudyTable& table);
 /// The table as an HDF5 file (STUDY.md). Equal tables give equal bytes.
 std::string study_hdf5(const Study& study, const StudyTable& table);
 
-/// What the items cost, and where: comma-separated values, a row for every item that has a record.
+/// Costs of the items and their machines as comma-separated values, a row for every item with a record.
 std::string costs_csv(const Study& study, const std::filesystem::path& folder);
 
 }  // namespace netloft::studies

@@ -5,7 +5,7 @@
 
 namespace netloft::studies {
 
-/// What a variable may be varied by.
+/// The values that a variable may have.
 enum class VariedBy { values_or_interval, interval };
 
 /// Reads one table of variables:

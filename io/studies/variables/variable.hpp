@@ -27,7 +27,7 @@ struct Interval {
   bool contains(double number) const { return number >= low && number <= high; }
 };
 
-/// What one input of a scene, or several that go together, are varied by: listed values or an interval.
+/// The listed values or the interval of an input of a scene, or of several that go together.
 struct Variable {
   std::string name;      // in tables, plots and messages
   formats::Place place;  // of its table

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-namespace netloft::scenes::test {
+namespace netloft::scenes {
 
 /// Everything a loaded scene holds, as bytes. A struct that gets another member no longer compiles here.
 class SceneBytes {
@@ -164,4 +164,4 @@ class SceneBytes {
   std::string bytes_;
 };
 
-}  // namespace netloft::scenes::test
+}  // namespace netloft::scenes

@@ -27,7 +27,7 @@ Instance instance_of(const SceneSource& source, const Changes& changes) {
   formats::Diagnostics diagnostics;
   const LoadedScene loaded =
       source.instance(changes, netloft::test::shipped_plugins(), diagnostics, one.refused);
-  if (diagnostics.errors() == 0) one.bytes = test::SceneBytes(loaded).bytes();
+  if (diagnostics.errors() == 0) one.bytes = SceneBytes(loaded).bytes();
   one.messages = diagnostics.render(false);
   return one;
 }
