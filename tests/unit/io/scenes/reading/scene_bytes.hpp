@@ -126,9 +126,9 @@ class SceneBytes {
   }
   void put(const MarchSettings& m) {
     const auto& [duration, step, adaptive, accuracy, longest, shortest, interval, dense, budget, judged,
-                 check, pace, mass_damping] = m;
+                 check, disturb, pace, mass_damping] = m;
     put_all(duration, step, adaptive, accuracy, longest, shortest, interval, dense, budget, judged, check,
-            pace, mass_damping);
+            disturb, pace, mass_damping);
   }
   void put(const Dynamics& d) {
     const auto& [integrator, parameters, march, material, stiffness, from_equilibrium, start_file] = d;
