@@ -75,11 +75,11 @@ std::vector<GearScene> gear_scenes() {
           gear_scene("pelagic-with-doors",
                      {{"speed of the ship", "ship.speed", 3, "kn"},
                       {"position of a hold", "ship.block.height", 4, "m"}},
-                     "panels.top.mesh", 100, 6),
+                     "panels.top.mesh", 120, 6),
           gear_scene("four-panel",
                      {{"speed of the current", "water.current[0]", 1.5, "m/s"},
                       {"position of a hold", "points.door.at[2]", -30, "m"}},
-                     "panels.top.mesh", 100, 6)};
+                     "panels.top.mesh", 120, 6)};
 }
 
 Registry& plugins() {
