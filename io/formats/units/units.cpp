@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -126,9 +127,24 @@ double times(double number, double scale) {
   return divides ? number / inverse : number * scale;
 }
 
-std::optional<Unit> parse_wanted(const UnitSystem& units, std::string_view si_unit) {
-  return parse_unit(units, si_unit == "1" ? "" : si_unit).unit;
+/// A product of units in the shared system, and the name of its dimension with its article.
+struct KnownUnit {
+  ParsedUnit parsed;
+  std::string name;
+};
+
+/// Scenes read few units many times, so the last ones are kept.
+const KnownUnit& unit_of(std::string_view text) {
+  constexpr std::size_t kMostKept = 1000;
+  thread_local std::map<std::string, KnownUnit, std::less<>> kept;
+  if (const auto known = kept.find(text); known != kept.end()) return known->second;
+  if (kept.size() == kMostKept) kept.clear();
+  KnownUnit unit{parse_unit(UnitSystem::shared(), text), "a value"};
+  if (unit.parsed.unit) unit.name = describe(unit.parsed.unit->dimension).name;
+  return kept.emplace(text, std::move(unit)).first->second;
 }
+
+const KnownUnit& wanted_unit(std::string_view si_unit) { return unit_of(si_unit == "1" ? "" : si_unit); }
 
 /// Of a quantity, for whoever wrote something else.
 std::string example_of(std::string_view si_unit) {
@@ -144,7 +160,7 @@ Quantity take_apart(const UnitSystem& units, std::string_view text, const std::s
     if (std::string hint = ambiguity(word); !hint.empty())
       return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " has more than one meaning",
                     hint);
-  const auto [parsed, unknown] = parse_unit(units, written.unit);
+  const auto& [parsed, unknown] = unit_of(written.unit).parsed;
   if (!parsed && !units.trouble().empty()) return refuse(units.trouble());
   if (!parsed) return refuse_unknown(text, written.unit, unknown);
   unit = *parsed;
@@ -155,7 +171,7 @@ Quantity read_checked(const UnitSystem& units, std::string_view text, std::strin
   Written written;
   Unit unit;
   if (Quantity bad = take_apart(units, text, example_of(si_unit), written, unit); !bad.ok()) return bad;
-  const auto wanted = parse_wanted(units, si_unit);
+  const auto wanted = wanted_unit(si_unit).parsed.unit;
   if (!wanted && !units.trouble().empty()) return refuse(units.trouble());
   if (!wanted) return refuse("the wanted unit " + in_quotes(si_unit) + " is not known to UDUNITS-2");
   if (unit.dimension != wanted->dimension)
@@ -190,8 +206,7 @@ WrittenQuantity read_as_written(std::string_view text) {
 }
 
 std::string dimension_name(std::string_view unit) {
-  const auto parsed = parse_wanted(UnitSystem::shared(), unit);
-  const std::string name = parsed ? describe(parsed->dimension).name : "a value";
+  const std::string& name = wanted_unit(unit).name;
   return name == "a quantity" ? "a value" : name;
 }
 
