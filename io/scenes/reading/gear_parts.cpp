@@ -121,12 +121,14 @@ void GearParts::add_panel(const gears::GearPanel& panel, const gears::PanelMesh&
   geometry.names.sets = mesh.sets;
   geometry.names.place = plan.place;
   geometry.elements = mesh.triangles;
+  auto &us = geometry.data[datum::kU.name], &vs = geometry.data[datum::kV.name],
+       &to_aft = geometry.data[datum::kToAft.name];
   for (const auto own : mesh.triangles) {
     const auto [U, V] = mesh.meshes[own];
     const auto [u, v] = gears::twine_coordinates(plan.orientation, plan.angle, U, V);
-    geometry.data[datum::kU.name].push_back(u);
-    geometry.data[datum::kV.name].push_back(v);
-    geometry.data[datum::kToAft.name].push_back(plan.depth - V);
+    us.push_back(u);
+    vs.push_back(v);
+    to_aft.push_back(plan.depth - V);
   }
   geometry.data[datum::kBarLength.name].assign(mesh.triangles.size() / 3, plan.mesh / 2);
   formats::Value twine = plan.twine;

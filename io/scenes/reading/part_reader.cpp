@@ -154,8 +154,9 @@ void PartReader::read_extra_data(const ElementType& type, Geometry& geometry, fo
 
 std::string read_type_name(const Draft& draft, const std::string& name, formats::TableReader& table) {
   std::vector<std::string> others;
-  for (const auto& part : draft.geometries) others.push_back(part.names.name);
-  if (const auto near = nearest(name, others); near && !table.has("type")) {
+  if (!table.has("type"))
+    for (const auto& part : draft.geometries) others.push_back(part.names.name);
+  if (const auto near = nearest(name, others)) {
     table.error("type", "is missing: element type, plugin/element, such as priour/triangle",
                 "did you mean the part \"" + *near + "\"?");
     return {};
