@@ -23,7 +23,7 @@ bool remember_family(TileEvaluator& elements, std::size_t family, std::span<cons
   Memory& memory = elements.memories()[family];
   memory.begin();
   const auto evaluate = [&](std::size_t tile, netloft_tile& t, TileSums&) {
-    t.state_new = memory.next(tile);
+    elements.take_next_state(memory.next(tile));
     for (const auto& term : f.active_terms())
       if (term.traits & NETLOFT_READS_STATE)
         if (const int status = f.evaluate(term, t); status != NETLOFT_OK) return status;
@@ -40,7 +40,7 @@ std::vector<Memory> make_memories(const ElementTiles& tiles, bool ground_passes)
   for (std::size_t f = 0; f < tiles.families.size(); ++f) {
     const ElementFamily& family = *tiles.families[f];
     memories.emplace_back(tiles.group_of(f).tiling.tiles,
-                          remembers(family, ground_passes) ? family.type().element.state_width : 0);
+                          remembers(family, ground_passes) ? family.type().state_width : 0);
   }
   return memories;
 }

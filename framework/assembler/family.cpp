@@ -151,10 +151,12 @@ void ElementFamily::create(const Scene& scene) {
   in.data = data_pointers.data();
   in.message = message;
   in.message_size = sizeof message;
-  in.law_count = static_cast<std::uint32_t>(laws_.size());
-  in.laws = laws_.data();
   global_starts_.assign(parts_.size() * type_->globals.size(), 0.0);
-  in.globals = global_starts_.data();
+  CreationInputs inputs;
+  inputs.laws.count = static_cast<std::uint32_t>(laws_.size());
+  inputs.laws.laws = laws_.data();
+  inputs.globals.start = global_starts_.data();
+  inputs.hand_to(in);
   const auto make = [&] {
     const PluginCall call({type_->type.c_str(), "create", nullptr, CallFrame::Kind::element});
     return type_->element.create(&in, &self_);

@@ -97,12 +97,11 @@ netloft_tile Gatherer::make_tile(const ElementFamily& f, std::size_t tile, const
     t.current = w.current.data();
     t.current_dz = w.current_dz.data();
   }
-  if (ground_passes_ && f.reads(NETLOFT_READS_GROUND)) t.ground = ground_.data();
-  if (bed_.is_there && f.reads(NETLOFT_READS_BED)) t.bed = w.bed.data();
-  if (waves_ && f.reads(NETLOFT_READS_WAVES)) {
-    t.water_acceleration = w.water_acceleration.data();
-    t.surface = w.surface.data();
-  }
+  const bool meets_waves = waves_ && f.reads(NETLOFT_READS_WAVES);
+  w.extensions.ground.velocity = ground_passes_ && f.reads(NETLOFT_READS_GROUND) ? ground_.data() : nullptr;
+  w.extensions.ground.bed = bed_.is_there && f.reads(NETLOFT_READS_BED) ? w.bed.data() : nullptr;
+  w.extensions.waves.acceleration = meets_waves ? w.water_acceleration.data() : nullptr;
+  w.extensions.waves.surface = meets_waves ? w.surface.data() : nullptr;
   return t;
 }
 

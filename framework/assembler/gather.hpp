@@ -3,6 +3,7 @@
 #include "framework/assembler/lanes.hpp"
 #include "framework/assembler/request.hpp"
 #include "framework/assembler/riders.hpp"
+#include "framework/registry/extensions.hpp"
 
 #include <array>
 #include <limits>
@@ -19,6 +20,7 @@ struct TileInputs {
   std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
   std::vector<double> bed;                          // six numbers per node
+  ExtensionInputs extensions;                       // of the tile that a family receives
   // time of the uniform current that is filled in [s]
   double current_time = std::numeric_limits<double>::quiet_NaN();
 };
@@ -37,7 +39,8 @@ class Gatherer {
   /// Gathers what some family of a group reads.
   void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,
               TileInputs& inputs) const;
-  /// A gathered tile as one family of its group receives it, without state and message.
+  /// A gathered tile as one family of its group receives it, without memory and message. Data of extensions
+  /// are filled in and not handed to the tile yet.
   netloft_tile make_tile(const ElementFamily& family, std::size_t tile, const Kinematics& motion,
                          TileInputs& inputs) const;
   bool ground_passes() const { return ground_passes_; }

@@ -94,12 +94,11 @@ int LawWatch::pass_on(const void* watch, const netloft_law_tile* flow) {
 }
 
 void LawWatch::note(const netloft_law_tile& f) {
-  const bool is_told = f.size >= offsetof(netloft_law_tile, extent) + sizeof f.extent && f.extent;
   for (auto& use : use_.ranges)
     for (std::size_t lane = 0; lane < f.count; ++lane) {
       const double value = flow_quantity(law_.law.kind, use.range->quantity, f, lane);
       const bool is_inside = use.range->lo <= value && value <= use.range->hi;
-      (is_inside ? use.inside : use.outside) += is_told ? f.extent[lane] : 1;
+      (is_inside ? use.inside : use.outside) += f.extent ? f.extent[lane] : 1;
       use.least = std::min(use.least, value);
       use.most = std::max(use.most, value);
     }

@@ -12,9 +12,8 @@ namespace netloft {
 MeanForces::MeanForces(const ElementTiles& tiles, bool are_used)
     : tiles_(tiles), are_used_(are_used), step_(make_step_tile()) {
   for (std::size_t f = 0; f < tiles.families.size(); ++f) {
-    const netloft_element& element = tiles.families[f]->type().element;
     rates_.emplace_back(tiles.group_of(f).tiling.tiles,
-                        are_used && element.members ? element.member_count : 0);
+                        are_used ? tiles.families[f]->type().members.count : 0);
   }
 }
 

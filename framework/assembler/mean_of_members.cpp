@@ -109,10 +109,10 @@ void add_slope(std::size_t p, std::size_t q, std::size_t dofs, std::size_t lane,
 /// Reads the members of a tile at a time [s]. Returns false if the element fails.
 bool read_members(const ElementFamily& f, std::size_t tile, std::size_t count, double time,
                   std::vector<netloft_member>& members) {
-  const netloft_element& element = f.type().element;
-  members.resize(kTileLanes * element.member_count);
-  return element.members(f.self(), time, static_cast<std::uint32_t>(tile * kTileLanes),
-                         static_cast<std::uint32_t>(count), members.data()) == NETLOFT_OK;
+  const netloft_element_members& declared = f.type().members;
+  members.resize(kTileLanes * declared.count);
+  return declared.write(f.self(), time, static_cast<std::uint32_t>(tile * kTileLanes),
+                        static_cast<std::uint32_t>(count), members.data()) == NETLOFT_OK;
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ int add_mean_of_members(const TileOfStep& of, const double* stretch_rates) {
   const ElementFamily& f = of.family;
   const netloft_tile& t = of.tile;
   StepTile& step = of.step;
-  const std::size_t tile = t.first / kTileLanes, count = f.type().element.member_count;
+  const std::size_t tile = t.first / kTileLanes, count = f.type().members.count;
   const double half = 0.5 * of.request.between->length;
   if (!read_members(f, tile, t.count, t.time - half, step.members_before) ||
       !read_members(f, tile, t.count, t.time, step.members) ||
@@ -154,7 +154,7 @@ int add_mean_of_members(const TileOfStep& of, const double* stretch_rates) {
 
 bool remember_stretch_rates(const ElementFamily& f, std::size_t tile, const StepEnds& ends, double memory,
                             double time, StepTile& step, double* stretch_rates) {
-  const std::size_t count = f.type().element.member_count;
+  const std::size_t count = f.type().members.count;
   const std::size_t lanes = std::min(kTileLanes, f.size() - tile * kTileLanes);
   if (!read_members(f, tile, lanes, time - ends.length, step.members_before) ||
       !read_members(f, tile, lanes, time, step.members_after))

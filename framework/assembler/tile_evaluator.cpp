@@ -97,8 +97,12 @@ bool TileEvaluator::call_families(const FamilyGroup& group, std::size_t tile, bo
 
 netloft_tile TileEvaluator::make_tile(std::size_t family, std::size_t tile, const Kinematics& motion,
                                       Work& work) const {
-  netloft_tile t = gatherer_.make_tile(*tiles_.families[family], tile, motion, work.inputs);
-  t.state = memories_[family].kept(tile);
+  const ElementFamily& f = *tiles_.families[family];
+  netloft_tile t = gatherer_.make_tile(f, tile, motion, work.inputs);
+  ExtensionInputs& extensions = work.inputs.extensions;
+  extensions.memory.state = memories_[family].kept(tile);
+  extensions.memory.state_new = nullptr;
+  extensions.hand_to(t, f.type().inputs);
   work.fault.begin(t);
   return t;
 }

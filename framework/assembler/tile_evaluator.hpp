@@ -35,6 +35,9 @@ class TileEvaluator {
   bool visit(std::span<const double> x, const Kinematics& motion, std::size_t family,
              const Evaluate& evaluate, const Visit& visit);
 
+  /// Lets the terms that `visit` calls on its tile write their next state to [width][64].
+  void take_next_state(double* next) { works_[0]->inputs.extensions.memory.state_new = next; }
+
   const ElementFault& fault() const { return fault_; }
   const ElementTiles& tiles() const { return tiles_; }
   /// Threads that take part; 1 if the scene is too small to gain from more.

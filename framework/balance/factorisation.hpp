@@ -2,7 +2,7 @@
 #pragma once
 #include "framework/assembler/sparse_pattern.hpp"
 
-#include <netloft/plugin.h>
+#include <netloft/ext/solver.h>
 
 #include <cstdint>
 #include <functional>

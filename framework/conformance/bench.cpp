@@ -111,7 +111,7 @@ bool Bench::is_settled(States& s, const netloft_term& term) {
 
 States Bench::blank(std::uint32_t first, std::uint32_t count) const {
   const std::vector<double> zero(dofs() * kLanes, 0.0);
-  const std::vector<double> nothing(type.element.state_width * kLanes, 0.0);
+  const std::vector<double> nothing(type.state_width * kLanes, 0.0);
   States s{first, count, zero, zero, zero, zero, zero, nothing};
   const auto some_read = [&](std::uint32_t trait) {
     return std::any_of(type.terms.begin(), type.terms.end(),

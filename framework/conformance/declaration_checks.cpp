@@ -100,7 +100,7 @@ States with_other(const Bench& b, const States& from, std::uint32_t trait, bool 
   if (trait & NETLOFT_READS_VELOCITY) fill(to.v, dofs);
   if (trait & NETLOFT_READS_ACCELERATION) fill(to.a, dofs);
   if (trait & NETLOFT_READS_CURRENT) fill(to.current, dofs), fill(to.current_dz, dofs);
-  if (trait & NETLOFT_READS_STATE) fill(to.memory, b.type.element.state_width);
+  if (trait & NETLOFT_READS_STATE) fill(to.memory, b.type.state_width);
   if (trait & NETLOFT_READS_TIME) to.time = value(0) + 1;
   if (trait & NETLOFT_READS_GROUND) to.ground = {value(0), value(1), 0};
   if (trait & NETLOFT_READS_BED) fill(to.bed, 6 * static_cast<std::size_t>(b.type.nodes()));

@@ -61,7 +61,7 @@ void compare(Bench& b, const States& s, Worst& worst) {
   const Answer sum = answer_of_terms(b, s);
   const auto declared = b.specimen->members(s.first, s.count);
   const auto scale = b.force_scale(term, s);
-  const std::size_t count = b.type.element.member_count;
+  const std::size_t count = b.type.members.count;
   for (std::size_t lane = 0; lane < s.count; ++lane) {
     Pull members{0, std::vector<double>(b.dofs(), 0.0)};
     bool has_direction = declared.size() == count * s.count;
@@ -76,7 +76,7 @@ void compare(Bench& b, const States& s, Worst& worst) {
 
 /// Rounding of positions of 10 m in an element of 1 mm is 1e-12 of the strain, far below the limit.
 Finding members_make_their_term(Bench& b) {
-  if (b.type.element.member_count == 0) return not_applicable("the element declares no members");
+  if (b.type.members.count == 0) return not_applicable("the element declares no members");
   Worst worst(1e-6);
   for (const auto& s : b.tiles) compare(b, s, worst);
   return judged(worst, "no state");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <netloft/plugin.h>
+#include <netloft/ext/solver.h>
 
 #include <cstdint>
 #include <string>

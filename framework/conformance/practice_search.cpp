@@ -303,7 +303,7 @@ int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   own_cost_ = std::exp2(-double(level_of(stage->variant)));
   like.interrupted_after = interrupted_ ? 1 : std::max(1, static_cast<int>(budget / own_cost_));
   own_ = std::make_unique<PracticeProblem>(like);
-  hand_out(own_->interface(), *problem, kProblemBefore14);
+  hand_out(own_->interface(), *problem, kFirstProblem);
   problem->u = stage->u;
   return NETLOFT_OK;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <netloft/ext/strategy.h>
+
 #include "framework/conformance/practice.hpp"
 
 #include <map>

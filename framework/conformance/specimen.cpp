@@ -28,14 +28,14 @@ int guarded(std::string& message, Call&& call) {
 const double* pointer(const std::vector<double>& v) { return v.empty() ? nullptr : v.data(); }
 
 /// A term is given the inputs of its traits alone.
-void hide_undeclared(std::uint32_t traits, netloft_tile& t) {
+void hide_undeclared(std::uint32_t traits, netloft_tile& t, ExtensionInputs& inputs) {
   if (!(traits & NETLOFT_READS_VELOCITY)) t.v = nullptr;
   if (!(traits & NETLOFT_READS_ACCELERATION)) t.a = nullptr;
   if (!(traits & NETLOFT_READS_CURRENT)) t.current = t.current_dz = nullptr;
-  if (!(traits & NETLOFT_READS_STATE)) t.state = nullptr;
-  if (!(traits & NETLOFT_READS_GROUND)) t.ground = nullptr;
-  if (!(traits & NETLOFT_READS_BED)) t.bed = nullptr;
-  if (!(traits & NETLOFT_READS_WAVES)) t.water_acceleration = t.surface = nullptr;
+  if (!(traits & NETLOFT_READS_STATE)) inputs.memory.state = nullptr;
+  if (!(traits & NETLOFT_READS_GROUND)) inputs.ground.velocity = nullptr;
+  if (!(traits & NETLOFT_READS_BED)) inputs.ground.bed = nullptr;
+  if (!(traits & NETLOFT_READS_WAVES)) inputs.waves.acceleration = inputs.waves.surface = nullptr;
 }
 
 std::uint32_t kind_for(const netloft_law_slot& slot, std::uint32_t wanted) {
@@ -46,7 +46,7 @@ std::uint32_t kind_for(const netloft_law_slot& slot, std::uint32_t wanted) {
 }  // namespace
 
 Specimen::Specimen(const ElementType& type, const Sample& sample)
-    : type_(type), forgotten_(type.element.state_width * kLanes, 0.0) {
+    : type_(type), forgotten_(type.state_width * kLanes, 0.0) {
   for (const auto& slot : type.laws) laws_.push_back(test_law(kind_for(slot, sample.law_kind), &law_lanes_));
   std::vector<std::string> faults;
   std::vector<const void*> blocks;
@@ -71,10 +71,12 @@ Specimen::Specimen(const ElementType& type, const Sample& sample)
   in.data = data.data();
   in.message = message;
   in.message_size = kMessage;
-  in.law_count = static_cast<std::uint32_t>(laws_.size());
-  in.laws = laws_.data();
   std::vector<double> globals(blocks.size() * type.globals.size());
-  in.globals = globals.data();
+  CreationInputs inputs;
+  inputs.laws.count = static_cast<std::uint32_t>(laws_.size());
+  inputs.laws.laws = laws_.data();
+  inputs.globals.start = globals.data();
+  inputs.hand_to(in);
   const int status = guarded(thrown, [&] { return type.element.create(&in, &self_); });
   if (status == kThrew) throw Escaped("create: " + thrown);
   if (status != NETLOFT_OK) throw Refused(std::min(in.at_fault, in.count - 1), message);
@@ -90,7 +92,7 @@ std::size_t Specimen::entries(const netloft_term& term) const {
 }
 
 std::size_t Specimen::remembered(const netloft_term& term) const {
-  return term.traits & NETLOFT_READS_STATE ? type_.element.state_width : 0;
+  return term.traits & NETLOFT_READS_STATE ? type_.state_width : 0;
 }
 
 netloft_tile Specimen::tile(const States& states, Factors factors) const {
@@ -109,14 +111,19 @@ netloft_tile Specimen::tile(const States& states, Factors factors) const {
   t.v = pointer(states.v);
   t.a = pointer(states.a);
   t.x_low = pointer(states.x_low);
-  t.ground = pointer(states.ground);
   t.current = pointer(states.current);
   t.current_dz = pointer(states.current_dz);
-  t.bed = pointer(states.bed);
-  t.water_acceleration = pointer(states.swing);
-  t.surface = pointer(states.surface);
-  t.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
   return t;
+}
+
+ExtensionInputs Specimen::inputs(const States& states) const {
+  ExtensionInputs inputs;
+  inputs.ground.velocity = pointer(states.ground);
+  inputs.ground.bed = pointer(states.bed);
+  inputs.waves.acceleration = pointer(states.swing);
+  inputs.waves.surface = pointer(states.surface);
+  inputs.memory.state = states.memory.empty() ? pointer(forgotten_) : states.memory.data();
+  return inputs;
 }
 
 Answer Specimen::evaluate(const netloft_term& term, const States& states, std::uint32_t want,
@@ -146,9 +153,12 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   char message[kMessage] = "";
   netloft_tile t = tile(states, factors);
   t.want = want;
-  hide_undeclared(term.traits | states.exposed, t);
-  if (term.traits & NETLOFT_READS_GROUND && t.ground && !states.exposed) t.state = nullptr;
-  t.state_new = remembered(term) ? memory : nullptr;
+  ExtensionInputs given = inputs(states);
+  hide_undeclared(term.traits | states.exposed, t, given);
+  if (term.traits & NETLOFT_READS_GROUND && given.ground.velocity && !states.exposed)
+    given.memory.state = nullptr;
+  given.memory.state_new = remembered(term) ? memory : nullptr;
+  given.hand_to(t, type_.inputs);
   t.energy = want & NETLOFT_WANT_ENERGY ? energy : nullptr;
   t.force = want & NETLOFT_WANT_FORCE ? force : nullptr;
   t.tangent = wants_matrix(want) ? matrix : nullptr;
@@ -164,6 +174,8 @@ Answer Specimen::outputs(const States& states, std::vector<double>& values) cons
   Answer answer;
   char message[kMessage] = "";
   netloft_tile t = tile(states, {});
+  ExtensionInputs given = inputs(states);
+  given.hand_to(t, type_.inputs);
   t.message = message;
   t.message_size = kMessage;
   answer.status = guarded(answer.message, [&] { return type_.element.output(self_, &t, values.data()); });
@@ -172,10 +184,10 @@ Answer Specimen::outputs(const States& states, std::vector<double>& values) cons
 }
 
 std::vector<netloft_member> Specimen::members(std::uint32_t first, std::uint32_t count) const {
-  std::vector<netloft_member> members(std::size_t{count} * type_.element.member_count);
+  std::vector<netloft_member> members(std::size_t{count} * type_.members.count);
   std::string thrown;
   const int status =
-      guarded(thrown, [&] { return type_.element.members(self_, kTime, first, count, members.data()); });
+      guarded(thrown, [&] { return type_.members.write(self_, kTime, first, count, members.data()); });
   return status == NETLOFT_OK ? members : std::vector<netloft_member>{};
 }
 

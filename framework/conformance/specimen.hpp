@@ -99,6 +99,7 @@ class Specimen {
 
  private:
   netloft_tile tile(const States& states, Factors factors) const;
+  ExtensionInputs inputs(const States& states) const;
 
   const ElementType& type_;
   std::vector<ParameterBlock> parameters_;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace netloft::conformance {
 
@@ -32,7 +31,7 @@ void write_lane(const netloft_law_tile& f, std::size_t i, double half) {
 }
 
 void count(const void* law, const netloft_law_tile& f) {
-  if (!law || f.size < offsetof(netloft_law_tile, extent) + sizeof f.extent || !f.extent) return;
+  if (!law || !f.extent) return;
   LaneCounts& lanes = *static_cast<LaneCounts*>(const_cast<void*>(law));
   lanes.all += f.count;
   for (std::size_t i = 0; i < f.count; ++i) lanes.wrong += !(f.extent[i] > 0 && std::isfinite(f.extent[i]));

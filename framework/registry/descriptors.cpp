@@ -87,7 +87,8 @@ bool has_earlier_real(const std::vector<netloft_parameter>& rows, std::size_t be
   return false;
 }
 
-/// What is converted to a whole number must be one. That a default lies in its range is for `netloft test`.
+/// The ends of a range of whole numbers and its default must be whole. `netloft test` checks that the default
+/// lies in its range.
 void check_integer(const netloft_parameter& p, const std::string& who, Faults& faults) {
   if (!whole_number(p.lo) || !whole_number(p.hi))
     return faults.add(who + " is a whole number in " + allowed(p) +
@@ -151,7 +152,7 @@ std::string numbers_in(std::uint32_t width, const std::string& unit) {
   return std::to_string(width) + (unit == "1" ? " pure " + noun : " " + noun + " in " + unit);
 }
 
-/// What the host gives under a name is of one width and unit, whatever an element makes of it.
+/// The numbers that the host gives under a name have one width and unit, which an element must not change.
 void check_data(const ElementType& e, const std::string& owner, Faults& faults) {
   check_names(e.data, owner, "datum", faults);
   for (const auto& d : e.data)
@@ -180,7 +181,7 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
     faults.require(
         !(t.traits & (NETLOFT_HAS_CONVEX | NETLOFT_HAS_METRIC)) || (t.traits & NETLOFT_SYMMETRIC),
         who + " offers a convex part or a metric, which are symmetric, and is not symmetric itself");
-    faults.require(!(t.traits & NETLOFT_READS_STATE) || e.element.state_width > 0,
+    faults.require(!(t.traits & NETLOFT_READS_STATE) || e.state_width > 0,
                    who + " reads a state, but the element remembers nothing");
     faults.require(!(t.traits & NETLOFT_IS_DRAG) || !(t.traits & NETLOFT_READS_CURRENT) ||
                        (t.traits & NETLOFT_READS_VELOCITY),
@@ -193,7 +194,7 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
   }
 }
 
-// As many as one node has coordinates, and no more nodes than the widest stencil.
+// One node has three coordinates, and the widest stencil has four nodes.
 constexpr std::size_t kMostGlobals = 3;
 constexpr int kMostDofs = 12;
 
@@ -223,14 +224,57 @@ void check_members(const ElementType& e, const std::string& owner, Faults& fault
     faults.require(t.traits & NETLOFT_CONSERVATIVE,
                    owner + ": term \"" + shown(t.name) + "\" is that of members and not conservative");
   }
-  const bool has_members = e.element.member_count > 0;
+  const bool has_members = e.members.count > 0;
   faults.require(has_members == has_term,
                  owner + (has_term ? " has a term of members but declares none"
                                    : " declares members but has no term that is their force"));
   if (!has_members) return;
-  faults.require(e.element.members != nullptr, owner + " has members but no function for them");
+  faults.require(e.members.write != nullptr, owner + " has members but no function for them");
   faults.require(bears_along_lines(e.element.stencil),
                  owner + " declares members on a stencil that is none of two or three nodes");
+}
+
+/// The struct that a plugin or an element offers for an extension; all zeros: it offers none.
+template <class Offer>
+Offer read_offer(const void* (*extension)(const char* id), const char* id, const std::string& owner,
+                 Faults& faults) {
+  const void* offer = nullptr;
+  try {
+    if (extension) offer = extension(id);
+  } catch (...) {
+    faults.add(owner + ": its function `extension` throws; no exception may leave a plugin");
+  }
+  if (!offer) return {};
+  check_size(static_cast<const Offer*>(offer));
+  return read_struct(static_cast<const Offer*>(offer));
+}
+
+void read_offers(ElementType& e, Faults& faults) {
+  const auto extension = e.element.extension;
+  const auto slots = read_offer<netloft_law_slots>(extension, NETLOFT_EXT_LAWS, e.type, faults);
+  const auto globals = read_offer<netloft_globals>(extension, NETLOFT_EXT_SHARED_UNKNOWNS, e.type, faults);
+  e.laws = read_rows(slots.rows, slots.count);
+  e.globals = read_rows(globals.rows, globals.count);
+  e.members = read_offer<netloft_element_members>(extension, NETLOFT_EXT_MEMBERS, e.type, faults);
+  e.state_width = read_offer<netloft_memory>(extension, NETLOFT_EXT_MEMORY, e.type, faults).width;
+  e.rides_on = read_offer<netloft_rider>(extension, NETLOFT_EXT_PAIRS, e.type, faults).rides_on;
+}
+
+/// Inputs of extensions that this program does not know keep their place, which stays null.
+void read_inputs(ElementType& e) {
+  for (auto id = e.element.inputs; id && *id; ++id) e.inputs.push_back(find_extension_input(*id));
+}
+
+/// A term whose trait reads an extension finds its data only if the element lists it.
+void check_inputs(const ElementType& e, const std::string& owner, Faults& faults) {
+  for (const auto& t : e.terms)
+    for (std::uint32_t trait = 1; trait != 0; trait <<= 1) {
+      const char* id = t.traits & trait ? input_of_trait(trait) : nullptr;
+      const bool is_listed = !id || std::ranges::find(e.inputs, find_extension_input(id)) != e.inputs.end();
+      if (!is_listed)
+        faults.add(owner + ": term \"" + shown(t.name) + "\" reads data of the extension \"" + id +
+                   "\", which the element does not list among its inputs");
+    }
 }
 
 ElementType read_element(const netloft_element& raw, const std::string& plugin, Faults& faults) {
@@ -248,11 +292,12 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   check_parameters(e.parameters, raw.parameter_bytes, e.type, faults);
   check_data(e, e.type, faults);
   check_names(e.outputs, e.type, "output", faults);
-  e.laws = read_rows(raw.laws, raw.law_count);
-  e.globals = read_rows(raw.globals, raw.global_count);
+  read_offers(e, faults);
+  read_inputs(e);
   check_laws(e, e.type, faults);
   check_globals(e, e.type, faults);
   check_terms(e, e.type, faults);
+  check_inputs(e, e.type, faults);
   check_members(e, e.type, faults);
   return e;
 }
@@ -348,12 +393,16 @@ void read_all(const Raw* raw, std::uint32_t count, const std::string& stem, cons
 
 void read_components(const netloft_plugin& p, const std::string& stem, PluginContent& content,
                      Faults& faults) {
+  const auto solvers = read_offer<netloft_solvers>(p.extension, NETLOFT_EXT_SOLVER, stem, faults);
+  const auto laws = read_offer<netloft_laws>(p.extension, NETLOFT_EXT_LAWS, stem, faults);
+  const auto integrators = read_offer<netloft_integrators>(p.extension, NETLOFT_EXT_INTEGRATOR, stem, faults);
+  const auto strategies = read_offer<netloft_strategies>(p.extension, NETLOFT_EXT_STRATEGY, stem, faults);
   read_all(p.elements, p.element_count, stem, "element", read_element, content.elements, faults);
-  read_all(p.solvers, p.solver_count, stem, "solver", read_solver, content.solvers, faults);
-  read_all(p.laws, p.law_count, stem, "law", read_law, content.laws, faults);
-  read_all(p.integrators, p.integrator_count, stem, "integrator", read_integrator, content.integrators,
+  read_all(solvers.rows, solvers.count, stem, "solver", read_solver, content.solvers, faults);
+  read_all(laws.rows, laws.count, stem, "law", read_law, content.laws, faults);
+  read_all(integrators.rows, integrators.count, stem, "integrator", read_integrator, content.integrators,
            faults);
-  read_all(p.strategies, p.strategy_count, stem, "strategy", read_strategy, content.strategies, faults);
+  read_all(strategies.rows, strategies.count, stem, "strategy", read_strategy, content.strategies, faults);
   faults.require(!content.elements.empty() || !content.solvers.empty() || !content.laws.empty() ||
                      !content.integrators.empty() || !content.strategies.empty(),
                  "holds no element, no solver, no law, no integrator and no strategy");
@@ -362,6 +411,13 @@ void read_components(const netloft_plugin& p, const std::string& stem, PluginCon
 }  // namespace
 
 namespace {
+
+void check_required(const netloft_plugin& p, const std::string& file) {
+  for (auto id = p.required; id && *id; ++id)
+    if (!has_extension(*id))
+      throw PluginRefused(file + ": needs the extension \"" + *id +
+                          "\" of the plugin interface, which this program does not have; update the program");
+}
 
 constexpr const char* kCure = "; build the plugin again, or look for what wrote over its tables";
 
@@ -381,6 +437,7 @@ PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file,
     throw PluginRefused(file + ": the plugin could not describe itself (netloft_plugin_v1 returned null)");
   const netloft_plugin p = read_head(plugin, file);
   check_version(p, file);
+  check_required(p, file);
 
   Faults faults(file);
   faults.require(shown(p.name) == stem, "calls itself \"" + shown(p.name) + "\"; the file " + stem +

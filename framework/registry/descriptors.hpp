@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <netloft/plugin.h>
+#include <netloft/ext/bodies.h>
+#include <netloft/ext/integrator.h>
+#include <netloft/ext/laws.h>
+#include <netloft/ext/members.h>
+#include <netloft/ext/pairs.h>
+#include <netloft/ext/shared_unknowns.h>
+#include <netloft/ext/strategy.h>
+
+#include "framework/registry/extensions.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -15,7 +23,7 @@ struct PluginRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where a component came from: kept in results.
+/// The origin of a component, which results keep.
 struct PluginOrigin {
   std::string name, version, doc, compiler;
   std::string file;         // empty when compiled into the program
@@ -62,6 +70,10 @@ struct ElementType {
   std::vector<netloft_output> outputs;
   std::vector<netloft_law_slot> laws;
   std::vector<netloft_global> globals;
+  netloft_element_members members{};   // all zeros: it has none
+  std::uint32_t state_width = 0;       // numbers that each element remembers
+  const char* rides_on = nullptr;      // an element of the same plugin; null: users choose this one
+  std::vector<ExtensionInput> inputs;  // in the order of its list
   const PluginOrigin* origin = nullptr;
 
   /// Nodes of the scene; a tile has one more for the rotation of a body, and one if the parts share numbers.
@@ -113,7 +125,7 @@ struct PluginContent {
   std::vector<SolverType> solvers;
   std::vector<LawType> laws;
   std::vector<IntegratorType> integrators;
-  std::vector<StrategyType> strategies;  // none in a plugin built for minor version 0 of the interface
+  std::vector<StrategyType> strategies;
 };
 
 /// Reads and checks what a plugin says of itself. `stem` is the name its file promises.

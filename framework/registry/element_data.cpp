@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-/// What an element has per corner, a pair has per node; what it has once, twice.
+/// A pair has a number per node where its elements have one per corner, and two where they have one.
 constexpr HostDatum of_pair(HostDatum datum, std::uint32_t corners, std::uint32_t nodes) {
   datum.width = datum.width == corners ? nodes : 2 * datum.width;
   return datum;

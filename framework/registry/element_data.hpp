@@ -36,7 +36,7 @@ inline constexpr HostDatum kArm{
 
 }  // namespace datum
 
-/// What elements on a stencil may declare.
+/// The data that elements on a stencil may declare.
 std::span<const HostDatum> data_on(std::uint32_t stencil);
 /// Null: the host gives nothing of this name there, and the table of a part has to.
 const HostDatum* find_datum_on(std::uint32_t stencil, std::string_view name);

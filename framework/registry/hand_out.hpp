@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <netloft/plugin.h>
+#include <netloft/ext/strategy.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -10,10 +10,9 @@
 
 namespace netloft {
 
-/// Copies a struct of the boundary to where a plugin has made room for it, which may have been built against
-/// an older interface, whose struct is shorter. How much room there is the plugin says in `size`, which then
-/// says how much is filled. Interfaces before 1.4 did not ask for that: whatever stands there, room for
-/// `least` there is.
+/// Copies a struct of the boundary to where a plugin has made room for it. The plugin may have been built
+/// with an older header, whose struct is shorter: its `size` says how much room there is, and afterwards how
+/// much is filled. Every plugin has room for `least` bytes, whatever it says.
 template <class T>
 void hand_out(const T& own, T& theirs, std::size_t least) {
   static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
@@ -22,8 +21,8 @@ void hand_out(const T& own, T& theirs, std::size_t least) {
   theirs.size = static_cast<std::uint32_t>(room);
 }
 
-/// What the structs of interfaces before 1.4 hold, up to their last function.
-inline constexpr std::size_t kProblemBefore14 = offsetof(netloft_problem, evaluate_both),
-                             kMembersBefore14 = offsetof(netloft_members, progress) + sizeof(void*);
+/// The structs as "netloft.solver/1" and "netloft.strategy/1" had them at first, up to their last function.
+inline constexpr std::size_t kFirstProblem = offsetof(netloft_problem, evaluate_both) + sizeof(void*),
+                             kFirstMembers = offsetof(netloft_members, progress) + sizeof(void*);
 
 }  // namespace netloft

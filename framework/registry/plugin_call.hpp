@@ -73,7 +73,7 @@ extern std::atomic<bool> boundary_closed;
 void wait_if_boundary_closed() noexcept;
 }  // namespace detail
 
-/// As long as it lives, this thread runs code of a plugin. Nothing is allocated.
+/// This thread runs code of a plugin as long as the object lives. Nothing is allocated.
 class PluginCall {
  public:
   PluginCall(const CallFrame& frame) noexcept : calls_(calls_of_this_thread()) { calls_.push(frame); }
@@ -88,7 +88,7 @@ class PluginCall {
   CallStack& calls_;
 };
 
-/// As long as it lives, a plugin's call has come back to the host.
+/// A plugin's call has come back to the host as long as the object lives.
 class HostCall {
  public:
   HostCall() noexcept : calls_(calls_of_this_thread()) {

@@ -21,7 +21,7 @@ std::string suggestion(const std::string& wanted, const std::vector<std::string>
   return near ? "; did you mean \"" + *near + "\"?" : "; there is: " + joined(names);
 }
 
-/// Of a plugin: what has that name, and is something else.
+/// The kind of component that has this name in a plugin, if it is another kind.
 std::string other_kind(const PluginContent& plugin, const std::string& type) {
   std::string kind;
   const auto look = [&](const auto& types, const char* what) {

@@ -38,7 +38,7 @@ constexpr char kCameBack = 'b', kNeedsMemory = 'm',
                kIsLate = 'l';             // what a trial reports; nothing: it ended before
 constexpr int kTalk = STDERR_FILENO + 1;  // its end of the talk with the program, in the process of trials
 
-/// What a plugin has to say before it dies is not for the user.
+/// A plugin that dies prints nothing that a user should read.
 void be_quiet() {
   const int nowhere = open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
@@ -72,7 +72,7 @@ rlim_t memory_now() {
   return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Of what this process may use from now on. A limit that a user has set stays the upper one.
+/// Limits a resource of this process from now on. A lower limit that a user has set stays.
 template <class Resource>
 void limit(Resource resource, rlim_t most) {
   rlimit now{};
@@ -128,7 +128,7 @@ void read_words(const ElementType& e) {
   for (const auto& d : e.data) read_text(d.unit);
   for (const auto& o : e.outputs) read_text(o.unit);
   for (const auto& l : e.laws) read_text(l.fallback);
-  for (const char* text : {e.element.name, e.element.doc, e.element.rides_on}) read_text(text);
+  for (const char* text : {e.element.name, e.element.doc, e.rides_on}) read_text(text);
 }
 
 /// Every word that this program may ever print of a plugin.
@@ -189,7 +189,7 @@ void open_and_read(const char* file) {
   }
 }
 
-/// What the trial reports within the time it has; 0: it ended without a word.
+/// The report of a trial within its time; 0: it ended without a word.
 char read_report(int pipe) {
   using std::chrono::steady_clock, std::chrono::milliseconds;
   const auto end = steady_clock::now() + std::chrono::seconds(kSeconds);
@@ -227,7 +227,7 @@ int wait_for(pid_t child) {
 /// The process of trials and the program's end of the talk with it.
 class Trials {
  public:
-  /// What the trial of a file reports; 0: the process ended without a word, or there is none.
+  /// The report of the trial of a file; 0: the process ended without a word, or there is none.
   char of(const std::string& file);
   /// Ends the process. Returns its status.
   int end();
@@ -283,7 +283,7 @@ std::string fault_on_trial(const std::filesystem::path& file) {
     const char word = trials.of(path);
     if (word == kCameBack) return {};
     const std::string fault = fault_of(word, trials.end());
-    // Where others were opened before, one of them may be at fault: once more, alone.
+    // A file that was opened before may be at fault: this one is tried once more, alone.
     if (was_fresh || word != 0) return fault;
   }
 }

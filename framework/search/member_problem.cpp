@@ -18,15 +18,15 @@ namespace {
 
 /// Whether the type has members and the term of members is active in this scene.
 bool has_members(const ElementFamily& family) {
-  return family.type().element.member_count > 0 && family.reads(NETLOFT_OF_MEMBERS);
+  return family.type().members.count > 0 && family.reads(NETLOFT_OF_MEMBERS);
 }
 
 std::vector<netloft_member> members_of(const ElementFamily& family) {
-  const netloft_element& element = family.type().element;
-  std::vector<netloft_member> reported(family.size() * element.member_count);
+  const netloft_element_members& members = family.type().members;
+  std::vector<netloft_member> reported(family.size() * members.count);
   const auto count = static_cast<std::uint32_t>(family.size());
   const PluginCall call({family.type().type.c_str(), "members", nullptr, CallFrame::Kind::element});
-  if (element.members(family.self(), 0, 0, count, reported.data()) != NETLOFT_OK)
+  if (members.write(family.self(), 0, 0, count, reported.data()) != NETLOFT_OK)
     throw std::runtime_error(family.type().type + " could not report its members");
   return reported;
 }
@@ -74,7 +74,7 @@ void MemberProblem::list_members() {
 
 void MemberProblem::list_members(const ElementFamily& family) {
   const auto reported = members_of(family);
-  const std::size_t count = family.type().element.member_count;
+  const std::size_t count = family.type().members.count;
   for (std::size_t e = 0; e < family.size(); ++e) add_site(family, e, {&reported[e * count], count});
 }
 

@@ -74,7 +74,7 @@ std::string traits_of_search(std::uint32_t traits) {
 std::size_t count_members(const Assembler& assembler) {
   std::size_t count = 0;
   for (const auto& family : assembler.families())
-    if (family->reads(NETLOFT_OF_MEMBERS)) count += family->size() * family->type().element.member_count;
+    if (family->reads(NETLOFT_OF_MEMBERS)) count += family->size() * family->type().members.count;
   return count;
 }
 
@@ -315,7 +315,7 @@ int RunningSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   open_problem_ = std::make_unique<StaticProblem>(
       *open_variant_->assembler, host_.variant_problems().source().make,
       host_.limits_of(open_stage_, *open_variant_), host_.observer_of(open_stage_));
-  hand_out(open_problem_->interface(), *problem, kProblemBefore14);
+  hand_out(open_problem_->interface(), *problem, kFirstProblem);
   problem->u = stage->u;
   return NETLOFT_OK;
 }
@@ -329,7 +329,7 @@ int RunningSearch::members(netloft_stage* stage, netloft_members* members) {
   open_members_ = std::make_unique<MemberProblem>(
       *open_variant_->assembler, host_.variant_problems().source().make,
       host_.limits_of(open_stage_, *open_variant_), host_.options().on_iteration);
-  hand_out(open_members_->interface(), *members, kMembersBefore14);
+  hand_out(open_members_->interface(), *members, kFirstMembers);
   return NETLOFT_OK;
 }
 

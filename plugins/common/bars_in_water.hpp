@@ -213,7 +213,8 @@ inline Status add_inertia(const Lanes& p, netloft_tile& t) {
 /// The first part is the pressure of the waves on the displaced volume (Froude and Krylov), in all directions
 /// like buoyancy; the second is added mass, across the bar.
 inline Status add_waves(const Lanes& p, netloft_tile& t) {
-  if (!t.water_acceleration) return Status::ok;
+  const double* acceleration = water_acceleration_of(t);
+  if (!acceleration) return Status::ok;
   const Chords chord(t, p.l0);
   for (std::size_t i = 0; i < t.count; ++i) {
     const double half = 0.5 * p.volume[i] * t.water_density, added = half * p.added_mass[i];
@@ -221,7 +222,7 @@ inline Status add_waves(const Lanes& p, netloft_tile& t) {
     for (int node = 0; node < 2; ++node) {
       double a[3], along = 0;
       for (int axis = 0; axis < 3; ++axis) {
-        a[axis] = t.water_acceleration[at(3 * node + axis, i)];
+        a[axis] = acceleration[at(3 * node + axis, i)];
         along += s[axis] * a[axis];
       }
       for (int r = 0; r < 3; ++r) {

@@ -32,7 +32,8 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 
 /// Height of a node over the surface.
 inline double above_surface(const netloft_tile& t, int node, std::size_t i) {
-  return t.x[at(3 * node + 2, i)] - (t.surface ? t.surface[at(node, i)] : 0);
+  const double* surface = surface_of(t);
+  return t.x[at(3 * node + 2, i)] - (surface ? surface[at(node, i)] : 0);
 }
 
 /// Whether the cube of a node is under water, or the surface has no effect on it. `Lanes` has volume and

@@ -137,9 +137,10 @@ Status Inertia::tile(const Family<Triangle>& family, netloft_tile& t) {
 }
 
 Status Waves::tile(const Family<Triangle>& family, netloft_tile& t) {
-  if (!t.water_acceleration) return Status::ok;
+  const double* acceleration = water_acceleration_of(t);
+  if (!acceleration) return Status::ok;
   const Triangle::Lanes& p = family.lanes(t);
-  const Accelerated water{t.water_acceleration, -1, 0, nullptr};
+  const Accelerated water{acceleration, -1, 0, nullptr};
   accelerate(p, p.a, water, t);
   accelerate(p, p.b, water, t);
   return Status::ok;

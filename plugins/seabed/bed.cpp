@@ -17,8 +17,9 @@ Vec3<double> read(const double* field, std::size_t lane) {
 }
 
 Bed bed_under(const netloft_tile& t, std::size_t lane) {
-  if (!t.bed) return {};
-  const auto b = [&](std::size_t k) { return t.bed[at(k, lane)]; };
+  const double* bed = bed_of(t);
+  if (!bed) return {};
+  const auto b = [&](std::size_t k) { return bed[at(k, lane)]; };
   return {true, t.x[at(0, lane)], t.x[at(1, lane)], b(0), b(1), b(2), b(3), b(4), b(5)};
 }
 
@@ -33,7 +34,7 @@ MovingNodes<Slope, 1> motion_of(const netloft_tile& t, std::size_t lane) {
     v.gradient[axis] = t.cv;
   }
   m.bed[0] = bed_under(t, lane);
-  if (t.ground) m.ground = {t.ground[0], t.ground[1], t.ground[2]};
+  if (const double* ground = ground_of(t)) m.ground = {ground[0], ground[1], ground[2]};
   return m;
 }
 
@@ -46,17 +47,19 @@ void add(const Vec3<Slope>& residual, std::size_t lane, netloft_tile& t) {
 }
 
 void remember(const Vec3<double>& anchor, bool has_past, std::size_t lane, netloft_tile& t) {
-  if (!t.state_new) return;
-  for (std::size_t axis = 0; axis < 3; ++axis) t.state_new[at(axis, lane)] = anchor[static_cast<int>(axis)];
-  t.state_new[at(3, lane)] = has_past ? 1 : 0;
+  double* state_new = new_state_of(t);
+  if (!state_new) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) state_new[at(axis, lane)] = anchor[static_cast<int>(axis)];
+  state_new[at(3, lane)] = has_past ? 1 : 0;
 }
 
 /// plane.hpp (4) to (7).
 void hold(const OnBed::Parameters& p, const OnBed::Data& d, const OnBed::Whole& whole, std::size_t lane,
           netloft_tile& t) {
   const Vec3<double> x = read(t.x, lane);
-  const bool has_past = t.state && t.state[at(3, lane)] != 0;
-  const Vec3<double> anchor = has_past ? read(t.state, lane) : x;
+  const double* state = state_of(t);
+  const bool has_past = state && state[at(3, lane)] != 0;
+  const Vec3<double> anchor = has_past ? read(state, lane) : x;
   const auto grip = OnBed::grip(p, d, whole, motion_of(t, lane), anchor);
   const double way = norm(Vec3<double>{grip.d.x.value, grip.d.y.value, grip.d.z.value});
   const double rounding = Plane::kRounding * std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
@@ -108,7 +111,7 @@ Status OnBed::Friction::tile(const Family<OnBed>& family, netloft_tile& t) {
     const std::size_t element = t.first + lane;
     const Parameters& p = family.parameters(element);
     const Data& d = family.data(element);
-    if (!t.ground) {
+    if (!ground_of(t)) {
       hold(p, d, family.whole(element), lane, t);
       continue;
     }

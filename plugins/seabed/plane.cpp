@@ -94,11 +94,12 @@ struct Hold {
 
 Hold hold_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
   Hold b{};
-  const bool has_past = t.state && t.state[at(3, i)] != 0;
+  const double* state = state_of(t);
+  const bool has_past = state && state[at(3, i)] != 0;
   double w[3] = {0, 0, 0}, along = 0, square = 0;
   for (int axis = 0; axis < 3; ++axis) {
     b.n[axis] = p.n[axis][i];
-    if (has_past) w[axis] = t.x[at(axis, i)] - t.state[at(axis, i)];
+    if (has_past) w[axis] = t.x[at(axis, i)] - state[at(axis, i)];
     along += b.n[axis] * w[axis];
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -127,14 +128,14 @@ void add_tangent(const Hold& b, double cu, std::size_t i, double* tangent) {
     }
 }
 
-void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i) {  // (7)
+void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i, double* state_new) {  // (7)
   for (int axis = 0; axis < 3; ++axis) {
     const double x = t.x[at(axis, i)];
-    const double stays = b.spring > 0 && !b.slides() ? t.state[at(axis, i)] : x;
+    const double stays = b.spring > 0 && !b.slides() ? state_of(t)[at(axis, i)] : x;
     const double back = b.spring > 0 && b.slides() ? b.limit / b.spring * b.unit[axis] : 0;
-    t.state_new[at(axis, i)] = b.limit > 0 ? stays - back : x;
+    state_new[at(axis, i)] = b.limit > 0 ? stays - back : x;
   }
-  t.state_new[at(3, i)] = 1;
+  state_new[at(3, i)] = 1;
 }
 
 /// The friction of one node on a moving bed: (8), (9).
@@ -147,12 +148,13 @@ struct Drag {
 
 Drag drag_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
   Drag d{};
+  const double* g = ground_of(t);
   double along = 0, square = 0, ground = 0;
   for (int axis = 0; axis < 3; ++axis) {
     d.n[axis] = p.n[axis][i];
-    d.w[axis] = (t.v ? t.v[at(axis, i)] : 0) - t.ground[axis];
+    d.w[axis] = (t.v ? t.v[at(axis, i)] : 0) - g[axis];
     along += d.n[axis] * d.w[axis];
-    ground += t.ground[axis] * t.ground[axis];
+    ground += g[axis] * g[axis];
   }
   for (int axis = 0; axis < 3; ++axis) {
     d.w[axis] -= along * d.n[axis];
@@ -175,13 +177,14 @@ void add_tangent(const Drag& d, double cu, double cv, std::size_t i, double* tan
 }
 
 void drag_tile(const Plane::Lanes& p, netloft_tile& t) {
+  double* state_new = new_state_of(t);
   for (std::size_t i = 0; i < t.count; ++i) {
     const Drag d = drag_node(p, t, i);
     for (int axis = 0; axis < 3; ++axis) {
       if (t.force) t.force[at(axis, i)] += d.limit * d.slip.h * d.w[axis];  // (9)
-      if (t.state_new) t.state_new[at(axis, i)] = t.x[at(axis, i)];
+      if (state_new) state_new[at(axis, i)] = t.x[at(axis, i)];
     }
-    if (t.state_new) t.state_new[at(3, i)] = 0;  // no past
+    if (state_new) state_new[at(3, i)] = 0;  // no past
     if (t.tangent) add_tangent(d, t.cu, t.cv, i, t.tangent);
   }
 }
@@ -190,13 +193,14 @@ void drag_tile(const Plane::Lanes& p, netloft_tile& t) {
 
 Status Plane::Friction::tile(const Family<Plane>& family, netloft_tile& t) {
   const Lanes& p = family.lanes(t);
-  if (t.ground) return drag_tile(p, t), Status::ok;
+  if (ground_of(t)) return drag_tile(p, t), Status::ok;
+  double* state_new = new_state_of(t);
   for (std::size_t i = 0; i < t.count; ++i) {
     const Hold b = hold_node(p, t, i);
     if (t.force)
       for (int axis = 0; axis < 3; ++axis) t.force[at(axis, i)] += b.force() * b.unit[axis];  // (5), (6)
     if (t.tangent) add_tangent(b, t.cu, i, t.tangent);
-    if (t.state_new) note_anchor(b, t, i);
+    if (state_new) note_anchor(b, t, i, state_new);
   }
   return Status::ok;
 }

@@ -25,10 +25,13 @@ class Tables {
     p.abi_minor = source_.in<std::uint32_t>(0, 2);
     p.name = source_.flag() ? "fuzzed" : word(), p.version = word(), p.doc = word(), p.compiler = word();
     p.elements = rows<netloft_element>(p.element_count, &Tables::element);
-    p.solvers = rows<netloft_solver>(p.solver_count, &Tables::method<netloft_solver>);
-    p.laws = rows<netloft_law>(p.law_count, &Tables::law);
-    p.integrators = rows<netloft_integrator>(p.integrator_count, &Tables::method<netloft_integrator>);
-    p.strategies = rows<netloft_strategy>(p.strategy_count, &Tables::method<netloft_strategy>);
+    p.required = list();
+    solvers_ = list_of<netloft_solvers>(&Tables::method<netloft_solver>);
+    laws_ = list_of<netloft_laws>(&Tables::law);
+    integrators_ = list_of<netloft_integrators>(&Tables::method<netloft_integrator>);
+    strategies_ = list_of<netloft_strategies>(&Tables::method<netloft_strategy>);
+    offering_ = this;
+    p.extension = [](const char* id) { return offering_->offer(id); };
     return p;
   }
 
@@ -131,14 +134,50 @@ class Tables {
     e.data = rows<netloft_datum>(e.datum_count, &Tables::named<netloft_datum>);
     e.terms = rows<netloft_term>(e.term_count, &Tables::named<netloft_term>);
     e.outputs = rows<netloft_output>(e.output_count, &Tables::named<netloft_output>);
-    e.laws = rows<netloft_law_slot>(e.law_count, &Tables::named<netloft_law_slot>);
-    e.globals = rows<netloft_global>(e.global_count, &Tables::named<netloft_global>);
-    e.rides_on = word(), e.state_width = source_.any<std::uint32_t>();
-    e.member_count = source_.in<std::uint32_t>(0, 3);
+    slots_ = list_of<netloft_law_slots>(&Tables::named<netloft_law_slot>);
+    globals_ = list_of<netloft_globals>(&Tables::named<netloft_global>);
+    rider_ = {row_size(sizeof rider_), 0, word()};
+    memory_width_ = {row_size(sizeof memory_width_), source_.any<std::uint32_t>()};
+    members_ = {row_size(sizeof members_), source_.in<std::uint32_t>(0, 3), nullptr};
+    e.inputs = list();
+    if (source_.flag()) e.extension = [](const char* id) { return offering_->offer_of_element(id); };
     if (source_.flag()) e.create = [](netloft_create*, void**) { return 0; }, e.destroy = [](void*) {};
     if (source_.flag()) e.output = [](const void*, netloft_tile*, double*) { return 0; };
   }
 
+  /// All elements of a plugin offer the same.
+  const void* offer_of_element(std::string_view id) const {
+    if (id == NETLOFT_EXT_LAWS) return &slots_;
+    if (id == NETLOFT_EXT_SHARED_UNKNOWNS) return &globals_;
+    if (id == NETLOFT_EXT_PAIRS) return &rider_;
+    if (id == NETLOFT_EXT_MEMORY) return &memory_width_;
+    if (id == NETLOFT_EXT_MEMBERS) return &members_;
+    return nullptr;
+  }
+  const void* offer(std::string_view id) const {
+    if (id == NETLOFT_EXT_SOLVER) return &solvers_;
+    if (id == NETLOFT_EXT_LAWS) return &laws_;
+    if (id == NETLOFT_EXT_INTEGRATOR) return &integrators_;
+    if (id == NETLOFT_EXT_STRATEGY) return &strategies_;
+    return nullptr;
+  }
+  template <class List, class Row>
+  List list_of(void (Tables::*fill)(Row&)) {
+    List list{row_size(sizeof(List)), 0, nullptr};
+    list.rows = rows<Row>(list.count, fill);
+    return list;
+  }
+
+  static inline const Tables* offering_ = nullptr;
+  netloft_solvers solvers_{};
+  netloft_laws laws_{};
+  netloft_integrators integrators_{};
+  netloft_strategies strategies_{};
+  netloft_law_slots slots_{};
+  netloft_globals globals_{};
+  netloft_rider rider_{};
+  netloft_memory memory_width_{};
+  netloft_element_members members_{};
   fuzz::Choices source_;
   std::deque<std::string> words_;
   std::deque<std::vector<const char*>> lists_;

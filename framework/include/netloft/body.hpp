@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What an element that stands on a rigid body sees of it, and what it returns. Included by element.hpp.
+// Inputs and results of elements on a rigid body. Included by element.hpp.
 #pragma once
 #include <netloft/rotation.hpp>
 #include <netloft/state.hpp>
 
 namespace netloft {
 
-/// Where a body is: its origin, and its own axes as they stand in the world (columns of R). T is double or a
-/// dual number.
+/// The place of a body: its origin, and its own axes in the axes of the world (columns of R). T is double or
+/// a dual number.
 template <class T>
 struct Pose {
   Vec3<T> x;                    // origin [m]

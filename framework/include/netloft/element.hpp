@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the author of an element includes. An element is a struct that says what it stands on (`stencil`), its
+// The header for authors of elements. An element is a struct with the nodes that it connects (`stencil`), its
 // `Parameters` (set by users, one per part of a gear), its `Data` (one per element) and its terms. A term is
 // a struct with one of four functions, from the quickest to write to the fastest to run:
 //
@@ -30,7 +30,10 @@
 //
 // The term that is the force of the members, no more and no less, has the trait `of_members`.
 #pragma once
+#include <netloft/ext/pairs.h>
+#include <netloft/ext/shared_unknowns.h>
 #include <netloft/element_calls.hpp>
+#include <netloft/offers.hpp>
 #include <netloft/parameters.hpp>
 
 #include <memory>
@@ -66,7 +69,7 @@ enum Trait : std::uint32_t {
   needs_waves = NETLOFT_NEEDS_WAVES,
 };
 
-/// What an output means to reports that compare parts of different types.
+/// The meaning of an output to reports that compare parts of different types.
 enum class OutputRole : std::uint32_t {
   plain = NETLOFT_OUTPUT_PLAIN,
   tension = NETLOFT_OUTPUT_TENSION,  // in a rope or in one twine [N], negative in compression
@@ -86,7 +89,12 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   using Start = double (*)(const Parameters&, const typename Family<E>::Whole&);
   static_assert(std::is_trivially_copyable_v<Data>, "Data must be plain numbers");
 
-  ElementTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
+  ElementTable(const char* name, const char* doc) : name_(name), doc_(doc) {
+    if constexpr (detail::is_on_body<E>)
+      required_.push_back(NETLOFT_EXT_BODIES);
+    else if constexpr (E::stencil > 0xff)
+      required_.push_back(NETLOFT_EXT_PAIRS);
+  }
 
   /// A number of every element; the unit is part of the promise.
   void data(const char* name, double Data::*member, const char* unit, const char* doc) {
@@ -111,9 +119,10 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     t.name = name;
     t.doc = doc;
     t.needs = needs;
-    t.evaluate = &detail::evaluate_term<E, T, (traits & NETLOFT_SYMMETRIC) != 0>;
+    t.evaluate = &detail::evaluate_term<E, T, traits>;
     terms_.push_back(t);
     if constexpr ((traits & NETLOFT_OF_MEMBERS) != 0) declare_members();
+    list_inputs(traits);
   }
 
   /// A number reported per element, in physical sign.
@@ -138,11 +147,14 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     l.name = name;
     l.doc = doc;
     l.fallback = fallback;
-    laws_.push_back(l);
+    require(NETLOFT_EXT_LAWS, &detail::take_laws<E>);
+    offers_.template rows<netloft_law_slots>(NETLOFT_EXT_LAWS).push_back(l);
   }
   /// This element is made wherever another one of the plugin is used, on pairs of it: bending on a rope's
   /// bars.
-  void rides_on(const char* element) { rides_on_ = element; }
+  void rides_on(const char* element) {
+    offers_.template one<netloft_rider>(NETLOFT_EXT_PAIRS).rides_on = element;
+  }
   /// A number that all elements of a part share: an unknown where the parameter `needs` differs from zero (or
   /// always, if there is none), else it stands where it starts. They are x, y, z of State::x's last node.
   void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
@@ -152,11 +164,18 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     g.unit = unit;
     g.doc = doc;
     g.needs = needs;
-    globals_.push_back(g);
+    require(NETLOFT_EXT_SHARED_UNKNOWNS, &place_globals);
+    offers_.template rows<netloft_globals>(NETLOFT_EXT_SHARED_UNKNOWNS).push_back(g);
     starts_.push_back(start);
   }
   /// Numbers that each element remembers from one accepted step to the next.
-  void remembers(std::uint32_t width) { state_width_ = width; }
+  void remembers(std::uint32_t width) {
+    require(NETLOFT_EXT_MEMORY, nullptr);
+    offers_.template one<netloft_memory>(NETLOFT_EXT_MEMORY).width = width;
+  }
+
+  /// Identifiers of extensions without which it must not run.
+  const std::vector<const char*>& required() const { return required_; }
 
   netloft_element descriptor() const {
     detail::OwnParameters<E>::declare(this->rows());
@@ -174,17 +193,11 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     e.terms = terms_.data();
     e.output_count = static_cast<std::uint32_t>(outputs_.size());
     e.outputs = outputs_.data();
-    e.laws = laws_.data();
-    e.law_count = static_cast<std::uint32_t>(laws_.size());
-    e.rides_on = rides_on_;
-    e.state_width = state_width_;
-    e.globals = globals_.data();
-    e.global_count = static_cast<std::uint32_t>(globals_.size());
     e.create = &create;
     e.destroy = &destroy;
     e.output = &evaluate_outputs;
-    e.member_count = member_count_;
-    e.members = members_;
+    if (lists_inputs_) e.inputs = inputs_.data();
+    e.extension = &offer_of;
     return e;
   }
 
@@ -206,9 +219,29 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     static_assert(detail::HasMembers<E>,
                   "A term of members needs a static function of the element, `std::array<Member, N> "
                   "members(const Parameters&, const Data&, double time)`.");
-    member_count_ = detail::count_members<E>();
-    members_ = &detail::write_members<E>;
+    auto& members = offers_.template one<netloft_element_members>(NETLOFT_EXT_MEMBERS);
+    members.count = detail::count_members<E>();
+    members.write = &detail::write_members<E>;
   }
+  /// Asks for the data of extensions that a term with these traits reads.
+  void list_inputs(std::uint32_t traits) {
+    if (traits & (NETLOFT_READS_GROUND | NETLOFT_READS_BED))
+      list_input(detail::kGroundPlace, NETLOFT_EXT_GROUND);
+    if (traits & NETLOFT_READS_WAVES) list_input(detail::kWavesPlace, NETLOFT_EXT_WAVES);
+    if (traits & NETLOFT_READS_STATE) list_input(detail::kMemoryPlace, NETLOFT_EXT_MEMORY);
+  }
+  void list_input(std::size_t place, const char* id) {
+    inputs_[place] = id;
+    lists_inputs_ = true;
+  }
+  /// `take` reads at creation what the host gives for the extension; null: nothing.
+  void require(const char* id, void (*take)(Family<E>&, netloft_create&)) {
+    for (const char* known : required_)
+      if (std::strcmp(known, id) == 0) return;
+    required_.push_back(id);
+    if (take) takers_.push_back(take);
+  }
+  static const void* offer_of(const char* id) noexcept { return offers_.find(id); }
   void add_output(const char* name, const char* unit, const char* doc, OutputFunction function,
                   OutputRole role) {
     netloft_output o{};
@@ -234,18 +267,16 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     return detail::guarded(in->message, in->message_size, [&] {
       auto family = std::make_unique<Family<E>>();
       detail::fill_family(*family, *in, offsets_, data_);
-      place_globals(*family, *in);
+      for (const auto& take : takers_) take(*family, *in);
       *self = family.release();
       return NETLOFT_OK;
     });
   }
-  static void place_globals(const Family<E>& f, netloft_create& in) {
-    if (starts_.empty()) return;
-    if (in.size < sizeof in || !in.globals)
-      throw std::runtime_error("this program is older than the element and does not know shared numbers");
-    for (std::size_t p = 0; p < in.part_count; ++p)
+  static void place_globals(Family<E>& f, netloft_create& in) {
+    const auto* to = detail::given<netloft_global_starts>(in, NETLOFT_EXT_SHARED_UNKNOWNS);
+    for (std::size_t p = 0; to && p < in.part_count; ++p)
       for (std::size_t k = 0; k < starts_.size(); ++k)
-        in.globals[p * starts_.size() + k] = starts_[k](f.parameters_[p], f.wholes_[p]);
+        to->start[p * starts_.size() + k] = starts_[k](f.parameters_[p], f.wholes_[p]);
   }
   static void destroy(void* self) { delete static_cast<Family<E>*>(self); }
   static int evaluate_outputs(const void* self, netloft_tile* t, double* values) {
@@ -267,18 +298,20 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     });
   }
 
-  const char *name_, *doc_, *rides_on_ = nullptr;
-  std::uint32_t state_width_ = 0, member_count_ = 0;
-  int (*members_)(const void*, double, std::uint32_t, std::uint32_t, netloft_member*) = nullptr;
-  std::vector<netloft_law_slot> laws_;
+  const char *name_, *doc_;
+  std::vector<const char*> required_;
+  bool lists_inputs_ = false;
+  // A place whose term there is none gets no data: nobody knows the identifier "".
+  std::array<const char*, detail::kInputPlaces + 1> inputs_{"", "", "", nullptr};
   std::vector<netloft_term> terms_;
   std::vector<netloft_output> outputs_;
-  std::vector<netloft_global> globals_;
   // One table per element type, described once, before any family is made.
   static inline std::vector<netloft_datum> data_;
   static inline std::vector<std::size_t> offsets_;
   static inline std::vector<OutputFunction> functions_;
   static inline std::vector<Start> starts_;
+  static inline std::vector<void (*)(Family<E>&, netloft_create&)> takers_;
+  static inline detail::Offers offers_;
 };
 
 }  // namespace netloft

@@ -3,6 +3,8 @@
 // From the functions of an element to what the host calls. Included by element.hpp; nothing here is for
 // authors.
 #pragma once
+#include <netloft/ext/bodies.h>
+#include <netloft/ext/convex.h>
 #include <netloft/body.hpp>
 #include <netloft/dual.hpp>
 #include <netloft/parameters.hpp>
@@ -33,14 +35,14 @@ inline constexpr int nodes_of = (E::stencil & 0xff) + is_on_body<E> + (count_glo
 template <class E>
 inline constexpr int dofs_of = 3 * nodes_of<E>;
 
-/// What an energy, a differentiated force and an output are handed.
+/// The arguments of an energy, of a differentiated force and of an output.
 template <class E, class T>
 using PlacesOf = std::conditional_t<is_on_body<E>, Pose<T>, Points<T, nodes_of<E>>>;
 template <class E, class T>
 using MotionOf = std::conditional_t<is_on_body<E>, Body<T>, MovingNodes<T, nodes_of<E>>>;
 template <class E>
 using ViewOf = std::conditional_t<is_on_body<E>, Body<double>, State<nodes_of<E>>>;
-/// What a differentiated force returns.
+/// The result of a differentiated force.
 template <class E, class T>
 using PushOf = std::conditional_t<is_on_body<E>, Wrench<T>, Points<T, nodes_of<E>>>;
 
@@ -117,8 +119,9 @@ void gather(const double* from, std::size_t lane, Points<double, Nodes>& to) {
 
 /// The bed below a node.
 inline Bed bed_below(const netloft_tile& t, std::size_t node, std::size_t lane) {
-  if (!t.bed) return {};
-  const auto at = [&](std::size_t k) { return t.bed[(6 * node + k) * kLanes + lane]; };
+  const double* bed = bed_of(t);
+  if (!bed) return {};
+  const auto at = [&](std::size_t k) { return bed[(6 * node + k) * kLanes + lane]; };
   return {true,
           t.x[3 * node * kLanes + lane],
           t.x[(3 * node + 1) * kLanes + lane],
@@ -138,7 +141,29 @@ std::array<Bed, Nodes> beds_below(const netloft_tile& t, std::size_t of_stencil,
   return beds;
 }
 
-template <int Nodes>
+/// Velocity of the ground; zero where it is at rest.
+inline Vec3<double> passing_ground(const netloft_tile& t) {
+  const double* g = ground_of(t);
+  return g ? Vec3<double>{g[0], g[1], g[2]} : Vec3<double>{};
+}
+
+/// All traits, for outputs, which see what any term of the element reads.
+inline constexpr std::uint32_t kEveryTrait = ~std::uint32_t{0};
+
+/// Reads the data of extensions for a term with these traits.
+template <std::uint32_t Traits, int Nodes>
+void gather_inputs(const netloft_tile& t, std::size_t lane, std::size_t of_stencil, State<Nodes>& s) {
+  if constexpr (Traits & NETLOFT_READS_WAVES) {
+    gather<Nodes>(water_acceleration_of(t), lane, s.water_acceleration);
+    if (const double* surface = surface_of(t))
+      for (std::size_t n = 0; n < s.surface.size(); ++n) s.surface[n] = surface[n * kLanes + lane];
+  }
+  if constexpr (Traits & NETLOFT_READS_GROUND) s.ground = passing_ground(t);
+  if constexpr (Traits & NETLOFT_READS_BED)
+    s.bed = beds_below<static_cast<std::size_t>(Nodes)>(t, of_stencil, lane);
+}
+
+template <int Nodes, std::uint32_t Traits = kEveryTrait>
 State<Nodes> gather(const netloft_tile& t, std::size_t lane, std::size_t of_stencil = 0) {
   State<Nodes> s;
   gather<Nodes>(t.x, lane, s.x);
@@ -147,10 +172,7 @@ State<Nodes> gather(const netloft_tile& t, std::size_t lane, std::size_t of_sten
   gather<Nodes>(t.a, lane, s.a);
   gather<Nodes>(t.current, lane, s.current);
   gather<Nodes>(t.current_dz, lane, s.current_dz);
-  gather<Nodes>(t.water_acceleration, lane, s.water_acceleration);
-  for (std::size_t n = 0; n < s.surface.size() && t.surface; ++n) s.surface[n] = t.surface[n * kLanes + lane];
-  if (t.ground) s.ground = {t.ground[0], t.ground[1], t.ground[2]};
-  s.bed = beds_below<static_cast<std::size_t>(Nodes)>(t, of_stencil, lane);
+  gather_inputs<Traits, Nodes>(t, lane, of_stencil, s);
   s.water = {t.water_density, t.gravity, t.water_viscosity};
   s.time = t.time;
   s.cu = t.cu;
@@ -211,7 +233,7 @@ Pose<T> pose_of(const Vec3<T>& x, const Vec3<T>& psi) {
 }
 
 /// The motion of one element; derivatives are with respect to the unknowns, by the factors of the tangent.
-template <class E, class T>
+template <class E, class T, std::uint32_t Traits>
 MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   constexpr int N = nodes_of<E>;
   const auto x = read_dual<T, N>(t.x, lane, t.cu), v = read_dual<T, N>(t.v, lane, t.cv),
@@ -225,15 +247,16 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
     m.alpha = spin_rate_of(x[1], v[1], a[1]);
     m.current = current[0];
     m.current_dz = read_dual<double, N>(t.current_dz, lane, 0)[0];
-    m.bed = bed_below(t, 0, lane);
+    if constexpr (Traits & NETLOFT_READS_BED) m.bed = bed_below(t, 0, lane);
   } else {
     m.x = x;
     m.v = v;
     m.a = a;
     m.current = current;
-    m.bed = beds_below<static_cast<std::size_t>(N)>(t, E::stencil & 0xff, lane);
+    if constexpr (Traits & NETLOFT_READS_BED)
+      m.bed = beds_below<static_cast<std::size_t>(N)>(t, E::stencil & 0xff, lane);
   }
-  if (t.ground) m.ground = {t.ground[0], t.ground[1], t.ground[2]};
+  if constexpr (Traits & NETLOFT_READS_GROUND) m.ground = passing_ground(t);
   m.water = {t.water_density, t.gravity, t.water_viscosity};
   m.time = t.time;
   return m;
@@ -255,12 +278,12 @@ Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile&
 
 /// Force and tangent of a force without an energy, by first-order forward differentiation. A force alone is
 /// the same number, for derivatives change no value.
-template <class E, class T>
+template <class E, class T, std::uint32_t Traits = kEveryTrait>
 void differentiate_force(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                          Local<nodes_of<E>>& local) {
   constexpr int dofs = dofs_of<E>;
   using D = Dual<dofs, 1>;
-  const auto motion = read_motion<E, D>(t, lane);
+  const auto motion = read_motion<E, D, Traits>(t, lane);
   const auto push = [&] {
     if constexpr (HasForceWithWhole<E, T>)
       return T::force(f.parameters(element), f.data(element), f.whole(element), motion);
@@ -296,26 +319,26 @@ void differentiate(const Family<E>& f, std::size_t element, const netloft_tile& 
   }
 }
 
-/// What an output is handed.
+/// The argument of an output.
 template <class E>
 ViewOf<E> view_of(const netloft_tile& t, std::size_t lane) {
   if constexpr (is_on_body<E>)
-    return read_motion<E, double>(t, lane);
+    return read_motion<E, double, kEveryTrait>(t, lane);
   else
-    return gather<nodes_of<E>>(t, lane, E::stencil & 0xff);
+    return gather<nodes_of<E>, kEveryTrait>(t, lane, E::stencil & 0xff);
 }
 
-template <class E, class T>
+template <class E, class T, std::uint32_t Traits>
 Status evaluate_one(const Family<E>& f, const netloft_tile& t, std::size_t lane, Local<nodes_of<E>>& local) {
   const std::size_t element = t.first + lane;
   if constexpr (HasEvaluateWithWhole<E, T>) {
     return T::evaluate(f.parameters(element), f.data(element), f.whole(element),
-                       gather<nodes_of<E>>(t, lane, E::stencil & 0xff), local);
+                       gather<nodes_of<E>, Traits>(t, lane, E::stencil & 0xff), local);
   } else if constexpr (HasEvaluate<E, T>) {
     return T::evaluate(f.parameters(element), f.data(element),
-                       gather<nodes_of<E>>(t, lane, E::stencil & 0xff), local);
+                       gather<nodes_of<E>, Traits>(t, lane, E::stencil & 0xff), local);
   } else if constexpr (HasForce<E, T>) {
-    differentiate_force<E, T>(f, element, t, lane, local);
+    differentiate_force<E, T, Traits>(f, element, t, lane, local);
     return Status::ok;
   } else {
     differentiate<E, T>(f, element, t, lane, local);
@@ -323,7 +346,7 @@ Status evaluate_one(const Family<E>& f, const netloft_tile& t, std::size_t lane,
   }
 }
 
-template <class E, class T, bool Symmetric>
+template <class E, class T, std::uint32_t Traits>
 int evaluate_term(const void* self, netloft_tile* t) {
   static_assert(
       HasTile<E, T> || HasEvaluate<E, T> || HasEvaluateWithWhole<E, T> || HasEnergy<E, T> || HasForce<E, T>,
@@ -340,9 +363,9 @@ int evaluate_term(const void* self, netloft_tile* t) {
       for (std::uint32_t lane = 0; lane < t->count; ++lane) {
         Local<nodes_of<E>> local;
         t->lane_at_fault = lane;
-        const Status status = evaluate_one<E, T>(family, *t, lane, local);
+        const Status status = evaluate_one<E, T, Traits>(family, *t, lane, local);
         if (status != Status::ok) return static_cast<int>(status);
-        scatter(local, Symmetric, lane, *t);
+        scatter(local, (Traits & NETLOFT_SYMMETRIC) != 0, lane, *t);
       }
       return NETLOFT_OK;
     }
@@ -362,13 +385,24 @@ int write_members(const void* self, double time, std::uint32_t first, std::uint3
   }
 }
 
+/// Data of an extension that the host gives to `create`; null: it has none.
+template <class Given>
+const Given* given(const netloft_create& in, const char* id) {
+  return in.extension ? static_cast<const Given*>(in.extension(in.host, id)) : nullptr;
+}
+
+template <class E>
+void take_laws(Family<E>& f, netloft_create& in) {
+  if (const auto* bound = given<netloft_bound_laws>(in, NETLOFT_EXT_LAWS))
+    f.laws_.assign(bound->laws, bound->laws + bound->count);
+}
+
 template <class E>
 void fill_family(Family<E>& f, netloft_create& in, const std::vector<std::size_t>& offsets,
                  const std::vector<netloft_datum>& data) {
   for (std::uint32_t p = 0; p < in.part_count; ++p)
     f.parameters_.push_back(OwnParameters<E>::from(in.parameters[p]));
   f.part_.assign(in.part, in.part + in.count);
-  if (in.laws) f.laws_.assign(in.laws, in.laws + in.law_count);
   f.wholes_.resize(in.part_count);
   f.data_.resize(in.count);
   if constexpr (requires { typename E::Lanes; }) f.lanes_.resize((in.count + kLanes - 1) / kLanes);

@@ -9,7 +9,7 @@
 // It solves F(t, u, v, a) = 0 over one step in any way: by a sum of accelerations, or by an algebraic problem
 // that the solver of the analysis solves. The host controls the length of the step and counts the work.
 #pragma once
-#include <netloft/plugin.h>
+#include <netloft/ext/integrator.h>
 #include <netloft/parameters.hpp>
 
 #include <cstdio>
@@ -87,6 +87,9 @@ int run_step(const void* parameters, netloft_motion* motion) noexcept {
 template <class I>
 class IntegratorTable : public ParameterTable<typename I::Parameters> {
  public:
+  using Offer = netloft_integrators;  // the list in which a plugin offers it
+  static constexpr const char* extension = NETLOFT_EXT_INTEGRATOR;
+
   using Parameters = typename I::Parameters;
   IntegratorTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
   void traits(std::uint32_t traits) { traits_ = traits; }

@@ -51,7 +51,8 @@ inline std::vector<double> sample_slopes(const std::vector<double>& x, const std
   return m;
 }
 
-/// Where an argument is: the interval, how far along it, and how long it is. Beyond the samples at the edge.
+/// The place of an argument: the interval, how far along it, and how long it is. Beyond the samples at the
+/// edge.
 template <class T>
 struct Interval {
   Interval(const std::vector<double>& x, const T& at) {
@@ -127,7 +128,7 @@ class Surface {
   }
 
   bool empty() const { return f_.empty(); }
-  /// What it was made of.
+  /// The table that it was made of.
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& y() const { return y_; }
   const std::vector<double>& values() const { return f_; }

@@ -96,7 +96,7 @@ int evaluate_law(const void* parameters, const netloft_law_tile* flow) noexcept 
 
 }  // namespace detail
 
-/// What a law may be valid over a range of only.
+/// Quantities of which a law may cover a range only.
 enum class Quantity : std::uint32_t {
   reynolds = NETLOFT_REYNOLDS,                      // ‖W‖ D/ν
   reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // of the flow across a twine
@@ -116,6 +116,9 @@ struct Condition {
 template <class L>
 class LawTable : public ParameterTable<typename L::Parameters> {
  public:
+  using Offer = netloft_laws;  // the list in which a plugin offers it
+  static constexpr const char* extension = NETLOFT_EXT_LAWS;
+
   LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
 
   /// The law was measured where lo ≤ quantity ≤ hi. It has to answer outside, too; reports then say for how

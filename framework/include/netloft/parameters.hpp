@@ -154,7 +154,7 @@ class OwnParameters {
     declared_ = std::move(declared);
     is_known_ = true;
   }
-  /// What no table has described is taken as it is: the caller is the author.
+  /// Parameters that no table has described are taken as they are: the caller is the author.
   static Parameters from(const void* host) {
     if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <netloft/plugin.h>
+#include <netloft/offers.hpp>
 
 #include <memory>
 #include <vector>
@@ -45,7 +46,9 @@ class Plugin {
     return add<LawTable<L>>(name, doc);
   }
 
-  const netloft_plugin* finish(const char* name, const char* version, const char* doc) {
+  /// `extension` must return what `offer` does.
+  const netloft_plugin* finish(const char* name, const char* version, const char* doc,
+                               const void* (*extension)(const char* id)) {
     for (const auto& table : pending_) table->describe(*this);
     plugin_.size = sizeof plugin_;
     plugin_.abi_major = NETLOFT_ABI_MAJOR;
@@ -57,16 +60,11 @@ class Plugin {
     plugin_.compiler = __VERSION__;
     plugin_.elements = elements_.data();
     plugin_.element_count = static_cast<std::uint32_t>(elements_.size());
-    plugin_.solvers = solvers_.data();
-    plugin_.solver_count = static_cast<std::uint32_t>(solvers_.size());
-    plugin_.laws = laws_.data();
-    plugin_.law_count = static_cast<std::uint32_t>(laws_.size());
-    plugin_.integrators = integrators_.data();
-    plugin_.integrator_count = static_cast<std::uint32_t>(integrators_.size());
-    plugin_.strategies = strategies_.data();
-    plugin_.strategy_count = static_cast<std::uint32_t>(strategies_.size());
+    plugin_.required = required_.empty() ? nullptr : required_.data();
+    plugin_.extension = extension;
     return &plugin_;
   }
+  const void* offer(const char* id) const { return offers_.find(id); }
 
  private:
   template <class Table>
@@ -85,31 +83,44 @@ class Plugin {
   template <class Table>
   struct Holder : Pending {
     Holder(const char* name, const char* doc) : table(name, doc) {}
-    void describe(Plugin& plugin) const override { plugin.take(table.descriptor()); }
+    void describe(Plugin& plugin) const override {
+      if constexpr (requires { typename Table::Offer; }) {
+        plugin.offers_.rows<typename Table::Offer>(Table::extension).push_back(table.descriptor());
+      } else {
+        plugin.elements_.push_back(table.descriptor());
+        for (const char* id : table.required()) detail::add_identifier(plugin.required_, id);
+      }
+    }
     Table table;
   };
-  void take(const netloft_element& e) { elements_.push_back(e); }
-  void take(const netloft_solver& s) { solvers_.push_back(s); }
-  void take(const netloft_law& l) { laws_.push_back(l); }
-  void take(const netloft_integrator& i) { integrators_.push_back(i); }
-  void take(const netloft_strategy& s) { strategies_.push_back(s); }
 
   std::vector<std::unique_ptr<Pending>> pending_;
   std::vector<netloft_element> elements_;
-  std::vector<netloft_solver> solvers_;
-  std::vector<netloft_law> laws_;
-  std::vector<netloft_integrator> integrators_;
-  std::vector<netloft_strategy> strategies_;
+  std::vector<const char*> required_;
+  detail::Offers offers_;
   netloft_plugin plugin_{};
 };
 
 namespace detail {
+/// The plugin that a function describes.
+template <void (*Describe)(Plugin&)>
+Plugin& plugin_of() {
+  static Plugin plugin;
+  return plugin;
+}
+
+template <void (*Describe)(Plugin&)>
+const void* offer_of(const char* id) noexcept {
+  return plugin_of<Describe>().offer(id);
+}
+
 /// Describes the plugin at the first call; null if the description fails.
 template <void (*Describe)(Plugin&)>
 const netloft_plugin* describe_once(const char* name, const char* version, const char* doc) noexcept {
   try {
-    static Plugin plugin;
-    static const netloft_plugin* described = (Describe(plugin), plugin.finish(name, version, doc));
+    Plugin& plugin = plugin_of<Describe>();
+    static const netloft_plugin* described =
+        (Describe(plugin), plugin.finish(name, version, doc, &offer_of<Describe>));
     return described;
   } catch (...) {
     return nullptr;

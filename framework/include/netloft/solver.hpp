@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the author of a solver includes. A solver is a struct with `Parameters` and one function,
+// The header for authors of solvers. A solver is a struct with `Parameters` and one function,
 //
 //   static Outcome solve(const Parameters&, Problem&);
 //
@@ -8,7 +8,7 @@
 // says whether to go on; u is the same as before where no step was accepted. The host counts, times and
 // judges; a solver has nothing to say about convergence.
 #pragma once
-#include <netloft/plugin.h>
+#include <netloft/ext/solver.h>
 #include <netloft/parameters.hpp>
 
 #include <cstdio>
@@ -148,6 +148,9 @@ int run_solver(const void* parameters, netloft_problem* problem) noexcept {
 template <class S>
 class SolverTable : public ParameterTable<typename S::Parameters> {
  public:
+  using Offer = netloft_solvers;  // the list in which a plugin offers it
+  static constexpr const char* extension = NETLOFT_EXT_SOLVER;
+
   SolverTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
   void needs(std::uint32_t traits) { needs_ = traits; }
 

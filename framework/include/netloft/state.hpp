@@ -2,7 +2,9 @@
 //
 // The inputs and outputs of elements, for authors of elements. Included by element.hpp.
 #pragma once
-#include <netloft/plugin.h>
+#include <netloft/ext/laws.h>
+#include <netloft/ext/members.h>
+#include <netloft/inputs.hpp>
 #include <netloft/vec3.hpp>
 
 #include <cstdint>
@@ -21,7 +23,7 @@ struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What bears tension along one line in an element; see netloft_member for its fields and its force.
+/// A straight line in an element that bears tension; see netloft_member for its fields and its force.
 using Member = netloft_member;
 
 struct Water {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the author of a strategy includes. A strategy is a struct with `Parameters` and one function,
+// The header for authors of strategies. A strategy is a struct with `Parameters` and one function,
 //
 //   static void run(const Parameters&, Search&);
 //
@@ -13,7 +13,7 @@
 //
 // it also says, before anything is solved, what it would try in which order and why, a line each.
 #pragma once
-#include <netloft/plugin.h>
+#include <netloft/ext/strategy.h>
 #include <netloft/imbalance.hpp>
 #include <netloft/parameters.hpp>
 #include <netloft/scatter.hpp>
@@ -56,7 +56,7 @@ struct Variant {
 /// less than what that is off the scene.
 inline constexpr double kOnlyAStart = kMatters;
 
-/// What is asked of one stage: a variant, who solves it, how well, and what it may cost.
+/// The task of one stage: a variant, who solves it, how well, and what it may cost.
 struct Ask {
   const char* name = "";  // what it is for, in a few words, for the report
   Variant variant{};
@@ -91,7 +91,7 @@ inline Specification specification_of(const std::string& word) {
   return s;
 }
 
-/// Where a stage ended and what the host makes of it.
+/// The end of a stage and the host's judgement of it.
 struct Stage {
   Displacements u;
   Ending ending = Ending::not_converged;
@@ -138,7 +138,7 @@ class Search {
   double largest_load() const { return s_.largest_load; }  // on a node [N]
   double stiffness() const { return s_.stiffness; }        // largest axial stiffness [N]
 
-  /// Where to start from: displacements of the scene's own unknowns.
+  /// The displacements of the scene's own unknowns to start from.
   Displacements start() const {
     Displacements u(s_.unknowns, 0.0);
     if (s_.start) std::copy_n(s_.start, u.size(), u.begin());
@@ -288,6 +288,9 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
   using Word = const char* P::*;
 
  public:
+  using Offer = netloft_strategies;  // the list in which a plugin offers it
+  static constexpr const char* extension = NETLOFT_EXT_STRATEGY;
+
   StrategyTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
   void needs(std::uint32_t traits) { needs_ = traits; }
 

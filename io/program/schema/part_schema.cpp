@@ -72,7 +72,7 @@ void put_laws(Json& part, const ElementType& e) {
 /// Elements that come with those of a part bring parameters of their own.
 void put_companions(Json& part, const ElementType& e, const PluginContent& plugin) {
   for (const auto& other : plugin.elements)
-    if (other.element.rides_on && std::string_view(other.element.rides_on) == e.element.name)
+    if (other.rides_on && std::string_view(other.rides_on) == e.element.name)
       put_table(part, other.parameters);
 }
 

@@ -48,7 +48,7 @@ std::vector<const ElementType*> ElementChoice::companions_of(const ElementType& 
   std::vector<const ElementType*> riders;
   const std::string own = type.element.name;
   for (const auto& e : registry_.plugin(type.origin->name).elements)
-    if (e.element.rides_on && own == e.element.rides_on) riders.push_back(&e);
+    if (e.rides_on && own == e.rides_on) riders.push_back(&e);
   return riders;
 }
 

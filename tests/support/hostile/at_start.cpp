@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A plugin that does harm as soon as it is opened or described; CMakeLists.txt builds one for every HARM.
-#include <netloft/plugin.h>
+#include <netloft/ext/laws.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -46,6 +46,9 @@ extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   static netloft_plugin plugin{};
   plugin.size = sizeof plugin, plugin.abi_major = NETLOFT_ABI_MAJOR, plugin.abi_minor = NETLOFT_ABI_MINOR;
   plugin.name = TEXT_OF(HARM), plugin.version = "1", plugin.doc = "harm", plugin.compiler = "";
-  plugin.laws = &law, plugin.law_count = 1;
+  static const netloft_laws list{sizeof list, 1, &law};
+  plugin.extension = [](const char* id) -> const void* {
+    return std::strcmp(id, NETLOFT_EXT_LAWS) == 0 ? &list : nullptr;
+  };
   return &plugin;
 }

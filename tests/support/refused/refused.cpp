@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A plugin in plain C, whole when FLAW is FLAW_NONE; CMakeLists.txt builds one module for every flaw.
-#include <netloft/plugin.h>
+#include <netloft/ext/ground.h>
+#include <netloft/ext/laws.h>
+#include <netloft/ext/members.h>
+#include <netloft/ext/strategy.h>
 
 #include <cmath>
 #include <cstddef>
@@ -47,7 +50,9 @@ enum Flaw {
   FLAW_no_run,
   FLAW_strategy_outside,
   FLAW_wild_table,
-  FLAW_empty_validity
+  FLAW_empty_validity,
+  FLAW_needs_extension,
+  FLAW_unlisted_input
 };
 
 #define JOIN(a, b) a##b
@@ -143,6 +148,7 @@ const netloft_term* terms() {
   two.needs = has(FLAW_needs_unknown) ? "strength" : "stiffness";
   if (has(FLAW_drag_at_rest)) one.traits = NETLOFT_IS_DRAG | NETLOFT_READS_CURRENT;
   if (has(FLAW_no_members)) one.traits = NETLOFT_OF_MEMBERS | NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC;
+  if (has(FLAW_unlisted_input)) one.traits = NETLOFT_READS_BED;
   static const Array<netloft_term, 2, step_of(sizeof one, sizeof one)> rows({one, two});
   return rows.data();
 }
@@ -196,6 +202,25 @@ const netloft_strategy* strategies() {
   return rows.data();
 }
 
+/// A list {size, count, rows} as a plugin offers it.
+template <class List, class Row>
+const void* offer(const Row* rows, std::uint32_t count) {
+  static const List list{sizeof list, count, rows};
+  return &list;
+}
+
+const void* extension(const char* id) {
+  if (std::strcmp(id, NETLOFT_EXT_LAWS) == 0) return offer<netloft_laws>(laws(), 1);
+  if (std::strcmp(id, NETLOFT_EXT_STRATEGY) == 0) return offer<netloft_strategies>(strategies(), 2);
+  return nullptr;
+}
+
+const char* const* required() {
+  static const char* const ids[] = {NETLOFT_EXT_LAWS, has(FLAW_needs_extension) ? "netloft.ice/1" : nullptr,
+                                    nullptr};
+  return ids;
+}
+
 netloft_plugin plugin() {
   netloft_plugin p{};
   p.abi_major = NETLOFT_ABI_MAJOR + (has(FLAW_other_major) ? 1 : 0);
@@ -206,15 +231,14 @@ netloft_plugin plugin() {
   p.version = "1", p.doc = "a plugin", p.compiler = "";
   p.elements = elements(), p.element_count = 2;
   if (has(FLAW_wild_table)) p.elements = reinterpret_cast<const netloft_element*>(std::uintptr_t{0x1230});
-  p.laws = laws(), p.law_count = 1;
-  p.strategies = strategies(), p.strategy_count = 2;  // minor version 0 ends before them
+  p.required = required(), p.extension = extension;  // an older header ends before it
   return p;
 }
 
 const netloft_plugin* describe() {
   if (has(FLAW_throws)) throw 1;
   if (has(FLAW_null)) return nullptr;
-  static const Array<netloft_plugin, 1, step_of(sizeof(netloft_plugin), offsetof(netloft_plugin, strategies))>
+  static const Array<netloft_plugin, 1, step_of(sizeof(netloft_plugin), offsetof(netloft_plugin, extension))>
       row({plugin()});
   return row.data();
 }

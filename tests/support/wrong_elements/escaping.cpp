@@ -2,9 +2,10 @@
 //
 // A plugin written without the author layer: nobody catches its exceptions, and its parameters are what the
 // host left there.
-#include <netloft/plugin.h>
+#include <netloft/ext/laws.h>
 
 #include <cstddef>
+#include <cstring>
 #include <stdexcept>
 
 namespace {
@@ -112,6 +113,9 @@ extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   plugin.name = "escaping", plugin.version = "1", plugin.doc = "throws", plugin.compiler = "";
   plugin.elements = elements, plugin.element_count = 2;
   static const netloft_law laws[] = {law(), law_with_number()};
-  plugin.laws = laws, plugin.law_count = 2;
+  static const netloft_laws list{sizeof list, 2, laws};
+  plugin.extension = [](const char* id) -> const void* {
+    return std::strcmp(id, NETLOFT_EXT_LAWS) == 0 ? &list : nullptr;
+  };
   return &plugin;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // An integrator that goes round the author's layer and lets an exception out.
-#include <netloft/plugin.h>
+#include <netloft/ext/integrator.h>
 
+#include <cstring>
 #include <stdexcept>
 
 namespace {
@@ -20,6 +21,9 @@ extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   integrator.step = step, integrator.order = order, integrator.stable_step = stable_step;
   plugin.size = sizeof plugin, plugin.abi_major = NETLOFT_ABI_MAJOR, plugin.abi_minor = NETLOFT_ABI_MINOR;
   plugin.name = "escaping_integrators", plugin.version = "1", plugin.doc = "", plugin.compiler = "";
-  plugin.integrators = &integrator, plugin.integrator_count = 1;
+  static const netloft_integrators list{sizeof list, 1, &integrator};
+  plugin.extension = [](const char* id) -> const void* {
+    return std::strcmp(id, NETLOFT_EXT_INTEGRATOR) == 0 ? &list : nullptr;
+  };
   return &plugin;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A solver that goes round the author's layer and lets an exception out.
-#include <netloft/plugin.h>
+#include <netloft/ext/solver.h>
 
+#include <cstring>
 #include <stdexcept>
 
 namespace {
@@ -18,6 +19,9 @@ extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   solver.solve = solve;
   plugin.size = sizeof plugin, plugin.abi_major = NETLOFT_ABI_MAJOR, plugin.abi_minor = NETLOFT_ABI_MINOR;
   plugin.name = "escaping_solvers", plugin.version = "1", plugin.doc = "", plugin.compiler = "";
-  plugin.solvers = &solver, plugin.solver_count = 1;
+  static const netloft_solvers list{sizeof list, 1, &solver};
+  plugin.extension = [](const char* id) -> const void* {
+    return std::strcmp(id, NETLOFT_EXT_SOLVER) == 0 ? &list : nullptr;
+  };
   return &plugin;
 }

@@ -2,7 +2,7 @@
 //
 // Strategies that go round the author's layer: one stage of the scene as it is written, with a flaw that the
 // layer would not let pass. The sentence of each names the check that must find it.
-#include <netloft/plugin.h>
+#include <netloft/ext/strategy.h>
 
 #include <algorithm>
 #include <cstring>
@@ -57,6 +57,9 @@ extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   static netloft_plugin plugin{};
   plugin.size = sizeof plugin, plugin.abi_major = NETLOFT_ABI_MAJOR, plugin.abi_minor = NETLOFT_ABI_MINOR;
   plugin.name = "escaping_strategies", plugin.version = "1", plugin.doc = "", plugin.compiler = "";
-  plugin.strategies = strategies, plugin.strategy_count = 4;
+  static const netloft_strategies list{sizeof list, 4, strategies};
+  plugin.extension = [](const char* id) -> const void* {
+    return std::strcmp(id, NETLOFT_EXT_STRATEGY) == 0 ? &list : nullptr;
+  };
   return &plugin;
 }

@@ -126,8 +126,10 @@ struct Leash {
         t.lane_at_fault = static_cast<std::uint32_t>(i);
         if (t.x[i] > 1000) return Status::outside_domain;
         const double k = family.parameters(t.first + i).k;
-        if (t.force) t.force[i] += t.ground ? -k * t.ground[0] : k * (t.x[i] - t.state[i]);
-        if (t.state_new) t.state_new[i] = t.x[i], t.state_new[kLanes + i] += 1;
+        const double* ground = ground_of(t);
+        double* state_new = new_state_of(t);
+        if (t.force) t.force[i] += ground ? -k * ground[0] : k * (t.x[i] - state_of(t)[i]);
+        if (state_new) state_new[i] = t.x[i], state_new[kLanes + i] += 1;
       }
       return Status::ok;
     }

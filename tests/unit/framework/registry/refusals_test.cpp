@@ -95,6 +95,10 @@ INSTANTIATE_TEST_SUITE_P(
              "empty_validity/law has a range of a quantity this program does not know (99)"},
         Case{"two_strategies", "two strategies are called \"two_strategies\"; names must be unique"},
         Case{"no_run", "no_run/no_run has no run"},
+        Case{"needs_extension", "needs the extension \"netloft.ice/1\" of the plugin interface"},
+        Case{
+            "unlisted_input",
+            "term \"one\" reads data of the extension \"netloft.ground/1\", which the element does not list"},
         Case{"strategy_outside",
              "strategy_outside/second: parameter \"rate\" lies at bytes 8 to 16, outside its struct of 8 "
              "bytes"},
@@ -185,7 +189,7 @@ TEST(Loader, ReadsTheStrategiesOfAPlugin) {
   EXPECT_STREQ(content.strategies[1].parameters[1].name, "rate");
 }
 
-TEST(Loader, FindsNoStrategiesInAPluginBuiltBeforeThereWereAny) {
+TEST(Loader, FindsNoExtensionsInAPluginWhoseTableEndsBeforeThem) {
   EXPECT_TRUE(netloft::open_library(plugin("older")).strategies.empty());
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <string_view>
 
 namespace netloft {
 namespace {
@@ -17,17 +18,33 @@ netloft_law law() {
   return l;
 }
 
-/// The message on a plugin with this one law.
-std::string refusal(const netloft_law* laws, std::uint32_t count) {
+netloft_plugin plugin() {
   netloft_plugin p{};
   p.size = sizeof p, p.abi_major = NETLOFT_ABI_MAJOR, p.abi_minor = NETLOFT_ABI_MINOR;
-  p.name = "made", p.laws = laws, p.law_count = count;
+  p.name = "made";
+  return p;
+}
+
+/// The offer of the plugin of a test. A function of C has no other way to it.
+netloft_laws offered{};
+
+std::string refusal(const netloft_plugin& p) {
   try {
     read_plugin(&p, "made.so", "made");
     return "";
   } catch (const PluginRefused& refused) {
     return refused.what();
   }
+}
+
+/// The message on a plugin with this one law.
+std::string refusal(const netloft_law* laws, std::uint32_t count) {
+  offered = {sizeof offered, count, laws};
+  netloft_plugin p = plugin();
+  p.extension = [](const char* id) -> const void* {
+    return std::string_view(id) == NETLOFT_EXT_LAWS ? &offered : nullptr;
+  };
+  return refusal(p);
 }
 
 TEST(Tables, OfOneRowAreTaken) {
@@ -65,6 +82,58 @@ TEST(Tables, HaveRowsAsLongAsTheFirst) {
   EXPECT_EQ(refusal(two, 2), "");
   two[1].size = sizeof two[1] + 8;
   EXPECT_NE(refusal(two, 2).find("rows are not equally long"), std::string::npos);
+}
+
+TEST(Extensions, ThatAPluginNeedsAndTheProgramHasNotAreNamed) {
+  const char* const required[] = {NETLOFT_EXT_LAWS, "netloft.ice/1", nullptr};
+  netloft_plugin p = plugin();
+  p.required = required;
+  EXPECT_EQ(refusal(p),
+            "made.so: needs the extension \"netloft.ice/1\" of the plugin interface, which this program does "
+            "not have; update the program");
+}
+
+TEST(Extensions, ThatThrowAreAFault) {
+  netloft_plugin p = plugin();
+  p.extension = [](const char*) -> const void* { throw 1; };
+  EXPECT_NE(refusal(p).find("made: its function `extension` throws"), std::string::npos);
+}
+
+/// An element of one term with these traits and inputs.
+std::string refusal(std::uint32_t traits, const char* const* inputs) {
+  netloft_term t{};
+  t.size = sizeof t, t.name = "term", t.doc = "a term", t.traits = traits;
+  t.evaluate = [](const void*, netloft_tile*) -> int { return NETLOFT_OK; };
+  netloft_element e{};
+  e.size = sizeof e, e.stencil = NETLOFT_NODE, e.name = "one", e.doc = "an element";
+  e.terms = &t, e.term_count = 1, e.inputs = inputs;
+  e.create = [](netloft_create*, void**) -> int { return NETLOFT_OK; };
+  e.destroy = [](void*) {};
+  netloft_plugin p = plugin();
+  p.elements = &e, p.element_count = 1;
+  return refusal(p);
+}
+
+TEST(Inputs, ThatATermReadsAreListedByItsElement) {
+  const char* const others[] = {NETLOFT_EXT_GROUND, nullptr};
+  const char* const waves[] = {"netloft.ice/1", NETLOFT_EXT_WAVES, nullptr};
+  EXPECT_NE(refusal(NETLOFT_READS_WAVES, nullptr).find("which the element does not list"), std::string::npos);
+  EXPECT_NE(refusal(NETLOFT_READS_WAVES, others).find("\"netloft.waves/1\""), std::string::npos);
+  EXPECT_EQ(refusal(NETLOFT_READS_WAVES, waves), "");
+}
+
+TEST(Inputs, KeepTheirPlacesAndAreNullWhereThereAreNone) {
+  const double acceleration[3 * NETLOFT_LANES] = {};
+  const ExtensionInput listed[] = {ExtensionInput::none, ExtensionInput::waves, ExtensionInput::ground};
+  ExtensionInputs inputs;
+  inputs.waves.acceleration = acceleration;
+  netloft_tile t{};
+  inputs.hand_to(t, listed);
+  EXPECT_EQ(t.inputs[0], nullptr) << "an identifier that this program does not know";
+  EXPECT_EQ(t.inputs[1], &inputs.waves);
+  EXPECT_EQ(t.inputs[2], nullptr) << "no bed, no ground that passes";
+  inputs.hand_to(t, {});
+  EXPECT_EQ(t.inputs, nullptr);
 }
 
 }  // namespace

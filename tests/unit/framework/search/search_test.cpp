@@ -231,19 +231,20 @@ TEST(ASearch, FillsNoMoreOfAProblemThanThereIsRoomFor) {
     netloft_problem problem;
     unsigned char behind[sizeof(netloft_problem)];
   };
+  constexpr std::size_t kLeast = offsetof(netloft_problem, evaluate_both);
   const auto filled = [](std::uint32_t said) {
     Room room;
     std::memset(&room, 0x5a, sizeof room);
     room.problem.size = said;
-    hand_out(netloft_problem{.size = sizeof(netloft_problem), .unknowns = 7}, room.problem, kProblemBefore14);
+    hand_out(netloft_problem{.size = sizeof(netloft_problem), .unknowns = 7}, room.problem, kLeast);
     const auto* bytes = reinterpret_cast<const unsigned char*>(&room);
     EXPECT_EQ(room.problem.unknowns, 7u);
     const std::size_t size = room.problem.size;
     EXPECT_TRUE(std::all_of(bytes + size, bytes + sizeof room, [](unsigned char b) { return b == 0x5a; }));
     return size;
   };
-  EXPECT_EQ(filled(0), kProblemBefore14) << "interface 1.3, which says nothing";
-  EXPECT_EQ(filled(3), kProblemBefore14) << "or leaves there what was in its memory";
+  EXPECT_EQ(filled(0), kLeast) << "a plugin that says nothing";
+  EXPECT_EQ(filled(3), kLeast) << "or leaves there what was in its memory";
   EXPECT_EQ(filled(sizeof(netloft_problem)), sizeof(netloft_problem));
   EXPECT_EQ(filled(sizeof(Room)), sizeof(netloft_problem)) << "a newer interface";
 }

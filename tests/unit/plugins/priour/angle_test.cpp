@@ -215,7 +215,7 @@ template <class Term>
 std::pair<Eigen::MatrixXd, Eigen::MatrixXd> both_matrices(const Family<Triangle>& family, TestTile<3>& tile,
                                                           std::size_t lane) {
   Eigen::MatrixXd matrix[2];
-  for (const std::uint32_t want : {NETLOFT_WANT_TANGENT, NETLOFT_WANT_CONVEX}) {
+  for (const std::uint32_t want : {std::uint32_t{NETLOFT_WANT_TANGENT}, NETLOFT_WANT_CONVEX}) {
     std::fill(std::begin(tile.tangent), std::end(tile.tangent), 0.0);
     tile.t.want = want, tile.t.tangent = tile.tangent, tile.t.energy = nullptr, tile.t.force = nullptr;
     EXPECT_EQ(Term::tile(family, tile.t), Status::ok);

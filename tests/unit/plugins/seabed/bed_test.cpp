@@ -143,7 +143,7 @@ struct AtRest {
   explicit AtRest(const OnBed::Parameters& p, const OnBed::Whole& whole = {}) {
     family.parameters_ = {p}, family.part_ = {0}, family.data_ = {{2, 0}}, family.wholes_ = {whole};
     t.size = sizeof t, t.count = 1, t.cu = 0.7, t.want = NETLOFT_WANT_FORCE | NETLOFT_WANT_TANGENT;
-    t.x = x, t.bed = bed, t.force = force, t.tangent = tangent, t.state = state, t.state_new = state_new;
+    t.x = x, t.force = force, t.tangent = tangent, t.inputs = inputs;
   }
   /// `below`: the bed under the origin.
   void evaluate(const Bed& below, const Vec3<double>& at) {
@@ -166,6 +166,9 @@ struct AtRest {
   Family<OnBed> family;
   double x[3 * kLanes] = {}, bed[6 * kLanes] = {}, force[3 * kLanes] = {}, tangent[9 * kLanes] = {};
   double state[4 * kLanes] = {}, state_new[4 * kLanes] = {};
+  netloft_ground ground{sizeof ground, 0, nullptr, bed};
+  netloft_remembered memory{sizeof memory, 0, state, state_new};
+  const void* inputs[detail::kInputPlaces] = {&ground, nullptr, &memory};
   netloft_tile t{};
 };
 
@@ -223,7 +226,7 @@ TEST(SeabedBed, HasTheDerivativeAsTangentWhileItSlides) { expect_tangent_of_fric
 TEST(SeabedBed, RemembersNothingWhereItPasses) {
   AtRest node(sticky());
   const double ground[3] = {1.5, 0, 0};
-  node.t.ground = ground, node.t.state = nullptr;
+  node.ground.velocity = ground, node.memory.state = nullptr;
   node.evaluate(hill(-40), {0, 0, -40.1});
   EXPECT_LT(node.force[0], 0) << "the residual: aft, with the ground";
   EXPECT_EQ(node.state_new[3 * kLanes], 0);

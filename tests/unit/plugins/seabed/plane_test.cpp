@@ -74,7 +74,7 @@ struct OneNode {
   OneNode() {
     p.slope_x = p.slope_y = 0, p.stiffness = 1e4, p.friction = 0.5, p.shear_stiffness = 1e4;
     t.size = sizeof t, t.count = 1, t.cu = 1;
-    t.x = x, t.force = force, t.state = state, t.state_new = state_new;
+    t.x = x, t.force = force, t.inputs = inputs;
     x[2 * kLanes] = -50 - kSoft / 2 - 0.1;
     state[3 * kLanes] = 1;
   }
@@ -88,6 +88,8 @@ struct OneNode {
   Plane::Parameters p = sloping();
   double x[3 * kLanes] = {}, force[3 * kLanes] = {}, tangent[9 * kLanes] = {};
   double state[4 * kLanes] = {}, state_new[4 * kLanes] = {};
+  netloft_remembered memory{sizeof memory, 0, state, state_new};
+  const void* inputs[detail::kInputPlaces] = {nullptr, nullptr, &memory};
   netloft_tile t{};
 };
 
@@ -141,8 +143,9 @@ TEST(SeabedFriction, HoldsALoadForEverOnceItSticks) {
 
 /// The same node on a bed that passes with (1.2, −0.5) m/s.
 struct OnPassingBed : OneNode {
-  OnPassingBed() { t.ground = ground, t.v = v; }
+  OnPassingBed() { inputs[detail::kGroundPlace] = &passing, t.v = v; }
   double ground[3] = {1.2, -0.5, 0};
+  netloft_ground passing{sizeof passing, 0, ground, nullptr};
   double v[3 * kLanes] = {};
 };
 
@@ -196,7 +199,7 @@ TEST(SeabedFriction, IsNothingWithoutAPast) {
   EXPECT_EQ(n.force[0], 0);
   EXPECT_EQ(n.state_new[0], 3);
   EXPECT_EQ(n.state_new[3 * kLanes], 1);
-  n.t.state = nullptr, n.t.state_new = nullptr;
+  n.inputs[detail::kMemoryPlace] = nullptr;
   n.evaluate();
   EXPECT_EQ(n.force[0], 0);
 }

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The ground below a gear: the bed of the scene, and how fast the ground passes a gear that is towed. An
+ * element lists the identifier in its `inputs`.
+ */
+#ifndef NETLOFT_EXT_GROUND_H
+#define NETLOFT_EXT_GROUND_H
+#include <netloft/plugin.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETLOFT_EXT_GROUND "netloft.ground/1"
+
+/* Traits of a term. */
+#define NETLOFT_READS_GROUND                                                          \
+  (1u << 17) /* wants netloft_ground.velocity when the ground passes the gear; a host \
+                may give no memory then: what only slides remembers nothing */
+#define NETLOFT_READS_BED (1u << 18) /* wants netloft_ground.bed when the scene has a bed */
+
+/* Input of a tile; its place is null where both arrays would be. */
+typedef struct netloft_ground {
+  uint32_t size;
+  uint32_t reserved;
+  const double* velocity; /* [3] at which the ground passes a towed gear [m/s]; null: the ground is at rest */
+  const double* bed; /* [6 nodes][64] the bed below each node of the stencil: its height z_b [m], dz_b/dx,
+                        dz_b/dy, and its second derivatives xx, xy, yy [1/m]; null: there is none */
+} netloft_ground;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Straight lines in an element that bear tension: the bar of a rope, or all bars of one direction of a
+ * triangle of netting. Solvers may take their tensions for unknowns, and time schemes conserve their energy.
+ */
+#ifndef NETLOFT_EXT_MEMBERS_H
+#define NETLOFT_EXT_MEMBERS_H
+#include <netloft/plugin.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETLOFT_EXT_MEMBERS "netloft.members/1"
+
+/* Trait of a term. */
+#define NETLOFT_OF_MEMBERS (1u << 14) /* the force is that of the element's members, no more */
+
+/* The chord is w = sum of c[i] x[i] over the nodes of the element, l = |w|, t = w/l, and the force on node i
+ *     number c[i] T t,   T = EA (l/l0 - 1) where l > l0, else EA_compression (l/l0 - 1)
+ * The sum over the members of an element is its term with NETLOFT_OF_MEMBERS. */
+typedef struct netloft_member {
+  double c[3];               /* of the chord; the third is zero on two nodes */
+  double rest_length;        /* l0 [m] */
+  double EA, EA_compression; /* axial stiffness of one, taut and slack [N] */
+  double number;             /* bars or twines alike that it represents */
+} netloft_member;
+
+/* Offered by an element with such a term. */
+typedef struct netloft_element_members {
+  uint32_t size;
+  uint32_t count; /* members of each element */
+  /* Writes the members of elements first ... first + elements - 1 at a time [s]: out[element][member]. */
+  int (*write)(const void* self, double time, uint32_t first, uint32_t elements, netloft_member* out);
+} netloft_element_members;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Numbers that each element remembers from one accepted step to the next, such as where it last stuck to the
+ * ground. The element offers netloft_memory, lists the identifier in its `inputs` and receives
+ * netloft_remembered with a tile.
+ */
+#ifndef NETLOFT_EXT_MEMORY_H
+#define NETLOFT_EXT_MEMORY_H
+#include <netloft/plugin.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETLOFT_EXT_MEMORY "netloft.memory/1"
+
+/* Trait of a term. */
+#define NETLOFT_READS_STATE (1u << 12) /* wants netloft_remembered and fills its state_new */
+
+/* Offered by an element. */
+typedef struct netloft_memory {
+  uint32_t size;
+  uint32_t width; /* numbers that an element remembers */
+} netloft_memory;
+
+/* Input of a tile; its place is null where both arrays would be. */
+typedef struct netloft_remembered {
+  uint32_t size;
+  uint32_t reserved;
+  const double* state; /* [width][64] after the last accepted step; all zeros: there was none */
+  double*
+      state_new; /* [width][64] to be written: what will be remembered if this step is accepted; or null */
+} netloft_remembered;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

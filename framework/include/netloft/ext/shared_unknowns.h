@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Numbers that all elements of a part share and that are solved for together with the positions, such as
+ * where a catch ends. There are three at most: they are x, y and z of one more node, the last of every
+ * element's nodes in a tile. The host treats them as coordinates and the rows of the residual in their place
+ * as forces: choose a unit in which a step of 1 means as much as one of 1 m, and scale the equation of each
+ * to newtons.
+ */
+#ifndef NETLOFT_EXT_SHARED_UNKNOWNS_H
+#define NETLOFT_EXT_SHARED_UNKNOWNS_H
+#include <netloft/plugin.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETLOFT_EXT_SHARED_UNKNOWNS "netloft.shared_unknowns/1"
+
+typedef struct netloft_global {
+  uint32_t size;
+  uint32_t reserved;
+  const char *name, *unit, *doc;
+  const char* needs; /* a real parameter; where it is zero, the number is held at its start; or null */
+} netloft_global;
+
+/* Offered by an element. */
+typedef struct netloft_globals {
+  uint32_t size;
+  uint32_t count;
+  const netloft_global* rows;
+} netloft_globals;
+
+/* Given to `create`. */
+typedef struct netloft_global_starts {
+  uint32_t size;
+  uint32_t reserved;
+  double* start; /* [part][global] set by `create` */
+} netloft_global_starts;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

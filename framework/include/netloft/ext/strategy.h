@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Strategies, which bring a scene to equilibrium with solvers. A plugin offers netloft_strategies.
+ */
+#ifndef NETLOFT_EXT_STRATEGY_H
+#define NETLOFT_EXT_STRATEGY_H
+#include <netloft/ext/members.h>
+#include <netloft/ext/solver.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETLOFT_EXT_STRATEGY "netloft.strategy/1"
+
+/* How a scene is made easier. Values, not code: whoever chooses them need not know any element. The host
+ * knows by the roles of parameters which of them each value touches. */
+typedef struct netloft_variant {
+  uint32_t size;
+  uint32_t level; /* mesh: 0 the scene's own, 1, 2, … each with about half as many cells along a side */
+  double
+      stiffness_cap; /* [N] stiffnesses of a part are lowered together until none exceeds it; 0: as written */
+  double compression; /* factor on the stiffness of what is slack, in [0, 1] */
+  double current;     /* factor on the current, in [0, 1] */
+} netloft_variant;
+
+/* Traits of a search's scene, beside NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC. */
+enum netloft_search_trait {
+  NETLOFT_SEARCH_REMEMBERS = 1 << 20,   /* elements remember (dry friction) */
+  NETLOFT_SEARCH_FLOWS = 1 << 21,       /* there is a current */
+  NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of what is slack differs from zero */
+  NETLOFT_SEARCH_MEMBERS =
+      1 << 23 /* `members` works: tension is borne by members, on nodes that move freely */
+};
+
+/* How a stage ended, by the host. */
+enum netloft_ending {
+  NETLOFT_ENDED_CONVERGED = 0,     /* forces balance, and nothing was found that grows */
+  NETLOFT_ENDED_UNSTABLE = 1,      /* forces balance, and a small disturbance grows */
+  NETLOFT_ENDED_NOT_CONVERGED = 2, /* the solver found no way on */
+  NETLOFT_ENDED_OUT_OF_WORK = 3,   /* its budget of work or of iterations was used up */
+  NETLOFT_ENDED_UNSETTLED = 4,     /* it went farther than `path`, or away for ever */
+  NETLOFT_ENDED_INTERRUPTED = 5    /* by the user, or the user's time is over: return */
+};
+
+enum netloft_stability {
+  NETLOFT_STABILITY_UNKNOWN = 0,
+  NETLOFT_STABLE = 1,
+  NETLOFT_NEUTRAL = 2,  /* something can move without any force */
+  NETLOFT_MARGINAL = 3, /* growth is not told from none: see growth.hpp of the host */
+  NETLOFT_UNSTABLE = 4
+};
+
+enum netloft_stage_flag {
+  NETLOFT_COMPENSATED = 1 /* positions keep the digits that double precision rounds off; slower, for what
+                             rounding alone keeps from balance */
+};
+
+/* One solve of one variant: what is asked, and what came of it. The work that one factorisation of the
+ * scene's own tangent costs, with the evaluation and the solution that go with it, is the unit of work. */
+typedef struct netloft_stage {
+  uint32_t size;
+  uint32_t flags; /* netloft_stage_flag */
+  netloft_variant variant;
+  const char* name;       /* what it is for, in a few words, for the report */
+  const char* solver;     /* "ptc"; null: that of the analysis, with its parameters */
+  const char* parameters; /* "method=classic,damping=1"; null: none but those */
+  double tolerance;       /* largest residual over the largest load; 0: that of the analysis */
+  double work;            /* budget; 0: whatever the search has left */
+  double path;            /* most that nodes may move in all, over the gear's size; 0: any */
+  uint32_t iterations;    /* limit; 0: that of the analysis */
+  uint32_t reserved;
+  double*
+      u; /* displacements of the unknowns of the variant's level: in, where to start; out, where it ended */
+
+  uint32_t ending, stability;    /* netloft_ending, netloft_stability */
+  double residual, load, energy; /* largest residual and load on a node [N], [N]; [J] */
+  double rounding;               /* what rounding of the positions is worth [N] */
+  double spent;                  /* work */
+  uint32_t iterations_done, factorisations;
+  const double*
+      growing;        /* a disturbance that grows, as long as u; null: not known. Valid until the next call */
+  double growth_rate; /* of that [1/s]; zero where it is not known */
+  double growth_frequency; /* with which it swings as it grows [rad/s] */
+} netloft_stage;
+
+/* The members of a variant and all its other forces apart, for methods in which the tension of a member is an
+ * unknown of its own. Vectors over all degrees of freedom have the unknowns first, then the held ones, whose
+ * residuals are reactions. */
+typedef struct netloft_members {
+  uint32_t size;
+  uint32_t count;               /* members */
+  uint32_t unknowns, dofs;      /* lengths of u, of a residual */
+  uint32_t parts;               /* parts of the scene */
+  uint32_t traits;              /* NETLOFT_SYMMETRIC: the tangent of the other forces is */
+  void* host;                   /* valid until the search is asked for anything else */
+  const netloft_member* member; /* [count] */
+  const uint32_t* part;         /* [count] part of the scene that a member belongs to */
+  double largest_coordinate;    /* [m] at the start, for the worth of rounding */
+
+  /* w[count][3]: chords of the members at displacements u [m]. */
+  int (*chords)(void* host, const double* u, double* w);
+  /* w[count][3]: by how much a step of the unknowns changes the chords [m]. */
+  int (*changes)(void* host, const double* step, double* w);
+  /* Residual of all other forces at u [N], dofs long; keeps their tangent. NETLOFT_OK, or there are none. */
+  int (*evaluate)(void* host, const double* u, double* residual);
+  /* residual += sum of number c f over the members, f[count][3] [N]. */
+  int (*add_forces)(void* host, const double* f, double* residual);
+  /* Starts a matrix: the tangent of the last evaluation + sum of number c c^T K, K[count][9] symmetric [N/m].
+   */
+  int (*set_matrix)(void* host, const double* K);
+  /* The same of members with K = a t t^T + b I, lines[count][6] = (t, f, a, b); adds number c f t to the
+   * residual, too. */
+  int (*set_matrix_along)(void* host, const double* lines, double* residual);
+  /* Factorises the matrix; NETLOFT_INDEFINITE: any that is not singular will do. Returns a netloft_factor. */
+  int (*factorise)(void* host, int how);
+  int (*solve)(void* host, const double* rhs, double* x);
+  /* Counts an iteration whose largest residual is given [N]; says whether to go on (netloft_progress). */
+  int (*progress)(void* host, double residual, const char* note);
+} netloft_members;
+
+/* A scene as a strategy sees it, with its easier variants, solved stage by stage within a budget of work. The
+ * host counts, judges and keeps the statistics; a strategy never says of itself that it has converged.
+ * Functions take `host` first and return NETLOFT_OK, or NETLOFT_ERROR with a sentence in `message`. */
+typedef struct netloft_search {
+  uint32_t size;
+  uint32_t unknowns;
+  uint32_t levels; /* meshes there may be, at least one; `size_of` says which there are */
+  uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC, netloft_search_trait */
+  void* host;
+  const double* start; /* displacements to start from, `unknowns` long; null: from the sketch */
+  double gear_size;    /* largest distance of nodes at the start [m] */
+  double element_size; /* longest element at the start [m] */
+  double load;         /* sum of the forces that drive the gear at the start [N] */
+  double largest_load; /* largest of them on a node [N] */
+  double stiffness;    /* largest axial stiffness [N] */
+  uint32_t member_count;
+  uint32_t message_size;
+  char* message;
+
+  /* Unknowns of a level; zero where there is no such level. */
+  uint32_t (*size_of)(void* host, uint32_t level);
+  int (*solve)(void* host, netloft_stage* stage);
+  /* The same by another strategy: the variant is its scene, stage.work its budget. */
+  int (*call)(void* host, const char* strategy, const char* parameters, netloft_stage* stage);
+  /* Reads displacements of one level off those of another. */
+  int (*transfer)(void* host, uint32_t from, const double* u, uint32_t to, double* out);
+  /* Judges stage.u without solving anything. */
+  int (*assess)(void* host, netloft_stage* stage);
+  /* r(u) = 0 of a variant, with stage.u as its u and within stage.work, for a strategy with a method of its
+   * own. `problem->size` says how much room there is, and afterwards how much of it the host has filled. Ends
+   * with the next call of another function of the search; then `assess` tells what it is worth. */
+  int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
+  /* Likewise, where the search has NETLOFT_SEARCH_MEMBERS. */
+  int (*members)(void* host, netloft_stage* stage, netloft_members* members);
+  /* Budget that is left; never negative. Zero, also where the user interrupts: return. */
+  double (*work_left)(void* host);
+  /* An equilibrium of the scene itself. May be called again, for another shape; the host judges each and
+   * chooses: converged before anything else, then the least energy where forces have one, then the first. */
+  int (*answer)(void* host, const double* u);
+} netloft_search;
+
+typedef struct netloft_strategy {
+  uint32_t size;
+  uint32_t needs; /* traits of the search without which it cannot work */
+  const char *name, *doc;
+  uint32_t parameter_bytes;
+  uint32_t parameter_count;
+  const netloft_parameter* parameters;
+  /* Returns NETLOFT_OK, whether or not there is an answer, or NETLOFT_ERROR with a sentence. */
+  int (*run)(const void* parameters, netloft_search* search);
+  /* Writes what it would try, in which order and why, a line each, without solving anything. May be null. */
+  int (*explain)(const void* parameters, netloft_search* search, char* text, uint32_t text_size);
+} netloft_strategy;
+
+/* Offered by a plugin. */
+typedef struct netloft_strategies {
+  uint32_t size;
+  uint32_t count;
+  const netloft_strategy* rows;
+} netloft_strategies;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Data of extensions for terms that are written as `tile`. Each function returns null where the scene has
+// nothing of the kind or the element has no term with the trait. Included by element.hpp.
+#pragma once
+#include <netloft/ext/ground.h>
+#include <netloft/ext/memory.h>
+#include <netloft/ext/waves.h>
+
+#include <cstddef>
+
+namespace netloft {
+
+namespace detail {
+
+/// Places of netloft_tile.inputs, the same in every element that lists any.
+enum InputPlace : std::size_t { kGroundPlace, kWavesPlace, kMemoryPlace, kInputPlaces };
+
+template <class Input>
+const Input* input(const netloft_tile& t, InputPlace place) {
+  return t.inputs ? static_cast<const Input*>(t.inputs[place]) : nullptr;
+}
+
+}  // namespace detail
+
+/// Velocity at which the ground passes, [3] [m/s]. Trait: reads_ground.
+inline const double* ground_of(const netloft_tile& t) {
+  const auto* ground = detail::input<netloft_ground>(t, detail::kGroundPlace);
+  return ground ? ground->velocity : nullptr;
+}
+/// The bed below the nodes, [6 nodes][64], as in netloft_ground. Trait: reads_bed.
+inline const double* bed_of(const netloft_tile& t) {
+  const auto* ground = detail::input<netloft_ground>(t, detail::kGroundPlace);
+  return ground ? ground->bed : nullptr;
+}
+/// Acceleration of the water at the nodes, [dof][64] [m/s2]. Trait: reads_waves.
+inline const double* water_acceleration_of(const netloft_tile& t) {
+  const auto* waves = detail::input<netloft_waves>(t, detail::kWavesPlace);
+  return waves ? waves->acceleration : nullptr;
+}
+/// Height of the surface of the water over the nodes, [nodes][64] [m]. Trait: reads_waves.
+inline const double* surface_of(const netloft_tile& t) {
+  const auto* waves = detail::input<netloft_waves>(t, detail::kWavesPlace);
+  return waves ? waves->surface : nullptr;
+}
+/// The memory of the last accepted step, [width][64]. Trait: reads_state.
+inline const double* state_of(const netloft_tile& t) {
+  const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
+  return memory ? memory->state : nullptr;
+}
+/// Room for the memory that replaces it if this step is accepted, [width][64]. Trait: reads_state.
+inline double* new_state_of(const netloft_tile& t) {
+  const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
+  return memory ? memory->state_new : nullptr;
+}
+
+}  // namespace netloft

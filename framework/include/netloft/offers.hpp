@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Structs that a plugin or an element offers for extensions of the boundary. Included by register.hpp and
+// element.hpp; nothing here is for authors.
+#pragma once
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace netloft::detail {
+
+/// Structs of extensions by identifier. A struct is made when it is first used, so that whoever uses none
+/// needs none of their headers.
+class Offers {
+ public:
+  /// A struct that is the whole offer.
+  template <class Struct>
+  Struct& one(const char* id) {
+    auto& offer = of<One<Struct>>(id);
+    offer.value.size = sizeof(Struct);
+    return offer.value;
+  }
+  /// The rows of an offer that is a List {size, count, rows}.
+  template <class List>
+  auto& rows(const char* id) {
+    return of<Rows<List>>(id).rows;
+  }
+  /// Null: nothing is offered under this identifier.
+  const void* find(const char* id) const {
+    for (const auto& offer : offers_)
+      if (std::strcmp(offer->id, id) == 0) return offer->get();
+    return nullptr;
+  }
+
+ private:
+  struct Offer {
+    virtual ~Offer() = default;
+    virtual const void* get() = 0;
+    const char* id = nullptr;
+  };
+  template <class Struct>
+  struct One : Offer {
+    const void* get() override { return &value; }
+    Struct value{};
+  };
+  template <class List>
+  struct Rows : Offer {
+    using Row = std::remove_cvref_t<decltype(*List::rows)>;
+    const void* get() override {
+      list = {sizeof list, static_cast<std::uint32_t>(rows.size()), rows.data()};
+      return &list;
+    }
+    std::vector<Row> rows;
+    List list{};
+  };
+
+  template <class Kind>
+  Kind& of(const char* id) {
+    for (const auto& offer : offers_)
+      if (std::strcmp(offer->id, id) == 0) return static_cast<Kind&>(*offer);
+    auto& made = *offers_.emplace_back(std::make_unique<Kind>());
+    made.id = id;
+    return static_cast<Kind&>(made);
+  }
+
+  std::vector<std::unique_ptr<Offer>> offers_;
+};
+
+/// Adds an identifier to a list of them that ends with null, once.
+inline void add_identifier(std::vector<const char*>& list, const char* id) {
+  for (const char* known : list)
+    if (known && std::strcmp(known, id) == 0) return;
+  if (list.empty()) list.push_back(nullptr);
+  list.insert(list.end() - 1, id);
+}
+
+}  // namespace netloft::detail
