@@ -75,7 +75,7 @@ std::string path_of(const std::string& scene) {
 class LibraryScene : public testing::TestWithParam<std::string> {};
 
 // The seed is fixed, so that a failure can be repeated.
-TEST_P(LibraryScene, IsTheSameAsReadAnewWhateverWasInstantiatedBefore) {
+TEST_P(LibraryScene, IsInstantiatedAsItIsReadAnew) {
   constexpr std::size_t kDraws = 6;
   const std::string file = path_of(GetParam());
   const SceneSource source(file);
