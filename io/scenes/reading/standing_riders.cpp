@@ -5,6 +5,7 @@
 #include "io/scenes/reading/panels_in_row.hpp"
 #include "io/scenes/reading/part_names.hpp"
 #include "io/scenes/reading/riding.hpp"
+#include "io/scenes/reading/turn_outward.hpp"
 
 #include <algorithm>
 
@@ -35,10 +36,19 @@ class RiderMaker {
     if (!corners_.empty()) stand_between_points();
     if (type_.element.stencil == NETLOFT_BAR_PAIR) stand_between_ropes();
     if (type_.element.stencil == NETLOFT_TRIANGLE) count_meshes_through_seams(panels_, rider_);
+    if (bears_pressure() && !draft_.out.gear) turn_outward(panels_, draft_.out.scene.positions, rider_);
     read_missing_data();
   }
 
  private:
+  /// Triangles whose terms depend on which side is outside, without data of corners that an exchange of two
+  /// corners would mix up. Panels of a net plan are outward already.
+  bool bears_pressure() const {
+    return type_.element.stencil == NETLOFT_TRIANGLE && !panels_.empty() &&
+           std::ranges::all_of(type_.data,
+                               [](const auto& d) { return std::string_view(d.name) == datum::kToAft.name; });
+  }
+
   void read_names() {
     if (table_.kind("on") == formats::Kind::text)
       names_ = {table_.text("on", {})};

@@ -196,7 +196,51 @@ points = ["rope.{"start" if flip else "end"}", "clump.eye"]
     return clump, [body, join] + (holds[:1] if not flip else holds[1:]), water, take
 
 
-SCENES = [rope, ball_on_rope, net, weighted_net, rope_on_bed, rope_in_profile, swinging_rope, clump_on_rope]
+def codend(f, flip):
+    def panel(name, corners):
+        return f"""
+[parts.{name}]
+type = "priour/triangle"
+panel = {{ across = 40, along = 30, bar = {f.length(0.05)} }}
+cells = [6, 6]
+sketch = {f.line(*corners)}
+twine = {{ diameter = {f.length(0.004)}, EA = 17000, EA_compression = 0, density = 1140 }}
+"""
+    upper = [(0, -0.6, -9.7), (0, 0.6, -9.7), (2.6, 0.6, -9.7), (2.6, -0.6, -9.7)]
+    lower = [(0, 0.6, -10.3), (0, -0.6, -10.3), (2.6, -0.6, -10.3), (2.6, 0.6, -10.3)]
+    if flip:  # both panels drawn from the other side
+        upper, lower = ([c[1], c[0], c[3], c[2]] for c in (upper, lower))
+    seams = [("upper.right", "lower.left"), ("lower.right", "upper.left")]
+    joins = "".join(f"""
+[[join]]
+points = ["{a}", "{b}"]
+""" for a, b in seams)
+    rim = [(0, 0.5 * math.cos(a), -10 + 0.35 * math.sin(a)) for a in np.linspace(math.pi, 0, 13)]
+    under = [(0, -y, -20 - z) for _, y, z in rim]
+    holds = f"""
+[[hold]]
+on = "upper.fore"
+at = {f.line(*(rim[::-1] if flip else rim))}
+[[hold]]
+on = "lower.fore"
+at = {f.line(*(under[::-1] if flip else under))}
+"""
+    closed = """
+[[join]]
+points = ["upper.aft", "lower.aft"]
+together = true
+"""
+    catch = """
+[parts.catch]
+type = "catch/pressure"
+on = ["upper", "lower"]
+catch = { pressure = 400, meshes = 20 }
+"""
+    return panel("upper", upper), [panel("lower", lower), catch, joins, closed, holds], f"current = {f.speed(1.0, 0, 0)}", {
+        "low": ("upper", "min z"), "high": ("upper", "max z"), "twine": ("upper", "max tension"), "pull": ("upper.fore", "sum reaction z")}
+
+
+SCENES = [rope, ball_on_rope, net, weighted_net, rope_on_bed, rope_in_profile, swinging_rope, clump_on_rope, codend]
 WAYS = {
     "turned": dict(frame=Frame(turn=37.3)),
     "moved": dict(frame=Frame(move=(1234.5, -678.9, 0))),

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/scene/scene.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace netloft::scenes {
+
+/// Orders the corners of triangles that bear a pressure so that they are counter-clockwise seen from outside,
+/// however the panels were drawn. Inside is the side on which the middle of all triangles lies; a panel on
+/// whose plane it lies stays as it is. `begins`: index in `rider.nodes` at which the corners of each panel
+/// begin. `positions`: those of the scene [m].
+void turn_outward(const std::vector<std::size_t>& begins, const std::vector<double>& positions, Part& rider);
+
+}  // namespace netloft::scenes
