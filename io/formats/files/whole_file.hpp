@@ -26,8 +26,8 @@ class ReadError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a file holds; nothing if there is none. Throws ReadError where it cannot be read, and for a folder, a
-/// pipe or a device, which may never end.
+/// The contents of a file; nothing if it does not exist. Throws ReadError if it cannot be read, and for
+/// folders, pipes and devices, whose contents may never end.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 
 }  // namespace netloft::formats

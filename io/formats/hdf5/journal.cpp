@@ -40,7 +40,7 @@ Descriptor open_to_read(const fs::path& path) {
   return fd;
 }
 
-/// Of a record; what stands before it is whole.
+/// A damaged record; all records before it are whole.
 struct Damage : FileError {
   Damage(const fs::path& path, const std::string& what_is_wrong)
       : FileError("cannot read " + path.string() + ": " + what_is_wrong), found(what_is_wrong) {}

@@ -26,25 +26,28 @@ class Journal {
     std::uint64_t place = 0, length = 0;  // of the content in the file [bytes]
   };
 
-  /// A new and empty one, in the place of what a dead writer left. Throws FileError if a writer lives.
+  /// Creates an empty journal and replaces one that a killed writer left. Throws FileError while another
+  /// process writes to it.
   static Journal create(const std::filesystem::path& path);
-  /// Looks at a record that is whole.
+  /// Receives a record that is whole.
   using Visit = std::function<void(const Record&, std::string_view content)>;
-  /// One that is there; visits all its records. A live writer does no harm: what is whole by now is read.
+  /// Opens an existing journal and visits all its records. Another process may still write to it: the records
+  /// that are whole now are read.
   static Journal read(const std::filesystem::path& path, const Visit& visit);
-  /// The same, to be continued behind the last whole record, or behind the last before damage(); nothing is
-  /// changed before the first append(). Throws FileError if a writer lives, or if the head is damaged.
+  /// Opens an existing journal to continue behind its last whole record, or behind the last record before
+  /// damage(). The file does not change before the first append(). Throws FileError while another process
+  /// writes to it, and if its head is damaged.
   static Journal go_on(const std::filesystem::path& path, const Visit& visit);
 
   const std::filesystem::path& path() const { return path_; }
-  /// What go_on() found between records, and went no further; empty: all was whole.
+  /// The damage at which go_on() stopped reading; empty if there is none.
   const std::string& damage() const { return damage_; }
-  /// Where the first append() puts what was there: it cuts damage off.
+  /// The first append() after damage keeps the old file under this name.
   std::filesystem::path path_of_damaged() const { return path_.string() + "~"; }
   /// The content of a record, checked.
   std::string content(const Record& record) const;
 
-  /// Throws FileError where the system refuses, and removes the part that was written.
+  /// Throws FileError if the system refuses, and removes a partly written record.
   Record append(std::uint32_t kind, std::string_view content);
   /// Removes the file.
   void remove();

@@ -32,7 +32,7 @@ class Reader {
   std::vector<std::size_t> shape(const std::string& path) const;
   bool holds_reals(const std::string& path) const;
 
-  /// Where the numbers of a dataset that lies in one piece begin in the file [bytes].
+  /// Offset in the file of the numbers of a contiguous dataset [bytes].
   std::uint64_t place(const std::string& path) const;
 
   /// All numbers of a dataset, row by row; a scalar gives one number.

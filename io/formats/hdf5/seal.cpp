@@ -145,7 +145,8 @@ struct Search {
   std::vector<SealedRange> ranges;
 };
 
-/// Of what a group holds under this name. HDF5's own visit follows the whole path of every object.
+/// Adds the ranges of the object with this name in a group. HDF5's own visit follows the whole path of every
+/// object.
 herr_t add_ranges(hid_t group, const char* name, const H5L_info_t* link, void* data) {
   if (link->type != H5L_TYPE_HARD) return 0;
   Search& search = *static_cast<Search*>(data);

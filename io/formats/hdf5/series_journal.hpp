@@ -16,7 +16,7 @@ struct SeriesColumn {
   std::string name, unit, doc;
 };
 
-/// What all outputs of a motion have in common.
+/// The data that all outputs of a motion have in common.
 struct SeriesLayout {
   Mesh mesh;
   std::vector<FieldSpec> changing;
@@ -32,27 +32,27 @@ struct SeriesState {
   std::vector<double> row;                  // in the order of the columns
 };
 
-/// How a motion stands, as the attributes of /netloft/status have it.
+/// The state of a run, as in the attributes of /netloft/status.
 struct SeriesStatus {
   std::string outcome, sentence;
 };
 
-/// The outputs of a motion that runs, or ran until it was killed, in NAME.hdf.part: a journal (journal.hpp)
-/// whose records are, by kind,
+/// The outputs of a motion that is running or was killed, in the journal NAME.hdf.part (journal.hpp). The
+/// kinds of its records are
 ///   1 layout   identity of the run, an HDF5 image of what is known at the start (see fold.hpp), SeriesLayout
-///   2 output   checkpoint (empty: none), time, points, fields, row; a field without numbers is that of the
-///              output before, to the bit
-///   3 rewind   only the first so many outputs count: the run goes on from there
-///   4 status   outcome, sentence: the last one counts
+///   2 output   checkpoint (empty: none), time, points, fields, row; a field without numbers equals that of
+///              the output before, to the bit
+///   3 rewind   number of outputs that remain valid: the run continues from there
+///   4 status   outcome, sentence; the last one is valid
 class SeriesJournal {
  public:
-  /// Begins one. `identity` tells the runs that may go on with it.
+  /// Begins a journal. `identity` identifies the runs that may continue it.
   static SeriesJournal create(const std::filesystem::path& part, const std::string& identity,
                               const std::string& origins, const SeriesLayout& layout);
   static SeriesJournal read(const std::filesystem::path& part);
-  /// Opens one to go on from its last checkpoint, or from the last before damage(); what comes after that
-  /// does not count any more. Nothing is changed before something is written, and a damaged file is kept as
-  /// path_of_damaged() then. Throws FileError if there is no checkpoint, or if it belongs to another run.
+  /// Opens a journal to continue from its last checkpoint, or from the last one before damage(); later
+  /// outputs are no longer valid. The file does not change before the first write, which keeps a damaged file
+  /// as path_of_damaged(). Throws FileError if there is no checkpoint, or if it belongs to another run.
   static SeriesJournal go_on(const std::filesystem::path& part, const std::string& identity);
 
   const std::filesystem::path& path() const { return journal_->path(); }
@@ -60,22 +60,22 @@ class SeriesJournal {
   /// An HDF5 image of what was known at the start; empty if there is none.
   const std::string& origins() const { return origins_; }
   const SeriesStatus& status() const { return status_; }
-  /// What go_on() found in the middle of the file; mostly empty.
+  /// The damage that go_on() found in the middle of the file; empty if there is none.
   const std::string& damage() const { return journal_->damage(); }
   std::filesystem::path path_of_damaged() const { return journal_->path_of_damaged(); }
-  /// Outputs that count.
+  /// Number of valid outputs.
   std::size_t size() const { return outputs_.size(); }
   SeriesState state(std::size_t i) const;
-  /// The same without the fields that the output before has, which are empty.
+  /// The same; fields that equal those of the output before are empty.
   SeriesState stored_state(std::size_t i) const;
-  /// By field: which outputs have it, and not only the one before.
+  /// For each field: whether each output stores it, instead of repeating the one before.
   const std::vector<std::vector<bool>>& stored() const { return stored_; }
-  /// What belongs to the last output that has any, to go on from.
+  /// The checkpoint of the last output that has one.
   const std::string& checkpoint() const { return checkpoint_; }
 
-  /// At the latest when this returns, the output survives a kill of the program.
+  /// Once this returns, the output survives a kill of the program.
   void write(const SeriesState& state, const std::string& checkpoint);
-  /// Throws FileError if the run that goes on would write other fields than the one before.
+  /// Throws FileError if the continued run would write other fields than the first one.
   void require_layout(const SeriesLayout& layout) const;
   void set_status(const SeriesStatus& status);
   void remove() { journal_->remove(); }

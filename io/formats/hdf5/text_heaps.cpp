@@ -25,7 +25,7 @@ std::string bytes_of(int fd, std::uint64_t place, std::uint64_t size) {
   return bytes;
 }
 
-/// What lies between one object and the next. Object 0 is what is left free, and its size is that of all.
+/// Distance from one object to the next. Object 0 is the free space, and its size includes its header.
 std::uint64_t step_of(std::string_view collection, std::uint64_t place) {
   const auto size = number_at<std::uint64_t>(collection, place + 8);
   const bool is_free = number_at<std::uint16_t>(collection, place) == 0;
@@ -42,7 +42,7 @@ bool leads_to_its_end(std::string_view collection) {
   return true;
 }
 
-/// What is larger than the file is nothing to HDF5, or only looks like a collection.
+/// Ignores a collection that is larger than the file: HDF5 does not read it, or it only looks like one.
 void check_collection(int fd, std::uint64_t place, std::uint64_t end) {
   if (end - place < kHeader) return;
   const auto size = number_at<std::uint64_t>(bytes_of(fd, place, kHeader), 8);

@@ -30,7 +30,7 @@ Handle open_group(hid_t parent, const std::string& name, hid_t links) {
   return Handle(H5Gcreate2(parent, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
 }
 
-/// What follows the last slash.
+/// The part of the path after the last slash.
 std::string name_in(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 /// Length of the UTF-8 sequence at the beginning of `text` (RFC 3629, table 3-7 of Unicode), 0 if it begins

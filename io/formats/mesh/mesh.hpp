@@ -10,7 +10,7 @@
 
 namespace netloft::formats {
 
-/// What the elements of a region are, with the numbers that each has of its own:
+/// The elements of a region, and the numbers of each element:
 ///   triangles  of netting: the corners in meshes of their panel, U1 V1 U2 V2 U3 V3
 ///   bars       of a rope: the shares of its length at which each begins and ends
 ///   twines     bars that stand for several twines: their length in mesh sides, and the number of twines
@@ -46,7 +46,7 @@ struct InputMesh {
   const MeshRegion* find(const std::string& region) const;
 };
 
-/// What is wrong with an element by itself.
+/// A fault of one element, found without the others.
 struct ElementFault {
   bool is_of_nodes;  // else of its numbers
   const char* message;
@@ -63,12 +63,12 @@ bool is_mesh_text(std::string_view text);
 /// the text is `file`; after an error what could be read is returned.
 InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
-/// The same of a file in any format that is known (README.md), told by how the text begins: `netloft mesh`,
-/// `# vtk DataFile`; else it is an OBJ.
+/// Reads a mesh in any text format (MESH.md). The beginning of the text determines the format: `netloft
+/// mesh`, `# vtk DataFile`, otherwise OBJ.
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
 /// Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or the share of a
-/// rope; groups are regions, points are sets. Bars of several twines have no place there, and are left out.
+/// rope; groups are regions, points are sets. OBJ has no bars of several twines; they are left out.
 InputMesh read_obj(std::string_view text, int file, Diagnostics& diagnostics);
 std::string obj_text(const InputMesh& mesh, const std::string& source);
 

@@ -161,7 +161,7 @@ class MeshReader {
 
   void note(const Word& word) { index_places_.push_back(word.place); }
 
-  /// What can be seen without knowing how many nodes there are.
+  /// Checks that do not need the number of nodes.
   void check_element(const MeshRegion& region, const std::vector<Word>& row) {
     if (const auto fault = fault_of(region, region.size() - 1))
       error(row[fault->is_of_nodes ? 0 : nodes_in(region.kind)].place, fault->message);
@@ -170,7 +170,7 @@ class MeshReader {
   void check_indices() {
     const std::size_t count = mesh_.node_count();
     const std::string there = "nodes of this mesh are 0 to " + std::to_string(count ? count - 1 : 0);
-    if (count == 0) error(rows_.place(), "the mesh has no nodes", "they stand in the section [nodes]");
+    if (count == 0) error(rows_.place(), "the mesh has no nodes", "write them in the section [nodes]");
     for (std::size_t r = 0; r < mesh_.regions.size() && count; ++r) {
       const MeshRegion& region = mesh_.regions[r];
       for (std::size_t i = 0; i < region.nodes.size() && errors() < kMostErrors; ++i)

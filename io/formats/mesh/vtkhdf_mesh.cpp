@@ -115,8 +115,9 @@ class VtkHdfMesh {
       cells_.names = reader_.strings(kGridGroup + "/FieldData/region_names");
   }
 
-  /// Of a result of Netloft: regions are its parts. Netting without a place on a panel, bars of several
-  /// twines and what is no rope are left out; bars have shares of their rope by their unstretched lengths.
+  /// Takes the parts of a result of Netloft as regions, without netting that has no panel coordinates, bars
+  /// of several twines, and bars that are no rope. The fractions of bars follow from their unstretched
+  /// lengths.
   void take_parts() {
     const std::size_t count = cells_.types.size();
     cells_.names = reader_.strings("/netloft/parts/name");

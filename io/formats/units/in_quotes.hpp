@@ -6,7 +6,7 @@
 
 namespace netloft::formats {
 
-/// What somebody wrote, in quotes for a sentence, and shortened when it is very long.
+/// A text of the user in quotes, for messages; very long texts are shortened.
 std::string in_quotes(std::string_view text);
 
 }  // namespace netloft::formats

@@ -146,7 +146,7 @@ const KnownUnit& unit_of(std::string_view text) {
 
 const KnownUnit& wanted_unit(std::string_view si_unit) { return unit_of(si_unit == "1" ? "" : si_unit); }
 
-/// Of a quantity, for whoever wrote something else.
+/// A hint that shows how to write a quantity with this unit.
 std::string example_of(std::string_view si_unit) {
   if (si_unit == "1") return "write a number, such as 10";
   return "write it as \"10 " + std::string(si_unit == "m" ? "mm" : si_unit) + "\"";

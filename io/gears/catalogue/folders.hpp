@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> named_folders(const formats::Value& document,
                                                  const std::filesystem::path& folder,
                                                  formats::Diagnostics& diagnostics);
 
-/// What keeps a folder from being read, as a sentence; empty if nothing does.
+/// The reason why a folder cannot be read, as a sentence; empty if it can.
 std::string folder_fault(const std::filesystem::path& folder);
 
 }  // namespace netloft::gears

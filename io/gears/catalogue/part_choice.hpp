@@ -23,8 +23,8 @@ const CataloguePart* choose_part(const formats::Value& said, const std::vector<s
 formats::Value spell_out(const formats::Value& said, const CataloguePart& part,
                          const std::function<bool(const std::string&)>& wanted);
 
-/// Puts what stands beside the name of a part (points of a board) into the table that names it, below what is
-/// said there.
+/// Adds tables of a catalogue part (points and outline of a board) to the table that names the part. Keys
+/// that the table already has take precedence.
 void put_beside(const CataloguePart& part, formats::Table& owner);
 
 }  // namespace netloft::gears

@@ -24,11 +24,11 @@ std::vector<PartKey> line_numbers(const char* diameter, double thickest, double 
   };
 }
 
-/// Of ropes a metre may be weighed in water.
+/// Ropes may also have their weight per metre in water.
 std::vector<PartKey> rope_numbers(const char* diameter) {
   auto numbers = line_numbers(diameter, 1, 1e12);
   numbers.push_back(
-      {"weight_in_water", "N/m", "weight of a metre in sea water, negative of what floats", -1e6, 1e6});
+      {"weight_in_water", "N/m", "weight of a metre in sea water, negative if it floats", -1e6, 1e6});
   return numbers;
 }
 
@@ -46,7 +46,7 @@ std::vector<PartKey> piece_numbers() {
   };
 }
 
-/// Of a rigid body: amounts about its axes x aft, y outward, z up.
+/// Adds numbers of a rigid body about its axes x aft, y outward, z up.
 void add_axes(std::vector<PartKey>& numbers, const char* const (&names)[3], const char* unit, const char* doc,
               double most) {
   for (const char* name : names) numbers.push_back({name, unit, doc, -most, most});

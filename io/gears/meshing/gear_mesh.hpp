@@ -61,12 +61,12 @@ using OnMeshing = std::function<void(const std::string& step, std::size_t nodes)
 
 /// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes.
 ///
-/// By knots, netting that is spread with an opening of one half is a lattice of equilateral triangles, each
-/// of them with one bar of either twine direction as its sides, and every bar is a side of two triangles. The
-/// energy of Priour's triangle, ½ bar of each direction in each, is then that of the bars themselves, twine
-/// by twine. Only along borders, which are straight where cuttings go in steps, are there triangles of other
-/// shapes. Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses
-/// itself, and for a size that would give millions of nodes.
+/// The knots of netting that is spread with an opening of one half form a lattice of equilateral triangles.
+/// Each triangle has one bar of each twine direction as a side, and every bar is a side of two triangles. The
+/// energy of Priour's triangle, ½ bar of each direction, is then that of the bars themselves, twine by twine.
+/// Only along borders, which are straight where cuttings go in steps, do triangles have other shapes. Throws
+/// std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and for a
+/// size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness, const OnMeshing& on_meshing = {});
 
 }  // namespace netloft::gears

@@ -25,7 +25,7 @@ double area_of(const Gear& gear, const Fineness& fineness) {
   return area;
 }
 
-/// Of ropes but warps, which have bars of their own length.
+/// Total length of all ropes except warps, whose bars have a length of their own.
 double length_of(const Gear& gear) {
   double length = 0;
   for (const auto& rope : gear.ropes)
@@ -33,7 +33,7 @@ double length_of(const Gear& gear) {
   return length;
 }
 
-/// About the number of knots: two a mesh.
+/// Approximate number of knots: two per mesh.
 double knots_of(const Gear& gear) {
   double knots = 0;
   for (const auto& panel : gear.panels)

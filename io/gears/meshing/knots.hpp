@@ -7,7 +7,7 @@ namespace netloft::gears {
 
 /// The knots of a panel that lie within a border, in the spread plane (spread() in cloths.hpp): all points
 /// with whole numbers of both twine coordinates, row by row. Those that are nearer to the border than a third
-/// of a bar are left out; the border's own nodes stand for them. `sign`: of x in the outline, -1 for the port
+/// of a bar are left out; the nodes of the border replace them. `sign`: of x in the outline, -1 for the port
 /// half of a middle panel.
 std::vector<PlanePoint> knots_within(const Panel& panel, double sign, const std::vector<PlanePoint>& border);
 

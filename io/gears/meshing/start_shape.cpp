@@ -192,7 +192,7 @@ class Shaper {
     }
   }
 
-  /// What leads from a board to the netting runs straight, whatever ropes it is made of.
+  /// Chains of ropes from a board to the netting start straight.
   void put_on_leads(const std::vector<Lead>& leads) {
     for (const Lead& lead : leads) {
       if (!is_of_body(lead.from) || !placed_[lead.from]) continue;

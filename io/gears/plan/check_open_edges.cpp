@@ -14,21 +14,21 @@ namespace {
 
 std::string name_of(const Panel& panel, const OutlineEdge& edge) { return panel.name + "." + edge.name; }
 
-/// What is done to the edges of a plan, and where: "body.aft" is sewn at line 40.
-class Deeds {
+/// The edges of a plan that are sewn or hung, and where: "body.aft" is sewn at line 40.
+class EdgeUses {
  public:
-  explicit Deeds(const NetPlan& plan) {
+  explicit EdgeUses(const NetPlan& plan) {
     for (const auto& join : plan.joins)
       for (std::size_t side = 0; side < 2; ++side)
         for (const auto& name : join.edges[side]) enter(plan, name, "sewn", join.places[side]);
     for (const auto& hanging : plan.hangings) enter(plan, hanging.edge, "hung", hanging.edge_place);
   }
 
-  struct Deed {
+  struct Use {
     const char* word;
     formats::Place place;
   };
-  const Deed* find(const std::string& edge) const {
+  const Use* find(const std::string& edge) const {
     const auto at = done_.find(edge);
     return at == done_.end() ? nullptr : &at->second;
   }
@@ -37,13 +37,13 @@ class Deeds {
   void enter(const NetPlan& plan, const std::string& name, const char* word, const formats::Place& place) {
     formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan, name, {}, "", silent);
-    for (const auto& edge : set.edges) done_.emplace(name_of(*set.panel, edge), Deed{word, place});
+    for (const auto& edge : set.edges) done_.emplace(name_of(*set.panel, edge), Use{word, place});
   }
   std::map<std::string, Deed> done_;
 };
 
-/// Names of the edges that a panel says to be open; those that are not are reported.
-std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const Deeds& deeds,
+/// Names of the edges that a panel declares open. Declared edges that are sewn or hung are reported.
+std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const EdgeUses& uses,
                                 formats::Diagnostics& diagnostics) {
   std::set<std::string> open;
   const std::string path = "panels." + panel.name + ".open";
@@ -51,9 +51,9 @@ std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const D
     const EdgeSet set = find_edge(plan, panel.name + "." + said.name, said.place, path, diagnostics);
     for (const auto& edge : set.edges) {
       open.insert(name_of(panel, edge));
-      if (const auto* deed = deeds.find(name_of(panel, edge)))
+      if (const auto* deed = uses.find(name_of(panel, edge)))
         diagnostics.error(said.place,
-                          fmt::format("{}: {} is said to be open and is {} at {}", path, name_of(panel, edge),
+                          fmt::format("{}: {} is declared open, but is {} at {}", path, name_of(panel, edge),
                                       deed->word, diagnostics.where(deed->place)),
                           "leave one of them out");
     }
@@ -61,7 +61,7 @@ std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const D
   return open;
 }
 
-/// Where a plan speaks of an edge.
+/// The place in the file at which a plan defines an edge.
 formats::Place place_of(const Panel& panel, const OutlineEdge& edge) {
   for (const auto* counts : {&panel.fore, &panel.aft})
     for (const auto& count : *counts)
@@ -80,7 +80,7 @@ void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics) {
     const auto open = said_open(plan, panel, deeds, diagnostics);
     for (const auto& edge : outline_of(panel).edges) {
       const std::string name = name_of(panel, edge);
-      if (edge.kind == EdgeKind::middle || deeds.find(name) || open.contains(name)) continue;
+      if (edge.kind == EdgeKind::middle || uses.find(name) || open.contains(name)) continue;
       diagnostics.warning(
           place_of(panel, edge), name + " is neither sewn nor hung: the net is open there",
           fmt::format("sew it with [[join]], hang it with [[hang]], or say so: open = [\"{}\"]", edge.name));

@@ -42,16 +42,17 @@ class StageReader {
     check_begin();
   }
 
-  /// What it follows; nothing if that was refused.
+  /// The quantity that the winch follows; nothing after an error.
   std::optional<Follows> find_key() {
     std::vector<const char*> given;
     for (const char* key : kKeys)
       if (table_.has(key)) given.push_back(key);
     if (given.size() > 1)
-      table_.error(given.back(), std::string("stands beside ") + given.front() +
-                                     ", and either says how the winch runs; give one of them");
+      table_.error(given.back(), std::string("is given beside ") + given.front() +
+                                     ", and both determine how the winch runs; give one of them");
     else if (given.empty() && (before_ || !warp_.tension))
-      table_.error("length", "is missing, and so are speed and tension: one of them says how the winch runs");
+      table_.error("length",
+                   "is missing, and so are speed and tension: one of them must determine how the winch runs");
     else if (given.empty() || given[0] == std::string("tension"))
       return Follows::tension;
     else

@@ -48,11 +48,11 @@ struct BarTable {
   double density = 1025, gravity = kStandardGravity, depth = 0;  // of the water [kg/m³], [m/s²], [m]
 };
 
-/// Reads a table (TABLE.md). Errors are located in source `file`; after an error what could be read is
-/// returned.
+/// Reads a table (TABLE.md). Errors are located in source `file`; after an error the result contains whatever
+/// could be read.
 BarTable read_bar_table(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
-/// The same as a scene and the mesh on which its parts stand; `head` is a comment of one or more lines.
+/// The table as a scene and the mesh of its parts; `head` is a comment of one or more lines.
 struct BarTableScene {
   std::string scene;
   formats::InputMesh mesh;

@@ -14,14 +14,14 @@ struct CsvCell {
   formats::Place place;
 };
 
-/// Cuts a text into rows and cells (RFC 4180): cells that hold a separator, a quote or the end of a line
-/// stand in quotes, and a quote in them is written twice. Lines end with LF, CR LF or CR.
+/// Cuts a text into rows and cells (RFC 4180): cells with a separator, a quote or a line
+/// end are in quotes, and a quote in them is doubled. Lines end with LF, CR LF or CR.
 class CsvRows {
  public:
   /// `text` must live as long as this. Cells are separated by the first comma, semicolon or tab of the text.
   CsvRows(std::string_view text, int file);
 
-  /// The next row that has anything in it; empty at the end. Lines that begin with # are left out.
+  /// The next row that is not blank; empty at the end. Lines that begin with # are skipped.
   std::vector<CsvCell> next();
   formats::Place place() const { return {file_, line_, 1, 1}; }
   /// Whether the text ended within quotes.

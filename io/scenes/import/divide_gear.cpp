@@ -107,7 +107,8 @@ double twice_area(const Meshes& a, const Meshes& b, const Meshes& c) {
   return (b.U - a.U) * (c.V - a.V) - (b.V - a.V) * (c.U - a.U);
 }
 
-/// Where nodes within a panel start: its drawing, continued from its corners triangle by triangle.
+/// Initial positions of inner nodes of a panel, interpolated in its drawing between the corners, triangle by
+/// triangle.
 class DrawnPanel {
  public:
   /// `corners` counter-clockwise.
@@ -117,7 +118,7 @@ class DrawnPanel {
     triangles_ = gears::connect_points(border, {}).triangles;
   }
 
-  /// By the triangle in which the place lies, or which it misses least.
+  /// Interpolates in the triangle that contains the point, or in the nearest one.
   Triple at(const Meshes& m) const {
     double best = -1e300;
     Triple place{};

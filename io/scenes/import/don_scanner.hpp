@@ -8,41 +8,41 @@
 
 namespace netloft::scenes::femnet {
 
-/// Goes through the text of a .don as FEMNET does: its first part is values behind colons, whatever the words
-/// before them; its second is words. After the first error of the first part it reads nothing more, because
-/// all that follows would be read at the wrong place.
+/// Reads the text of a .don as FEMNET does: the first part consists of values after colons, whatever the
+/// words before them; the second part consists of words. After an error in the first part it reads nothing
+/// more, because all later values would be taken from wrong places.
 class DonScanner {
  public:
   DonScanner(std::string text, int file, formats::Diagnostics& diagnostics);
 
   bool has_failed() const { return has_failed_; }
-  /// Goes behind the next colon. `what` is expected there, for errors.
+  /// Moves behind the next colon. `what` names the expected value in errors.
   bool skip_colon(const char* what);
-  /// A number behind the next colon. If there is none, it is 0, which is said.
+  /// The number after the next colon. If there is none, the result is 0, with a warning.
   double real(const char* what);
   int integer(const char* what);
-  /// The same of what decides how much follows: it must be there, and be 0 or more.
+  /// The same for the number of values that follow: required, and at least 0.
   int count(const char* what);
-  /// A number at this place, one of a row or the arguments of a keyword. It must be there.
+  /// A required number at this place, in a row or as argument of a keyword.
   double next_real(const char* what);
   int next_integer(const char* what);
-  /// A number at this place, if there is one; else nothing is read but blanks.
+  /// An optional number at this place; if there is none, only blanks are skipped.
   std::optional<double> try_real(bool whole = false);
-  /// The text between the next two #, behind the next colon.
+  /// The text between the next two # after the next colon.
   std::string text_in_hashes(const char* what);
-  /// Goes to the end of the line on which the next word stands.
+  /// Moves to the end of the line with the next word.
   void skip_worded_line();
-  /// The last word before the next colon, which is passed; nothing is passed if another kind of word follows.
+  /// The last word before the next colon; moves behind the colon, or stays if another kind of word follows.
   std::optional<std::string> word_before_colon();
-  /// The next word, if it begins with this letter; else nothing is read.
+  /// The next word if it begins with this letter; otherwise nothing is read.
   bool try_word(char first_letter);
 
   /// The next word of the tail; empty at the end.
   std::string_view word();
-  /// Whether exactly one blank or end of line stands here, and then a word.
+  /// Whether exactly one blank or end of line follows, and then a word.
   bool has_one_separator() const;
 
-  /// A place to return to.
+  /// The present position, to return to.
   struct Mark {
     std::size_t at;
     int line, column;

@@ -6,8 +6,8 @@
 
 namespace netloft::scenes::femnet {
 
-/// A bar that a drum shortens or lengthens: its unstretched length over that at the start, straight between
-/// the times.
+/// A bar that a drum shortens or lengthens: its unstretched length as a fraction of the initial one, linear
+/// between the times.
 struct HauledBar {
   std::size_t bar = 0;     // of the mesh file
   std::size_t number = 0;  // along its cable, from 0
@@ -16,10 +16,11 @@ struct HauledBar {
 
 /// How FEMNET's drums change the lengths of bars, step by step of its motion:
 ///   r = s(t) Δt                                                                              (1)
-/// r > 0 is taken off the first bar of the cable from the drum on that is longer than `shortest`, which it
-/// remains, and what is left of r off the next; −r > 0 is added to the first bar from the other end that is
-/// shorter than `longest`, and what exceeds that to the next. Curves have as few times as keep them within
-/// `kHauledWithin` of these lengths. Nothing if there are more than `kMostHauls` lengths to go through.
+/// r > 0 shortens the first bar, counted from the drum, that is longer than `shortest`, down to `shortest`,
+/// and the rest of r shortens the next bar. −r > 0 lengthens the first bar, counted from the other end, that
+/// is shorter than `longest`, up to `longest`, and the rest lengthens the next. Curves have the fewest times
+/// that keep them within `kHauledWithin` of these lengths. Nothing if there are more than `kMostHauls`
+/// lengths to compute.
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
 inline constexpr double kMostHauls = 2e7;  // steps times bars: about a second of work

@@ -30,7 +30,7 @@ struct Panel {
          friction = 0;  // `side` is half a mesh [m]; `friction` is a fraction of cd
   double step = 0;      // wanted sides of elements [m]
   int inner_type = 0, mesh_type = 0;
-  // Of the keywords that follow.
+  // set by keywords of the tail:
   double knot_size = 0, EI = 0, neutral_angle = 0;
   double twines = 0, bars = 0;  // netting2ropes: twines of a bar, bars to as many mesh sides; 0: triangles
 };
@@ -50,7 +50,7 @@ struct Cable {
   std::string floats;  // what was smeared on it, in words
 };
 
-/// What nodes of a type have in common.
+/// The properties of all nodes of a type.
 struct NodeType {
   formats::Place place;
   Triple mass{}, added_mass{}, box{}, drag{}, force{}, fixed{}, limit{}, sense{}, symmetry{};
@@ -95,7 +95,7 @@ struct NodeMotion {
   std::array<std::vector<double>, 3> velocity;
 };
 
-/// A number that the author wanted printed.
+/// A number that the file requests as output.
 struct Wanted {
   enum class Kind { distance, force, tension, position } kind = Kind::position;
   std::string text;
@@ -116,9 +116,9 @@ struct Environment {
   formats::Place waves;  // where they are described
 };
 
-/// What the import cannot do as the file says it.
+/// Something in the file that the import changes or leaves out.
 struct Finding {
-  enum class Kind { note, left_out };  // left_out: the answer changes
+  enum class Kind { note, left_out };  // left_out: results differ from FEMNET's
   formats::Place place;
   Kind kind = Kind::note;
   std::string what;  // "keyword tarp"
@@ -167,11 +167,11 @@ struct MeshFile {
   bool is_of_another_gear = false;  // rows speak of what the .don has not: the mesh is older
 };
 
-/// What a gear is made of and asks for, in words, for a table of many gears.
+/// The features of FEMNET that a gear uses, in words, for a table of many gears.
 std::vector<std::string> features_of(const GearFile& gear);
 
 /// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are located in source `file`; after an
-/// error what could be read is returned.
+/// error the result contains whatever could be read.
 GearFile read_gear(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
 /// Reads the .mdg of a gear, whose numbers of types, cables and panels its rows must keep to.
@@ -179,8 +179,9 @@ MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear,
                         formats::Diagnostics& diagnostics);
 
 /// Divides a gear that has no mesh: panels into triangles on a lattice of their meshing step, as FEMNET does,
-/// cables into bars; what is linked is connected. Netting that FEMNET would make bars of is in triangles,
-/// too. Errors have the place of the panel, cable or link; more than `most_nodes` nodes are one.
+/// cables into bars; linked corners and ends are connected. Netting for which FEMNET would use bars becomes
+/// triangles, too. Errors have the place of the panel, cable or link; more than `most_nodes` nodes are an
+/// error.
 MeshFile divide_gear(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes = 1e6);
 
 }  // namespace netloft::scenes::femnet

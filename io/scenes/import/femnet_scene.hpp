@@ -18,15 +18,15 @@ struct Imported {
   std::vector<Finding> findings;  // those of the gear, and what could not be carried over
 };
 
-/// What FEMNET has two solvers for, with one file.
+/// The equilibrium or the motion: FEMNET has a solver for each, with the same file.
 enum class Sought { rest, motion };
 
-/// Numbers of which the scene would not be accepted are errors at their place.
+/// Numbers that a scene would not accept are errors at their place in the gear file.
 Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names,
                      formats::Diagnostics& diagnostics, Sought sought = Sought::rest);
 
 /// The mesh of a gear: a region for each panel and cable that has elements, sets of nodes by type, for the
-/// types that hold or carry something. Corners of triangles are turned round, because FEMNET counts them
+/// types that are held or loaded. Corners of triangles are turned round, because FEMNET counts them
 /// clockwise as seen from outside. Bars that drums haul have regions of their own.
 formats::InputMesh make_mesh(const GearFile& gear, const MeshFile& file,
                              const std::vector<HauledBar>& hauled = {});
@@ -40,7 +40,7 @@ std::string type_name(std::size_t type);
 /// "plane-y": nodes of cables that bend, in the plane of symmetry across an axis.
 std::string plane_name(std::size_t axis);
 
-/// Whether nodes of the type are held, carry something or are limited.
+/// Whether nodes of the type are held, loaded or limited.
 bool is_special(const NodeType& type);
 
 /// Length of a bar of netting2ropes, and its mesh sides [m]; stiffness of all its twines [N]. In the
@@ -50,7 +50,8 @@ struct TwineBar {
   double length, sides, EA, EA_compression;
 };
 
-/// A node to which each connected piece of the gear that nothing in the file holds along some axes is held.
+/// For each connected piece of the gear that the file does not hold along some axes: a node that is held
+/// there.
 struct Loose {
   std::uint32_t node;
   std::array<bool, 3> axes;

@@ -4,14 +4,14 @@
 
 namespace netloft::scenes::femnet {
 
-/// Corners of panels and ends of cables, and which of them are one point of the gear: those that a link
-/// names, and those that are nearer to one another in the drawing than its link distance.
+/// Corners of panels and ends of cables. Those that a link names are one point of the gear, and so are those
+/// that are closer in the drawing than its link distance.
 class GearLinks {
  public:
-  /// Links to what is not there are errors at their place.
+  /// Links to missing corners or ends are errors at their place.
   GearLinks(const GearFile& gear, formats::Diagnostics& diagnostics);
 
-  /// The point of a corner or end: the same number for all that are linked.
+  /// The point of a corner or end; linked ones have the same number.
   std::size_t point(const LinkPoint& at) { return leader(index(at)); }
 
  private:

@@ -9,15 +9,15 @@
 
 namespace netloft::scenes {
 
-/// A gear of another program as texts of ours.
+/// A gear of another program as the texts of a scene and a mesh.
 struct ImportedGear {
   std::string scene = {}, mesh = {};
   std::size_t nodes = 0, elements = 0;
-  std::vector<std::string> left_out = {};  // a line each: the answer is not that of the file
+  std::vector<std::string> left_out = {};  // a line each: results differ from the other program's
   std::vector<std::string> features = {};  // of FEMNET: what the gear needs
 };
 
-/// What is to be imported, and what it is to become.
+/// The files to import, and the options of the scene.
 struct ImportRequest {
   std::filesystem::path gear;  // GEAR.don, GEAR.csv
   std::filesystem::path mesh;  // empty: GEAR.mdg beside it, if there is one and it is of this gear
@@ -26,8 +26,8 @@ struct ImportRequest {
   bool moves = false;          // of FEMNET: the scene is a motion, with waves and drums
 };
 
-/// Reads a gear of FEMNET with its mesh. Errors, warnings and what is left out go to `diagnostics` with their
-/// places; after an error the texts are empty.
+/// Reads a gear of FEMNET with its mesh. Errors, warnings and left-out features are added to `diagnostics`
+/// with their places; after an error the texts are empty.
 ImportedGear import_femnet(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
 /// Reads a table of nodes and bars (TABLE.md), in the same manner.
@@ -36,7 +36,7 @@ ImportedGear import_table(const ImportRequest& request, formats::Diagnostics& di
 /// Reads a mooring of MoorDyn, in the same manner.
 ImportedGear import_moordyn(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
-/// What the gears of a folder, and of those below, need.
+/// Features that the gears of a folder and its subfolders need.
 struct FolderCheck {
   struct Gear {
     std::string name;

@@ -17,7 +17,7 @@ struct MooringFile {
 
 /// Reads an input file of MoorDyn, version 1 or 2 (https://moordyn.readthedocs.io, "Input Files";
 /// BSD-3-Clause): points, and lines in as many bars as they have segments there. Errors are located in source
-/// `file`; after an error what could be read is returned.
+/// `file`; after an error the result contains whatever could be read.
 MooringFile read_moordyn(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::scenes

@@ -25,11 +25,11 @@ enum class MoordynSection {
 /// The section that a title in capitals begins.
 MoordynSection section_named(const std::string& title);
 
-/// What an option does in MoorDyn that a scene has no place for; nothing if the option is not known. `name`
-/// is in capitals.
+/// The effect in MoorDyn of an option that a scene cannot represent; nothing for an unknown option. `name` is
+/// in capitals.
 std::optional<std::string> meaning_of_option(const std::string& name);
 
-/// Whether an option, in capitals, says which waves or currents there are.
+/// Whether an option, in capitals, selects waves or currents.
 bool is_option_of_water(const std::string& name);
 
 /// The line at whose end an output is the tension, and which end: FairTen3, Line3TenB, AnchTen3, Line3TenA.

@@ -271,11 +271,11 @@ class TableOfBars {
     const auto known = node_named_.find(c->text);
     if (known != node_named_.end()) return known->second;
     error(c->place, "there is no node " + formats::in_quotes(c->text) + " above this line",
-          "nodes stand before the bars that end there");
+          "write nodes before the bars that end there");
     return {};
   }
 
-  /// What a node holds or carries acts through the bars that end there; a file that was cut off lacks bars.
+  /// Checks that a bar ends at every node: holds and loads act through bars, and a truncated file lacks bars.
   void check_ends() {
     std::vector<bool> is_used(table_.nodes.size());
     for (const auto& rope : table_.ropes)

@@ -74,7 +74,7 @@ class MooringReader {
 
   static std::string shown(const formats::Word& word) { return formats::in_quotes(word.text); }
 
-  /// What stands behind !, # or % is a comment.
+  /// The next row without its comment, which begins with !, # or %.
   Row next_row() {
     for (Row row = rows_.next_row(); !row.empty(); row = rows_.next_row()) {
       const auto comment = std::find_if(row.begin(), row.end(), [](const formats::Word& w) {

@@ -32,11 +32,11 @@ class SceneDraft {
 
   const Environment& environment() const { return gear.environment; }
   bool has_current() const { return environment().speed != 0; }
-  /// Whether there are waves that the scene can have.
+  /// Whether the file has waves that a scene can represent.
   bool has_waves() const;
-  /// Whether water ever passes what is in it.
+  /// Whether water moves relative to the gear at any time.
   bool has_flow() const { return has_current() || moves; }
-  /// Whether water and bed pass together, and nodes lie on the bed.
+  /// Whether water and bed move together, and nodes rest on the bed.
   bool is_towed() const;
   /// Direction to which the water flows [rad].
   double flow_angle() const;
@@ -51,7 +51,7 @@ class SceneDraft {
   void leave_out(const formats::Place& place, const std::string& what, const std::string& text) {
     out.findings.push_back({place, Finding::Kind::left_out, what, text});
   }
-  /// A number that the scene will accept; else an error where it stands.
+  /// Returns the number if a scene accepts it; otherwise adds an error at its place.
   double within(double value, double lo, double hi, const formats::Place& place, const std::string& what);
 
   void begin_part(const std::string& name, const std::string& type, const std::string& comment = {}) {
@@ -76,15 +76,15 @@ void find_hauled(SceneDraft& to);
 
 void write_netting(SceneDraft& to);
 void write_cables(SceneDraft& to);
-/// Of cables with one another.
+/// Clamps between cables.
 void write_clamps(SceneDraft& to);
 /// Masses, boxes, forces and beds at nodes, by their types.
 void write_loads(SceneDraft& to);
 void write_catch(SceneDraft& to);
 void write_holds(SceneDraft& to);
-/// Holds what nothing in the file does.
+/// Holds the pieces that the file does not hold.
 void hold_what_is_loose(SceneDraft& to);
-/// What the author wanted to have printed.
+/// The numbers that the file requests as output.
 void write_results(SceneDraft& to);
 
 }  // namespace netloft::scenes::femnet

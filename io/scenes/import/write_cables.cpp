@@ -9,7 +9,7 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// What the author called the cable in what was to be printed.
+/// The names that the requested outputs give to the cable, and its floats, for a comment.
 std::string called(const SceneDraft& from, std::size_t cable) {
   std::string names;
   for (const auto& w : from.gear.wanted)
@@ -19,7 +19,7 @@ std::string called(const SceneDraft& from, std::size_t cable) {
   return names + (names.empty() || floats.empty() ? "" : "; ") + floats;
 }
 
-/// Bars of a cable: all that nothing hauls, or one that a drum does.
+/// Writes the bars of a cable: all that no drum hauls, or the one that is hauled.
 void write_bars(SceneDraft& to, const Cable& c, const std::string& name, const std::string& comment,
                 const HauledBar* hauled) {
   to.begin_part(name, "rope/bar", comment);

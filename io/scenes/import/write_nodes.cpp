@@ -8,7 +8,7 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Of what stands at a node on planes of symmetry, so much is of this half of the gear.
+/// Fraction of the load of a node that belongs to this half of the gear: one half for each plane of symmetry.
 double share_of(const NodeType& t) {
   double share = 1;
   for (const double plane : t.symmetry) share *= plane != 0 ? 0.5 : 1;

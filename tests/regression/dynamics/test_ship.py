@@ -66,7 +66,7 @@ class ShipInMotion(unittest.TestCase):
                 ("ship.warp.winch=[5]", "ship.warp.winch[0]"),
                 ("ship.warp.winch=[]", "ship.warp.winch"),
                 ("ship.warp.winch={}", "is missing, and so are speed and tension"),
-                ("ship.warp.winch={tension=12000,length=[240,100],t=[0,1]}", "winch.tension: stands beside length"),
+                ("ship.warp.winch={tension=12000,length=[240,100],t=[0,1]}", "winch.tension: is given beside length"),
                 ("ship.warp.winch={tension=-1}", "is outside (0, 1e9] N"),
                 ("ship.warp.winch={t=[0,1],tension=[12000]}", "ship.warp.winch.tension"),
                 ("ship.warp.winch={tension=12000,max_speed=0}", "is outside (0, 50] m/s"),
