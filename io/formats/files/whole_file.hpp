@@ -15,7 +15,7 @@ class WriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Makes `content` the content of the file `path`, or throws WriteError and leaves what was there. It is
+/// Writes `content` to the file `path`, or throws WriteError and leaves the old file unchanged. It is
 /// written beside as PATH.new, synced, and renamed; of several programs that do so at a time one after the
 /// other. A link to a file is replaced, not followed; a folder, a device and a link to one are refused.
 void write_whole(const std::filesystem::path& path, std::string_view content);

@@ -14,7 +14,7 @@ namespace netloft::formats {
 static_assert(std::endian::native == std::endian::little,
               "journals are little-endian, and written as they are");
 
-/// The number that stands at a place, which need not be aligned.
+/// The number at a place, which need not be aligned.
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t place) {
   Number value;
@@ -66,7 +66,7 @@ class ByteReader {
     return values;
   }
   std::vector<double> reals() { return array<double>(); }
-  /// Goes past an array of them; says how many there are.
+  /// Skips an array of reals and returns its length.
   std::uint64_t skip_reals() {
     const std::uint64_t count = integer();
     take(count, sizeof(double));

@@ -47,7 +47,7 @@ std::vector<std::int64_t> mixed_cells(const Mesh& mesh) {
   return mixed;
 }
 
-/// The numbers of the last output stand where those of a finished motion do.
+/// Writes the row of the last output to the same places as the results of a finished motion.
 void write_last_row(Tree& tree, const SeriesJournal& journal) {
   if (journal.size() == 0) return;
   const std::vector<double> row = journal.stored_state(journal.size() - 1).row;
@@ -88,8 +88,8 @@ Handle make_nameless() {
   return Handle(file, H5Fclose);
 }
 
-/// Records with a right checksum need not fit together: what HDF5 or VTK would not take is an error of the
-/// journal.
+/// Records with valid checksums may still be inconsistent. Data that HDF5 or VTK refuse are reported as an
+/// error of the journal.
 template <class Action>
 decltype(auto) with_misfits_of(const std::string& context, Action&& action) {
   return with_context(context, [&]() -> decltype(auto) {

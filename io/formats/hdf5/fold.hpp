@@ -12,8 +12,8 @@ namespace netloft::formats {
 /// a motion may be larger than memory; only times and rows are held together.
 void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name);
 
-/// Makes the result `final_path` of a journal, with what `rest` adds. It grows as NAME.hdf.new, and takes its
-/// name once it is whole and on the disk; from then on the journal may go.
+/// Makes the result `final_path` from a journal, with the data that `rest` adds. The file is written as
+/// NAME.hdf.new, and renamed once it is complete and on the disk; the journal may then be removed.
 void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,
                  const std::function<void(Tree&)>& rest);
 

@@ -7,8 +7,8 @@
 
 namespace netloft::formats {
 
-/// The bytes of an HDF5 file with what `write` puts into it, made in memory: for a file that is written
-/// whole, and for what a journal keeps of the inputs of a run.
+/// The bytes of an HDF5 file with the content of `write`, made in memory. Journals contain such an image of
+/// the inputs of a run.
 std::string hdf5_image(const std::function<void(Tree&)>& write);
 
 /// How HDF5 opens a file in memory, which is never written to a disk.

@@ -184,7 +184,7 @@ void Journal::cut_remainder_off() {
   has_remainder_ = false;
 }
 
-/// Who knows more than this program may still read what stands behind the damage.
+/// Keeps a copy of the damaged file: another program may be able to read the records behind the damage.
 void Journal::keep_damaged() const {
   const fs::path name = path_of_damaged(), beside = name.string() + ".new";
   std::error_code error;

@@ -17,8 +17,8 @@ namespace netloft::formats {
 ///           CRC-32 of the content (u32)
 ///
 /// A record is written by one write(), so that a kill or a full disk costs at most the record that was being
-/// written. A reader takes what follows the last whole record for such a remainder, zeros included, which a
-/// power cut may leave. Everything else that does not match its checksum is damage.
+/// written. A reader ignores an incomplete record at the end of the file, and zeros, which a power cut may
+/// leave. Any other mismatch with a checksum is damage.
 class Journal {
  public:
   struct Record {

@@ -35,8 +35,8 @@ bool is_still_named(int fd, const fs::path& path) {
          by_fd.st_dev == by_name.st_dev;
 }
 
-/// A symbolic link is not followed: what it points at may be anybody's. Nor is a device opened, which may
-/// block.
+/// Does not follow a symbolic link, whose target may belong to somebody else, and does not open a device,
+/// which may block.
 Descriptor open_plain(const fs::path& path, int flags) {
   std::error_code none;
   const auto kind = fs::symlink_status(path, none).type();
@@ -65,7 +65,7 @@ Descriptor take_file(const fs::path& path) {
     if (lock == Lock::kWriterAlive) refuse_second_writer(path);
     if (!is_still_named(fd.get(), path)) continue;
     if (lock == Lock::kTaken) return fd;
-    // A viewer may still read what a dead writer left: it keeps those bytes, and we start a new file.
+    // A viewer may still read the file of a killed writer: it keeps those bytes, and we start a new file.
     if (unlink(path.c_str()) != 0 && errno != ENOENT)
       throw FileError("cannot replace " + path.string() + ": " + system_reason());
   }

@@ -38,7 +38,7 @@ void require_no_writer(const std::filesystem::path& path);
 /// Throws FileError unless a result may be written there: the folder exists, and no device has the name.
 void require_usable(const std::filesystem::path& path);
 
-/// Bytes in a file; none if that cannot be said.
+/// Size of a file [bytes]; 0 if the system cannot determine it.
 std::uint64_t size_of(int fd);
 /// Reads bytes of a file that begin at `place`. Throws FileError, also where it ends before them.
 void read_at(int fd, std::uint64_t place, char* to, std::size_t size);

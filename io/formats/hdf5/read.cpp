@@ -66,8 +66,8 @@ std::size_t product(const std::vector<std::size_t>& extents) {
   return all;
 }
 
-// Damaged extents must not make a reader ask for more memory than there is: what is stored cannot hold more
-// numbers than it has bytes, deflated a thousand times as many (RFC 1951 gives 1032 at most).
+// Damaged extents must not make a reader allocate more memory than there is. Stored data cannot contain more
+// numbers than bytes; deflated data can contain a thousand times as many (at most 1032 by RFC 1951).
 constexpr std::size_t kHarmless = 1 << 20, kMostDeflated = 1100;
 
 void require_stored(hid_t dataset, std::size_t count, const std::filesystem::path& file) {
@@ -311,8 +311,8 @@ std::vector<double> Reader::slot(const std::string& path, const std::string& off
   extents.resize(2, 1);
   const std::vector<std::int64_t> starts = integers(offsets);
   if (starts.size() <= step || starts[step] < 0)
-    throw FileError(path_.string() + " is damaged: " + offsets + " does not say where state " +
-                    std::to_string(step) + " begins");
+    throw FileError(path_.string() + " is damaged: " + offsets + " has no place for state " +
+                    std::to_string(step));
   const std::array<hsize_t, 2> start = {static_cast<hsize_t>(starts[step]), 0};
   const std::array<hsize_t, 2> size = {static_cast<hsize_t>(integer(count)), extents[1]};
   with_context("cannot read " + at(path), [&] {

@@ -11,7 +11,7 @@
 
 namespace netloft::formats {
 
-/// Reads a finished result, or what a motion that runs or was killed has written so far. Every error is a
+/// Reads a finished result, or the outputs of a motion that is running or was killed. Every error is a
 /// FileError that names file and path.
 class Reader {
  public:

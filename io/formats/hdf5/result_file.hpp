@@ -14,7 +14,7 @@ namespace netloft::formats {
 
 inline constexpr int kResultFormat = 1;  // incremented when readers of /netloft must change
 
-/// The result of one run: what ParaView shows under /VTKHDF, everything else under /netloft (LAYOUT.md).
+/// The result of one run: the data for ParaView under /VTKHDF, everything else under /netloft (LAYOUT.md).
 ///
 ///   ResultFile file("codend.hdf");                 // grows as codend.hdf.part
 ///   file.begin(mesh, {tension}, {part, node_id});
@@ -22,7 +22,7 @@ inline constexpr int kResultFormat = 1;  // incremented when readers of /netloft
 ///   file.tree().write_text("/netloft/provenance/scene/text", scene);
 ///   file.finish();                                 // now codend.hdf; an earlier one is codend.hdf~
 ///
-/// Throws FileError for what the disk or the user did, std::invalid_argument for what the caller did.
+/// Throws FileError for errors of the disk or the user, std::invalid_argument for errors of the caller.
 class ResultFile {
  public:
   explicit ResultFile(std::filesystem::path final_path);
@@ -70,7 +70,7 @@ class ResultFile {
   std::optional<VtkHdf> grid_;
 };
 
-/// Writes what every result begins with: the number of the format, and how the run stands.
+/// Writes the beginning of every result: the number of the format, and the status of the run.
 void begin_result(Tree& tree, std::string_view outcome, std::string_view sentence);
 
 }  // namespace netloft::formats

@@ -25,7 +25,7 @@ constexpr std::size_t kSumAndEnd = 9;  // the 8 digits and the line feed
 constexpr std::size_t kReadBlock = 1 << 20;
 
 struct SealedFile {
-  std::uint64_t length = 0;  // of what is sealed
+  std::uint64_t length = 0;  // of the sealed content
   std::vector<SealedRange> ranges;
   std::vector<std::uint32_t> sums;  // of the ranges
   std::uint32_t between = 0;        // of everything else
@@ -63,7 +63,7 @@ std::string hexadecimal(std::uint64_t value, int digits) {
   return text;
 }
 
-/// Paths may hold anything; in the table they are names to be told, on a line each.
+/// Replaces line ends in a path, which may contain any character: the table has one line per path.
 std::string in_one_line(std::string path) {
   for (char& c : path)
     if (static_cast<unsigned char>(c) < ' ') c = '?';
@@ -120,7 +120,7 @@ SealedFile parse(std::string_view lines, std::uint64_t length) {
   throw FileError("it is damaged: its checksums are not complete");
 }
 
-/// The table at the end of a file; nothing if it has none.
+/// The table at the end of a file; nothing without one.
 std::optional<SealedFile> read_seal(int fd) {
   const std::uint64_t size = size_of(fd);
   if (size < kLastLine) return {};
@@ -171,7 +171,7 @@ herr_t add_ranges(hid_t group, const char* name, const H5L_info_t* link, void* d
 std::vector<SealedRange> find_ranges(hid_t file) {
   Search search{"/", {}};
   check(H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_ranges, &search));
-  H5Eclear2(H5E_DEFAULT);  // what lies in pieces has no place, which HDF5 notes as an error
+  H5Eclear2(H5E_DEFAULT);  // HDF5 records an error for chunked datasets, which have no offset
   std::sort(search.ranges.begin(), search.ranges.end(),
             [](const SealedRange& a, const SealedRange& b) { return a.place < b.place; });
   return std::move(search.ranges);

@@ -42,7 +42,8 @@ bool leads_to_its_end(std::string_view collection) {
   return true;
 }
 
-/// Ignores a collection that is larger than the file: HDF5 does not read it, or it only looks like one.
+/// Throws FileError if the texts of a collection do not have the lengths that they state. Bytes that only
+/// look like a collection, or one that is larger than the file, are ignored: HDF5 does not read them.
 void check_collection(int fd, std::uint64_t place, std::uint64_t end) {
   if (end - place < kHeader) return;
   const auto size = number_at<std::uint64_t>(bytes_of(fd, place, kHeader), 8);

@@ -6,8 +6,8 @@
 
 namespace netloft::formats {
 
-/// For each dataset whose values it converts, as it does strings, HDF5 takes and clears a megabyte
-/// (H5Pset_buffer) unless it is told that they need less.
+/// Sets a smaller conversion buffer (H5Pset_buffer). By default HDF5 allocates and clears a megabyte for each
+/// dataset whose values it converts, such as strings.
 inline void want_buffer(hid_t transfer, hssize_t values, std::size_t largest) {
   constexpr std::size_t kWhatHdf5Takes = 1 << 20;
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(values, 1));

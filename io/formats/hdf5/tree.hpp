@@ -57,21 +57,21 @@ class Tree {
                const void* data, Labels labels);
   template <class Action>
   void write(const std::string& path, Action&& action);
-  /// Calls `put_on` with what `path` names, a group that is made if missing, or a dataset.
+  /// Calls `put_on` with the dataset or group `path`; a missing group is created.
   template <class Put>
   void put(const std::string& path, Put&& put_on);
   hid_t strings();
   hid_t transfer_of(hid_t memory_type, hssize_t values);
 
-  /// The group that holds what `path` names, made if missing. It stays open, since the next path is often in
-  /// the same: HDF5 takes as long to follow a path as to make a dataset.
+  /// The parent group of `path`, created if missing. It stays open for the next path, which is often in the
+  /// same group: HDF5 takes as long to follow a path as to create a dataset.
   hid_t group_of(const std::string& path);
 
   hid_t file_;
   std::string file_name_;
   Handle group_;
   std::string group_path_;
-  Handle links_, datasets_, strings_, transfer_;  // properties, and the type of strings; made when wanted
+  Handle links_, datasets_, strings_, transfer_;  // properties, and the type of strings; created when needed
 };
 
 /// Variable-length UTF-8.

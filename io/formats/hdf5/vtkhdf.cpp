@@ -11,7 +11,7 @@
 namespace netloft::formats {
 namespace {
 
-// Numbers that are written by one call: 1 MB, a small part of what a motion takes in memory.
+// Numbers that are written by one call: 1 MB, a small part of the memory of a motion.
 constexpr std::size_t kBlock = std::size_t{1} << 17;
 
 [[noreturn]] void reject(const std::string& reason) { throw std::invalid_argument("result mesh: " + reason); }
@@ -59,8 +59,8 @@ Handle make_dataset(hid_t group, const std::string& name, hid_t type, hid_t spac
   return Handle(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
 }
 
-/// An array that lies in one piece in the file, as it is in memory: compression took ten times as long as the
-/// rest of an output, and saved a fifth.
+/// Creates a contiguous array without compression, which took ten times as long as the rest of an output and
+/// saved a fifth.
 Handle make_plain(hid_t group, const std::string& name, hid_t type, std::array<hsize_t, 2> extents,
                   int rank) {
   const Handle properties = make_dataset_properties();

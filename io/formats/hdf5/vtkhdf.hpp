@@ -47,7 +47,7 @@ struct StaticField {
 /// Each changing array holds states in slots of equal length. A field that equals that of the state before
 /// has no slot of its own there. With S states that have one, i = 0 … S-1 in order of time,
 ///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
-/// so that the newest is what a reader without time (ParaView ≤ 5.11) shows.
+/// so that a reader without time (ParaView ≤ 5.11) shows the newest state.
 class VtkHdf {
  public:
   /// `stored`, by changing field: which states have one of their own; empty: all.
@@ -55,10 +55,10 @@ class VtkHdf {
          std::size_t states, std::span<const std::vector<bool>> stored = {});
 
   std::size_t n_states() const { return times_.size(); }
-  /// `points` 3n [m]; `fields` in the order of `changing`, nothing where they have no slot.
+  /// `points` 3n [m]; `fields` in the order of `changing`, empty if they have no slot.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
-  /// Writes what is still kept of states.
+  /// Writes the states that are still in memory.
   void write_blocks();
   /// The same, and writes the times. Throws std::invalid_argument unless there were as many states as were
   /// announced.
@@ -66,7 +66,7 @@ class VtkHdf {
 
  private:
   /// A dataset of slots; rows of `columns` numbers. Slots that follow each other are kept until they are a
-  /// block, and written by one call: HDF5 first reads what lies around a write of less than 64 kB.
+  /// block, and written by one call: HDF5 first reads the surroundings of a write of less than 64 kB.
   struct SlotArray {
     std::string name;
     std::size_t rows;

@@ -38,7 +38,7 @@ std::optional<ElementFault> fault_of(const MeshRegion& region, std::size_t eleme
   const double* number = &region.numbers[element * numbers_in(region.kind)];
   const bool is_triangle = region.kind == RegionKind::triangles;
   if (node[0] == node[1] || (is_triangle && (node[0] == node[2] || node[1] == node[2])))
-    return ElementFault{true, "a node stands here twice: the element has no size"};
+    return ElementFault{true, "a node appears twice: the element has no size"};
   const double* end = number + numbers_in(region.kind);
   if (const double* far = std::find_if_not(number, end, [](double x) { return std::abs(x) <= kFarthest; });
       far != end)

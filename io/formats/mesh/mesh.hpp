@@ -13,7 +13,7 @@ namespace netloft::formats {
 /// The elements of a region, and the numbers of each element:
 ///   triangles  of netting: the corners in meshes of their panel, U1 V1 U2 V2 U3 V3
 ///   bars       of a rope: the shares of its length at which each begins and ends
-///   twines     bars that stand for several twines: their length in mesh sides, and the number of twines
+///   twines     bars that represent several twines: their length in mesh sides, and the number of twines
 enum class RegionKind { triangles, bars, twines };
 
 const char* name_of(RegionKind kind);
@@ -29,7 +29,7 @@ struct MeshRegion {
   std::size_t size() const { return nodes.size() / nodes_in(kind); }
 };
 
-/// Nodes with a name in common: what is held, or carries something.
+/// Nodes with a common name, for holds and loads.
 struct MeshSet {
   std::string name;
   std::vector<std::uint32_t> nodes = {};
@@ -59,20 +59,20 @@ inline constexpr double kFarthest = 1e6;                                     // 
 /// Whether a text is a mesh: it begins with `netloft mesh`.
 bool is_mesh_text(std::string_view text);
 
-/// Reads a mesh out of a text (README.md of this folder). Errors are located and go to `diagnostics`, where
-/// the text is `file`; after an error what could be read is returned.
+/// Reads a mesh from a text (MESH.md). Errors are added to `diagnostics` with their places, where the text is
+/// `file`; after an error the result contains whatever could be read.
 InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
 /// Reads a mesh in any text format (MESH.md). The beginning of the text determines the format: `netloft
 /// mesh`, `# vtk DataFile`, otherwise OBJ.
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
-/// Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or the share of a
+/// Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or the fraction of a
 /// rope; groups are regions, points are sets. OBJ has no bars of several twines; they are left out.
 InputMesh read_obj(std::string_view text, int file, Diagnostics& diagnostics);
 std::string obj_text(const InputMesh& mesh, const std::string& source);
 
-/// VTK legacy files in ASCII with an unstructured grid: triangles, lines and vertices; numbers stand in
+/// VTK legacy files in ASCII with an unstructured grid: triangles, lines and vertices; numbers are in
 /// arrays on cells, `region`, `panel_corners` (6 of a triangle), `shares` and `twines` (2 of a line), and
 /// names of regions in the array of strings `region_names`.
 InputMesh read_vtk(std::string_view text, int file, Diagnostics& diagnostics);
@@ -88,7 +88,7 @@ InputMesh read_vtkhdf(const std::filesystem::path& path, int file, Diagnostics& 
 /// The text that read_mesh() reads as this mesh. `source` is a comment of one or more lines.
 std::string mesh_text(const InputMesh& mesh, const std::string& source);
 
-/// A text of one or more lines as a comment, "# …" each; nothing of an empty text.
+/// A text of one or more lines as a comment, "# …" each; empty for an empty text.
 std::string comment_of(const std::string& source);
 
 /// The shortest text that reads as this number.

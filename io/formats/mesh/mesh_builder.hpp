@@ -8,7 +8,7 @@
 
 namespace netloft::formats {
 
-/// Puts a mesh together for readers of foreign formats, and says what is wrong at its place.
+/// Builds a mesh for readers of other formats, and reports errors at their places.
 class MeshBuilder {
  public:
   explicit MeshBuilder(Diagnostics& diagnostics)

@@ -88,7 +88,7 @@ class MeshReader {
   void begin_region(const Place& place, RegionKind kind, const std::string& name) {
     if (!names_.insert(name).second)
       return error(place, "there is a region " + in_quotes(name) + " already",
-                   "a region stands in one section");
+                   "a region is written in one section");
     section_ = Section::region;
     mesh_.regions.push_back({kind, name});
     element_places_.emplace_back();
@@ -96,7 +96,8 @@ class MeshReader {
 
   void begin_set(const Place& place, const std::string& name) {
     if (!set_names_.insert(name).second)
-      return error(place, "there is a set " + in_quotes(name) + " already", "a set stands in one section");
+      return error(place, "there is a set " + in_quotes(name) + " already",
+                   "a set is written in one section");
     section_ = Section::set;
     mesh_.sets.push_back({name});
   }
@@ -111,7 +112,7 @@ class MeshReader {
           note(word);
         }
     if (section_ == Section::none && errors() == 0)
-      error(row[0].place, "numbers stand before the first section", "[nodes] is the first");
+      error(row[0].place, "there are numbers before the first section", "[nodes] is the first");
   }
 
   void read_node(const std::vector<Word>& row) {
@@ -140,7 +141,7 @@ class MeshReader {
 
   bool has_columns(const std::vector<Word>& row, std::size_t columns, const char* doc) {
     if (row.size() == columns) return true;
-    error(row[0].place, std::to_string(row.size()) + " numbers stand here; " + doc);
+    error(row[0].place, std::to_string(row.size()) + " numbers are given here; " + doc);
     return false;
   }
 

@@ -109,7 +109,7 @@ class ObjReader {
     for (std::size_t k = 1; k < row.size(); ++k) {
       corners.push_back(corner(row[k]));
       if (!corners.back().has_texture && builder_.goes_on())
-        return builder_.error(row[k].place, "the corner says no place on its panel",
+        return builder_.error(row[k].place, "the corner has no coordinates on its panel",
                               "write vt U V in meshes, and f vertex/texture …");
     }
     if (builder_.errors() > 0) return;

@@ -23,7 +23,7 @@ std::optional<std::int64_t> integer_in(std::string_view text);
 /// Cuts a text into lines and lines into words. Lines end with LF, CR LF or CR.
 class TextRows {
  public:
-  /// `text` must live as long as this. What stands behind `comment` on a line is left out; 0: there are none.
+  /// `text` must live as long as this. Text after `comment` on a line is skipped; 0: no comments.
   TextRows(std::string_view text, int file, char comment = 0) : text_(text), file_(file), comment_(comment) {}
 
   /// The next line as it is, without its end; nothing at the end of the text.

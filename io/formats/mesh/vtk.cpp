@@ -20,7 +20,7 @@ std::string in_capitals(std::string_view text) {
   return out;
 }
 
-/// Reads one file; members are blocks in the order in which they may stand.
+/// Reads one file; members are blocks in the order in which a file may contain them.
 class VtkReader {
  public:
   VtkReader(std::string_view text, int file, Diagnostics& diagnostics)
@@ -205,7 +205,7 @@ class VtkReader {
     for (std::size_t i = 0; i < components * count && goes_on(); ++i) {
       const Word word = next();
       if (word.text.empty()) return fail(word.place, "the file ends within the array " + in_quotes(name));
-      array.values.push_back(number_in(word.text).value_or(0));  // also nan, where an array says nothing
+      array.values.push_back(number_in(word.text).value_or(0));  // also nan, for elements without a value
     }
     if (is_on_cells_) cells_.arrays[name] = std::move(array);
   }
@@ -228,7 +228,7 @@ class VtkReader {
   VtkCells cells_;
 };
 
-/// Collects the cells of a mesh as texts of the blocks in which they stand.
+/// Collects the cells of a mesh as the texts of their blocks.
 class VtkWriter {
  public:
   std::string write(const InputMesh& mesh, const std::string& source) {

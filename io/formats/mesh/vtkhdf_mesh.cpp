@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Files of VTKHDF (Kitware, "VTKHDF file format"): unstructured grids of one piece, at their last time;
-// results of Netloft, which are such files, with what they say of their parts.
+// results of Netloft, which are such files, with the data of their parts.
 #include "framework/registry/element_outputs.hpp"
 #include "io/formats/hdf5/read.hpp"
 #include "io/formats/mesh/vtk_cells.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 const std::string kGridGroup = "/VTKHDF";
 
-/// Reads one file; members are steps in the order they happen. FileError says what HDF5 finds.
+/// Reads one file; members are steps in their order. Errors of HDF5 are thrown as FileError.
 class VtkHdfMesh {
  public:
   VtkHdfMesh(const std::filesystem::path& path, int file, Diagnostics& diagnostics)
@@ -88,7 +88,7 @@ class VtkHdfMesh {
       for (auto k = from; k < to; ++k) {
         const auto node = connectivity[static_cast<std::size_t>(k)];
         if (node < 0 || node >= known)
-          throw FileError("cell " + std::to_string(c) + " stands on node " + std::to_string(node) +
+          throw FileError("cell " + std::to_string(c) + " refers to node " + std::to_string(node) +
                           ", and there are " + std::to_string(known));
         nodes.push_back(static_cast<std::uint32_t>(node));
       }

@@ -4,7 +4,7 @@
 
 namespace netloft::formats {
 
-/// One direction of a plot: where a value lies, and where ticks are.
+/// One direction of a plot: the position of a value, and the ticks.
 class Axis {
  public:
   struct Tick {

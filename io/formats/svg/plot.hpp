@@ -9,7 +9,7 @@ namespace netloft::formats {
 struct PlotSeries {
   struct Point {
     double x, y;
-    bool is_hollow = false;  // its marker, for what LinePlot::hollow says
+    bool is_hollow = false;  // of its marker, with the meaning of LinePlot::hollow
   };
   /// Two ends above one x, between which the plot is shaded.
   struct Span {
@@ -37,7 +37,7 @@ struct LinePlot {
   std::vector<PlotSeries> series;
   std::vector<PlotMark> marks = {};
   AxisScale x_scale = AxisScale::logarithmic, y_scale = AxisScale::logarithmic;
-  std::string hollow = {};  // what hollow markers mean, for the last line of the legend; where there are some
+  std::string hollow = {};  // meaning of hollow markers, in the last line of the legend if there are any
 };
 
 /// The plot as a self-contained SVG: white ground, colours that colour-blind readers can distinguish (Okabe

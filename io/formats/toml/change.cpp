@@ -49,7 +49,7 @@ std::optional<std::vector<std::string>> parse_keys(const std::string& path) {
   return keys.empty() ? std::nullopt : std::optional(keys);
 }
 
-/// Takes "[2]" off the front of `rest`; nothing if it does not begin so.
+/// Removes "[2]" from the front of `rest`; nothing if it does not begin with an index.
 std::optional<std::size_t> take_item(std::string_view& rest) {
   std::size_t item = 0;
   const char* end = rest.data() + rest.size();

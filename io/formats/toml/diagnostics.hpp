@@ -11,7 +11,7 @@ namespace netloft::formats {
 
 /// The place of a text in an input. Lines and columns count from 1, columns in characters.
 struct Place {
-  int file = -1;  // what Diagnostics::add_source returned; -1: nowhere
+  int file = -1;  // index from Diagnostics::add_source; -1: no file
   int line = 0;   // 0: the file as a whole
   int column = 0;
   int length = 1;  // characters to underline, never beyond the line

@@ -103,9 +103,9 @@ struct TextsSpec {
 
 enum class Presence { required, optional };
 
-/// Takes a table apart key by key. Nothing throws: what is wrong is put into the Diagnostics with its place,
-/// and a value within the range is returned, so that all errors are found in one go. Ask `errors()` before
-/// using what was read.
+/// Reads a table key by key. Nothing throws: errors are added to the Diagnostics with their places, and a
+/// value within the range is returned, so that all errors are found at once. Check `errors()` before you use
+/// the values.
 ///
 /// Copies are cheap and refer to the same table; the Value and the Diagnostics must live longer.
 class TableReader {

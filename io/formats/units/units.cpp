@@ -173,7 +173,7 @@ Quantity read_checked(const UnitSystem& units, std::string_view text, std::strin
   if (Quantity bad = take_apart(units, text, example_of(si_unit), written, unit); !bad.ok()) return bad;
   const auto wanted = wanted_unit(si_unit).parsed.unit;
   if (!wanted && !units.trouble().empty()) return refuse(units.trouble());
-  if (!wanted) return refuse("the wanted unit " + in_quotes(si_unit) + " is not known to UDUNITS-2");
+  if (!wanted) return refuse("the requested unit " + in_quotes(si_unit) + " is not known to UDUNITS-2");
   if (unit.dimension != wanted->dimension)
     return refuse(in_quotes(text) + " is " + named(unit.dimension, describe(unit.dimension).unit) + "; " +
                       named(wanted->dimension, si_unit) + " is expected",

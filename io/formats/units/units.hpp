@@ -6,16 +6,16 @@
 
 namespace netloft::formats {
 
-/// The SI value of a text such as "10 mm", or a sentence that says why it has none.
+/// The SI value of a text such as "10 mm", or a sentence with the reason why it has none.
 struct Quantity {
-  double value = 0;   // in the unit that was asked for; finite
+  double value = 0;   // in the requested unit; finite
   std::string error;  // empty: value is good
   std::string hint;   // the cure, where one is known
   bool ok() const { return error.empty(); }
 };
 
 /// Reads number and unit: "10 mm", "-5N", "1.5e-3 m", "3 kn", "0.001 N.m/rad", "5 %", "1025 kg/m3".
-/// `si_unit` is what the caller computes in: "m", "N", "kg/m3", "rad", "1" for a pure number.
+/// `si_unit` is the unit of the caller: "m", "N", "kg/m3", "rad", "1" for a pure number.
 /// Dimensions must agree, and an angle is not a pure number. Safe to call from several threads.
 Quantity to_si(std::string_view text, std::string_view si_unit);
 

@@ -24,7 +24,7 @@ struct PartKind {
   std::vector<PartKey> numbers;
   std::vector<const char*> texts = {};   // required ones besides source and uncertainty
   std::vector<const char*> tables = {};  // values handed on as they are written: curves
-  std::vector<const char*> beside = {};  // the same, which stand beside `key` in the part that takes it
+  std::vector<const char*> beside = {};  // the same, beside `key` in the table of the scene part
 };
 
 std::span<const PartKind> part_kinds();

@@ -24,8 +24,8 @@ struct ClothSide {
 };
 
 /// A panel without symmetry: a pair's or a single one, or one half of a middle panel. Sides follow one
-/// another counter-clockwise in x outwards, y aft, from the fore inner corner on, so that what is to port has
-/// the same numbers as its counterpart to starboard.
+/// another counter-clockwise in x outwards, y aft, from the fore inner corner on, so that a side to port has
+/// the same number as its counterpart to starboard.
 struct Cloth {
   std::size_t panel = 0;
   bool is_port = false;

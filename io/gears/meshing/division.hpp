@@ -8,7 +8,7 @@ namespace netloft::gears {
 /// positions, tensions, the ship, and places in files.
 NetPlan geometry_of(const NetPlan& plan);
 
-/// What a division is made from.
+/// The input of a division.
 struct DivisionInput {
   NetPlan geometry;
   Extent extent = Extent::whole;

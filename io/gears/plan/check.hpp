@@ -35,7 +35,7 @@ void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagn
 void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics);
 /// Checks that ropes with hangings are mostly on edges. The plan must be free of errors.
 void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
-/// Checks that every edge is sewn, hung or said to be open. The plan must be free of errors.
+/// Checks that every edge is sewn, hung or declared open. The plan must be free of errors.
 void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics);
 /// Checks points with known positions: they must not be farther apart than the ropes between them allow,
 /// and no rope must lead from a point to itself. The

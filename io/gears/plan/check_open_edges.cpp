@@ -39,7 +39,7 @@ class EdgeUses {
     const EdgeSet set = find_edge(plan, name, {}, "", silent);
     for (const auto& edge : set.edges) done_.emplace(name_of(*set.panel, edge), Use{word, place});
   }
-  std::map<std::string, Deed> done_;
+  std::map<std::string, Use> done_;
 };
 
 /// Names of the edges that a panel declares open. Declared edges that are sewn or hung are reported.
@@ -51,10 +51,10 @@ std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const E
     const EdgeSet set = find_edge(plan, panel.name + "." + said.name, said.place, path, diagnostics);
     for (const auto& edge : set.edges) {
       open.insert(name_of(panel, edge));
-      if (const auto* deed = uses.find(name_of(panel, edge)))
+      if (const auto* use = uses.find(name_of(panel, edge)))
         diagnostics.error(said.place,
                           fmt::format("{}: {} is declared open, but is {} at {}", path, name_of(panel, edge),
-                                      deed->word, diagnostics.where(deed->place)),
+                                      use->word, diagnostics.where(use->place)),
                           "leave one of them out");
     }
   }
@@ -75,15 +75,16 @@ formats::Place place_of(const Panel& panel, const OutlineEdge& edge) {
 }  // namespace
 
 void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics) {
-  const Deeds deeds(plan);
+  const EdgeUses uses(plan);
   for (const auto& panel : plan.panels) {
-    const auto open = said_open(plan, panel, deeds, diagnostics);
+    const auto open = said_open(plan, panel, uses, diagnostics);
     for (const auto& edge : outline_of(panel).edges) {
       const std::string name = name_of(panel, edge);
       if (edge.kind == EdgeKind::middle || uses.find(name) || open.contains(name)) continue;
       diagnostics.warning(
           place_of(panel, edge), name + " is neither sewn nor hung: the net is open there",
-          fmt::format("sew it with [[join]], hang it with [[hang]], or say so: open = [\"{}\"]", edge.name));
+          fmt::format("sew it with [[join]], hang it with [[hang]], or declare it open: open = [\"{}\"]",
+                      edge.name));
     }
   }
 }

@@ -37,7 +37,7 @@ void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_
                         "the number is that of the whole gear, to port and to starboard");
 }
 
-/// Warns of floats that do not fit in a row, and refuses what fits in no bunch.
+/// Warns of floats that do not fit in a row, and refuses floats that do not even fit in bunches.
 void check_room(const Pieces& pieces, const std::string& path, double length, const CheckLimits& limits,
                 formats::Diagnostics& diagnostics) {
   const double diameter = number_of(pieces, "diameter", "m"), row = pieces.number * diameter;

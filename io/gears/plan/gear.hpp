@@ -12,8 +12,8 @@ namespace netloft::gears {
 /// The part of a gear that is modelled.
 enum class Extent {
   whole,
-  half,  // the starboard half, for gears and flows that are symmetric; the middle of panels lies on the
-         // plane, and what is sewn to its mirror image
+  half,  // the starboard half, for gears and flows that are symmetric; the middle of panels is on the
+         // plane, and so are edges that are sewn to their mirror image
 };
 
 /// One piece of netting of a gear. In the whole, pairs are named "port-…" and "starboard-…", and so are the

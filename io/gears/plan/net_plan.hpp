@@ -50,7 +50,7 @@ struct Cut {
 /// Computes the extent of each cut of a side from the given numbers and the depth of the panel.
 void settle(std::vector<Cut>& side, double depth);
 
-/// An edge that a plan says to be open: "fore", "aft", the name of a stretch.
+/// An edge that a plan declares open: "fore", "aft", the name of a stretch.
 struct OpenEdge {
   std::string name;
   formats::Place place;
@@ -113,8 +113,7 @@ struct Rope {
   formats::Place place, between_place;
 };
 
-/// Words for what a rope is in a gear. Figures of the mouth are found where a headline and a footrope are
-/// named.
+/// The roles of ropes in a gear. Reports have figures of the mouth if a headline and a footrope are named.
 const std::vector<std::string>& rope_roles();
 
 /// An edge hung on a rope. Along the rope, edges follow one another in the order of its hangings.
@@ -161,8 +160,8 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
-/// A rigid body, such as an otter board. A plan knows where ropes lead to, `door.warp`; what it is, a scene
-/// reads.
+/// A rigid body, such as an otter board. The plan contains only the points to which ropes lead, `door.warp`;
+/// the scene reads the rest.
 struct PlanBody {
   std::string name;
   Standing stands = Standing::pair;

@@ -29,7 +29,7 @@ struct OutlineEdge {
 /// Middle panels are given by their starboard half, the middle at x = 0; pairs by the one whose inner side
 /// begins at x = 0. If cuttings and counts differ (the check reports it), counts are kept, because counted
 /// meshes are sewn: sides are moved by the difference, half of it each, in proportion to the depth. Then they
-/// are moved inwards by what selvedges gather of them.
+/// are moved inwards by the meshes that selvedges gather.
 struct Outline {
   std::vector<OutlineEdge> edges;
   std::vector<PanelPoint> corners() const;

@@ -28,12 +28,12 @@ Join read_join(formats::TableReader& table);
 Pieces read_pieces(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
 Point read_point(const std::string& name, formats::TableReader& table);
 
-/// Reads how a body stands and which points it has, its own or those of the board that it names.
+/// Reads the symmetry of a body and its points, its own or those of the board that it names.
 PlanBody read_plan_body(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
 /// `[ship]`: adds its blocks and warps to the plan, whose bodies are known.
 void add_ship(NetPlan& plan, formats::TableReader& ship, const Catalogue& catalogue);
 
-/// `winch` of a warp whose lengths and tensions were read: one table, or one after the other.
+/// Reads `winch` of a warp whose lengths and tensions are known: one table, or a list of successive tables.
 void read_winch(formats::TableReader& warp, Rope& rope);
 
 /// Adds the selvedges that seams gather: outlines become narrower, and each strip becomes a rope on the edge.

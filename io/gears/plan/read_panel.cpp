@@ -50,7 +50,7 @@ void read_direction(Cut& cut, const std::string& direction, formats::TableReader
     table.error(key, "\"" + direction + "\" is not a direction",
                 "\"in\" where the panel becomes narrower going aft, \"out\" where it becomes wider");
   else if (cut.is_known && !cut.rate.is_straight())
-    table.error(key, "does not say whether \"" + cut.written + "\" goes in or out",
+    table.error(key, "does not contain the direction of \"" + cut.written + "\", in or out",
                 "write \"" + cut.written + " in\" where the panel becomes narrower going aft, else \"" +
                     cut.written + " out\"");
 }
@@ -293,8 +293,7 @@ ChosenPart read_part_choice(formats::TableReader& table, const char* key, const 
     if (said->kind() != formats::Kind::table)
       table.error(key, "give the name of a part of the catalogue, or a table");
     if (const formats::Table* numbers = said->as<formats::Table>(); numbers && numbers->members.empty())
-      table.error(key, "is an empty table, which says nothing of it",
-                  "its numbers, or the name of a part of the catalogue");
+      table.error(key, "is an empty table", "its numbers, or the name of a part of the catalogue");
     return {"", said->kind() == formats::Kind::table ? *said : formats::Value{said->place, formats::Table{}}};
   }
   const CataloguePart* part =

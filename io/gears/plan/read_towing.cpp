@@ -23,7 +23,7 @@ std::vector<std::string> names_in(const formats::Table* points) {
 }
 
 const formats::Table* points_of_catalogue(formats::TableReader& table, const Catalogue& catalogue) {
-  formats::Diagnostics silent;  // the scene that reads the body says what is wrong with it
+  formats::Diagnostics silent;  // the scene that reads the body reports its errors
   for (const auto& key : part_keys()) {
     const formats::Value* said = table.has(key) ? table.raw(key) : nullptr;
     if (!said || !names_a_part(*said)) continue;
@@ -35,7 +35,7 @@ const formats::Table* points_of_catalogue(formats::TableReader& table, const Cat
   return nullptr;
 }
 
-/// The point that warps lead to: the one point `warp` of the bodies, if nothing is said.
+/// The point that warps lead to: by default the only point `warp` of the bodies.
 std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
   if (warp.has("to")) return warp.text("to", {.doc = "the point that it leads to, such as \"door.warp\""});
   std::vector<std::string> ends;
@@ -88,7 +88,7 @@ Rope read_warp(const NetPlan& plan, formats::TableReader& warp, const Catalogue&
   if (warp.has("tension_port")) {
     rope.tension_port = warp.real("tension_port", kTension);
     if (!warp.has("tension"))
-      warp.error("tension_port", "stands alone; of the warp to starboard nothing is said",
+      warp.error("tension_port", "is given without a tension of the starboard warp",
                  "tension beside it, or tension alone for both");
   }
   if (warp.has("winch")) read_winch(warp, rope);
@@ -128,7 +128,7 @@ void add_ship(NetPlan& plan, formats::TableReader& table, const Catalogue& catal
     formats::TableReader path = table.table("path_port");
     ship.path_port = read_path(path, ship.speed);
     if (ship.path.empty())
-      table.error("path_port", "stands alone; of the ship to starboard nothing is said",
+      table.error("path_port", "is given without a path of the starboard ship",
                   "path beside it, of the ship to starboard");
   }
   formats::TableReader block = table.table(kBlock, formats::Presence::optional), warp = table.table(kWarp);
@@ -141,7 +141,7 @@ void add_ship(NetPlan& plan, formats::TableReader& table, const Catalogue& catal
                                       .range = formats::between(0, 2000),
                                       .fallback = 6.0});
   if (!ship.path_port.empty() && ship.block_gap == 0)
-    table.error("path_port", "has no block to port: both blocks stand in the middle",
+    table.error("path_port", "has no block to port: both blocks are in the middle",
                 "block = { gap = \"6 m\" }, the distance between both");
   plan.points.push_back(
       {kBlock, Standing::pair, {{0, ship.block_gap / 2, ship.block_height}}, block.place()});

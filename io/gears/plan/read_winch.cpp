@@ -16,16 +16,16 @@ constexpr const char* kOfTension[] = {"max_speed", "band", "dead_band"};
 const formats::Range kTensions{0, 1e9, true};
 constexpr const char* kOfBlock = "at the block, held by the winch";
 
-/// One table of `winch`, and what stands before it.
+/// Reads one table of `winch`, which may follow another one.
 class StageReader {
  public:
   StageReader(formats::TableReader table, const Rope& warp)
       : table_(std::move(table)), warp_(warp), before_(warp.winch.empty() ? nullptr : &warp.winch.back()) {}
 
-  /// Without rows if it was refused, or if warp.tension says all.
+  /// The stage; without rows after an error, or if warp.tension determines it.
   WinchStage read() {
     if (before_ && !table_.has("t"))
-      table_.error("t", "is missing: it says when this table takes the place of the one before");
+      table_.error("t", "is missing: it is the time at which this table replaces the one before");
     else if (const auto follows = find_key())
       read_as(*follows);
     return stage_;
@@ -87,10 +87,11 @@ class StageReader {
                                        .doc = "deviation of the tension at which it runs at max_speed",
                                        .range = {0, 1e9, true},
                                        .fallback = kWinchBand * first});
-    stage_.dead_band = table_.real("dead_band", {.unit = "N",
-                                                 .doc = "deviation of the tension at which it still stands",
-                                                 .range = {0, 1e9},
-                                                 .fallback = 0.0});
+    stage_.dead_band =
+        table_.real("dead_band", {.unit = "N",
+                                  .doc = "deviation of the tension up to which it does not run",
+                                  .range = {0, 1e9},
+                                  .fallback = 0.0});
   }
   void check_tension_of_start() {
     if (stage_.rows.empty() || !warp_.tension) return;
@@ -115,7 +116,7 @@ class StageReader {
       return table_.error("length", "is not known where a table begins that follows another",
                           "speed, or one table for all lengths");
     if (warp_.tension)
-      return table_.error("length", "stands beside warp.tension, by which the length at the start is found",
+      return table_.error("length", "is given beside warp.tension, which determines the initial length",
                           "run it with the tension once, and write the length that it found");
     read_column_of("length", "m", "of warp that is out", {0, 1e5, true}, warp_.length);
     if (!stage_.rows.empty() && std::abs(stage_.rows[0][1]) > 1e-9 * warp_.length)
@@ -157,7 +158,7 @@ void read_winch(formats::TableReader& warp, Rope& rope) {
   std::vector<formats::TableReader> tables;
   const formats::Value* value = warp.raw("winch");
   const formats::Array* list = value ? value->as<formats::Array>() : nullptr;
-  if (list && list->items.empty()) warp.error("winch", "has no table that says how it runs", "leave it out");
+  if (list && list->items.empty()) warp.error("winch", "is an empty list", "leave it out");
   if (list)
     tables = warp.tables("winch");
   else

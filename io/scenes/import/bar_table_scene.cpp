@@ -61,7 +61,7 @@ class TableScene {
                               .text());
   }
 
-  /// Sets of nodes that are alike in something, by what that is, in the order of the table.
+  /// Groups the nodes by the property `what`, in the order of the table: a set for each value.
   template <class Key, class What>
   std::vector<std::pair<Key, std::string>> sets_of(const char* name, What&& what) {
     std::vector<std::pair<Key, std::string>> sets;
@@ -95,8 +95,8 @@ class TableScene {
     double stiffness() const { return least == most ? most : product / metres; }
   };
 
-  /// One bed for all ropes under which it is equally stiff. If ropes with different beds meet, their node
-  /// would lie on both, and so beds are under sets of nodes.
+  /// Writes one bed for all ropes with the same stiffness of the bed. Where ropes with different beds meet,
+  /// their node would rest on both; beds are therefore written for sets of nodes.
   void write_beds() {
     std::vector<BedUnder> under(table_.nodes.size());
     std::map<double, std::vector<std::string>> on;

@@ -185,7 +185,7 @@ class Divider {
   std::uint32_t add_node(const Triple& at, int type, const formats::Place& place) {
     const auto types = static_cast<int>(gear_.types.size());
     if (type < 1 || type > types)
-      error(place, fmt::format("nodes of type {} are wanted here, which does not exist", type),
+      error(place, fmt::format("nodes of type {} are needed here, but there is no such type", type),
             types ? fmt::format("they are numbered 1 to {}", types) : "there are none");
     if (static_cast<double>(mesh_.nodes.size()) >= most_nodes_)
       error(place, fmt::format("the gear would have more than {:g} nodes", most_nodes_),
@@ -240,7 +240,7 @@ class Divider {
     const auto nodes = line(a, b, c.ends[0].at, c.ends[1].at, std::max(c.bars, 1), c.inner_type, c.place);
     if (a == b && nodes.size() < 4)
       return error(c.place, "the cable ends where it begins: it needs three bars or more",
-                   "the number of bars stands in the .don");
+                   "the .don has the number of bars");
     const auto bars = static_cast<double>(nodes.size() - 1);
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
       mesh_.bars.push_back({{nodes[i], nodes[i + 1]},

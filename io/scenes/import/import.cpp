@@ -54,14 +54,14 @@ void report(const std::vector<femnet::Finding>& findings, formats::Diagnostics& 
   }
 }
 
-/// A mesh, and what is to be said of where it comes from.
+/// A mesh and its origin.
 struct FoundMesh {
   femnet::MeshFile mesh;
   std::string name;  // of the file; empty: the gear was divided here
 };
 
-/// The gear divided into elements here. Node numbers of the file are of another mesh, and go; bars of several
-/// twines are those that FEMNET's mesher lays out.
+/// Divides the gear into elements. Node numbers of the file belong to another mesh and are dropped; bars of
+/// several twines are replaced by triangles, because only FEMNET's mesher places them.
 FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagnostics& diagnostics) {
   using femnet::Finding, femnet::Wanted;
   gear.findings.push_back(
@@ -81,7 +81,8 @@ FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagno
   return {femnet::divide_gear(gear, diagnostics), {}};
 }
 
-/// A mesh that lies beside the gear and speaks of what the gear has not is older, and not used.
+/// Finds the mesh of the gear. A mesh beside the gear that refers to parts that the gear does not have is
+/// outdated, and is not used.
 FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, formats::Diagnostics& diagnostics) {
   const fs::path path = mesh_of(request);
   const bool is_named = !request.mesh.empty();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostTableRows = 10000;  // of a table: more is not meant
 
-/// Keywords that change nothing in the answer sought here; those that end with * are beginnings.
+/// Keywords without effect on these results; a name that ends with * is a prefix.
 constexpr const char* kIdle[] = {"Auto_convergence",
                                  "convergence_parameters",
                                  "link_*",
@@ -29,10 +29,10 @@ constexpr const char* kIdle[] = {"Auto_convergence",
                                  "paraview",
                                  "nrj",
                                  "haul"};
-/// Keywords that change the drawing, and so nothing where there is a mesh already.
+/// Keywords that change the drawing, and have no effect if there is a mesh already.
 constexpr const char* kOfMesher[] = {"type_noeud_*", "rope_X",       "add_*",   "rot_*",
                                      "homothety",    "translation*", "symmetr*"};
-/// Keywords of motion, which change nothing at rest.
+/// Keywords of motion, which have no effect at rest.
 constexpr const char* kOfMotion[] = {"hauling_*", "speed_type_node*", "wave_*", "winch_*", "time_*"};
 /// Keywords that change the answer and have no counterpart.
 constexpr const char* kMissing[] = {"catch_gravity",
@@ -127,7 +127,7 @@ class KeywordReader {
 
   void leave_to_mesher() {
     gear_.of_mesher.push_back({name_place_, Finding::Kind::left_out, "keyword " + name_.substr(0, 40),
-                               "changes the drawing, which is taken as it stands"});
+                               "changes the drawing, which is used as it is"});
   }
 
   void leave_to_motion() {
@@ -156,7 +156,7 @@ class KeywordReader {
   void wave_model() { gear_.environment.wave_model = in_.next_integer("an argument of wave_model"); }
   void link() { gear_.link_distance = number(); }
 
-  /// 13 x1 x2 y1 y2 z1 z2 type; other codes stand for half-spaces.
+  /// 13 x1 x2 y1 y2 z1 z2 type; other codes mean half-spaces.
   void type_box() {
     const int code = in_.next_integer("a code of type_noeud_XYZ_SUPINF");
     if (code != 13 || gear_.plane != 3) return leave_to_mesher();

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostRows = 4000000;
 constexpr int kMostErrors = 50;
 
-/// A column that may stand in a table. Without a unit it holds words.
+/// A possible column of a table. Without a unit it contains words.
 struct Column {
   const char *name, *unit, *doc;
   double lo = 0, hi = 0;
@@ -94,7 +94,7 @@ class TableOfBars {
  private:
   using Row = std::vector<CsvCell>;
   static constexpr const char* kHeads =
-      "rows of nodes stand below the line node,x,y,z and rows of bars below bar,from,to,diameter,EA,density";
+      "write rows of nodes below the line node,x,y,z and rows of bars below bar,from,to,diameter,EA,density";
 
   int errors() const { return diagnostics_.errors() - errors_before_; }
   void error(const formats::Place& place, const std::string& message, const std::string& hint = {}) {
@@ -113,7 +113,7 @@ class TableOfBars {
       head_ == kNodeColumns ? read_node(row) : read_bar(row);
   }
 
-  /// Which column stands where: `EA` or `EA [N]`.
+  /// Reads the order of the columns: `EA` or `EA [N]`.
   template <std::size_t N>
   void read_head(const Row& row, const Column (&columns)[N]) {
     head_ = columns;
@@ -130,7 +130,7 @@ class TableOfBars {
         continue;
       }
       const auto column = static_cast<std::size_t>(at - columns);
-      if (is_known_[column]) error(row[i].place, "the column " + name + " stands here twice");
+      if (is_known_[column]) error(row[i].place, "the column " + name + " appears twice");
       if (bracket != std::string::npos) check_unit(row[i], row[i].text.substr(bracket), *at);
       is_known_[column] = true;
       where_[column] = i;
@@ -157,8 +157,7 @@ class TableOfBars {
     if (row.size() == width_) return true;
     const auto is_blank = [](const CsvCell& c) { return c.text.empty(); };
     if (row.size() < width_) {
-      error(row[0].place,
-            fmt::format("{} cells stand here, and {} in the line that names them", row.size(), width_),
+      error(row[0].place, fmt::format("this row has {} cells, and the line of names {}", row.size(), width_),
             "blank cells are written, too: a,,b");
       return false;
     }

@@ -88,8 +88,7 @@ class GearReader {
       in_.fail(in_.place(), "a panel with " + std::to_string(corners) + " corners; it needs at least 3");
     in_.skip_worded_line();
     for (int i = 0; i < corners && !in_.has_failed(); ++i) p.corners.push_back(read_corner());
-    if (in_.try_real())
-      diagnostics_.warning(in_.place(), "more rows of corners stand here than there are corners");
+    if (in_.try_real()) diagnostics_.warning(in_.place(), "there are more rows of corners than corners");
     p.EA = in_single(in_.real("the stiffness of twines"));
     p.EA_compression = in_single(in_.real("the stiffness of twines in compression"));
     p.opening = in_single(in_.real("the opening stiffness of meshes"));
@@ -226,7 +225,7 @@ class GearReader {
   void read_wanted() {
     using Kind = Wanted::Kind;
     const auto read = [&](Kind kind, bool keep) {
-      in_.skip_colon("a wanted number");
+      in_.skip_colon("a requested number");
       Wanted w{kind, in_.text_in_hashes("a text between #"), 0, 0};
       w.first = in_.integer("a node, or a cable");
       w.second = in_.integer("a node, or an axis");

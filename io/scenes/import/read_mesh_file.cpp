@@ -71,7 +71,7 @@ class MeshFileReader {
         error(rows_.place(),
               "the file ends after " + std::to_string(i) + " of " + std::to_string(count) + " " + what);
       else if (row.size() != columns)
-        error(row[0].place, std::to_string(row.size()) + " numbers stand in a row of " + what +
+        error(row[0].place, std::to_string(row.size()) + " numbers are in a row of " + what +
                                 "; there must be " + std::to_string(columns));
       else {
         check_number(row[0], what);
@@ -162,8 +162,8 @@ class MeshFileReader {
   void check_twines(const MeshFile::Bar& b, const Row& row) {
     if (!(gear_.panels[static_cast<std::size_t>(-b.cable) - 1].twines > 0))
       error_of_gear(row[5].place,
-                    "this bar stands for twines of panel " + std::to_string(-b.cable) +
-                        ", of which the .don does not say so",
+                    "this bar represents twines of panel " + std::to_string(-b.cable) +
+                        ", but the .don has no bars for that panel",
                     "it needs input netting2ropes " + std::to_string(-b.cable));
   }
 
@@ -174,7 +174,7 @@ class MeshFileReader {
     t.panel = index_of_gear(row[10], 1, gear_.panels.size(), "panel") - 1;
     const double d = (t.UV[2] - t.UV[0]) * (t.UV[5] - t.UV[1]) - (t.UV[4] - t.UV[0]) * (t.UV[3] - t.UV[1]);
     if (t.nodes[0] == t.nodes[1] || t.nodes[0] == t.nodes[2] || t.nodes[1] == t.nodes[2])
-      error(row[1].place, "a corner of this triangle stands here twice");
+      error(row[1].place, "a corner of this triangle appears twice");
     else if (is_fine() && !(std::abs(d) > 1e-9))
       error(row[4].place, "the corners of this triangle lie on one line in meshes");
     if (is_fine()) mesh_.triangles.push_back(t);

@@ -137,7 +137,7 @@ class MooringReader {
   bool has_columns(const Row& row, std::size_t least, const char* columns) {
     if (row.size() >= least) return true;
     error(row[0].place,
-          fmt::format("{} words stand here, and {} are needed: {}", row.size(), least, columns));
+          fmt::format("{} words are given here, and {} are needed: {}", row.size(), least, columns));
     return false;
   }
 
@@ -322,7 +322,7 @@ class MooringReader {
 
   void leave_out_water(const formats::Word& value) {
     if (formats::number_in(value.text) != 0.0)
-      leave_out(value.place, "waves and currents, which stand in other files, are not read");
+      leave_out(value.place, "waves and currents are in other files, which are not read");
   }
 
   void leave_out_option(const Row& row, const std::string& name) {
@@ -381,7 +381,7 @@ class MooringReader {
   void lay_on_bed() {
     out_.table.depth = depth_.value_or(0);
     for (auto& rope : out_.table.ropes) rope.bed = depth_ ? rope.bed * bed_stiffness_ : 0;
-    if (!depth_) return note({}, "the depth of the water is not said, so there is no bed");
+    if (!depth_) return note({}, "the depth of the water is not given, so there is no bed");
     for (const auto n : lower_) out_.table.nodes[n].at[2] = std::max(out_.table.nodes[n].at[2], -*depth_);
   }
 

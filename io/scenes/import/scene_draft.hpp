@@ -8,8 +8,8 @@ namespace netloft::scenes::femnet {
 inline constexpr const char* kAxis[] = {"x", "y", "z"};
 inline constexpr double kMostMass = 1e6;  // that a node may have, as scenes accept it [kg]
 
-/// A scene that is being written: of what, and what there is of it. Whoever writes a part of it says what
-/// could not be carried over.
+/// A scene that is being written: its gear, and the text so far. The writer of each part reports what a scene
+/// cannot represent.
 class SceneDraft {
  public:
   SceneDraft(const GearFile& of, const MeshFile& its_mesh, const Names& own_names,

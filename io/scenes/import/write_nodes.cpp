@@ -86,7 +86,8 @@ void write_loads(SceneDraft& to, std::size_t number) {
   write_limits(to, number);
 }
 
-/// After its times the nodes stand still, and before them if they are held: a step later and earlier.
+/// Writes the velocity of a hold. The nodes rest one step after the last time, and one step before the first
+/// if they are held.
 void write_velocity(SceneDraft& to, const NodeMotion& m, bool is_held) {
   const double dt = to.environment().time_step > 0 ? to.environment().time_step : 0.01;
   const auto with_rests = [&](std::vector<double> all, double before, double after) {

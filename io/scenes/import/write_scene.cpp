@@ -15,7 +15,8 @@ std::string header(const SceneDraft& from) {
                      (is_divided ? ", a file" : " and " + in_ascii(from.names.mesh) + ", files") +
                      " of FEMNET. Names have the numbers " +
                      (is_divided ? "of that file" : "of those files") + ".\n";
-  text += "# Numbers of netting are kept in single precision there, and stand here as they are kept.\n";
+  text +=
+      "# FEMNET keeps numbers of netting in single precision; they are written with that precision here.\n";
   for (const auto& f : from.out.findings)
     text += std::string("# ") + (f.kind == Finding::Kind::note ? "note" : "left out") + ", line " +
             std::to_string(f.place.line) + ", " + in_ascii(f.what) + ": " + in_ascii(f.text) + "\n";
@@ -69,7 +70,7 @@ void note_masses(SceneDraft& to, std::size_t number) {
   if (differ(t.added_mass)) to.note(t.place, what, "its added mass is the mean of all axes");
   if (t.sense[2] == 1 && to.environment().bed_friction != 0 && !to.is_towed())
     to.leave_out(t.place, what,
-                 "friction of a bed that stands, on nodes that slide over it, is not carried over");
+                 "friction of a bed at rest, on nodes that slide over it, is not carried over");
 }
 
 void note_differences_of_motion(SceneDraft& to) {

@@ -62,7 +62,7 @@ class Changed(InFreshFolder):
 
     def test_a_state_that_begins_nowhere(self):
         self.check(lambda f: replace(f, "VTKHDF/Steps/PointOffsets", np.zeros(0, dtype="i8")),
-                   "does not say where state 0 begins")
+                   "has no place for state 0")
 
     def test_an_attribute_with_several_texts(self):
         def change(f):

@@ -137,7 +137,7 @@ ALL = [
          "more than one body has a point"),
     ship("warp that is pushed", 'length = "100 m" }', 'length = "100 m", tension = "-12 kN" }', "25:61", "ship.warp.tension = -12000 N is outside (0, 1e9] N"),
     ship("warp of a mass", 'length = "100 m" }', 'length = "100 m", tension = "12 kg" }', "25:61", "ship.warp.tension"),
-    ship("tension of one warp alone", 'length = "100 m" }', 'length = "100 m", tension_port = "12 kN" }', "25:66", "stands alone", "tension beside it"),
+    ship("tension of one warp alone", 'length = "100 m" }', 'length = "100 m", tension_port = "12 kN" }', "25:66", "is given without a tension of the starboard warp", "tension beside it"),
     ship("unequal winches of half a gear", 'length = "100 m" }', 'length = "100 m", tension = "12 kN", tension_port = "13 kN" }', "2:10", "has another tension to port",
          'extent = "whole"'),
     ship("tension without a length to begin with", ', length = "100 m" }', ', tension = "12 kN" }', "25:8", 'missing key "length" in ship.warp'),

@@ -161,12 +161,12 @@ const Broken kBroken[] = {
      [](Tree& t) {
        t.write_ints("/VTKHDF/Connectivity", Ints{0, 1, 2, 1, 3, 22, 0, 1, 1, 4, 0, 4}, "1");
      },
-     "cell 1 stands on node 22, and there are 5"},
+     "cell 1 refers to node 22, and there are 5"},
     {"NegativeNode",
      [](Tree& t) {
        t.write_ints("/VTKHDF/Connectivity", Ints{0, 1, 2, 1, 3, -1, 0, 1, 1, 4, 0, 4}, "1");
      },
-     "cell 1 stands on node -1"},
+     "cell 1 refers to node -1"},
     {"TwoEqualNodes",
      [](Tree& t) {
        t.write_ints("/VTKHDF/Connectivity", Ints{0, 1, 1, 1, 3, 2, 0, 1, 1, 4, 0, 4}, "1");
@@ -181,7 +181,7 @@ const Broken kBroken[] = {
      [](Tree& t) {
        t.write_matrix("/VTKHDF/Points", Reals{0, 0, 0, 1, 0, 0}, 3, "m");
      },
-     "cell 0 stands on node 2, and there are 2"},
+     "cell 0 refers to node 2, and there are 2"},
     {"Tetrahedra",
      [](Tree& t) {
        t.write_ints("/VTKHDF/Types", Ints{10, 5, 3, 3, 2}, "1");

@@ -51,7 +51,7 @@ const Wrong kWriting[] = {
     {"OuterOfAMiddlePanel", "depth = 50\nsides = \"AN\"", "depth = 50\nsides = \"AN\"\nouter = \"AN\"",
      "unknown key \"outer\" in panels.bag"},
     {"NoDirection", "sides = \"5B1P in\"", "sides = \"5B1P\"",
-     "does not say whether \"5B1P\" goes in or out"},
+     "does not contain the direction of \"5B1P\", in or out"},
     {"NoSuchDirection", "sides = \"5B1P in\"", "sides = \"5B1P inwards\"", "\"inwards\" is not a direction"},
     {"StandsNowhere", "stands = \"middle\"", "stands = \"centre\"", "ropes.headline.stands"},
     {"OrientationUnknown", "mesh = \"80 mm\"", "orientation = \"t45\"\nmesh = \"80 mm\"",

@@ -88,10 +88,10 @@ TEST(BarTable, AnswersWrongCellsWithTheirPlace) {
   const Wrong wrong[] = {
       {"node,x,y,z", "knot,x,y,z", "gear.csv:1:1: error: the first line names the columns"},
       {"node,x,y,z", "node,x,y,zz", "there is no column \"zz\""},
-      {"node,x,y,z,hold", "node,x,y,x,hold", "the column x stands here twice"},
+      {"node,x,y,z,hold", "node,x,y,x,hold", "the column x appears twice"},
       {"node,x,y,z,hold", "node,x,y,hold,z [ft]", "z is in [m], and not in [ft]"},
       {"hold,mass,fx\n", "hold,mass\n", "this is cell 7 of a row of 6"},
-      {"low,2,0,-0.4,,5,", "low,2,0,-0.4,,5", "6 cells stand here, and 7"},
+      {"low,2,0,-0.4,,5,", "low,2,0,-0.4,,5", "this row has 6 cells, and the line of names 7"},
       {"low,2,0,-0.4,,5,", "low,2,0,,,5,", "gear.csv:3:1: error: z is blank"},
       {"right,4,0,0,yz,,2", "right,4,0,0,5,yz,,2", "this is cell 8 of a row of 7"},
       {"low,2,0,-0.4,,5,", "low,2,0,nan,,5,", "gear.csv:3:9: error: z = \"nan\" is no number"},

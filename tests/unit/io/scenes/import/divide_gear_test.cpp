@@ -201,8 +201,8 @@ TEST(DividedGear, AnswersWhatCannotBeDividedWithItsPlace) {
       {"3 3 -2 0 15 -10 4 2", "3 3 -2 0 15 1e300 4 2", "beyond a million meshes"},
       {"3 3 -2 0 15 -10 4 2", "3 3e9 -2 0 15 -10 4 2", "beyond a million metres"},
       {"3 3 -2 0 15 -10 4 2", "3 3 -2 0 15 0 4 2\n", "encloses no netting"},
-      {"3 3 -2 0 15 -10 4 2", "3 3 -2 0 15 -10 7 2", "nodes of type 7 are wanted here"},
-      {"Type of internal nodes: 2", "Type of internal nodes: 0", "nodes of type 0 are wanted here"},
+      {"3 3 -2 0 15 -10 4 2", "3 3 -2 0 15 -10 7 2", "nodes of type 7 are needed here"},
+      {"Type of internal nodes: 2", "Type of internal nodes: 0", "nodes of type 0 are needed here"},
       {"4 1 -2 0 5 -10 4 2", "4 1 -2 0 15 10 4 2", "encloses no netting"},
   };
   for (const auto& w : wrong) {

@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Broken{"FewerNodes", "Nombre de noeuds\n   7", "Nombre de noeuds\n   6",
                            "there are more rows than were announced"},
                     Broken{"MoreNodes", "Nombre de noeuds\n   7", "Nombre de noeuds\n   8",
-                           "stand in a row of nodes"},
+                           "are in a row of nodes"},
                     Broken{"NoNumber", "3.000000", "3.0x", "is no number"},
                     Broken{"FarAway", "3.000000", "3e12", "is beyond a million"}),
     [](const auto& broken) { return broken.param.name; });

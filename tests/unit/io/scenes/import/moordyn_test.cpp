@@ -242,13 +242,13 @@ TEST(MoorDyn, AnswersWhatIsWrongWithItsPlace) {
       {"250        20", "250        0", "the number of segments = 0 is outside"},
       {"250        20", "250        2.5", "the number of segments is not whole"},
       {"250        20", "250        1000000000", "the number of segments = 1e+09 is outside"},
-      {"250        20       p", "250", "5 words stand here, and 6 are needed"},
+      {"250        20       p", "250", "5 words are given here, and 6 are needed"},
       {"2     Free ", "1     Free ", "there is a point \"1\" already"},
       {"1     Fixed ", "1     Nailed", "the attachment \"Nailed\" is not known"},
       {"1    Coupled     10", "1    Free        10", "bodies that move, such as \"Body1\""},
       {"-5  0  0  0 ", "-5  0  9  0 ", "bodies that are turned, such as \"Body1\""},
       {"-100     0     -60 ", "-100     nan   -60 ", "a coordinate of the point = \"nan\" is no number"},
-      {"200    3       1.5    0", "200    3", "words stand here, and 9 are needed"},
+      {"200    3       1.5    0", "200    3", "words are given here, and 9 are needed"},
       {"- LINES -", "- LIES -", "there are no lines"},
       {"100       WtrDpth", "-7        WtrDpth", "the depth of the water = -7 is outside"}};
   for (const auto& w : wrong) {
