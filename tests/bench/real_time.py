@@ -55,7 +55,7 @@ class Run:
     def tell(self, name):
         a = self.answer
         print(f"{name}: {a['integrator']}, {a['steps']} steps of {a['shortest_step']:.3g} to {a['longest_step']:.3g} s, "
-              f"{a['wall_seconds']:.4g} s, {a['cpu_seconds']:.4g} CPU s", flush=True)
+              f"{a['wall_seconds']['solver_total']:.4g} s, {a['cpu_seconds']:.4g} CPU s", flush=True)
 
 
 def furthest(path, reference):
@@ -74,7 +74,7 @@ def print_factors(runs, loads):
     for run, before in zip(runs, loads):
         a = run.answer
         simulated = a["time"]
-        print(f"  {before}: real-time factor {a['real_time_factor']:.3g} ({a['wall_seconds']:.3g} s for {simulated:g} s), "
+        print(f"  {before}: real-time factor {a['real_time_factor']:.3g} ({a['wall_seconds']['solver_total']:.3g} s for {simulated:g} s), "
               f"{a['cpu_seconds']:.3g} CPU s; by CPU time alone {simulated / a['cpu_seconds']:.3g}")
         rest = run.program_seconds - a["cpu_seconds"]
         print(f"    not counted: {rest:.3g} CPU s for the equilibrium at the start, reading and writing; "

@@ -5,7 +5,7 @@
 // HDF5 itself reads of a journal, the image of what was known at the start, stays whole.
 #include "io/formats/hdf5/series_journal.hpp"
 #include "io/results/motion/checkpoint.hpp"
-#include "io/results/text/result_report.hpp"
+#include "io/results/text/result_text.hpp"
 #include "io/results/text/tables.hpp"
 #include "tests/fuzz/choices.hpp"
 #include "tests/fuzz/scratch_file.hpp"
@@ -100,9 +100,9 @@ void damage(const fs::path& path, fuzz::Choices& source) {
 
 void read(const fs::path& path) {
   try {
-    const results::StoredResult result(path);
-    fuzz::use(results::result_text(result).size() + results::result_json(result).size());
-    fuzz::use(results::nodes_csv(result, 0).size() + results::elements_csv(result, 0).size());
+    const results::StoredShape shape(path);
+    fuzz::use(results::result_text(shape.result).size() + results::result_json(shape.result).size());
+    fuzz::use(results::nodes_csv(shape, 0).size() + results::elements_csv(shape, 0).size());
   } catch (const formats::FileError& e) {
     fuzz::use(std::strlen(e.what()));
   }

@@ -4,8 +4,8 @@
 // renamed, replaced by others of another type or extent, numbers overwritten. Then it is read, reported and
 // drawn as any other.
 #include "io/formats/mesh/mesh.hpp"
-#include "io/results/file/materials.hpp"
-#include "io/results/text/result_report.hpp"
+#include "io/results/file/read_result.hpp"
+#include "io/results/text/result_text.hpp"
 #include "io/results/text/tables.hpp"
 #include "tests/fuzz/choices.hpp"
 #include "tests/fuzz/scratch_file.hpp"
@@ -169,12 +169,12 @@ void stand_on(const fs::path& path) {
 
 void look_at(const fs::path& path) {
   try {
-    const results::StoredResult result(path);
+    const results::Result result = results::read_result(path);
     fuzz::use(results::result_text(result).size() + results::result_json(result).size() +
               results::result_csv(result).size());
-    fuzz::use(results::materials_of(result).size());
-    for (const std::size_t state : {std::size_t{0}, result.times.empty() ? 0 : result.times.size() - 1})
-      fuzz::use(results::nodes_csv(result, state).size() + results::elements_csv(result, state).size());
+    const results::StoredShape shape(path);
+    for (const std::size_t state : {std::size_t{0}, shape.times.size() - 1})
+      fuzz::use(results::nodes_csv(shape, state).size() + results::elements_csv(shape, state).size());
   } catch (const formats::FileError& e) {
     fuzz::use(std::strlen(e.what()));
   }

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "io/results/figures/run_result.hpp"
+#include "io/results/figures/make_result.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
@@ -68,11 +68,11 @@ Off off(const std::vector<std::string>& overrides, HungBars bars) {
     off.furthest =
         std::max(off.furthest, std::hypot(x[3 * k] - static_cast<double>(bars.x[k][0]), x[3 * k + 1],
                                           x[3 * k + 2] - static_cast<double>(bars.x[k][1])));
-  results::RunResult result;
-  result.solution = s;
-  results::collect(rope.loaded(), rope.assembler(), result);
+  const results::Result result = results::make_result(rope.loaded(), rope.assembler(), s);
+  const auto outputs =
+      results::ask_elements(rope.loaded().scene, rope.assembler(), s.x, results::at_rest(s)).outputs;
   for (std::size_t k = 0; k < bars.T.size(); ++k)
-    off.tension = std::max(off.tension, std::abs(result.outputs[0][0][k] - static_cast<double>(bars.T[k])));
+    off.tension = std::max(off.tension, std::abs(outputs[0][0][k] - static_cast<double>(bars.T[k])));
   if (const auto* tension = results::find_scalar(result.scalars, "tension"))
     off.reported = tension->solver_error;
   std::printf("%d bars: furthest %.1e m, tension off by %.1e N, reported %.1e N\n", bars.n, off.furthest,

@@ -40,8 +40,7 @@ struct Plane {
 };
 
 /// How much of a pixel the twines on which `u` is a whole number cover; `slope` is that of u over pixels.
-/// Where they would be too close, every second, fourth … is drawn, and those of the level that is about to go
-/// fade.
+/// If they would be too close, every second, fourth … is drawn, and the twines that are left out next fade.
 double twine_cover(double u, double slope, double half_width) {
   const double per_pixel = std::max(slope, 1e-9), level = std::max(0.0, std::log2(per_pixel * kCloseness));
   const double spacing = std::exp2(std::floor(level)), n = std::round(u / spacing);
@@ -75,7 +74,7 @@ class GearPainter {
  public:
   GearPainter(const GearShape& shape, const Projection& projection, Canvas& canvas)
       : shape_(shape),
-        mesh_(shape.result->mesh),
+        mesh_(shape.stored->mesh),
         outline_(outline_of(mesh_)),
         shows_contacts_(shape.shows_contacts()),
         projection_(projection),
@@ -84,7 +83,8 @@ class GearPainter {
   void paint(double dx, double dy) {
     dx_ = dx;
     dy_ = dy;
-    for (const double sign : shape_.result->is_half ? std::vector<double>{1, -1} : std::vector<double>{1}) {
+    for (const double sign :
+         shape_.stored->result.is_half() ? std::vector<double>{1, -1} : std::vector<double>{1}) {
       place(sign);
       paint_catch();
       paint_solids(sign);
@@ -118,7 +118,7 @@ class GearPainter {
     return shape_.colour_of_cell(kind, cell);
   }
   const results::StoredPart& part(std::uint32_t cell) const {
-    return shape_.result->parts[mesh_.cell_part[cell]];
+    return shape_.stored->parts[mesh_.cell_part[cell]];
   }
   double half_pixels(std::uint32_t cell, double least) const {
     const double diameter = part(cell).diameter;
@@ -191,7 +191,7 @@ class GearPainter {
       for (const auto node : side)
         for (std::size_t k = 0; k < 3; ++k)
           middle[k] += shape_.nodes[node][k] / (2.0 * static_cast<double>(shape_.fish.rim.size()));
-    if (shape_.result->is_half) middle[1] = 0;
+    if (shape_.stored->result.is_half()) middle[1] = 0;
     return middle;
   }
 
@@ -203,7 +203,7 @@ class GearPainter {
       const Vec3<double> n = cross(vector(shape_.nodes[a]) - m, vector(shape_.nodes[b]) - m);
       sum += dot(n, sum) < 0 ? -1.0 * n : n;
     }
-    if (shape_.result->is_half) sum.y = 0;
+    if (shape_.stored->result.is_half()) sum.y = 0;
     return norm(sum) > 0 ? (1 / norm(sum)) * sum : sum;
   }
 

@@ -18,14 +18,14 @@ std::string names_of(const std::vector<results::StoredField>& fields) {
   return names + "part";
 }
 
-std::optional<results::StoredField> find_field(const results::StoredResult& result,
+std::optional<results::StoredField> find_field(const results::StoredShape& stored,
                                                const std::string& wanted) {
   if (wanted == "part") return {};
-  for (const auto& field : result.fields)
+  for (const auto& field : stored.fields)
     if (wanted.empty() ? !field.is_total : field.name == wanted) return field;
   if (!wanted.empty())
-    throw std::invalid_argument(result.path.string() + " has no field " + wanted + "; it has " +
-                                names_of(result.fields));
+    throw std::invalid_argument(stored.result.path + " has no field " + wanted + "; it has " +
+                                names_of(stored.fields));
   return {};
 }
 
@@ -43,14 +43,14 @@ double GearShape::value_of(std::uint32_t cell) const {
 }
 
 Colour GearShape::colour(results::CellKind kind, std::uint32_t cell, double value) const {
-  if (!field) return colour_of_part(result->mesh.cell_part[cell]);
+  if (!field) return colour_of_part(stored->mesh.cell_part[cell]);
   const auto& scale = scales[static_cast<std::size_t>(kind)];
   if (!scale || !std::isfinite(value)) return kind == results::CellKind::point ? kFloatColour : kNoValue;
   return colour_at(scale->place(value));
 }
 
 Colour GearShape::colour_of_plate(const results::BodyPlate& plate) const {
-  const auto cell = result->mesh.dot_cells[plate.dot];
+  const auto cell = stored->mesh.dot_cells[plate.dot];
   const bool is_known =
       !field || (scales[static_cast<std::size_t>(results::CellKind::point)] && std::isfinite(value_of(cell)));
   return is_known ? colour_of_cell(results::CellKind::point, cell) : kBodyColour;
@@ -61,24 +61,24 @@ bool GearShape::shows_contacts() const {
          !scales[static_cast<std::size_t>(results::CellKind::rope)];
 }
 
-GearShape shape_of(const results::StoredResult& result, std::size_t state, const Colouring& colouring) {
+GearShape shape_of(const results::StoredShape& stored, std::size_t state, const Colouring& colouring) {
   GearShape shape;
-  shape.result = &result;
-  const auto points = result.points(state);
-  for (std::size_t n = 0; n < result.mesh.n_points; ++n)
+  shape.stored = &stored;
+  const auto points = stored.points(state);
+  for (std::size_t n = 0; n < stored.mesh.n_points; ++n)
     shape.nodes.push_back({points[3 * n], points[3 * n + 1], points[3 * n + 2]});
-  shape.fish = results::catch_body_of(result, state);
-  shape.plates = results::plates_of(result, state);
-  for (const auto& ship : results::ships_of(result, state)) {
+  shape.fish = results::catch_body_of(stored, state);
+  shape.plates = results::plates_of(stored, state);
+  for (const auto& ship : results::ships_of(stored, state)) {
     const auto triangles = results::triangles_of(ship);
     shape.hulls.insert(shape.hulls.end(), triangles.begin(), triangles.end());
   }
-  shape.field = find_field(result, colouring.field);
+  shape.field = find_field(stored, colouring.field);
   if (!shape.field) return shape;
-  shape.values = result.field(shape.field->name, state);
-  shape.scales = results::scales_of(results::spreads_of(result, shape.field->name), colouring.is_logarithmic);
-  shape.at_corners = colouring.by_element ? same_at_corners(result.mesh, shape.values)
-                                          : results::values_at_corners(result.mesh, shape.values);
+  shape.values = stored.field(shape.field->name, state);
+  shape.scales = results::scales_of(results::spreads_of(stored, shape.field->name), colouring.is_logarithmic);
+  shape.at_corners = colouring.by_element ? same_at_corners(stored.mesh, shape.values)
+                                          : results::values_at_corners(stored.mesh, shape.values);
   return shape;
 }
 
@@ -90,11 +90,11 @@ std::optional<Framing> framing_called(const std::string& name) {
 }
 
 std::vector<Point3> extent_of(const GearShape& shape, Framing framing) {
-  const results::StoredMesh& mesh = shape.result->mesh;
+  const results::StoredMesh& mesh = shape.stored->mesh;
   std::vector<Point3> points;
   const auto take = [&](const Point3& place) {
     points.push_back(place);
-    if (shape.result->is_half) points.push_back({place[0], -place[1], place[2]});
+    if (shape.stored->result.is_half()) points.push_back({place[0], -place[1], place[2]});
   };
   for (const auto& triangle : mesh.triangles)
     for (const auto node : triangle) take(shape.nodes[node]);

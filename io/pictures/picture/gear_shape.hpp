@@ -5,7 +5,7 @@
 #include "io/results/file/body_plates.hpp"
 #include "io/results/file/catch_body.hpp"
 #include "io/results/file/field_scale.hpp"
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace netloft::pictures {
 
 /// A state of a result, ready to be painted.
 struct GearShape {
-  const results::StoredResult* result = nullptr;
+  const results::StoredShape* stored = nullptr;
   std::vector<Point3> nodes;
   std::optional<results::StoredField> field;  // what is coloured; nothing: the part
   results::FieldScales scales;
@@ -47,10 +47,10 @@ struct Colouring {
 };
 
 /// Throws std::invalid_argument with a sentence for a field that the result has not.
-GearShape shape_of(const results::StoredResult& result, std::size_t state, const Colouring& colouring);
+GearShape shape_of(const results::StoredShape& stored, std::size_t state, const Colouring& colouring);
 
-/// What there is room for in a picture: the netting; boards and other bodies, too; bridles, warps and ship,
-/// too.
+/// The parts for which a picture has room: netting alone; boards and other bodies, too; bridles, warps and
+/// ship, too.
 enum class Framing { netting, boards, all };
 
 /// "netting", "boards", "all"; nothing for other names.

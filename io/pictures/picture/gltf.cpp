@@ -25,8 +25,8 @@ constexpr int kFloat = 5126, kArrayBuffer = 34962, kLinear = 9729, kLinearMipmap
 /// Colours of vertices are linear in glTF, ours are those of screens (IEC 61966-2-1).
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
-/// What one part consists of in one of the three modes: positions and colours of vertices, and of netting the
-/// places on its panel in meshes, so that the file is a mesh for scenes (io/formats/mesh).
+/// One part in one of the three modes: positions and colours of its vertices, and for netting their places on
+/// the panel in meshes, so that the file is a mesh for scenes (io/formats/mesh).
 struct Vertices {
   std::vector<float> positions, colours, meshes;
   bool has_meshes = true;
@@ -46,11 +46,11 @@ using Primitives = std::map<std::pair<std::uint32_t, Mode>, Vertices>;
 
 /// The number after those of the parts: a ship is not a part of the gear.
 std::uint32_t ship_of(const GearShape& shape) {
-  return static_cast<std::uint32_t>(shape.result->parts.size());
+  return static_cast<std::uint32_t>(shape.stored->parts.size());
 }
 
 Primitives gather(const GearShape& shape) {
-  const results::StoredMesh& mesh = shape.result->mesh;
+  const results::StoredMesh& mesh = shape.stored->mesh;
   Primitives all;
   const auto add = [&](Mode mode, std::uint32_t cell, std::uint32_t node, const Colour& colour) {
     all[{mesh.cell_part[cell], mode}].add(shape.nodes[node], colour);
@@ -76,7 +76,7 @@ Primitives gather(const GearShape& shape) {
 }
 
 std::string name_of(const GearShape& shape, std::uint32_t part) {
-  return part == ship_of(shape) ? "ship" : shape.result->parts[part].name;
+  return part == ship_of(shape) ? "ship" : shape.stored->parts[part].name;
 }
 
 /// Writes a file piece by piece: the document, and the numbers that it refers to.
@@ -95,10 +95,10 @@ class GltfWriter {
       halves.push_back(nodes.size());
       nodes.push_back({{"name", name}, {"scale", {1, side, 1}}, {"children", children}});
     };
-    group(shape_.result->is_half ? "starboard" : "gear", 1);
-    if (shape_.result->is_half) add_mirrored(children.size(), nodes, halves);
+    group(shape_.stored->result.is_half() ? "starboard" : "gear", 1);
+    if (shape_.stored->result.is_half()) add_mirrored(children.size(), nodes, halves);
     // z up becomes y up
-    nodes.push_back({{"name", shape_.result->title()},
+    nodes.push_back({{"name", shape_.stored->result.title},
                      {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}},
                      {"children", halves}});
     return finish(nodes);
@@ -136,7 +136,7 @@ class GltfWriter {
   /// The material with the twines of a part's netting; the plain one where it is not known how they lie.
   /// Parts of the same netting share one.
   std::size_t material_of_netting(std::uint32_t part) {
-    const results::StoredPart& p = shape_.result->parts[part];
+    const results::StoredPart& p = shape_.stored->parts[part];
     const double half_width = std::isfinite(p.diameter / p.bar) ? p.diameter / p.bar / 2 : 0;
     const auto texture = netting_texture(p.twine_axes, std::max(half_width, kLeastTextureTwine));
     if (!texture) return 0;

@@ -48,7 +48,7 @@ std::pair<std::size_t, int> longest_side(Box box) {
   return longest;
 }
 
-/// Where to cut: half of the pixels lie on either side, and no side is empty.
+/// The place to cut: half of the pixels lie on either side, and no side is empty.
 std::size_t median_of(Box box) {
   const std::size_t half = pixels_in(box) / 2;
   std::size_t sum = 0, at = 0;

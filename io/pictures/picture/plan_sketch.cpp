@@ -27,12 +27,12 @@ Grid grid_of(const scenes::SheetPlace& s, double U, double V) {
           std::lround(1e4 * (s.y + U * s.y_across + V * s.y_deep))};
 }
 
-std::map<std::uint32_t, GridSides> sides_of(const results::StoredResult& result) {
+std::map<std::uint32_t, GridSides> sides_of(const results::StoredShape& stored) {
   std::map<std::uint32_t, GridSides> all;
-  const results::StoredMesh& mesh = result.mesh;
+  const results::StoredMesh& mesh = stored.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto part = mesh.cell_part[mesh.triangle_cells[t]];
-    const scenes::SheetPlace& sheet = result.parts[part].sheet;
+    const scenes::SheetPlace& sheet = stored.parts[part].sheet;
     const auto& uv = mesh.corners[t];
     if (!std::isfinite(sheet.x + uv[0] + uv[2] + uv[4])) continue;
     std::array<Grid, 3> corner;
@@ -59,8 +59,8 @@ struct SketchBox {
 
 }  // namespace
 
-std::string plan_sketch(const results::StoredResult& result) {
-  const auto sides = sides_of(result);
+std::string plan_sketch(const results::StoredShape& stored) {
+  const auto sides = sides_of(stored);
   SketchBox whole;
   for (const auto& [part, all] : sides)
     for (const auto& [side, times] : all) {
@@ -82,7 +82,7 @@ std::string plan_sketch(const results::StoredResult& result) {
       if (times == 1) picture.line(place(side[0]), place(side[1]), kInk, 1.2);
     }
     const formats::PicturePoint right = place({box.right, (box.top + box.bottom) / 2});
-    picture.text({right.x + 6, right.y + 4}, result.parts[part].name, 11, kPale, formats::Anchor::start);
+    picture.text({right.x + 6, right.y + 4}, stored.parts[part].name, 11, kPale, formats::Anchor::start);
   }
   const double width = place({whole.right, 0}).x + kNames;
   return picture.finish(width, kTall + 2 * kSketchMargin);

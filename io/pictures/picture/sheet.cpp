@@ -46,22 +46,24 @@ Point3 middle_of(const std::vector<Point3>& points) {
   return middle;
 }
 
-void add_title(const results::StoredResult& result, std::size_t state, SheetLayout& layout) {
-  std::string title = result.title();
-  if (!result.stages.empty()) title += ", " + result.stages[state];
-  if (result.is_motion) title += fmt::format(", {:.4g} s", result.times[state]);
+void add_title(const results::StoredShape& stored, std::size_t state, SheetLayout& layout) {
+  std::string title = stored.result.title;
+  if (!stored.stages.empty()) title += ", " + stored.stages[state];
+  if (stored.result.motion) title += fmt::format(", {:.4g} s", stored.times[state]);
   layout.words.push_back({kMargin, 27, shortened(title, 40), kTitleSize});
-  if (!result.is_answer())
+  if (!stored.result.is_answer())
     layout.words.push_back(
         {kMargin, 44,
-         (result.outcome.empty() ? "the run has not ended" : result.outcome) + ": no equilibrium", 13});
+         (stored.result.outcome.empty() ? "the run has not ended" : stored.result.outcome) +
+             ": no equilibrium",
+         13});
 }
 
 /// In views along the level: the bed under the gear, from edge to edge of the picture.
 void add_bed(const GearShape& shape, const Projection& projection, View view, Sheet& sheet) {
   constexpr int kPieces = 64;
   constexpr Colour kBed = {0.55f, 0.46f, 0.3f};
-  const auto& bed = shape.result->bed;
+  const auto& bed = shape.stored->bed;
   if (!bed || (view != View::side && view != View::front)) return;
   const Point3 middle = middle_of(extent_of(shape, Framing::netting));
   const double there = projection(middle)[0];
@@ -98,9 +100,9 @@ double picture_height(View view, const std::vector<Point3>& points, double width
   return std::round(std::clamp(tall + 2 * kMargin, kLeastHeight * width, kGreatestHeight * width));
 }
 
-Sheet compose(const results::StoredResult& result, const SheetOptions& options) {
-  const std::size_t state = std::min(options.state, result.times.size() - 1);
-  const GearShape shape = shape_of(result, state, options.colouring);
+Sheet compose(const results::StoredShape& stored, const SheetOptions& options) {
+  const std::size_t state = std::min(options.state, stored.times.size() - 1);
+  const GearShape shape = shape_of(stored, state, options.colouring);
   Sheet sheet;
   sheet.layout = empty_layout(options.is_dark);
   sheet.width = static_cast<double>(options.width);
@@ -115,7 +117,7 @@ Sheet compose(const results::StoredResult& result, const SheetOptions& options) 
   sheet.picture =
       paint(shape, projection, options.width, static_cast<std::size_t>(height), sheet.layout.ground);
   add_bed(shape, projection, options.view, sheet);
-  add_title(result, state, sheet.layout);
+  add_title(stored, state, sheet.layout);
   add_legends(shape, sheet.width - kMargin, is_narrow ? kHead : 12, sheet.layout);
   add_scale_bar(projection.pixels_per_metre, kMargin, sheet.height - kFoot / 2, sheet.width / 6,
                 sheet.layout);
@@ -176,8 +178,8 @@ void draw_words(const SheetLayout::Words& words, const SheetLayout& layout, Imag
 
 }  // namespace
 
-std::string svg_sheet(const results::StoredResult& result, const SheetOptions& options) {
-  const Sheet sheet = compose(result, options);
+std::string svg_sheet(const results::StoredShape& stored, const SheetOptions& options) {
+  const Sheet sheet = compose(stored, options);
   const SheetLayout& layout = sheet.layout;
   const std::string picture = options.is_small ? small_png(sheet.picture) : png(sheet.picture);
   std::string svg = fmt::format(
@@ -186,8 +188,9 @@ std::string svg_sheet(const results::StoredResult& result, const SheetOptions& o
       "Sans,Helvetica,Arial,sans-serif\">\n<rect "
       "width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"{3}\"/>\n<image y=\"{4:g}\" width=\"{5}\" height=\"{6}\" "
       "href=\"data:image/png;base64,{7}\"/>\n",
-      sheet.width, sheet.height, formats::escape_markup("the shape of " + result.title()), hex(layout.ground),
-      sheet.picture_top, sheet.picture.width, sheet.picture.height, base64(bytes_of(picture)));
+      sheet.width, sheet.height, formats::escape_markup("the shape of " + stored.result.title),
+      hex(layout.ground), sheet.picture_top, sheet.picture.width, sheet.picture.height,
+      base64(bytes_of(picture)));
   for (const auto& box : layout.boxes)
     svg += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
                        box.x, box.y, box.width, box.height, hex(box.colour));
@@ -200,8 +203,8 @@ std::string svg_sheet(const results::StoredResult& result, const SheetOptions& o
   return svg + "</svg>\n";
 }
 
-std::string png_sheet(const results::StoredResult& result, const SheetOptions& options) {
-  const Sheet sheet = compose(result, options);
+std::string png_sheet(const results::StoredShape& stored, const SheetOptions& options) {
+  const Sheet sheet = compose(stored, options);
   Image image(static_cast<std::size_t>(sheet.width), static_cast<std::size_t>(sheet.height),
               sheet.layout.ground);
   const auto top = static_cast<std::size_t>(sheet.picture_top);

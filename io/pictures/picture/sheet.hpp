@@ -22,9 +22,9 @@ struct SheetOptions {
 /// Title, picture, legends and scale bar as SVG: letters and lines are vectors, the gear is a picture in
 /// pixels, in which hidden surfaces are right. Throws std::invalid_argument for a field that the result has
 /// not.
-std::string svg_sheet(const results::StoredResult& result, const SheetOptions& options);
+std::string svg_sheet(const results::StoredShape& stored, const SheetOptions& options);
 
 /// The same as the bytes of a PNG file.
-std::string png_sheet(const results::StoredResult& result, const SheetOptions& options);
+std::string png_sheet(const results::StoredShape& stored, const SheetOptions& options);
 
 }  // namespace netloft::pictures

@@ -121,9 +121,9 @@ void add_dimensions(const GearShape& shape, const Projection& projection, const 
   for (const auto& node : shape.nodes) points.insert(points.end(), node.begin(), node.end());
   std::vector<LabelledLine> lines;
   std::vector<std::string> words;
-  for (const auto& dimension : results::dimensions_of(*shape.result)) {
-    const Point3 from = results::place_of(dimension.from, *shape.result, points, {});
-    const Point3 to = results::place_of(dimension.to, *shape.result, points, from);
+  for (const auto& dimension : results::dimensions_of(*shape.stored)) {
+    const Point3 from = results::place_of(dimension.from, *shape.stored, points, {});
+    const Point3 to = results::place_of(dimension.to, *shape.stored, points, from);
     Point3 a = projection(from), b = projection(to);
     a[1] += picture.top;
     b[1] += picture.top;

@@ -7,8 +7,8 @@
 
 namespace netloft::pictures {
 
-/// What stands around and over the picture of a gear, in pixels from the upper left corner of the sheet; not
-/// yet as SVG or PNG.
+/// Title, legend, labels and dimension lines of a picture, in pixels from the upper left corner of the sheet,
+/// for SVG and for PNG.
 struct SheetLayout {
   enum class Align { left, middle, right };
   struct Box {

@@ -7,13 +7,14 @@
 
 namespace netloft::pictures {
 
-/// Where a gear is looked at from: from port, from above, from ahead, from above and ahead on the port side.
+/// The direction from which a gear is seen: from port, from above, from ahead, from above and ahead on the
+/// port side.
 enum class View { side, top, front, oblique };
 
 /// "side", "top", "front", "oblique"; nothing for other names.
 std::optional<View> view_of(const std::string& name);
 
-/// Where the eye of a view is: azimuth about z from x towards y, elevation above the level [degrees].
+/// The direction of the eye of a view: azimuth about z from x towards y, elevation above the level [degrees].
 struct ViewAngles {
   double azimuth, elevation;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,6 +8,6 @@ namespace netloft::pictures {
 
 /// The region around a gear in which bed and surface are drawn, and heights of the bed on an even grid over
 /// it: {x: [first, last], y: [first, last], places, heights [x][y]}; `heights` is null without a bed [m].
-nlohmann::ordered_json ground_json(const results::StoredResult& result);
+nlohmann::ordered_json ground_json(const results::StoredShape& stored);
 
 }  // namespace netloft::pictures

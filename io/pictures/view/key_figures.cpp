@@ -2,9 +2,9 @@
 #include "io/pictures/view/key_figures.hpp"
 
 #include "io/pictures/view/report_html.hpp"
-#include "io/results/text/gear_text.hpp"
-
-#include <fmt/format.h>
+#include "io/results/figures/figure_names.hpp"
+#include "io/results/text/measured.hpp"
+#include "io/results/text/result_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,77 +16,63 @@ namespace {
 
 constexpr std::size_t kMostKeyFigures = 9;
 
-/// A figure and what people call it.
-struct KeyFigure {
-  std::string words;
-  const results::NamedScalar* figure;
-};
-
-/// Of a gear height, spreads, area and drag, what the ship pulls, and the pulls of its rigging; of other
-/// scenes what they ask for.
-std::vector<KeyFigure> key_figures_of(const results::StoredResult& result) {
-  std::vector<KeyFigure> keys;
+/// The numbers that are wanted first: of a gear height, spreads, area and drag, the pull of the ship and
+/// those of its rigging; then the [results] of the scene.
+std::vector<const results::NamedScalar*> key_figures_of(const results::Result& result) {
+  std::vector<const results::NamedScalar*> keys;
   const auto add = [&](std::string_view group, std::string_view what) {
     for (const auto& figure : result.figures)
-      if (figure.name.starts_with(group) && figure.name.ends_with(what))
-        keys.push_back({results::principal_name(figure.name), &figure});
+      if (figure.name.starts_with(group) && figure.name.ends_with(what)) keys.push_back(&figure);
   };
-  for (const auto* what :
-       {"headline_height", "upper_wing_spread", "lower_wing_spread", "door_spread", "area"})
+  for (const auto* what : {"headline_height", "upper_wing_spread", "lower_wing_spread", "area"})
     add("mouth/", what);
   add("pairs/", "/spread");
   add("drag/all/x", "");
   add("towing/pull", "");
   add("rigging/", "/tension_start");
-  for (const auto& scalar : result.scalars) keys.push_back({spoken(scalar.name), &scalar});
+  for (const auto& scalar : result.scalars) keys.push_back(&scalar);
   if (keys.size() > kMostKeyFigures) keys.resize(kMostKeyFigures);
   return keys;
 }
 
-/// "1.99 m", "22.1 kN"
-std::string value_text(double value, const std::string& unit) {
-  if (!std::isfinite(value)) return "–";
-  if (unit == "N" && std::abs(value) >= 1000) return fmt::format("{:.3g} kN", value / 1000);
-  return fmt::format("{:.3g}", value) + (unit == "1"    ? ""
-                                         : unit == "m2" ? " m²"
-                                         : unit == "m3" ? " m³"
-                                                        : " " + unit);
+std::string name_of(const results::NamedScalar& figure) {
+  const std::string name = results::principal_name(figure.name);
+  return name.empty() ? results::spoken(figure.name) : name;
 }
 
-std::string box_html(const KeyFigure& key, const results::NamedScalar* after) {
-  const results::NamedScalar& figure = *key.figure;
-  std::string text = value_text(figure.value, figure.unit);
-  if (after) text += " → " + value_text(after->value, after->unit);
-  return "<div><dt>" + in_html(key.words) + "</dt><dd title=\"" + in_html(figure.doc) +
-         "\"><span data-figure=\"" + in_html(figure.name) + "\">" + in_html(text) + "</span> <small>" +
-         in_html(results::error_text(after ? *after : figure)) + "</small></dd></div>\n";
+std::string box_html(const results::NamedScalar& figure, const results::NamedScalar* after) {
+  std::string text = card_text(figure);
+  if (after) text += " → " + card_text(*after);
+  return "<div><dt>" + in_html(name_of(figure)) + "</dt><dd title=\"" + in_html(figure.doc) +
+         "\"><span data-figure=\"" + in_html(figure.name) + "\">" + in_html(text) + "</span></dd></div>\n";
 }
 
 }  // namespace
 
-std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
+std::string card_text(const results::NamedScalar& figure) {
+  const bool in_kilo = figure.unit == "N" && std::abs(figure.value) >= 1000;
+  const double factor = in_kilo ? 1e-3 : 1;
+  const std::string unit = in_kilo ? "kN" : results::unit_text(figure.unit);
+  return results::measured(factor * figure.value, factor * results::total_error(figure), "{:.3g}") +
+         (unit.empty() ? "" : " " + unit);
 }
 
-std::string badge_html(const results::StoredResult& result) {
-  std::string words = result.outcome.empty() ? "the run has not ended" : result.outcome;
-  if (!result.stability.empty() && result.stability != "unknown")
-    words += ", " + result.stability + " equilibrium";
-  return std::string("<span class=\"badge") + (result.is_answer() ? " answer" : "") + "\">" + in_html(words) +
-         "</span>\n";
+std::string badge_html(const results::Result& result) {
+  return std::string("<span class=\"badge") + (result.is_answer() ? " answer" : "") + "\">" +
+         in_html(results::ending_text(result)) + "</span>\n";
 }
 
-std::string key_figures_html(const std::vector<const results::StoredResult*>& results) {
+std::string key_figures_html(const std::vector<const results::Result*>& results) {
   std::string html;
-  for (const auto& key : key_figures_of(*results.front())) {
+  for (const auto* key : key_figures_of(*results.front())) {
     const auto* after = results.size() == 2 ? results[1] : nullptr;
-    const results::NamedScalar* same =
-        after ? results::find_scalar(after->figures, key.figure->name) : nullptr;
-    if (after && !same) same = results::find_scalar(after->scalars, key.figure->name);
-    html += box_html(key, same);
+    const results::NamedScalar* same = after ? results::find_scalar(after->figures, key->name) : nullptr;
+    if (after && !same) same = results::find_scalar(after->scalars, key->name);
+    html += box_html(*key, same);
   }
-  return html.empty() ? "" : "<dl id=\"keys\">\n" + html + "</dl>\n";
+  if (html.empty()) return html;
+  return "<dl id=\"keys\">\n" + html + "</dl>\n<p class=\"errors\">" +
+         in_html(results::errors_text(*results.front())) + ".</p>\n";
 }
 
 }  // namespace netloft::pictures

@@ -8,6 +8,8 @@
 #include "io/pictures/view/report_html.hpp"
 #include "io/pictures/view/result_json.hpp"
 
+#include <filesystem>
+
 namespace netloft::pictures {
 
 namespace {
@@ -20,70 +22,75 @@ std::string head(const std::string& title, const std::string& badge, const std::
          in_html(title) + "</h1>\n" + badge + "<p id=\"status\" role=\"status\" hidden></p></header>\n";
 }
 
-std::string title_of(const std::vector<const results::StoredResult*>& results) {
+std::string title_of(const std::vector<const results::Result*>& results) {
   std::string title;
-  for (const auto* result : results) title += (title.empty() ? "" : ", ") + result->title();
+  for (const auto* result : results) title += (title.empty() ? "" : ", ") + result->title;
   return title;
+}
+
+std::string name_of_file(const results::Result& result) {
+  return std::filesystem::path(result.path).filename().string();
 }
 
 constexpr std::size_t kPictureWidth = 800;  // pixels: pages of any gear stay below 2 MB
 
 /// Says above everything else that a shape is no answer.
-std::string unfinished_html(const results::StoredResult& result) {
+std::string unfinished_html(const results::Result& result) {
   return "<p><strong>" +
-         in_html(result.path.filename().string() + ": " +
+         in_html(name_of_file(result) + ": " +
                  (result.outcome.empty() ? "the run has not ended" : result.outcome)) +
          "</strong>, so that this is not the shape in equilibrium. " + in_html(result.sentence) + "</p>\n";
 }
 
-std::string picture_html(const results::StoredResult& result, View view, const std::string& words) {
+std::string picture_html(const results::StoredShape& shape, View view, const std::string& words) {
   SheetOptions options;
   options.view = view;
   options.width = kPictureWidth;
   options.with_dimensions = options.is_small = true;
-  return "<figure>" + svg_sheet(result, options) + "<figcaption>" + words + "</figcaption></figure>\n";
+  return "<figure>" + svg_sheet(shape, options) + "<figcaption>" + words + "</figcaption></figure>\n";
 }
 
 /// Views from the side, the top and the front, and the plan, for readers without scripts and for paper.
-std::string pictures_html(const results::StoredResult& result) {
+std::string pictures_html(const results::StoredShape& shape) {
   std::string html = "<section id=\"pictures\" aria-label=\"Pictures\">\n";
   for (const auto& [view, words] :
        {std::pair{View::side, "From the side"}, {View::top, "From above"}, {View::front, "From the front"}})
-    html += picture_html(result, view, words);
-  if (const std::string plan = plan_sketch(result); !plan.empty())
+    html += picture_html(shape, view, words);
+  if (const std::string plan = plan_sketch(shape); !plan.empty())
     html += "<figure>" + plan.substr(plan.find("<svg")) + "<figcaption>The plan" +
-            (result.is_half ? ", of the half that was modelled" : "") + "</figcaption></figure>\n";
+            (shape.result.is_half() ? ", of the half that was modelled" : "") + "</figcaption></figure>\n";
   return html + "</section>\n";
 }
 
 }  // namespace
 
-std::string view_page(const std::vector<const results::StoredResult*>& results, std::size_t most_states) {
+std::string view_page(const std::vector<const results::StoredShape*>& shapes, std::size_t most_states) {
+  std::vector<const results::Result*> results;
+  for (const auto* shape : shapes) results.push_back(&shape->result);
   std::string page =
       head(title_of(results), results.size() == 1 ? badge_html(*results.front()) : "", kPagePolicy);
   page += "<main>\n" + key_figures_html(results);
   for (const auto* result : results)
     if (!result->is_answer()) page += unfinished_html(*result);
   page += kPageBody;
-  page += pictures_html(*results.front());
-  if (results.size() == 2)
-    page += diff_html(results::compare_results(results::read_summary(results[0]->path),
-                                               results::read_summary(results[1]->path)));
+  page += pictures_html(*shapes.front());
+  if (results.size() == 2) page += diff_html(results::compare_results(*results[0], *results[1]));
   for (const auto* result : results)
-    page += "<section aria-label=\"Report\">\n<h2>Report: " + in_html(result->path.filename().string()) +
-            "</h2>\n" + badge_html(*result) + summary_html(*result) + materials_table(*result) +
-            details_html(*result) + "</section>\n";
-  page += "</main>\n<script type=\"application/json\" id=\"data\">" + results_json(results, most_states) +
+    page += "<section aria-label=\"Report\">\n<h2>Report: " + in_html(name_of_file(*result)) + "</h2>\n" +
+            badge_html(*result) + summary_html(*result) + materials_table(*result) + details_html(*result) +
+            "</section>\n";
+  page += "</main>\n<script type=\"application/json\" id=\"data\">" + results_json(shapes, most_states) +
           "</script>\n<script>" + std::string(kPageLibraries) + "</script>\n<script>" + kPageViewer +
           "</script>\n</body>\n</html>\n";
   return page;
 }
 
-std::string report_page(const results::StoredResult& result) {
-  return head(result.title(), badge_html(result), kPageQuietPolicy) + "<main>\n<div class=\"sheet\">\n" +
+std::string report_page(const results::StoredShape& shape) {
+  const results::Result& result = shape.result;
+  return head(result.title, badge_html(result), kPageQuietPolicy) + "<main>\n<div class=\"sheet\">\n" +
          summary_html(result) + key_figures_html({&result}) +
-         picture_html(result, View::oblique, "Obliquely from ahead") + materials_table(result) +
-         "</div>\n<div class=\"sheet next-page\">\n" + pictures_html(result) +
+         picture_html(shape, View::oblique, "Obliquely from ahead") + materials_table(result) +
+         "</div>\n<div class=\"sheet next-page\">\n" + pictures_html(shape) +
          "</div>\n<div class=\"sheet next-page\">\n<h2>Details</h2>\n" + details_html(result) +
          "</div>\n</main>\n</body>\n</html>\n";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <cstddef>
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace netloft::pictures {
 
-/// A page with the viewer, in one file without a network: report and pictures stand in it as they are, and
+/// A page with the viewer, in one file without a network: report and pictures are static, and
 /// scripts put the viewer above them. Two results are laid over one another; three and more are a sweep.
-std::string view_page(const std::vector<const results::StoredResult*>& results, std::size_t most_states);
+std::string view_page(const std::vector<const results::StoredShape*>& shapes, std::size_t most_states);
 
 /// A page with the report alone: no scripts.
-std::string report_page(const results::StoredResult& result);
+std::string report_page(const results::StoredShape& shape);
 
 }  // namespace netloft::pictures

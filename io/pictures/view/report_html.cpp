@@ -2,9 +2,9 @@
 #include "io/pictures/view/report_html.hpp"
 
 #include "io/formats/svg/svg.hpp"
-#include "io/pictures/view/key_figures.hpp"
-#include "io/results/file/materials.hpp"
-#include "io/results/text/gear_text.hpp"
+#include "io/results/figures/figure_names.hpp"
+#include "io/results/text/result_tables.hpp"
+#include "io/results/text/result_text.hpp"
 
 #include <fmt/format.h>
 
@@ -26,10 +26,6 @@ std::string number(double value) {
 
 std::string number(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "–";
-}
-
-std::string unit_of(const std::string& unit) {
-  return unit == "1" ? "" : unit == "m2" ? "m²" : unit == "m3" ? "m³" : unit;
 }
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -82,30 +78,28 @@ std::string folded(const std::string& title, const std::string& text) {
          "</pre></details>\n";
 }
 
-std::string head_html(const results::StoredResult& result) {
+std::string head_html(const results::Result& result) {
   std::string html = paragraph(result.sentence);
+  for (const auto& sentence : result.diagnostics) html += paragraph(sentence + ".");
   for (const auto& note : result.notes) html += paragraph("Note: " + note + ".");
-  if (result.is_half) html += paragraph(std::string("Of the gear ") + results::kOfHalf + ".");
+  if (result.is_half()) html += paragraph(std::string("Of the gear ") + results::kOfHalf + ".");
   return html;
 }
 
-void figure_row(const std::string& words, const results::NamedScalar& figure, HtmlTable& table) {
-  table.row().text(words).value(number(figure.value)).text(unit_of(figure.unit));
-  table.value(results::error_text(figure)).text(figure.doc).end();
-}
-
-std::string figures_html(const results::StoredResult& result, const results::GearTables& tables) {
-  HtmlTable table({"quantity", "value", "", "error", "what it is"});
-  for (const auto& scalar : result.scalars) figure_row(spoken(scalar.name), scalar, table);
-  for (const auto& [name, figure] : tables.principal) figure_row(name, figure, table);
+std::string figures_html(const results::Result& result) {
+  HtmlTable table({"quantity", "value", "", "meaning"});
+  for (const auto& s : result.scalars)
+    table.row()
+        .text(results::spoken(s.name))
+        .value(results::measured(s, "{:.10g}"))
+        .text(results::unit_text(s.unit))
+        .text(s.doc)
+        .end();
+  for (const auto& figure : results::principal_figures(result.figures))
+    table.row().text(figure.name).value(figure.value).text(figure.unit).text(figure.doc).end();
   const std::string rows = table.finish();
   if (rows.empty()) return "";
-  return heading("Figures") + rows +
-         paragraph(result.mesh_note.empty()
-                       ? "Errors are those of the solver and of the mesh together. That of the mesh is not "
-                         "known here (±?): run --error finds it."
-                       : "Errors are those of the solver and of the mesh together; the latter " +
-                             result.mesh_note + ".");
+  return heading("Figures") + rows + paragraph(results::errors_text(result) + ".");
 }
 
 /// The tables of a report, the same as in its text.
@@ -127,22 +121,10 @@ std::string tables_html(const std::vector<results::FigureTable>& tables) {
   return html;
 }
 
-std::string held_html(const results::StoredResult& result) {
-  HtmlTable table({"held", "x [N]", "y [N]", "z [N]"});
-  for (const auto& hold : result.hold_forces) {
-    table.row().text(hold.name);
-    for (const double force : hold.force) table.value(number(force));
-    table.end();
-  }
-  const std::string rows = table.finish();
-  return rows.empty() ? "" : heading("Forces of the holds on the gear, as modelled") + rows;
-}
-
-std::string materials_rows(const results::StoredResult& result) {
+std::string materials_rows(const results::Result& result) {
   HtmlTable table({"", "part", "number", "diameter [mm]", "length [m]", "area [m²]", "mass [kg]",
                    "largest load [N]", "breaking load [N]", "used"});
-  const auto materials = results::materials_of(result);
-  for (const auto& m : materials) {
+  for (const auto& m : result.materials) {
     table.row().text(m.item.name).text(m.item.part_name).value(number(m.item.number, "{:g}"));
     for (const double value : {1e3 * m.item.diameter, m.length, m.area, m.mass, m.load, m.item.breaking_load})
       table.value(number(value));
@@ -153,37 +135,35 @@ std::string materials_rows(const results::StoredResult& result) {
   return heading("Materials, and loads against breaking loads") + rows;
 }
 
-std::string convergence_html(const results::StoredResult& result) {
+std::string convergence_html(const results::Result& result) {
   HtmlTable table({"step", "residual [N]", "largest load [N]", "factorisations", "note"});
-  const results::StoredConvergence& c = result.convergence;
-  for (std::size_t i = 0; i < c.residual.size() && i < c.load.size() && i < c.factorisations.size(); ++i)
+  for (std::size_t i = 0; i < result.iterations.size(); ++i) {
+    const results::Iteration& at = result.iterations[i];
     table.row()
         .text(std::to_string(i))
-        .value(number(c.residual[i], "{:.3e}"))
-        .value(number(c.load[i], "{:.4g}"))
-        .value(std::to_string(c.factorisations[i]))
-        .text(i < c.note.size() ? c.note[i] : "")
+        .value(number(at.residual, "{:.3e}"))
+        .value(number(at.load, "{:.4g}"))
+        .value(std::to_string(at.factorisations))
+        .text(at.note)
         .end();
+  }
   const std::string rows = table.finish();
   return rows.empty() ? "" : "<details><summary>Convergence of the solve</summary>\n" + rows + "</details>\n";
 }
 
-std::string origins_html(const results::StoredResult& result) {
-  const results::StoredOrigins& o = result.origins;
+std::string origins_html(const results::Result& result) {
+  const results::Origins& o = result.origins;
   std::string command;
   for (const auto& word : o.command) command += (command.empty() ? "" : " ") + word;
   HtmlTable table({"", ""});
-  const std::pair<const char*, std::string> rows[] = {{"file", result.path.filename().string()},
-                                                      {"netloft", o.version},
-                                                      {"command", command},
-                                                      {"started", o.started},
-                                                      {"finished", o.finished},
-                                                      {"machine", o.machine},
-                                                      {"compiler", o.compiler}};
+  const std::pair<const char*, std::string> rows[] = {
+      {"file", file_name(result.path)}, {"netloft", o.version},   {"command", command},
+      {"started", o.started},           {"finished", o.finished}, {"machine", o.machine},
+      {"compiler", o.compiler}};
   for (const auto& [name, text] : rows)
     if (!text.empty()) table.row().text(name).text(text).end();
   std::string html = heading("Where it comes from") + table.finish();
-  for (const auto& [path, text] : o.files) html += folded(path, text);
+  for (const auto& file : o.files) html += folded(file.path, file.text);
   return html + (o.plan.empty() ? "" : folded("What was evaluated, and why", o.plan));
 }
 
@@ -191,19 +171,18 @@ std::string origins_html(const results::StoredResult& result) {
 
 std::string in_html(const std::string& text) { return formats::escape_markup(text); }
 
-std::string summary_html(const results::StoredResult& result) {
+std::string summary_html(const results::Result& result) {
   std::string html = head_html(result);
-  for (const auto& warning : results::load_warnings(results::materials_of(result)))
+  for (const auto& warning : result.warnings)
     html += "<p class=\"warning\">Warning: " + in_html(warning) + ".</p>\n";
   return html;
 }
 
-std::string materials_table(const results::StoredResult& result) { return materials_rows(result); }
+std::string materials_table(const results::Result& result) { return materials_rows(result); }
 
-std::string details_html(const results::StoredResult& result) {
-  const results::GearTables tables = results::gear_tables(result.figures, result.is_half);
-  return figures_html(result, tables) + tables_html(tables.bodies) + tables_html(tables.gear) +
-         held_html(result) + convergence_html(result) + origins_html(result);
+std::string details_html(const results::Result& result) {
+  return figures_html(result) + tables_html(results::report_tables(result)) + convergence_html(result) +
+         origins_html(result);
 }
 
 std::string diff_html(const results::ResultDiff& diff) {
@@ -219,7 +198,7 @@ std::string diff_html(const results::ResultDiff& diff) {
         .value(number(d.difference(), "{:+.4g}"));
     table.value(number(d.percent(), "{:+.3g} %"))
         .value(std::isfinite(d.error) ? number(d.error, "{:.1e}") : "±?")
-        .text(unit_of(d.unit))
+        .text(results::unit_text(d.unit))
         .end();
   }
   return heading("What changed") +

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/results/diff/result_diff.hpp"
-#include "io/results/file/stored_result.hpp"
 
 #include <string>
 
@@ -9,17 +8,17 @@ namespace netloft::pictures {
 
 // The report of a result as elements of a page. All texts of the result are escaped.
 
-/// How it ended, notes and warnings.
-std::string summary_html(const results::StoredResult& result);
+/// Outcome, notes and warnings.
+std::string summary_html(const results::Result& result);
 /// The bill of materials, with loads against breaking loads; empty if there is none.
-std::string materials_table(const results::StoredResult& result);
+std::string materials_table(const results::Result& result);
 /// All figures with their errors, tables by part, convergence, where it comes from.
-std::string details_html(const results::StoredResult& result);
+std::string details_html(const results::Result& result);
 
-/// What changed between two results, as a table.
+/// The changes between two results as a table.
 std::string diff_html(const results::ResultDiff& diff);
 
-/// Text as it has to stand in a page.
+/// Text with its special characters escaped for a page.
 std::string in_html(const std::string& text);
 
 }  // namespace netloft::pictures

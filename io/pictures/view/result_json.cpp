@@ -4,6 +4,7 @@
 #include "io/pictures/picture/colour_map.hpp"
 #include "io/pictures/picture/view_projection.hpp"
 #include "io/pictures/view/ground_json.hpp"
+#include "io/pictures/view/key_figures.hpp"
 #include "io/pictures/view/packed_array.hpp"
 #include "io/pictures/view/sweep.hpp"
 #include "io/results/file/body_plates.hpp"
@@ -11,11 +12,11 @@
 #include "io/results/file/dimensions.hpp"
 #include "io/results/file/field_scale.hpp"
 #include "io/results/file/ship.hpp"
-#include "io/results/text/gear_text.hpp"
+#include "io/results/text/measured.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <filesystem>
 
 namespace netloft::pictures {
 
@@ -40,9 +41,9 @@ Json known_numbers(const Numbers& values) {
   return known ? numbers(values) : Json(nullptr);
 }
 
-Json parts_json(const results::StoredResult& result) {
+Json parts_json(const results::StoredShape& stored) {
   Json parts = Json::array();
-  for (const auto& part : result.parts) {
+  for (const auto& part : stored.parts) {
     const scenes::SheetPlace& s = part.sheet;
     const std::array<double, 6> sheet{s.x, s.y, s.x_across, s.y_across, s.x_deep, s.y_deep};
     parts.push_back({{"name", part.name},
@@ -105,8 +106,8 @@ std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
 }
 
 /// The middle of the box around the last state's nodes; of a half on its plane of symmetry.
-Origin origin_of(const results::StoredResult& result) {
-  const auto points = result.points(result.times.size() - 1);
+Origin origin_of(const results::StoredShape& stored) {
+  const auto points = stored.points(stored.times.size() - 1);
   Origin origin{};
   for (std::size_t axis = 0; axis < 3 && points.size() >= 3; ++axis) {
     double lo = INFINITY, hi = -INFINITY;
@@ -114,7 +115,8 @@ Origin origin_of(const results::StoredResult& result) {
       lo = std::min(lo, points[i]);
       hi = std::max(hi, points[i]);
     }
-    if (std::isfinite(lo + hi) && !(axis == 1 && result.is_half)) origin[axis] = std::round((lo + hi) / 2);
+    if (std::isfinite(lo + hi) && !(axis == 1 && stored.result.is_half()))
+      origin[axis] = std::round((lo + hi) / 2);
   }
   return origin;
 }
@@ -128,11 +130,11 @@ Json packed_corners(const Corners& corners, const Origin& origin) {
 }
 
 /// Boards as they are turned, and the ship.
-void put_solids(const results::StoredResult& result, std::size_t state, const Origin& origin, Json& json) {
+void put_solids(const results::StoredShape& stored, std::size_t state, const Origin& origin, Json& json) {
   Corners plates, hulls;
-  for (const auto& plate : results::plates_of(result, state))
+  for (const auto& plate : results::plates_of(stored, state))
     plates.insert(plates.end(), plate.triangles.begin(), plate.triangles.end());
-  for (const auto& ship : results::ships_of(result, state)) {
+  for (const auto& ship : results::ships_of(stored, state)) {
     const auto triangles = results::triangles_of(ship);
     hulls.insert(hulls.end(), triangles.begin(), triangles.end());
   }
@@ -141,28 +143,28 @@ void put_solids(const results::StoredResult& result, std::size_t state, const Or
 }
 
 /// Which single node each triangle of the plates belongs to.
-Json plate_dots(const results::StoredResult& result) {
+Json plate_dots(const results::StoredShape& stored) {
   std::vector<std::uint32_t> dots;
-  for (const auto& plate : results::plates_of(result, result.times.size() - 1))
+  for (const auto& plate : results::plates_of(stored, stored.times.size() - 1))
     dots.insert(dots.end(), plate.triangles.size() / 3, plate.dot);
   return packed(dots);
 }
 
-void put_states(const results::StoredResult& result, const std::vector<std::size_t>& kept, Json& json) {
-  const Origin origin = origin_of(result);
+void put_states(const results::StoredShape& stored, const std::vector<std::size_t>& kept, Json& json) {
+  const Origin origin = origin_of(stored);
   Json states = Json::array(), times = Json::array();
   for (const std::size_t state : kept) {
-    Json one = {{"points", packed(shifted(result.points(state), origin))}, {"fields", Json::array()}};
+    Json one = {{"points", packed(shifted(stored.points(state), origin))}, {"fields", Json::array()}};
     for (const char* name : {"residual", "reaction"})
-      if (const auto values = result.node_field(name, state);
-          state + 1 == result.times.size() && !values.empty())
+      if (const auto values = stored.node_field(name, state);
+          state + 1 == stored.times.size() && !values.empty())
         one[name] = packed(values);
-    put_solids(result, state, origin, one);
-    for (std::size_t f = 0; f < result.fields.size(); ++f) {
-      one["fields"].push_back(packed_as_shown(result.field(result.fields[f].name, state)));
+    put_solids(stored, state, origin, one);
+    for (std::size_t f = 0; f < stored.fields.size(); ++f) {
+      one["fields"].push_back(packed_as_shown(stored.field(stored.fields[f].name, state)));
     }
     states.push_back(one);
-    times.push_back(json_number(result.times[state]));
+    times.push_back(json_number(stored.times[state]));
   }
   json["origin"] = origin;
   json["times"] = times;
@@ -181,10 +183,10 @@ Json scales_json(const results::FieldScales& scales) {
   return all;
 }
 
-Json fields_json(const results::StoredResult& result) {
+Json fields_json(const results::StoredShape& stored) {
   Json all = Json::array();
-  for (const auto& field : result.fields) {
-    const auto spreads = results::spreads_of(result, field.name);
+  for (const auto& field : stored.fields) {
+    const auto spreads = results::spreads_of(stored, field.name);
     all.push_back({{"name", field.name},
                    {"units", field.units},
                    {"doc", field.doc},
@@ -195,8 +197,8 @@ Json fields_json(const results::StoredResult& result) {
   return all;
 }
 
-Json catch_json(const results::StoredResult& result) {
-  const results::CatchBody body = results::catch_body_of(result, result.times.size() - 1);
+Json catch_json(const results::StoredShape& stored) {
+  const results::CatchBody body = results::catch_body_of(stored, stored.times.size() - 1);
   if (body.triangles.empty()) return nullptr;
   return {{"triangles", packed(body.triangles)}, {"rim", packed(flat(body.rim))}};
 }
@@ -207,14 +209,14 @@ Json end_json(const results::DimensionEnd& end) {
   return {{"node", end.node}, {"mirrored", end.where == results::DimensionEnd::Where::mirrored}};
 }
 
-Json dimensions_json(const results::StoredResult& result) {
+Json dimensions_json(const results::StoredShape& stored) {
   Json all = Json::array();
-  for (const auto& one : results::dimensions_of(result))
+  for (const auto& one : results::dimensions_of(stored))
     all.push_back({{"name", one.name}, {"from", end_json(one.from)}, {"to", end_json(one.to)}});
   return all;
 }
 
-/// What pictures and pages have in common.
+/// Colours and views, which pages share with pictures.
 Json style_json() {
   Json views = Json::object();
   for (const auto& [name, view] : {std::pair{"side", View::side},
@@ -227,20 +229,21 @@ Json style_json() {
           {"ship", kShipColour},     {"views", views}};
 }
 
-Json figures_json(const results::StoredResult& result) {
+Json figures_json(const results::StoredShape& stored) {
   Json all = Json::array();
-  for (const auto* group : {&result.scalars, &result.figures})
+  for (const auto* group : {&stored.result.scalars, &stored.result.figures})
     for (const auto& f : *group)
       all.push_back({{"name", f.name},
                      {"unit", f.unit},
                      {"value", json_number(f.value)},
-                     {"error", results::error_text(f)}});
+                     {"error", json_number(results::total_error(f))},
+                     {"text", card_text(f)}});
   return all;
 }
 
-Json series_json(const results::StoredResult& result, const std::vector<std::size_t>& kept) {
+Json series_json(const results::StoredShape& stored, const std::vector<std::size_t>& kept) {
   Json all = Json::array();
-  for (const auto& series : result.series) {
+  for (const auto& series : stored.series) {
     Json values = Json::array();
     for (const std::size_t state : kept)
       values.push_back(state < series.values.size() ? json_number(series.values[state]) : Json(nullptr));
@@ -249,39 +252,43 @@ Json series_json(const results::StoredResult& result, const std::vector<std::siz
   return all;
 }
 
-Json result_json(const results::StoredResult& result, std::size_t most_states) {
-  const auto kept = kept_states(result.times.size(), most_states);
-  Json json = {{"file", result.path.filename().string()},
-               {"title", result.title()},
-               {"half", result.is_half},
-               {"motion", result.is_motion},
-               {"answer", result.is_answer()},
-               {"dimensions", dimensions_json(result)},
-               {"fields", fields_json(result)},
-               {"catch", catch_json(result)},
-               {"plateDot", plate_dots(result)},
-               {"nodeError", json_number(result.node_error)},
-               {"parts", parts_json(result)},
-               {"ground", ground_json(result)}};
-  if (!result.stages.empty()) {
+Json result_json(const results::StoredShape& stored, std::size_t most_states) {
+  const auto kept = kept_states(stored.times.size(), most_states);
+  Json json = {{"file", std::filesystem::path(stored.result.path).filename().string()},
+               {"title", stored.result.title},
+               {"half", stored.result.is_half()},
+               {"motion", stored.result.motion.has_value()},
+               {"answer", stored.result.is_answer()},
+               {"dimensions", dimensions_json(stored)},
+               {"fields", fields_json(stored)},
+               {"catch", catch_json(stored)},
+               {"plateDot", plate_dots(stored)},
+               {"nodeError", json_number(stored.result.node_error)},
+               {"parts", parts_json(stored)},
+               {"ground", ground_json(stored)}};
+  if (!stored.stages.empty()) {
     json["stages"] = Json::array();
-    for (const auto state : kept) json["stages"].push_back(result.stages[state]);
+    for (const auto state : kept) json["stages"].push_back(stored.stages[state]);
   }
-  put_mesh(result.mesh, json);
-  put_states(result, kept, json);
-  json["figures"] = figures_json(result);
-  json["series"] = series_json(result, kept);
-  json["convergence"] = {{"residual", numbers(result.convergence.residual)},
-                         {"load", numbers(result.convergence.load)}};
+  put_mesh(stored.mesh, json);
+  put_states(stored, kept, json);
+  json["figures"] = figures_json(stored);
+  json["series"] = series_json(stored, kept);
+  std::vector<double> residual, load;
+  for (const auto& at : stored.result.iterations) {
+    residual.push_back(at.residual);
+    load.push_back(at.load);
+  }
+  json["convergence"] = {{"residual", numbers(residual)}, {"load", numbers(load)}};
   return json;
 }
 
 /// The setting of a sweep; two results are no sweep.
-Varied varied_among(const std::vector<const results::StoredResult*>& results) {
+Varied varied_among(const std::vector<const results::StoredShape*>& results) {
   std::vector<SweepInput> inputs;
-  for (const auto* result : results) {
-    const auto& [command, files] = std::tie(result->origins.command, result->origins.files);
-    inputs.push_back({command, files.empty() ? "" : files.front().second});
+  for (const auto* stored : results) {
+    const results::Origins& from = stored->result.origins;
+    inputs.push_back({from.command, from.files.empty() ? "" : from.files.front().text});
   }
   return results.size() > 2 ? varied_setting(inputs) : Varied{};
 }
@@ -295,7 +302,7 @@ std::vector<std::size_t> kept_states(std::size_t states, std::size_t most) {
   return kept;
 }
 
-std::string results_json(const std::vector<const results::StoredResult*>& results, std::size_t most_states) {
+std::string results_json(const std::vector<const results::StoredShape*>& results, std::size_t most_states) {
   Json all = Json::array();
   const Varied varied = varied_among(results);
   for (std::size_t i = 0; i < results.size(); ++i) {

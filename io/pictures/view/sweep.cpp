@@ -19,7 +19,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// What --set says: "gear.nodes" and "500".
+/// The options --set: "gear.nodes" and "500".
 Settings settings_of_command(const SweepInput& result) {
   Settings settings;
   const auto& words = result.command;
@@ -33,7 +33,7 @@ Settings settings_of_command(const SweepInput& result) {
   return settings;
 }
 
-/// Values that stand on a line of their own in the scene, by table and key. Others are not looked for: this
+/// Values on lines of their own in the scene, by table and key. Others are not looked for: this
 /// serves to name what was varied, not to read scenes.
 Settings settings_of_scene(const SweepInput& result) {
   Settings settings;

@@ -13,14 +13,14 @@ struct Varied {
   std::string unit = {};            // what follows the numbers, if that is the same in all
 };
 
-/// What a result was made from.
+/// The command and the scene of a result.
 struct SweepInput {
   std::vector<std::string> command;  // word by word
   std::string scene;                 // the text of its scene
 };
 
-/// Seeks it in the options --set of the command lines first, then in the scenes' own lines. Of several
-/// settings the first is taken whose values are numbers, and all different.
+/// Looks for the setting in the options --set of the command lines, then in the lines of the scenes. Takes
+/// the first setting whose values are numbers, and all different.
 Varied varied_setting(const std::vector<SweepInput>& results);
 
 }  // namespace netloft::pictures

@@ -3,6 +3,7 @@
 #include "io/program/commands/results.hpp"
 #include "io/program/session/last_words.hpp"
 #include "io/results/diff/report_diff.hpp"
+#include "io/results/file/read_result.hpp"
 
 #include <cstdio>
 
@@ -10,16 +11,16 @@ namespace netloft::program {
 
 namespace {
 
-results::ResultSummary read(const std::string& path, bool json) {
-  return on_file(path, json, [&] { return results::read_summary(path); });
+results::Result read(const std::string& path, bool json) {
+  return on_file(path, json, [&] { return results::read_result(path); });
 }
 
 /// The largest move of a node, if both files hold a shape that this program reads.
 std::optional<results::NodeMove> move_between(const DiffOptions& options) {
   const DamagedFileWatch watch(options.before + " or " + options.after, options.json);
   try {
-    return results::find_largest_move(results::StoredResult(options.before),
-                                      results::StoredResult(options.after));
+    return results::find_largest_move(results::StoredShape(options.before),
+                                      results::StoredShape(options.after));
   } catch (const formats::FileError&) {
     return {};
   }

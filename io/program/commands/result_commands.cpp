@@ -11,8 +11,9 @@
 #include "io/program/session/last_words.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/terminal.hpp"
+#include "io/results/file/read_result.hpp"
 #include "io/results/file/result_mesh.hpp"
-#include "io/results/text/result_report.hpp"
+#include "io/results/text/result_text.hpp"
 #include "io/results/text/tables.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::string output_or(const std::string& given, const std::string& result, const
 const std::vector<std::string> kPage = {".html", ".htm"}, kPicture = {".svg", ".png"};
 
 /// The number of the state that --state names; else of the last.
-std::size_t state_of(int state, const results::StoredResult& result, const std::string& file) {
+std::size_t state_of(int state, const results::StoredShape& result, const std::string& file) {
   const std::size_t count = std::max<std::size_t>(1, result.times.size());
   if (state < 0) return count - 1;
   if (static_cast<std::size_t>(state) < count) return static_cast<std::size_t>(state);
@@ -56,10 +57,10 @@ void write_and_report(const CommonOptions& options, const std::string& output, c
 }
 
 int report(const ReportOptions& options) {
-  const results::StoredResult result(options.result);
+  const results::Result result = results::read_result(options.result);
   if (options.html || !options.output.empty())
     write_and_report(options, output_or(options.output, options.result, ".html"),
-                     pictures::report_page(result), {options.result}, kPage);
+                     pictures::report_page(results::StoredShape(options.result)), {options.result}, kPage);
   else
     std::fputs((options.json  ? results::result_json(result) + "\n"
                 : options.csv ? results::result_csv(result)
@@ -70,10 +71,10 @@ int report(const ReportOptions& options) {
 }
 
 int view(const ViewOptions& options) {
-  std::vector<std::unique_ptr<results::StoredResult>> results;
-  std::vector<const results::StoredResult*> all;
+  std::vector<std::unique_ptr<results::StoredShape>> results;
+  std::vector<const results::StoredShape*> all;
   for (const auto& path : options.results) {
-    results.push_back(std::make_unique<results::StoredResult>(path));
+    results.push_back(std::make_unique<results::StoredShape>(path));
     all.push_back(results.back().get());
   }
   write_and_report(options, output_or(options.output, options.results.front(), ".html"),
@@ -81,7 +82,7 @@ int view(const ViewOptions& options) {
   return kDone;
 }
 
-pictures::SheetOptions sheet_options(const DrawOptions& options, const results::StoredResult& result) {
+pictures::SheetOptions sheet_options(const DrawOptions& options, const results::StoredShape& result) {
   pictures::SheetOptions sheet;
   sheet.view = pictures::view_of(options.view).value_or(pictures::View::oblique);
   sheet.colouring = {options.field, options.log, options.elements};
@@ -94,7 +95,7 @@ pictures::SheetOptions sheet_options(const DrawOptions& options, const results::
 }
 
 int draw_result(const DrawOptions& options) {
-  const results::StoredResult result(options.file);
+  const results::StoredShape result(options.file);
   const std::string output = output_or(options.output, options.file, ".svg");
   const bool is_png = std::filesystem::path(output).extension() == ".png";
   try {
@@ -116,7 +117,7 @@ std::optional<results::MeshFormat> mesh_format_of(const std::string& ending) {
 
 /// The content of an exported file, whose ending names the format.
 std::string exported(const ExportOptions& options) {
-  const results::StoredResult result(options.result);
+  const results::StoredShape result(options.result);
   const std::string ending = std::filesystem::path(options.output).extension().string();
   const std::size_t state = state_of(options.state, result, options.result);
   if (ending == ".glb")

@@ -23,8 +23,8 @@ void check_memory(Session& session) {
 
 std::vector<double> read_start(const std::string& file, const char* key, runs::PreparedScene& scene) {
   try {
-    const results::StoredResult result(file);
-    return scene.assembler().displacements(results::positions_from(result, scene.loaded()));
+    const results::StoredShape shape(file);
+    return scene.assembler().displacements(results::positions_from(shape, scene.loaded()));
   } catch (const formats::FileError& e) {
     throw UsageError{std::string(key) + ": " + e.what()};
   }

@@ -2,11 +2,11 @@
 #include "io/program/commands/run_kinds.hpp"
 #include "io/program/commands/run_output.hpp"
 #include "io/program/session/watchdog.hpp"
+#include "io/results/file/provenance.hpp"
 #include "io/results/file/write_result.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "io/studies/compare/mesh_error.hpp"
 
-#include <cstdio>
 #include <stdexcept>
 
 namespace netloft::program {
@@ -65,22 +65,19 @@ class EquilibriumRun {
         terminal_(session.terminal()),
         context_(context),
         levels_(levels_for_errors(options, scene_.loaded())),
-        file_(output_file(options, scene_.loaded())) {
-    result_.reading_seconds = scene_.seconds().reading;
-    result_.setup_seconds = scene_.seconds().setup;
-  }
+        file_(output_file(options, scene_.loaded())) {}
 
   int run(const std::optional<std::vector<double>>& start) {
     Watchdog watchdog([&](const Overdue& overdue) { return end_early(overdue); });
     const auto on_budget = [&](double seconds) { watchdog.allow(seconds); };
     solve(start, on_budget);
-    results::collect(scene_.loaded(), scene_.assembler(), result_);
+    results::Result result = results::make_result(scene_.loaded(), scene_.assembler(), solution_);
     if (options_.error)
-      studies::find_mesh_errors(source_of(options_), scene_.registry(), scene_, levels_,
-                                {.interrupt = &interrupt_flag(), .on_budget = on_budget}, result_);
+      studies::find_mesh_errors(source_of(options_), scene_.registry(), scene_, solution_, levels_,
+                                {.interrupt = &interrupt_flag(), .on_budget = on_budget}, result);
     context_.plugins = scene_.registry().opened();
-    finish(scene_.assembler());
-    return options_.error && interrupt_flag() ? kInterrupted : exit_code(result_.solution.status);
+    finish(scene_.assembler(), std::move(result));
+    return options_.error && interrupt_flag() ? kInterrupted : exit_code(solution_.status);
   }
 
  private:
@@ -90,18 +87,21 @@ class EquilibriumRun {
                       .on_iteration = [&](const IterationRecord& r) { terminal_.progress(r, tolerance); },
                       .kept = &kept_,
                       .on_budget = on_budget};
-    if (options_.stages) keep_stages(scene_.assembler(), result_.stages, watch);
-    result_.solution =
+    if (options_.stages) keep_stages(scene_.assembler(), stages_, watch);
+    solution_ =
         start ? runs::find_equilibrium_near(scene_, *start, watch) : runs::find_equilibrium(scene_, watch);
   }
 
-  /// Writes the result and prints it.
-  void finish(Assembler& assembler) {
-    result_.output_file = name_by_outcome(*file_, result_.solution, terminal_);
-    results::write_result(*file_, scene_.loaded(), assembler, result_, context_);
-    terminal_.clear();
-    std::puts(options_.json ? results::run_json(scene_.loaded(), scene_.plan(), result_).c_str()
-                            : results::run_text(scene_.loaded(), scene_.plan(), result_).c_str());
+  /// Completes the result by what the run knows beside its solution, writes it and prints it.
+  void finish(Assembler& assembler, results::Result result) {
+    result.origins = results::make_origins(scene_.loaded(), context_);
+    result.origins.finished = results::utc_now();
+    result.reading_seconds = scene_.seconds().reading;
+    result.setup_seconds = scene_.seconds().setup;
+    result.states = stages_.size() + 1;
+    result.path = name_by_outcome(*file_, solution_, terminal_);
+    results::write_result(*file_, scene_.loaded(), assembler, {solution_, stages_}, result);
+    print_result(options_, terminal_, result);
   }
 
   /// Writes the best point that was accepted before a plugin did not come back, by an assembler of its own,
@@ -115,11 +115,10 @@ class EquilibriumRun {
       return code;
     }
     Assembler assembler(scene_.loaded().scene, scene_.plan(), 1);
-    Solution& s = result_.solution = runs::assess_point(scene_, kept_.u, assembler);
+    Solution& s = solution_ = runs::assess_point(scene_, kept_.u, assembler);
     s.status = overdue.interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
     s.reason = overdue.sentence + "; this is the last that was found before";
-    results::collect(scene_.loaded(), assembler, result_);
-    finish(assembler);
+    finish(assembler, results::make_result(scene_.loaded(), assembler, s));
     return code;
   }
 
@@ -129,7 +128,8 @@ class EquilibriumRun {
   results::RunContext& context_;
   std::vector<studies::MeshLevel> levels_;
   OutputFile file_;
-  results::RunResult result_;
+  Solution solution_;
+  std::vector<results::StageShape> stages_;
   KeptPoint kept_;
 };
 

@@ -2,9 +2,8 @@
 #include "io/program/commands/run_kinds.hpp"
 #include "io/program/commands/run_output.hpp"
 #include "io/program/session/watchdog.hpp"
-#include "io/results/motion/motion_report.hpp"
+#include "io/results/motion/motion_run.hpp"
 
-#include <cstdio>
 #include <filesystem>
 
 namespace netloft::program {
@@ -75,11 +74,9 @@ int run_motion(const RunOptions& options, Session& session, results::RunContext&
       [&](const StepRecord& step) { terminal.progress_in_time(step.t, step.end, step.seconds); },
       [&](const std::string& text) { terminal.say("netloft: warning: " + text); },
       [&](const IterationRecord& r) { terminal.progress(r, loaded.analysis.limits.tolerance); }};
-  const results::MotionResult result = results::run_motion(scene, context, how);
-  terminal.clear();
-  std::puts(options.json ? results::motion_json(loaded, scene.plan(), result).c_str()
-                         : results::motion_text(loaded, scene.plan(), result).c_str());
-  return exit_code(result.march);
+  const results::MotionResult motion = results::run_motion(scene, context, how);
+  print_result(options, terminal, motion.result);
+  return exit_code(motion.march);
 }
 
 }  // namespace netloft::program

@@ -5,7 +5,9 @@
 #include "io/formats/hdf5/journal.hpp"
 #include "io/formats/hdf5/read.hpp"
 #include "io/results/file/write_result.hpp"
+#include "io/results/text/result_text.hpp"
 
+#include <cstdio>
 #include <filesystem>
 
 namespace netloft::program {
@@ -60,6 +62,12 @@ std::string name_by_outcome(const formats::ResultFile& file, const Solution& sol
     terminal.say("netloft: " + wanted.string() + " holds a better result and stays; this one is " +
                  name_of(solution.status) + " and goes to " + name.string());
   return name.string();
+}
+
+void print_result(const RunOptions& options, Terminal& terminal, const results::Result& result) {
+  terminal.clear();
+  std::fputs((options.json ? results::result_json(result) + "\n" : results::result_text(result)).c_str(),
+             stdout);
 }
 
 }  // namespace netloft::program

@@ -4,6 +4,7 @@
 #include "io/formats/hdf5/result_file.hpp"
 #include "io/program/commands/scenes.hpp"
 #include "io/program/session/terminal.hpp"
+#include "io/results/figures/result.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
 #include <string>
@@ -20,6 +21,9 @@ void protect_outputs(const RunOptions& options, const std::string& part);
 /// The name that a result gets: that of the file, or one beside it if the file holds a better result, which
 /// the terminal reports.
 std::string name_by_outcome(const formats::ResultFile& file, const Solution& solution, Terminal& terminal);
+
+/// Prints what `netloft report` prints of the file of this result.
+void print_result(const RunOptions& options, Terminal& terminal, const results::Result& result);
 
 /// A result file that is removed if the run produces no result.
 class OutputFile {

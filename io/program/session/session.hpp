@@ -2,7 +2,7 @@
 #pragma once
 #include "io/program/session/find_plugins.hpp"
 #include "io/program/session/terminal.hpp"
-#include "io/results/text/run_text.hpp"
+#include "io/results/text/plan_text.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "io/runs/watch.hpp"
 

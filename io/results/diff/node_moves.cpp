@@ -21,7 +21,7 @@ Position position_of(const std::vector<double>& points, std::uint32_t node) {
 /// Triangles of one panel, found by a place on it: they lie in the squares of a grid that they touch.
 class PanelIndex {
  public:
-  PanelIndex(const StoredResult& result, const std::vector<double>& points, std::uint32_t part)
+  PanelIndex(const StoredShape& result, const std::vector<double>& points, std::uint32_t part)
       : mesh_(result.mesh), points_(points) {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (mesh_.cell_part[mesh_.triangle_cells[t]] == part && std::isfinite(mesh_.corners[t][0]))
@@ -36,7 +36,7 @@ class PanelIndex {
     for (const std::size_t t : triangles_) insert(t);
   }
 
-  /// Where the panel has a place; nothing outside of it.
+  /// The position of a place on the panel; nothing outside of it.
   std::optional<Position> at(const Place& p) const {
     const auto found = squares_.find({column(p, 0), column(p, 1)});
     if (found == squares_.end()) return {};
@@ -88,7 +88,7 @@ class PanelIndex {
   std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> squares_;
 };
 
-std::vector<std::size_t> nodes_per_part(const StoredResult& result) {
+std::vector<std::size_t> nodes_per_part(const StoredShape& result) {
   std::vector<std::size_t> count(result.parts.size());
   for (const auto part : result.mesh.node_part) ++count[part];
   return count;
@@ -97,7 +97,7 @@ std::vector<std::size_t> nodes_per_part(const StoredResult& result) {
 /// Compares two results; members are steps in the order of execution.
 class MoveFinder {
  public:
-  MoveFinder(const StoredResult& before, const StoredResult& after)
+  MoveFinder(const StoredShape& before, const StoredShape& after)
       : before_(before),
         after_(after),
         from_(before.points(before.times.size() - 1)),
@@ -152,7 +152,7 @@ class MoveFinder {
     move_.number = before_.mesh.node_number[node];
   }
 
-  const StoredResult &before_, &after_;
+  const StoredShape &before_, &after_;
   std::vector<double> from_, to_;
   std::map<std::uint32_t, bool> compared_;
   NodeMove move_;
@@ -160,7 +160,7 @@ class MoveFinder {
 
 }  // namespace
 
-std::optional<NodeMove> find_largest_move(const StoredResult& before, const StoredResult& after) {
+std::optional<NodeMove> find_largest_move(const StoredShape& before, const StoredShape& after) {
   return MoveFinder(before, after).find();
 }
 

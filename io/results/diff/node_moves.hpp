@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <array>
 #include <optional>
@@ -21,6 +21,6 @@ struct NodeMove {
 /// Compares the newest states. Nodes of a part that has as many in both are compared by number; those of
 /// netting that is divided differently by their place on the panel, between the nodes around it. Nothing if
 /// no node can be compared.
-std::optional<NodeMove> find_largest_move(const StoredResult& before, const StoredResult& after);
+std::optional<NodeMove> find_largest_move(const StoredShape& before, const StoredShape& after);
 
 }  // namespace netloft::results

@@ -22,7 +22,7 @@ std::string number(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-void result_text(const char* which, const ResultSummary& result, Out out) {
+void side_text(const char* which, const Result& result, Out out) {
   fmt::format_to(out, "{:<7} {}", which, result.path);
   if (!result.is_answer())
     fmt::format_to(out, ": {}; its numbers are those of the last point{}{}",
@@ -78,7 +78,7 @@ void add_line_changes(const std::vector<LineChange>& lines, std::vector<std::str
       changes.push_back("without " + trimmed(line.text));
 }
 
-/// What changed in the input, in a line: what is new first, what is gone where nothing took its place.
+/// The changes of the input in a line: new settings first, then those that are gone without a successor.
 std::string inputs_line(const InputDifferences& inputs) {
   std::vector<std::string> changes;
   for (const auto& option : inputs.options_after) changes.push_back(option);
@@ -112,7 +112,7 @@ std::string move_line(const std::optional<NodeMove>& move) {
   return text;
 }
 
-/// Whether a number is one that people ask for by name, not an entry of the tables by part.
+/// Whether a number is a principal figure, not an entry of the tables by part.
 bool is_figure(const std::string& name) {
   return name.starts_with("results/") || name.starts_with("gear/mouth/") ||
          name.starts_with("gear/ground/") || name.starts_with("gear/netting/") || name == "gear/drag/all/x" ||
@@ -195,15 +195,16 @@ void inputs_text(const ResultDiff& diff, Out out) {
   for (const auto& option : inputs.options_after) fmt::format_to(out, "+ {}\n", option);
   for (const auto& file : inputs.files) file_text(file, out);
   if (inputs.other_program)
-    fmt::format_to(out, "- netloft {}\n+ netloft {}\n", diff.before.version, diff.after.version);
+    fmt::format_to(out, "- netloft {}\n+ netloft {}\n", diff.before.origins.version,
+                   diff.after.origins.version);
   for (const auto& plugin : inputs.plugins) fmt::format_to(out, "  plugin {}\n", plugin);
 }
 
-Json result_json(const ResultSummary& result) {
+Json side_json(const Result& result) {
   return {{"file", result.path},
           {"status", result.outcome.empty() ? Json(nullptr) : Json(result.outcome)},
           {"reason", result.sentence},
-          {"version", result.version}};
+          {"version", result.origins.version}};
 }
 
 Json numbers_json(const std::vector<NumberDifference>& numbers) {
@@ -244,8 +245,8 @@ Json files_json(const std::vector<FileDifference>& files) {
 std::string diff_text(const ResultDiff& diff) {
   std::string text;
   const Out out = std::back_inserter(text);
-  result_text("before:", diff.before, out);
-  result_text("after:", diff.after, out);
+  side_text("before:", diff.before, out);
+  side_text("after:", diff.after, out);
   summary_text(diff, out);
   numbers_text(diff.numbers, out);
   inputs_text(diff, out);
@@ -256,8 +257,8 @@ std::string diff_text(const ResultDiff& diff) {
 std::string diff_json(const ResultDiff& diff) {
   const InputDifferences& inputs = diff.inputs;
   const Json json = {{"status", diff.both_are_answers() ? "done" : "not converged"},
-                     {"before", result_json(diff.before)},
-                     {"after", result_json(diff.after)},
+                     {"before", side_json(diff.before)},
+                     {"after", side_json(diff.after)},
                      {"largest_move", move_json(diff.move)},
                      {"quantities", numbers_json(diff.numbers)},
                      {"inputs",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 namespace netloft::results {
 
@@ -12,15 +13,38 @@ namespace {
 constexpr double kRoundOff =
     1e-12;  // relative to the larger number: a smaller difference counts as no change
 
-NumberDifference difference_of(const std::string& name, const ResultSummary& before,
-                               const ResultSummary& after) {
-  const auto find = [&](const ResultSummary& summary) {
-    const auto at = summary.numbers.find(name);
-    return at == summary.numbers.end() ? ResultNumber{} : at->second;
+struct ComparedNumber {
+  std::string unit;
+  double value = NumberDifference::kUnknown, error = NumberDifference::kUnknown;  // of solver and mesh
+};
+using NumberMap = std::map<std::string, ComparedNumber>;
+
+void add_vector(const std::string& name, const std::array<double, 3>& force, NumberMap& numbers) {
+  for (std::size_t axis = 0; axis < 3; ++axis) numbers[name + "/" + "xyz"[axis]] = {"N", force[axis]};
+}
+
+/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". Figures of a gear contain
+/// the forces by part, which are left out with them.
+NumberMap numbers_of(const Result& result, bool with_forces) {
+  NumberMap numbers;
+  for (const auto& s : result.scalars)
+    numbers["results/" + s.name] = {s.unit, s.value, s.solver_error + s.mesh_error};
+  for (const auto& f : result.figures)
+    numbers["gear/" + f.name] = {f.unit, f.value, f.solver_error + f.mesh_error};
+  if (std::isfinite(result.energy)) numbers["energy"] = {"J", result.energy};
+  for (const auto& hold : result.hold_forces) add_vector("held/" + hold.name, hold.force, numbers);
+  for (const auto& load : result.part_forces)
+    if (with_forces) add_vector("forces/" + load.term + "/" + load.part, load.force, numbers);
+  return numbers;
+}
+
+NumberDifference difference_of(const std::string& name, const NumberMap& before, const NumberMap& after) {
+  const auto find = [&](const NumberMap& numbers) {
+    const auto at = numbers.find(name);
+    return at == numbers.end() ? ComparedNumber{} : at->second;
   };
-  const ResultNumber a = find(before), b = find(after);
-  return {name, a.unit.empty() ? b.unit : a.unit, a.value, b.value,
-          a.solver_error + a.mesh_error + b.solver_error + b.mesh_error};
+  const ComparedNumber a = find(before), b = find(after);
+  return {name, a.unit.empty() ? b.unit : a.unit, a.value, b.value, a.error + b.error};
 }
 
 /// Sets the floor of every number: the rounding of the largest number of its unit. A force that is the small
@@ -33,14 +57,14 @@ void set_floors(std::vector<NumberDifference>& numbers) {
   for (auto& d : numbers) d.floor = kRoundOff * largest[d.unit];
 }
 
-std::vector<NumberDifference> compare_numbers(const ResultSummary& before, const ResultSummary& after) {
+std::vector<NumberDifference> compare_numbers(const Result& before, const Result& after) {
+  const bool with_forces = before.figures.empty() && after.figures.empty();
+  const NumberMap a = numbers_of(before, with_forces), b = numbers_of(after, with_forces);
   std::set<std::string> names;
-  for (const auto* summary : {&before, &after})
-    for (const auto& [name, number] : summary->numbers) names.insert(name);
-  const bool has_gear = before.has_gear || after.has_gear;
+  for (const auto* numbers : {&a, &b})
+    for (const auto& [name, number] : *numbers) names.insert(name);
   std::vector<NumberDifference> all;
-  for (const auto& name : names)
-    if (!(has_gear && name.starts_with("forces/"))) all.push_back(difference_of(name, before, after));
+  for (const auto& name : names) all.push_back(difference_of(name, a, b));
   set_floors(all);
   return all;
 }
@@ -67,7 +91,7 @@ std::string name_of(const std::string& path) { return std::filesystem::path(path
 
 /// Pairs the scene with the scene and every other file with the one of the same name; -1 marks a file without
 /// a partner.
-std::vector<int> partners(const std::vector<InputText>& before, const std::vector<InputText>& after) {
+std::vector<int> partners(const std::vector<Origins::File>& before, const std::vector<Origins::File>& after) {
   std::vector<int> partner(before.size(), -1);
   std::vector<bool> taken(after.size());
   for (std::size_t i = 0; i < before.size(); ++i)
@@ -79,8 +103,8 @@ std::vector<int> partners(const std::vector<InputText>& before, const std::vecto
   return partner;
 }
 
-std::vector<FileDifference> compare_files(const std::vector<InputText>& before,
-                                          const std::vector<InputText>& after) {
+std::vector<FileDifference> compare_files(const std::vector<Origins::File>& before,
+                                          const std::vector<Origins::File>& after) {
   std::vector<FileDifference> files;
   std::vector<bool> met(after.size());
   const auto partner = partners(before, after);
@@ -89,7 +113,7 @@ std::vector<FileDifference> compare_files(const std::vector<InputText>& before,
       files.push_back({before[i].path, "", {}});
       continue;
     }
-    const InputText& other = after[static_cast<std::size_t>(partner[i])];
+    const Origins::File& other = after[static_cast<std::size_t>(partner[i])];
     met[static_cast<std::size_t>(partner[i])] = true;
     auto lines = find_line_changes(before[i].text, other.text);
     if (!lines.empty()) files.push_back({before[i].path, other.path, std::move(lines)});
@@ -99,28 +123,34 @@ std::vector<FileDifference> compare_files(const std::vector<InputText>& before,
   return files;
 }
 
-std::vector<std::string> compare_plugins(const ResultSummary& before, const ResultSummary& after) {
+std::vector<std::string> compare_plugins(const std::vector<Origins::Plugin>& before,
+                                         const std::vector<Origins::Plugin>& after) {
+  const auto find = [](const std::vector<Origins::Plugin>& all, const std::string& name) {
+    return std::ranges::find(all, name, &Origins::Plugin::name);
+  };
   std::vector<std::string> different;
-  for (const auto& [name, hash] : before.plugins)
-    if (!after.plugins.contains(name))
-      different.push_back(name + ", before only");
-    else if (after.plugins.at(name) != hash)
-      different.push_back(name + ", built differently");
-  for (const auto& [name, hash] : after.plugins)
-    if (!before.plugins.contains(name)) different.push_back(name + ", after only");
+  for (const auto& plugin : before) {
+    const auto other = find(after, plugin.name);
+    if (other == after.end())
+      different.push_back(plugin.name + ", before only");
+    else if (other->hash != plugin.hash)
+      different.push_back(plugin.name + ", built differently");
+  }
+  for (const auto& plugin : after)
+    if (find(before, plugin.name) == before.end()) different.push_back(plugin.name + ", after only");
   return different;
 }
 
-InputDifferences compare_inputs(const ResultSummary& before, const ResultSummary& after) {
+InputDifferences compare_inputs(const Origins& before, const Origins& after) {
   const auto a = options_of(before.command), b = options_of(after.command);
   return {only_in(a, b), only_in(b, a), compare_files(before.files, after.files),
-          compare_plugins(before, after), before.version != after.version};
+          compare_plugins(before.plugins, after.plugins), before.version != after.version};
 }
 
 }  // namespace
 
 double NumberDifference::percent() const {
-  return before != 0 ? 100 * difference() / std::abs(before) : ResultNumber::kUnknown;
+  return before != 0 ? 100 * difference() / std::abs(before) : NumberDifference::kUnknown;
 }
 
 bool NumberDifference::is_changed() const {
@@ -136,9 +166,9 @@ bool InputDifferences::none() const {
          !other_program;
 }
 
-ResultDiff compare_results(ResultSummary before, ResultSummary after) {
+ResultDiff compare_results(Result before, Result after) {
   auto numbers = compare_numbers(before, after);
-  auto inputs = compare_inputs(before, after);
+  auto inputs = compare_inputs(before.origins, after.origins);
   return {std::move(before), std::move(after), std::move(numbers), std::move(inputs), {}};
 }
 

@@ -2,19 +2,21 @@
 #pragma once
 #include "io/results/diff/line_changes.hpp"
 #include "io/results/diff/node_moves.hpp"
-#include "io/results/diff/result_summary.hpp"
+#include "io/results/figures/result.hpp"
 
+#include <limits>
 #include <set>
 
 namespace netloft::results {
 
 /// One number in two results. If only one of them has it, the other value is unknown.
 struct NumberDifference {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit;
-  double before = ResultNumber::kUnknown, after = ResultNumber::kUnknown;
+  double before = kUnknown, after = kUnknown;
   // of solver and mesh, of both results together; unknown unless all are known, because that of the mesh is
   // by far the largest as a rule
-  double error = ResultNumber::kUnknown;
+  double error = kUnknown;
   double floor = 0;  // differences up to here are round-off of what numbers like this one are summed from
 
   double difference() const { return after - before; }
@@ -44,7 +46,7 @@ struct InputDifferences {
 };
 
 struct ResultDiff {
-  ResultSummary before, after;
+  Result before, after;
   std::vector<NumberDifference> numbers;  // by name, unchanged ones included
   InputDifferences inputs;
   std::optional<NodeMove> move;  // absent: not compared
@@ -53,6 +55,6 @@ struct ResultDiff {
 };
 
 /// Forces by part are compared only if neither result has gear figures, which contain the same forces.
-ResultDiff compare_results(ResultSummary before, ResultSummary after);
+ResultDiff compare_results(Result before, Result after);
 
 }  // namespace netloft::results

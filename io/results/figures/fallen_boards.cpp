@@ -52,7 +52,7 @@ double outward_force(const scenes::LoadedScene& loaded, const std::vector<std::u
   return apart > 0 ? work / apart : 0;
 }
 
-/// Empty for a board that stands and spreads.
+/// Empty for a board that is upright and spreads.
 std::string trouble_of(const std::string& board, double heel, double outward) {
   if (std::abs(heel) > std::numbers::pi / 2)
     return fmt::format("{} lies over, its top turned {} by {:.0f}°", board, heel > 0 ? "outward" : "inward",

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/figures/run_result.hpp"
+#include "io/results/figures/named_scalar.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
 
 #include <string>
 #include <vector>
 
 namespace netloft::results {
 
-/// A board of a pair that does not do what it is there for.
+/// A board of a pair that does not spread the gear.
 struct FallenBoard {
   std::string board, sentence;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where rigid bodies are, how they are turned, and what pulls at them.
+// Position and attitude of rigid bodies, and the forces on them.
 #include <netloft/attitude.hpp>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void add_place(const scenes::LoadedScene& loaded, const Assembler& assembler, co
                        at[2] - loaded.scene.bed.at(at[0], at[1])[0]});
 }
 
-/// What its own element says of itself: the attack of a board. A doubt is a warning, not a figure.
+/// Adds the outputs of its own element, such as the attack of a board. A doubt is a warning, not a figure.
 void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                  std::size_t b, const std::string& own, std::vector<Figure>& figures) {
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
@@ -44,7 +44,7 @@ void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, 
   }
 }
 
-/// Whether a part stands on bodies alone, as the element of a board and its shoe do; ropes lead away from
+/// Whether a part is on bodies alone, as the element of a board and its shoe do; ropes lead away from
 /// them.
 bool rides_on_bodies(const Scene& scene, const Part& part) {
   return std::ranges::all_of(part.nodes, [&](std::uint32_t node) {

@@ -75,7 +75,7 @@ std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
   return parts;
 }
 
-/// What sinks and what floats, apart.
+/// Adds the weights in water of all parts that sink, and of all that float.
 void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::vector<Figure>& figures) {
   double sinking = 0, floating = 0;
   for (const auto& part : parts) {
@@ -113,15 +113,14 @@ double fraction_on_ground(const GearView& gear, std::uint32_t rope,
   return on / all;
 }
 
-/// What lies on the ground of a stretch of the footrope, to port and to starboard [m], and with which force
-/// [N].
+/// A stretch of the footrope, to port and to starboard: the length on the ground [m] and the force there [N].
 struct OnGround {
   double length = 0, touching = 0, force = 0;
 };
 
 constexpr int kStretches = 5;
 
-/// Adds what a node has, which stands for the rope from `from` to `to`, in shares by length.
+/// Adds the contact of a node, which represents the rope from `from` to `to`, divided by length.
 void add_to_stretches(double from, double to, double half, double force, bool touches,
                       std::array<OnGround, kStretches>& all) {
   for (int k = 0; k < kStretches; ++k) {

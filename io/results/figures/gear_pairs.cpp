@@ -57,7 +57,7 @@ void add_means(const std::vector<std::string>& bodies, const std::string& own, s
   std::ranges::move(means, std::back_inserter(figures));
 }
 
-/// What spreads a gear: water and ground, outward on one of the two.
+/// Adds the outward force of water and ground on one of the two.
 void add_spreading(const std::vector<std::string>& bodies, const std::string& own,
                    std::vector<Figure>& figures) {
   const auto acts = [&](const char* source) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of gears from block to cod-end: warps, and what towing costs.
+// Figures of gears from block to cod-end: warps, and the cost of towing.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -57,7 +57,7 @@ bool has(const std::vector<std::uint32_t>& parts, std::uint32_t part) {
   return std::ranges::find(parts, part) != parts.end();
 }
 
-/// What is towed through water or over the ground, in the words of a table of power.
+/// The row of a part in the table of power.
 std::string group_of(const GearView& gear, std::uint32_t part) {
   const scenes::GearInScene& g = gear.gear();
   if (has(g.panels, part)) return "netting";
@@ -70,8 +70,8 @@ std::string group_of(const GearView& gear, std::uint32_t part) {
   return gear.output(part, output::kNormalForce).empty() ? "others" : "ground";
 }
 
-/// What towing each of them takes: the force on it aft, of water, ground and whatever else acts from outside,
-/// times the speed. What its elements do to each other adds up to nothing.
+/// Adds the power that towing each group takes: the force aft of water, ground and other external loads,
+/// times the speed. Forces between elements add up to zero.
 void add_power(const GearView& gear, std::vector<Figure>& figures) {
   static constexpr std::pair<const char*, const char*> groups[] = {
       {"netting", "towing the netting"},
@@ -92,7 +92,7 @@ void add_power(const GearView& gear, std::vector<Figure>& figures) {
                          gear.times() * gear.gear().ship_speed * at->second});
 }
 
-/// Of a figure that is there already; 0: it is not.
+/// The value of a figure that has been added; 0 if it has not.
 double value_of(const std::vector<Figure>& figures, std::string_view name) {
   const auto at = std::ranges::find(figures, name, &Figure::name);
   return at == figures.end() ? 0 : at->value;

@@ -42,7 +42,7 @@ class GearView {
   std::vector<double> tensions(std::uint32_t part) const;
   /// Which forces on a part belong to a kind of load.
   using Kind = std::function<bool(const PartForce&)>;
-  /// Sum of the forces of a kind on a part [N], of what was modelled.
+  /// Sum of the forces of a kind on a part as modelled [N].
   Vector force(const std::string& part, const Kind& is_of_kind) const;
   bool has_force(const std::string& part, const Kind& is_of_kind) const;
 
@@ -63,13 +63,13 @@ Vector whole_of(const Vector& modelled, double times);
 
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
-/// Out of what add_body_figures has added.
+/// Uses the figures of add_body_figures.
 void add_pair_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);
-/// Of any scene with rigid bodies, whether or not a net plan is in it.
+/// For every scene with rigid bodies, with or without a net plan.
 void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                       std::vector<Figure>& figures);
 

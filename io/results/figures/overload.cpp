@@ -2,6 +2,7 @@
 #include "io/results/figures/overload.hpp"
 
 #include "framework/registry/element_outputs.hpp"
+#include "io/results/figures/materials.hpp"
 #include "io/scenes/reading/halves.hpp"
 
 #include <fmt/format.h>
@@ -33,6 +34,12 @@ std::vector<double> largest_outputs(const scenes::LoadedScene& loaded, const Ass
   return largest;
 }
 
+/// Parts in the bill of materials are judged by load_warnings().
+bool is_in_bill(const scenes::LoadedScene& loaded, const std::string& part) {
+  return loaded.gear &&
+         std::ranges::any_of(loaded.gear->bill, [&](const auto& item) { return is_called(part, item.name); });
+}
+
 }  // namespace
 
 std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
@@ -40,7 +47,9 @@ std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, co
   std::vector<std::string> warnings;
   const auto largest = largest_outputs(loaded, assembler, answer, is_tension);
   for (std::size_t p = 0; p < largest.size(); ++p) {
-    const auto at = loaded.strengths.find(loaded.scene.parts[p].name);
+    const std::string& name = loaded.scene.parts[p].name;
+    const auto at = loaded.strengths.find(name);
+    if (is_in_bill(loaded, name)) continue;
     if (at == loaded.strengths.end() || !(largest[p] > at->second.breaking_load)) continue;
     warnings.push_back(fmt::format("{} carries {:.4g} N and breaks at {:.4g} N{}", at->first, largest[p],
                                    at->second.breaking_load,

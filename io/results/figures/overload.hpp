@@ -5,13 +5,14 @@
 
 namespace netloft::results {
 
-/// A sentence for every part whose tension is beyond what its plan or the catalogue says that it bears, or
-/// whose strain is beyond what anything bears.
+/// A sentence for every part whose tension exceeds its breaking load by the plan or the catalogue, and for
+/// every part with a strain that no rope or twine bears. Parts in the bill of materials are left to
+/// load_warnings().
 std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                            const Response& answer);
 
-/// A sentence for every part with elements that are used beyond what is known of them (NETLOFT_OUTPUT_DOUBT),
-/// and for what has passed through its mirror image (find_crossings).
+/// A sentence for every part with elements outside their range of validity (NETLOFT_OUTPUT_DOUBT), and for
+/// every part that has passed through its mirror image (find_crossings).
 std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                         const Response& answer);
 

@@ -47,8 +47,8 @@ std::vector<char> reached_bodies(const ElementFamily& family, std::span<const st
   return reached;
 }
 
-/// What acts on a body is listed whether or not it is zero just then, so that motions have a number for it at
-/// every output.
+/// Forces that are zero at this moment are listed too, so that motions have a number for them at every
+/// output.
 void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, const Kinematics& motion,
                      Response& answer) {
   if (scene.bodies.empty()) return;

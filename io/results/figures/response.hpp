@@ -20,7 +20,7 @@ struct PartForce {
 
   bool is_drag() const { return traits & NETLOFT_IS_DRAG; }
   bool is_weight() const { return traits & NETLOFT_IS_WEIGHT; }
-  /// Of a ground that may pass, along it: friction, and what boards plough up.
+  /// Along a ground that may move: friction, and the resistance of ground that boards plough up.
   bool is_along_ground() const { return traits & NETLOFT_READS_GROUND; }
 };
 

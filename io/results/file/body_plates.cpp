@@ -39,12 +39,12 @@ BodyPlate plate_of(const StoredBody& body, std::uint32_t dot, const std::vector<
 
 }  // namespace
 
-std::vector<BodyPlate> plates_of(const StoredResult& result, std::size_t state) {
+std::vector<BodyPlate> plates_of(const StoredShape& stored, std::size_t state) {
   std::vector<BodyPlate> plates;
-  if (result.bodies.empty()) return plates;
-  const auto points = result.points(state), rotations = result.node_field("rotation", state);
-  const auto& dots = result.mesh.dots;
-  for (const auto& body : result.bodies) {
+  if (stored.bodies.empty()) return plates;
+  const auto points = stored.points(state), rotations = stored.node_field("rotation", state);
+  const auto& dots = stored.mesh.dots;
+  for (const auto& body : stored.bodies) {
     const auto dot = std::find(dots.begin(), dots.end(), body.origin);
     if (body.outline.size() < 3 || dot == dots.end() || rotations.empty() ||
         !std::isfinite(rotations[3 * std::size_t{body.origin}]))

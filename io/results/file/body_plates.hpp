@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@ struct BodyPlate {
   std::vector<std::array<double, 3>> triangles{};  // three corners each, in the world [m]
 };
 
-/// Of all bodies that have an outline and an element of their own.
-std::vector<BodyPlate> plates_of(const StoredResult& result, std::size_t state);
+/// The outlines of all bodies that have one and an element of their own.
+std::vector<BodyPlate> plates_of(const StoredShape& stored, std::size_t state);
 
 }  // namespace netloft::results

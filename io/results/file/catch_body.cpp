@@ -30,12 +30,12 @@ std::map<Side, Neighbours> neighbours_of(const StoredMesh& mesh, const std::vect
 
 }  // namespace
 
-CatchBody catch_body_of(const StoredResult& result, std::size_t state) {
+CatchBody catch_body_of(const StoredShape& stored, std::size_t state) {
   CatchBody body;
   const auto is_pressure = [](const StoredField& field) { return field.name == output::kPressure.name; };
-  if (std::none_of(result.fields.begin(), result.fields.end(), is_pressure)) return body;
-  const auto pressure = result.field(output::kPressure.name, state);
-  const StoredMesh& mesh = result.mesh;
+  if (std::none_of(stored.fields.begin(), stored.fields.end(), is_pressure)) return body;
+  const auto pressure = stored.field(output::kPressure.name, state);
+  const StoredMesh& mesh = stored.mesh;
   std::vector<bool> is_filled(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     is_filled[t] = pressure[mesh.triangle_cells[t]] > 0;

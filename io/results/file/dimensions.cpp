@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/file/dimensions.hpp"
 
+#include "io/results/figures/figure_names.hpp"
 #include "io/results/file/rope_nodes.hpp"
 #include "io/results/file/ship.hpp"
 
@@ -26,8 +27,8 @@ Dimension spread_of(const std::string& name, const std::vector<std::uint32_t>& r
 }
 
 /// Nodes that are held, and not by the plane of symmetry alone.
-std::vector<std::uint32_t> held_nodes(const StoredResult& result) {
-  const auto reaction = result.node_field("reaction", result.times.size() - 1);
+std::vector<std::uint32_t> held_nodes(const StoredShape& stored) {
+  const auto reaction = stored.node_field("reaction", stored.times.size() - 1);
   std::vector<std::uint32_t> held;
   for (std::uint32_t n = 0; 3 * n + 2 < reaction.size(); ++n)
     if (std::hypot(reaction[3 * n], reaction[3 * n + 2]) > 0) held.push_back(n);
@@ -35,11 +36,11 @@ std::vector<std::uint32_t> held_nodes(const StoredResult& result) {
 }
 
 /// Between the points that a gear is towed at: one of a half, or two on both sides.
-void add_towing_spread(const StoredResult& result, std::vector<Dimension>& all) {
-  const auto held = held_nodes(result);
-  if (held.size() == 1 && result.is_half)
+void add_towing_spread(const StoredShape& stored, std::vector<Dimension>& all) {
+  const auto held = held_nodes(stored);
+  if (held.size() == 1 && stored.result.is_half())
     all.push_back({"spread of the towing points", {Where::mirrored, held[0]}, {Where::node, held[0]}});
-  if (held.size() == 2 && !result.is_half)
+  if (held.size() == 2 && !stored.result.is_half())
     all.push_back({"spread of the towing points", {Where::node, held[0]}, {Where::node, held[1]}});
 }
 
@@ -50,45 +51,49 @@ std::string name_aboard(const StoredBody& body) {
 }
 
 /// Between a body to port and the one to starboard: that of a half and its image, or two of a pair.
-void add_body_spreads(const StoredResult& result, std::vector<Dimension>& all) {
-  for (const auto& body : result.bodies) {
+void add_body_spreads(const StoredShape& stored, std::vector<Dimension>& all) {
+  for (const auto& body : stored.bodies) {
     if (body.is_to_port) continue;
     const DimensionEnd starboard{Where::node, body.origin};
-    const std::string name = "spread of " + name_aboard(body);
-    if (result.is_half) all.push_back({name, {Where::mirrored, body.origin}, starboard});
-    for (const auto& other : result.bodies)
+    const std::string name = principal_name("pairs/" + name_aboard(body) + "/spread");
+    if (stored.result.is_half()) all.push_back({name, {Where::mirrored, body.origin}, starboard});
+    for (const auto& other : stored.bodies)
       if (other.is_to_port && name_aboard(other) == name_aboard(body))
         all.push_back({name, {Where::node, other.origin}, starboard});
   }
 }
 
-void add_mouth(const StoredResult& result, std::vector<Dimension>& all) {
-  const auto headline = nodes_of_rope(result, result.headline),
-             footrope = nodes_of_rope(result, result.footrope);
+void add_mouth(const StoredShape& stored, std::vector<Dimension>& all) {
+  if (!stored.result.gear) return;
+  const auto headline = nodes_of_rope(stored, stored.result.gear->headline),
+             footrope = nodes_of_rope(stored, stored.result.gear->footrope);
   if (headline.empty()) return;
-  const DimensionEnd top{Where::node, middle_of(headline, result.is_half)};
-  if (result.bed)
-    all.push_back({"headline height", top, {Where::bed, 0}});
+  const DimensionEnd top{Where::node, middle_of(headline, stored.result.is_half())};
+  if (stored.bed)
+    all.push_back({principal_name("mouth/headline_height"), top, {Where::bed, 0}});
   else if (!footrope.empty())
-    all.push_back({"headline height", top, {Where::node, middle_of(footrope, result.is_half)}});
-  all.push_back(spread_of("upper wing spread", headline, result.is_half));
-  if (!footrope.empty()) all.push_back(spread_of("lower wing spread", footrope, result.is_half));
+    all.push_back({principal_name("mouth/headline_height"),
+                   top,
+                   {Where::node, middle_of(footrope, stored.result.is_half())}});
+  all.push_back(spread_of(principal_name("mouth/upper_wing_spread"), headline, stored.result.is_half()));
+  if (!footrope.empty())
+    all.push_back(spread_of(principal_name("mouth/lower_wing_spread"), footrope, stored.result.is_half()));
 }
 
 }  // namespace
 
-std::vector<Dimension> dimensions_of(const StoredResult& result) {
+std::vector<Dimension> dimensions_of(const StoredShape& stored) {
   std::vector<Dimension> all;
-  add_mouth(result, all);
-  add_body_spreads(result, all);
-  if (!all.empty() && ships_of(result, 0).empty()) add_towing_spread(result, all);
+  add_mouth(stored, all);
+  add_body_spreads(stored, all);
+  if (!all.empty() && ships_of(stored, 0).empty()) add_towing_spread(stored, all);
   return all;
 }
 
-std::array<double, 3> place_of(const DimensionEnd& end, const StoredResult& result,
+std::array<double, 3> place_of(const DimensionEnd& end, const StoredShape& stored,
                                const std::vector<double>& points, const std::array<double, 3>& other) {
-  if (end.where == Where::bed && result.bed)
-    return {other[0], other[1], result.bed->height(other[0], other[1])};
+  if (end.where == Where::bed && stored.bed)
+    return {other[0], other[1], stored.bed->height(other[0], other[1])};
   const std::size_t at = 3 * std::size_t{end.node};
   return {points[at], (end.where == Where::mirrored ? -1 : 1) * points[at + 1], points[at + 2]};
 }

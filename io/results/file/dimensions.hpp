@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <array>
 #include <cstdint>
@@ -23,10 +23,10 @@ struct Dimension {
 
 /// Height of the headline and the spreads of the wings, between the places that the figures of the gear are
 /// measured between (io/results/figures/gear_figures.hpp). None without a headline.
-std::vector<Dimension> dimensions_of(const StoredResult& result);
+std::vector<Dimension> dimensions_of(const StoredShape& stored);
 
-/// Where an end is, among the positions of a state, 3 per node [m]; `other` is the line's first end.
-std::array<double, 3> place_of(const DimensionEnd& end, const StoredResult& result,
+/// The place of an end [m] by the positions of a state, 3 per node; `other` is the first end of the line.
+std::array<double, 3> place_of(const DimensionEnd& end, const StoredShape& stored,
                                const std::vector<double>& points, const std::array<double, 3>& other);
 
 }  // namespace netloft::results

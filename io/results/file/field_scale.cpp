@@ -107,15 +107,15 @@ Scale FieldSpread::logarithmic(bool middle) const {
   return scale;
 }
 
-FieldSpreads spreads_of(const StoredResult& result, const std::string& field) {
+FieldSpreads spreads_of(const StoredShape& stored, const std::string& field) {
   FieldSpreads spreads;
-  // What a solve went through on its way is no range of anything.
-  const std::size_t first = result.stages.empty() ? 0 : result.times.size() - 1;
-  for (std::size_t state = first; state < result.times.size(); ++state) {
-    const auto values = result.field(field, state);
+  // Stages of a solve do not count: they are not equilibria.
+  const std::size_t first = stored.stages.empty() ? 0 : stored.times.size() - 1;
+  for (std::size_t state = first; state < stored.times.size(); ++state) {
+    const auto values = stored.field(field, state);
     for (std::size_t kind = 0; kind < kCellKinds; ++kind) {
       std::vector<double> of_kind;
-      for (const auto cell : cells_of(result.mesh, kind_of(kind))) of_kind.push_back(values[cell]);
+      for (const auto cell : cells_of(stored.mesh, kind_of(kind))) of_kind.push_back(values[cell]);
       spreads[kind].take(of_kind);
     }
   }

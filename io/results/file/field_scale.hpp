@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace netloft::results {
 
-/// The values that colours stand for: from `lo` to `hi`, linearly or logarithmically.
+/// The values of colours: from `lo` to `hi`, linearly or logarithmically.
 struct Scale {
   double lo = 0, hi = 1;
   bool is_logarithmic = false;
@@ -23,7 +23,7 @@ struct Scale {
   std::vector<double> ticks() const;
 };
 
-/// What a field's values spread over, in all states, so that a colour means the same in each.
+/// The range of the values of a field in all states, so that a colour means the same in each.
 class FieldSpread {
  public:
   void take(std::span<const double> values);
@@ -45,12 +45,12 @@ class FieldSpread {
   std::vector<double> sample_;
 };
 
-/// Of a field: scales of netting, of ropes and of single nodes. The tension of a twine and that of a rope are
-/// two things, and differ by a factor of a hundred.
+/// Ranges and scales of a field for netting, for ropes and for single nodes: tensions of twines and of ropes
+/// differ by a factor of a hundred.
 using FieldSpreads = std::array<FieldSpread, kCellKinds>;
 using FieldScales = std::array<std::optional<Scale>, kCellKinds>;
 
-FieldSpreads spreads_of(const StoredResult& result, const std::string& field);
+FieldSpreads spreads_of(const StoredShape& stored, const std::string& field);
 /// Nothing for a kind of cells without values.
 FieldScales scales_of(const FieldSpreads& spreads, bool is_logarithmic);
 

@@ -22,7 +22,7 @@ bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
 
 using PanelPoint = std::array<double, 2>;  // U, V [meshes]
 
-/// Where a panel has each node of the scene. A node of a seam that closes the panel has two places.
+/// The place of each node of the scene on a panel. A node of a seam that closes the panel has two places.
 class PanelPlaces {
  public:
   explicit PanelPlaces(const scenes::PartGeometry& part) {

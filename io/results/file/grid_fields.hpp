@@ -27,7 +27,7 @@ std::optional<std::pair<formats::FieldSpec, std::vector<double>>> rotation_field
 std::vector<formats::StaticField> label_points(const scenes::LoadedScene& loaded);
 formats::StaticField label_cells(const scenes::LoadedScene& loaded, const Assembler& assembler);
 /// Gathers outputs of all families, those of one name in one field; elements without that output have no
-/// value. Elements that stand on the netting of other parts, such as the catch in a cod-end, have no cells of
+/// value. Elements on the netting of other parts, such as the catch in a cod-end, have no cells of
 /// their own: theirs are those between the same nodes. Which these are is found once.
 class OutputFields {
  public:
@@ -43,9 +43,8 @@ class OutputFields {
   std::vector<std::vector<std::size_t>> cells_;  // of every family, of its elements
   std::size_t count_ = 0;                        // of cells
 };
-/// Where the corners of a cell lie on the panel that the cell belongs to; nodes on seams belong to several
-/// panels. Along a twine of diamond netting u = V + U or v = V - U is constant, so that twines can be drawn
-/// from it.
+/// The places of the corners of a cell on the panel of the cell; nodes on seams belong to several panels.
+/// Along a twine of diamond netting u = V + U or v = V - U is constant, so that twines can be drawn from it.
 formats::StaticField label_corners(const scenes::LoadedScene& loaded, const Assembler& assembler);
 
 }  // namespace netloft::results

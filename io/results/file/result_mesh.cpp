@@ -16,15 +16,15 @@ namespace {
 /// Makes one mesh; members are steps in the order they happen.
 class ResultMesh {
  public:
-  ResultMesh(const StoredResult& result, std::size_t state)
-      : result_(result),
+  ResultMesh(const StoredShape& stored, std::size_t state)
+      : stored_(stored),
         strain_(field(output::kStrain.name, state)),
         twine_area_(field(output::kTwineArea.name, state)) {
-    mesh_.positions = result.points(state);
+    mesh_.positions = stored.points(state);
   }
 
   std::string text(MeshFormat format) {
-    for (std::uint32_t part = 0; part < result_.parts.size(); ++part) {
+    for (std::uint32_t part = 0; part < stored_.parts.size(); ++part) {
       add_triangles(part);
       add_bars(part);
     }
@@ -38,14 +38,14 @@ class ResultMesh {
  private:
   /// NaN everywhere if the file has no such field.
   std::vector<double> field(const std::string& name, std::size_t state) const {
-    const bool is_there = std::any_of(result_.fields.begin(), result_.fields.end(),
+    const bool is_there = std::any_of(stored_.fields.begin(), stored_.fields.end(),
                                       [&](const auto& f) { return f.name == name; });
-    if (is_there) return result_.field(name, state);
-    return std::vector<double>(result_.mesh.n_cells, std::nan(""));
+    if (is_there) return stored_.field(name, state);
+    return std::vector<double>(stored_.mesh.n_cells, std::nan(""));
   }
 
   std::string name_of_part(std::uint32_t part) const {
-    std::string name = result_.parts[part].name;
+    std::string name = stored_.parts[part].name;
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t' || c == '#' || c == ']'; }, '-');
     return name;
@@ -54,10 +54,10 @@ class ResultMesh {
   void add_triangles(std::uint32_t part) {
     formats::MeshRegion region{formats::RegionKind::triangles, name_of_part(part)};
     std::size_t left_out = 0;
-    for (std::size_t t = 0; t < result_.mesh.triangles.size(); ++t) {
-      if (result_.mesh.cell_part[result_.mesh.triangle_cells[t]] != part) continue;
-      const auto& nodes = result_.mesh.triangles[t];
-      const auto& UV = result_.mesh.corners[t];
+    for (std::size_t t = 0; t < stored_.mesh.triangles.size(); ++t) {
+      if (stored_.mesh.cell_part[stored_.mesh.triangle_cells[t]] != part) continue;
+      const auto& nodes = stored_.mesh.triangles[t];
+      const auto& UV = stored_.mesh.corners[t];
       if (std::any_of(UV.begin(), UV.end(), [](double x) { return !std::isfinite(x); }) || has_twins(nodes)) {
         ++left_out;
         continue;
@@ -78,11 +78,11 @@ class ResultMesh {
   void add_bars(std::uint32_t part) {
     formats::MeshRegion region{formats::RegionKind::bars, name_of_part(part)};
     std::vector<double> ends{0};
-    for (std::size_t b = 0; b < result_.mesh.bars.size(); ++b) {
-      const auto cell = result_.mesh.bar_cells[b];
-      if (result_.mesh.cell_part[cell] != part || !std::isfinite(strain_[cell])) continue;
+    for (std::size_t b = 0; b < stored_.mesh.bars.size(); ++b) {
+      const auto cell = stored_.mesh.bar_cells[b];
+      if (stored_.mesh.cell_part[cell] != part || !std::isfinite(strain_[cell])) continue;
       if (std::isfinite(twine_area_[cell])) return say(region.name + ": bars of several twines are left out");
-      const auto& nodes = result_.mesh.bars[b];
+      const auto& nodes = stored_.mesh.bars[b];
       region.nodes.insert(region.nodes.end(), nodes.begin(), nodes.end());
       ends.push_back(ends.back() + distance(nodes[0], nodes[1]) / (1 + strain_[cell]));
     }
@@ -103,7 +103,7 @@ class ResultMesh {
 
   void say(const std::string& text) { comment_ += (comment_.empty() ? "" : "\n") + text; }
 
-  const StoredResult& result_;
+  const StoredShape& stored_;
   std::vector<double> strain_, twine_area_;  // by cell
   formats::InputMesh mesh_;
   std::string comment_;
@@ -111,8 +111,8 @@ class ResultMesh {
 
 }  // namespace
 
-std::string mesh_of(const StoredResult& result, std::size_t state, MeshFormat format) {
-  return ResultMesh(result, state).text(format);
+std::string mesh_of(const StoredShape& stored, std::size_t state, MeshFormat format) {
+  return ResultMesh(stored, state).text(format);
 }
 
 }  // namespace netloft::results

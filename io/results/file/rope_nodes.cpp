@@ -3,13 +3,13 @@
 
 namespace netloft::results {
 
-std::vector<std::uint32_t> nodes_of_rope(const StoredResult& result, const std::string& name) {
+std::vector<std::uint32_t> nodes_of_rope(const StoredShape& stored, const std::string& name) {
   std::vector<std::uint32_t> nodes;
-  const auto part = find_part(result, name);
-  for (std::size_t i = 0; part && i < result.mesh.bars.size(); ++i) {
-    if (result.mesh.cell_part[result.mesh.bar_cells[i]] != *part) continue;
-    if (nodes.empty()) nodes.push_back(result.mesh.bars[i][0]);
-    nodes.push_back(result.mesh.bars[i][1]);
+  const auto part = find_part(stored, name);
+  for (std::size_t i = 0; part && i < stored.mesh.bars.size(); ++i) {
+    if (stored.mesh.cell_part[stored.mesh.bar_cells[i]] != *part) continue;
+    if (nodes.empty()) nodes.push_back(stored.mesh.bars[i][0]);
+    nodes.push_back(stored.mesh.bars[i][1]);
   }
   return nodes;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <cstdint>
 #include <string>
@@ -9,6 +9,6 @@
 namespace netloft::results {
 
 /// Nodes of a rope from its start to its end; none if there is no such rope.
-std::vector<std::uint32_t> nodes_of_rope(const StoredResult& result, const std::string& name);
+std::vector<std::uint32_t> nodes_of_rope(const StoredShape& stored, const std::string& name);
 
 }  // namespace netloft::results

@@ -23,10 +23,10 @@ const std::vector<std::array<double, 2>> kHull = {{0, 1},       {0.65, 1},  {0.8
                                          kHouse = {{0.5, 0.7}, {0.7, 0.7}, {0.7, -0.7}, {0.5, -0.7}};
 
 /// The names of the ropes whose angles a result reports: its warps.
-std::set<std::string> warps_of(const StoredResult& result) {
+std::set<std::string> warps_of(const StoredShape& stored) {
   std::set<std::string> warps;
   bool has_ship = false;
-  for (const auto& figure : result.figures) {
+  for (const auto& figure : stored.result.figures) {
     has_ship |= figure.name.starts_with("towing/");
     if (!figure.name.starts_with("warps/")) continue;
     const std::size_t begin = figure.name.find('/') + 1;
@@ -36,18 +36,18 @@ std::set<std::string> warps_of(const StoredResult& result) {
 }
 
 /// The upper ends of the warps, those of the half that was left out included.
-std::vector<Point> blocks_of(const StoredResult& result, std::size_t state) {
+std::vector<Point> blocks_of(const StoredShape& stored, std::size_t state) {
   std::vector<Point> blocks;
-  const auto points = result.points(state);
-  for (const auto& warp : warps_of(result)) {
-    const auto nodes = nodes_of_rope(result, warp);
+  const auto points = stored.points(state);
+  for (const auto& warp : warps_of(stored)) {
+    const auto nodes = nodes_of_rope(stored, warp);
     if (nodes.empty()) continue;
     const auto place = [&](std::uint32_t node) {
       return Point{points[3 * node], points[3 * node + 1], points[3 * node + 2]};
     };
     const Point one = place(nodes.front()), other = place(nodes.back());
     blocks.push_back(one[2] > other[2] ? one : other);
-    if (result.is_half) blocks.push_back({blocks.back()[0], -blocks.back()[1], blocks.back()[2]});
+    if (stored.result.is_half()) blocks.push_back({blocks.back()[0], -blocks.back()[1], blocks.back()[2]});
   }
   return blocks;
 }
@@ -65,8 +65,8 @@ void add_prism(const std::vector<Point>& below, const std::vector<Point>& above,
 
 }  // namespace
 
-std::vector<TowingShip> ships_of(const StoredResult& result, std::size_t state) {
-  const auto blocks = blocks_of(result, state);
+std::vector<TowingShip> ships_of(const StoredShape& stored, std::size_t state) {
+  const auto blocks = blocks_of(stored, state);
   if (blocks.empty()) return {};
   const auto [port, starboard] = std::minmax_element(
       blocks.begin(), blocks.end(), [](const Point& a, const Point& b) { return a[1] < b[1]; });

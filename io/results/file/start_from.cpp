@@ -13,10 +13,10 @@ namespace {
 /// Own number -> node, of every part.
 using PartNumbers = std::map<std::uint32_t, std::uint32_t>;
 
-std::vector<PartNumbers> numbers_of(const StoredResult& result) {
-  std::vector<PartNumbers> all(result.parts.size());
-  for (std::uint32_t n = 0; n < result.mesh.n_points; ++n)
-    all[result.mesh.node_part[n]].emplace(result.mesh.node_number[n], n);
+std::vector<PartNumbers> numbers_of(const StoredShape& stored) {
+  std::vector<PartNumbers> all(stored.parts.size());
+  for (std::uint32_t n = 0; n < stored.mesh.n_points; ++n)
+    all[stored.mesh.node_part[n]].emplace(stored.mesh.node_number[n], n);
   return all;
 }
 
@@ -37,17 +37,17 @@ bool are_alike(const PartNumbers& a, const PartNumbers& b) {
 /// Carries one part after the other; members are the ways to do so.
 class Carrier {
  public:
-  Carrier(const StoredResult& result, const scenes::LoadedScene& loaded)
-      : result_(result),
+  Carrier(const StoredShape& stored, const scenes::LoadedScene& loaded)
+      : stored_(stored),
         loaded_(loaded),
-        x_(result.points(result.times.empty() ? 0 : result.times.size() - 1)),
+        x_(stored.points(stored.times.empty() ? 0 : stored.times.size() - 1)),
         images_(x_),
         positions_(loaded.scene.positions) {
     for (std::size_t y = 1; y < images_.size(); y += 3) images_[y] *= -1;
   }
 
   std::vector<double> carry() {
-    const auto there = numbers_of(result_), here = numbers_of(loaded_);
+    const auto there = numbers_of(stored_), here = numbers_of(loaded_);
     bool has_any = false;
     for (std::size_t p = 0; p < loaded_.scene.parts.size(); ++p) {
       const Source from = source_of(loaded_.scene.parts[p].name);
@@ -62,7 +62,7 @@ class Carrier {
         carry_division(*from.part, p, x);
     }
     if (!has_any)
-      throw formats::FileError(result_.path.string() + " has none of the parts of " + loaded_.scene.name);
+      throw formats::FileError(stored_.result.path + " has none of the parts of " + loaded_.scene.name);
     return std::move(positions_);
   }
 
@@ -76,13 +76,13 @@ class Carrier {
     Side side = Side::all;
   };
   Source source_of(const std::string& name) const {
-    const bool from_half = result_.is_half && loaded_.gear && loaded_.gear->times == 1;
+    const bool from_half = stored_.result.is_half() && loaded_.gear && loaded_.gear->times == 1;
     if (from_half)
       for (const std::string side : {"starboard-", "port-"})
         if (name.starts_with(side))
-          if (const auto part = find_part(result_, name.substr(side.size())))
+          if (const auto part = find_part(stored_, name.substr(side.size())))
             return {part, side == "port-" ? Side::port : Side::starboard};
-    return {find_part(result_, name), from_half ? Side::both : Side::all};
+    return {find_part(stored_, name), from_half ? Side::both : Side::all};
   }
   bool is_rope(std::size_t part) const {
     const Part& p = loaded_.scene.parts[part];
@@ -106,7 +106,7 @@ class Carrier {
     }
   }
 
-  /// What is there is to starboard, and here are both halves.
+  /// Carries a part of a half result, which is to starboard, to both halves of the scene.
   void carry_halves(std::uint32_t there, std::size_t here) {
     if (is_rope(here)) {
       if (const Part rope = rope_of(there); !rope.nodes.empty())
@@ -153,9 +153,9 @@ class Carrier {
   Part rope_of(std::uint32_t part) const {
     Part rope;
     std::vector<double>& lengths = rope.data[datum::kRestLength.name];
-    for (std::size_t b = 0; b < result_.mesh.bars.size(); ++b) {
-      if (result_.mesh.cell_part[result_.mesh.bar_cells[b]] != part) continue;
-      const auto [from, to] = result_.mesh.bars[b];
+    for (std::size_t b = 0; b < stored_.mesh.bars.size(); ++b) {
+      if (stored_.mesh.cell_part[stored_.mesh.bar_cells[b]] != part) continue;
+      const auto [from, to] = stored_.mesh.bars[b];
       rope.nodes.insert(rope.nodes.end(), {from, to});
       const double *p = &x_[3 * std::size_t{from}], *q = &x_[3 * std::size_t{to}];
       lengths.push_back(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
@@ -167,13 +167,13 @@ class Carrier {
   Part panel_of(std::uint32_t part) const {
     Part panel;
     std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];
-    for (std::size_t t = 0; t < result_.mesh.triangles.size(); ++t) {
-      const auto& corners = result_.mesh.corners[t];
+    for (std::size_t t = 0; t < stored_.mesh.triangles.size(); ++t) {
+      const auto& corners = stored_.mesh.corners[t];
       const bool has_places =
           std::all_of(corners.begin(), corners.end(), [](double c) { return std::isfinite(c); });
-      if (result_.mesh.cell_part[result_.mesh.triangle_cells[t]] != part || !has_places) continue;
-      panel.nodes.insert(panel.nodes.end(), result_.mesh.triangles[t].begin(),
-                         result_.mesh.triangles[t].end());
+      if (stored_.mesh.cell_part[stored_.mesh.triangle_cells[t]] != part || !has_places) continue;
+      panel.nodes.insert(panel.nodes.end(), stored_.mesh.triangles[t].begin(),
+                         stored_.mesh.triangles[t].end());
       for (std::size_t c = 0; c < 3; ++c) {
         u.push_back(corners[2 * c]);
         v.push_back(corners[2 * c + 1]);
@@ -195,15 +195,15 @@ class Carrier {
     return panel;
   }
 
-  const StoredResult& result_;
+  const StoredShape& stored_;
   const scenes::LoadedScene& loaded_;
   std::vector<double> x_, images_, positions_;  // images_: across the plane of symmetry, y = 0
 };
 
 }  // namespace
 
-std::vector<double> positions_from(const StoredResult& result, const scenes::LoadedScene& loaded) {
-  return Carrier(result, loaded).carry();
+std::vector<double> positions_from(const StoredShape& stored, const scenes::LoadedScene& loaded) {
+  return Carrier(stored, loaded).carry();
 }
 
 }  // namespace netloft::results

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/registry/element_outputs.hpp"
+#include "io/results/figures/materials.hpp"
 #include "io/results/file/no_number.hpp"
-#include "io/results/file/stored_result.hpp"
+#include "io/results/file/stored_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +15,13 @@ namespace {
 // Fields that are made of others: the larger tension of the two twine directions, the opening of meshes, and
 // the force of the water by the length of a rope and the area of netting.
 constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
-constexpr std::array kTensions = {kTension, "tension_u", "tension_v"};
 // Sums over an element: larger elements have more of them.
 constexpr std::array kTotals = {output::kDrag.name, output::kKnots.name, output::kMass.name,
                                 output::kTwineArea.name, output::kVolume.name};
 
 }  // namespace
 
-void StoredResult::read_fields() {
+void StoredShape::read_fields() {
   const auto label = [&](const std::string& at, const char* name, const char* otherwise) {
     return reader_.has_attribute(at, name) ? reader_.text_attribute(at, name) : std::string(otherwise);
   };
@@ -49,7 +49,7 @@ void StoredResult::read_fields() {
 }
 
 /// Elements on single nodes with a normal force are where a part touches a bed.
-void StoredResult::find_contacts() {
+void StoredShape::find_contacts() {
   for (const auto& field : fields) {
     if (field.name != output::kNormalForce.name) continue;
     const auto force = whole(reader_.field(formats::Location::kCell, field.name, times.size() - 1),
@@ -59,35 +59,35 @@ void StoredResult::find_contacts() {
   }
 }
 
-std::vector<double> StoredResult::points(std::size_t state) const {
+std::vector<double> StoredShape::points(std::size_t state) const {
   return whole(reader_.points(state), 3 * mesh.n_points, "shape");
 }
 
-std::vector<double> StoredResult::field(const std::string& name, std::size_t state) const {
+std::vector<double> StoredShape::field(const std::string& name, std::size_t state) const {
   if (name == kOpening) return opening(state);
   if (name == kTension) return tension(state);
   if (name == kWaterForce) return water_force(state);
   return whole(reader_.field(formats::Location::kCell, name, state), mesh.n_cells, "field " + name);
 }
 
-std::vector<double> StoredResult::opening(std::size_t state) const {
+std::vector<double> StoredShape::opening(std::size_t state) const {
   auto values = field(output::kHalfAngle.name, state);
   for (double& value : values) value = std::sin(value);
   return values;
 }
 
-std::vector<double> StoredResult::tension(std::size_t state) const {
+std::vector<double> StoredShape::tension(std::size_t state) const {
   std::vector<double> values(mesh.n_cells, kNone);
-  for (const char* one : kTensions) {
-    if (!reader_.has(std::string("/VTKHDF/CellData/") + one)) continue;
-    const auto more = reader_.field(formats::Location::kCell, one, state);
+  for (const auto one : kTensions) {
+    if (!reader_.has("/VTKHDF/CellData/" + std::string(one))) continue;
+    const auto more = reader_.field(formats::Location::kCell, std::string(one), state);
     for (std::size_t c = 0; c < values.size() && c < more.size(); ++c)
       if (!(values[c] > more[c]) && std::isfinite(more[c])) values[c] = more[c];
   }
   return values;
 }
 
-std::vector<double> StoredResult::water_force(std::size_t state) const {
+std::vector<double> StoredShape::water_force(std::size_t state) const {
   auto force = field(output::kDrag.name, state);
   const auto x = points(state);
   const auto from_to = [&](std::uint32_t a, std::uint32_t b) {
@@ -110,7 +110,7 @@ std::vector<double> StoredResult::water_force(std::size_t state) const {
   return force;
 }
 
-std::vector<double> StoredResult::node_field(const std::string& name, std::size_t state) const {
+std::vector<double> StoredShape::node_field(const std::string& name, std::size_t state) const {
   if (!reader_.has("/VTKHDF/PointData/" + name)) return {};
   return whole(reader_.field(formats::Location::kPoint, name, state), 3 * mesh.n_points, "field " + name);
 }

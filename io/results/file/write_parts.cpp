@@ -59,7 +59,7 @@ Axes axes_of(const Part& part, const scenes::PartGeometry& geometry) {
   return axes;
 }
 
-/// What the file says of every part in rows: names and types, and the numbers of a picture.
+/// The rows of the parts in a file: names, types, and the numbers that a picture needs.
 struct PartRows {
   std::vector<std::string> names, types;
   std::vector<double> diameters, bars, axes, sheet;
@@ -178,77 +178,6 @@ void write_parts(formats::Tree& tree, const scenes::LoadedScene& loaded) {
                     "place on the plan: origin, vector of one mesh across, vector of one mesh deep");
   write_bodies(tree, loaded);
   write_seabed(tree, loaded.scene);
-}
-
-namespace {
-
-/// The number of an element's parameter with this name, whatever its table is called: `board.mass`.
-double number_called(const Part& part, const std::string& name) {
-  for (const auto& [parameter, value] : part.parameters)
-    if (parameter.ends_with("." + name)) return number_or(kNone, part.parameters, parameter);
-  return kNone;
-}
-
-scenes::BillItem item_of(const scenes::LoadedScene& loaded, const std::string& name, std::uint32_t part,
-                         double number) {
-  const Part& body = loaded.scene.parts[part];
-  const auto known = loaded.strengths.find(name);
-  return {"body",
-          name,
-          known == loaded.strengths.end() ? "" : known->second.material,
-          number,
-          kNone,
-          kNone,
-          kNone,
-          number_called(body, "mass"),
-          number_called(body, "area")};
-}
-
-/// Bodies to port and to starboard are a row, whether one half was modelled or both.
-std::vector<scenes::BillItem> items_of_bodies(const scenes::LoadedScene& loaded) {
-  std::vector<scenes::BillItem> items;
-  std::set<std::uint32_t> paired;
-  for (const auto& [name, parts] : loaded.gear->pairs) {
-    if (parts.empty()) continue;
-    items.push_back(item_of(loaded, name, parts.front(), 2));
-    paired.insert(parts.begin(), parts.end());
-  }
-  for (const auto& body : loaded.bodies)
-    if (!paired.contains(body.part))
-      items.push_back(item_of(loaded, loaded.scene.parts[body.part].name, body.part, 1));
-  return items;
-}
-
-}  // namespace
-
-void write_bill(formats::Tree& tree, const scenes::LoadedScene& loaded) {
-  auto bill = loaded.gear->bill;
-  const auto bodies = items_of_bodies(loaded);
-  bill.insert(bill.end(), bodies.begin(), bodies.end());
-  if (bill.empty()) return;
-  std::vector<std::string> kinds, names, parts;
-  std::vector<double> numbers, lengths, diameters, loads, masses, areas;
-  for (const auto& row : bill) {
-    kinds.push_back(row.kind);
-    names.push_back(row.name);
-    parts.push_back(row.part_name);
-    numbers.push_back(row.number);
-    lengths.push_back(row.length);
-    diameters.push_back(row.diameter);
-    loads.push_back(row.breaking_load);
-    masses.push_back(row.mass);
-    areas.push_back(row.area);
-  }
-  const std::string at = "/netloft/bill/";
-  tree.write_strings(at + "kind", kinds);
-  tree.write_strings(at + "name", names);
-  tree.write_strings(at + "part", parts, "in the catalogue; empty: written in the plan");
-  tree.write_reals(at + "number", numbers, "1", "in the whole gear");
-  tree.write_reals(at + "length", lengths, "m", "of one rope, unstretched");
-  tree.write_reals(at + "diameter", diameters, "m", "of a twine, a rope or a piece");
-  tree.write_reals(at + "breaking_load", loads, "N", "of a rope, or of the twines of a bar");
-  tree.write_reals(at + "mass", masses, "kg", "of one piece or body, in air");
-  tree.write_reals(at + "area", areas, "m2", "of one body, projected");
 }
 
 }  // namespace netloft::results

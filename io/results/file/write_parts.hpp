@@ -5,11 +5,8 @@
 
 namespace netloft::results {
 
-/// Writes what the parts are, beside their names what a picture needs of them: diameters, directions of
-/// twines, places on the plan, the seabed.
+/// Writes the parts: their names, and for pictures diameters, directions of twines, places on the plan, rigid
+/// bodies and the seabed.
 void write_parts(formats::Tree& tree, const scenes::LoadedScene& loaded);
-
-/// Writes the bill of materials of a scene with a net plan below /netloft/bill, rigid bodies last.
-void write_bill(formats::Tree& tree, const scenes::LoadedScene& loaded);
 
 }  // namespace netloft::results

@@ -6,7 +6,7 @@
 
 namespace netloft::results {
 
-/// The state from which a march continues, as bytes that stand in a journal beside the output.
+/// The state from which a march continues, as bytes in a journal beside the output.
 std::string pack_checkpoint(const MarchState& state);
 
 /// The same state, to the bit. Throws FileError if the bytes are none.

@@ -5,7 +5,9 @@
 #include "framework/motion/energy_judge.hpp"
 #include "io/formats/hdf5/image.hpp"
 #include "io/results/figures/fallen_boards.hpp"
+#include "io/results/figures/materials.hpp"
 #include "io/results/file/grid_fields.hpp"
+#include "io/results/file/provenance.hpp"
 #include "io/results/motion/checkpoint.hpp"
 #include "io/results/motion/warp_figures.hpp"
 #include "io/results/motion/xdmf.hpp"
@@ -102,9 +104,12 @@ class MotionRun {
   MotionRun(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options)
       : scene_(scene),
         loaded_(scene.loaded()),
-        context_(context),
         options_(options),
-        losses_(loaded_.scene, scene.assembler()) {}
+        losses_(loaded_.scene, scene.assembler()),
+        result_(describe_scene(loaded_, scene.assembler())) {
+    result_.origins = make_origins(loaded_, context);
+    result_.motion.emplace();
+  }
 
   MotionResult run() {
     if (options_.resume) from_ = read_killed();
@@ -114,15 +119,14 @@ class MotionRun {
                              if (options_.on_step) options_.on_step(step);
                              return false;
                            }};
-    result_.march =
+    const MarchResult march =
         runs::march(scene_, watch, {.interrupt = options_.interrupt, .on_iteration = options_.on_iteration},
                     from_ ? &*from_ : nullptr);
-    result_.loss = losses_.loss();
-    result_.warnings = boards_.warnings();
-    if (!journal_) return std::move(result_);
-    if (result_.outputs == outputs_before_) recall_last_output();
-    finish();
-    return std::move(result_);
+    note_march(march);
+    if (!journal_) return {std::move(result_), march};
+    if (outputs_ == outputs_before_) recall_last_output();
+    finish(march);
+    return {std::move(result_), march};
   }
 
  private:
@@ -138,8 +142,8 @@ class MotionRun {
     journal_.emplace(formats::SeriesJournal::go_on(part, options_.identity));
     const MarchState state =
         formats::with_context(part.string(), [&] { return unpack_checkpoint(journal_->checkpoint()); });
-    result_.resumed_from = state.t;
-    result_.outputs = outputs_before_ = journal_->size();
+    result_.motion->resumed_from = state.t;
+    outputs_ = outputs_before_ = journal_->size();
     if (!journal_->damage().empty()) warn_of_damage();
     return state;
   }
@@ -154,17 +158,16 @@ class MotionRun {
   void write(const Snapshot& at) {
     const formats::SeriesState state = describe(at);
     losses_.note(at);
-    boards_.note(at.t, find_fallen_boards(loaded_, result_.gear));
+    boards_.note(at.t, find_fallen_boards(loaded_, result_.figures));
     if (!journal_) begin_journal();
-    if (result_.outputs == outputs_before_) journal_->require_layout(layout_);
+    if (outputs_ == outputs_before_) journal_->require_layout(layout_);
     journal_->write(state, at.state ? pack_checkpoint(*at.state) : "");
-    ++result_.outputs;
+    ++outputs_;
   }
   void begin_journal() {
-    const auto origins = formats::hdf5_image([&](formats::Tree& tree) {
-      write_inputs(tree, loaded_, context_);
-      write_gear(tree, loaded_, {});
-    });
+    result_.materials = find_bill(loaded_);  // the search for the start may have set lengths in it
+    const auto origins =
+        formats::hdf5_image([&](formats::Tree& tree) { write_inputs(tree, loaded_, result_); });
     journal_.emplace(formats::SeriesJournal::create(part_path(), options_.identity, origins, layout_));
   }
 
@@ -179,10 +182,10 @@ class MotionRun {
   void recall(const std::vector<double>& row) {
     auto value = row.begin();
     for (auto& scalar : result_.scalars) scalar.value = *value++;
-    for (auto& [name, joules] : result_.energies) joules = *value++;
-    result_.gear.clear();
+    for (const auto& name : energies_) result_.motion->energies[name] = *value++;
+    result_.figures.clear();
     for (const auto& column : *gear_columns_)
-      result_.gear.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
+      result_.figures.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
   }
 
   /// Finds the content of an output by making one at the point of continuation.
@@ -234,8 +237,8 @@ class MotionRun {
     return state;
   }
 
-  /// What elements say where forces are known, which is the same for all outputs within a step, and positions
-  /// of the output.
+  /// Outputs of elements at the moment of the forces, which is one for all outputs within a step, and
+  /// positions of the output.
   const Response& answer_at(const ForceMoment& forces, std::span<const double> x) {
     if (!answered_at_ || *answered_at_ != forces.t) {
       answer_ = ask_elements(loaded_.scene, scene_.assembler(), forces.x, forces.motion, has_figures());
@@ -269,17 +272,12 @@ class MotionRun {
 
   void add_row(const Snapshot& at, const Solution& solution, const FamilyOutputs& outputs,
                formats::SeriesState& state) {
-    result_.scalars.clear();
-    result_.energies.clear();
-    for (const auto& request : loaded_.results) {
-      NamedScalar scalar{};
-      scalar.name = request.name;
-      scalar.unit = request.unit;
-      scalar.doc = request.take + " of " + request.of;
-      scalar.value = scenes::value_of(request, loaded_, scene_.assembler(), solution, outputs);
+    energies_.clear();
+    result_.scalars = find_scalars(loaded_, scene_.assembler(), solution, outputs);
+    for (auto& scalar : result_.scalars) {
       layout_.columns.push_back({scalar.name, scalar.unit, scalar.doc});
       state.row.push_back(scalar.value);
-      result_.scalars.push_back(scalar);
+      scalar.doc += ", at the end";
     }
     if (!at.budget) return;
     const auto names = at.budget->names();
@@ -287,18 +285,19 @@ class MotionRun {
     for (std::size_t k = 0; k < names.size(); ++k) {
       layout_.columns.push_back({kEnergy + names[k], "J", "contribution to the energy budget"});
       state.row.push_back(values[k]);
-      result_.energies.emplace_back(names[k], values[k]);
+      energies_.push_back(names[k]);
+      result_.motion->energies[energies_.back()] = values[k];
     }
   }
 
   /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
   void add_gear(const Snapshot& at, const Response& answer, formats::SeriesState& state) {
-    result_.gear = collect_gear(loaded_, scene_.assembler(), answer);
-    add_warp_figures(loaded_, scene_.assembler(), at, result_.gear);
+    result_.figures = find_figures(loaded_, scene_.assembler(), answer);
+    add_warp_figures(loaded_, scene_.assembler(), at, result_.figures);
     if (!gear_columns_)
-      gear_columns_ = journal_ ? gear_columns_of(journal_->layout()) : columns_of(result_.gear);
+      gear_columns_ = journal_ ? gear_columns_of(journal_->layout()) : columns_of(result_.figures);
     for (const formats::SeriesColumn& column : *gear_columns_) {
-      const NamedScalar* figure = find_scalar(result_.gear, column.name.substr(kGear.size()));
+      const NamedScalar* figure = find_scalar(result_.figures, column.name.substr(kGear.size()));
       layout_.columns.push_back(column);
       state.row.push_back(figure ? figure->value : std::numeric_limits<double>::quiet_NaN());
     }
@@ -322,42 +321,54 @@ class MotionRun {
     state.row.push_back(at.forces.t);
   }
 
-  void finish() {
-    journal_->set_status({name_of(result_.march.status), result_.march.reason});
-    if (result_.march.status == MarchStatus::interrupted) {
-      result_.output_file = part_path();
+  /// How the march went, and the warnings of its outputs.
+  void note_march(const MarchResult& march) {
+    Motion& m = *result_.motion;
+    const scenes::Dynamics& d = loaded_.analysis.dynamics;
+    result_.outcome = name_of(march.status);
+    result_.sentence = march.reason;
+    result_.statistics = march.statistics;
+    result_.warnings = boards_.warnings();
+    m.integrator = d.integrator;
+    m.start_from = d.from_equilibrium     ? "the equilibrium"
+                   : d.start_file.empty() ? "the sketch"
+                                          : d.start_file.filename().string();
+    m.time = march.t;
+    m.steps = march.steps;
+    m.rejected = march.rejected;
+    m.shortest = march.shortest;
+    m.longest = march.longest;
+    m.stable_step = march.stable_step;
+    if (!march.start.node.empty()) m.start = march.start;
+    if (march.accuracy.asked > 0) m.accuracy = march.accuracy;
+    m.loss = losses_.loss();
+  }
+
+  void finish(const MarchResult& march) {
+    result_.states = outputs_;
+    result_.materials = find_bill(loaded_);
+    add_loads(result_.figures, largest_twine_tensions(loaded_.scene, scene_.assembler(), answer_.outputs),
+              result_.materials);
+    for (auto& warning : load_warnings(result_.materials)) result_.warnings.push_back(std::move(warning));
+    journal_->set_status({result_.outcome, result_.sentence});
+    if (march.status == MarchStatus::interrupted) {
+      result_.path = part_path();
       return;
     }
-    const auto name = name_beside_better(options_.output, name_of(result_.march.status));
-    result_.output_file = name.string();
-    formats::make_result(*journal_, name, [&](formats::Tree& tree) { write_rest(tree); });
+    const auto name = name_beside_better(options_.output, result_.outcome);
+    result_.path = name.string();
+    result_.origins.finished = utc_now();
+    formats::make_result(*journal_, name, [&](formats::Tree& tree) {
+      formats::begin_result(tree, result_.outcome, result_.sentence);
+      write_inputs(tree, loaded_, result_);
+      write_ending(tree, result_);
+    });
     write_xdmf(name);
     journal_->remove();
   }
 
-  void write_rest(formats::Tree& tree) {
-    formats::begin_result(tree, name_of(result_.march.status), result_.march.reason);
-    write_origins(tree, loaded_, context_, result_.march.statistics);
-    tree.write_int("/netloft/cost/steps", result_.march.steps, "1", "accepted time steps");
-    if (const AchievedAccuracy& a = result_.march.accuracy; a.asked > 0) {
-      tree.write_real("/netloft/accuracy/asked", a.asked, "1",
-                      "accuracy of the path, over the longest element");
-      tree.write_real("/netloft/accuracy/allowed", a.allowed, "1", "error allowed for one step");
-      tree.write_real("/netloft/accuracy/largest", a.largest, "1", "largest error of a step");
-      tree.write_real("/netloft/accuracy/sum", a.sum, "1", "sum of the errors of all steps");
-      if (a.is_checked)
-        tree.write_real("/netloft/accuracy/path", a.path, "1",
-                        "error of the path against a march in other steps");
-    }
-    tree.write_int("/netloft/cost/rejected_steps", result_.march.rejected, "1", "rejected time steps");
-    write_gear(tree, loaded_, result_.gear);
-    for (const auto& s : result_.scalars)
-      tree.write_real("/netloft/scalars/" + s.name, s.value, s.unit, s.doc + ", at the end");
-  }
-
   runs::PreparedScene& scene_;
   const scenes::LoadedScene& loaded_;
-  const RunContext& context_;
   const MotionOptions& options_;
   LossWatch losses_;
   BoardWatch boards_;
@@ -368,8 +379,9 @@ class MotionRun {
   std::optional<double> answered_at_;
   std::optional<MarchState> from_;
   std::optional<formats::SeriesJournal> journal_;
-  std::size_t outputs_before_ = 0;  // that were in the journal already
-  MotionResult result_;
+  std::size_t outputs_ = 0, outputs_before_ = 0;  // in the journal now, and before this run
+  std::vector<std::string> energies_;             // in the order of their columns
+  Result result_;
 };
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace netloft::results {
 
 namespace {
 
-/// An array of all states, every one with rows of its own from offsets[state] on. A state's place in the file
-/// stands between two texts that are the same for all.
+/// An array of all states, every one with rows of its own from offsets[state] on. The place of a state in the
+/// file is written between two texts that are the same for all.
 struct SteppedArray {
   std::string before, after;
   std::uint64_t place;  // of the array in the file [bytes]
@@ -26,8 +26,8 @@ struct SteppedArray {
   }
 };
 
-/// What refers to numbers in the file. Selections of rows by HDF5 are no way: XDMF 3 counts their beginning
-/// along the other dimension than XDMF 2.
+/// The begin of a reference to numbers in the file. References do not select rows by HDF5, because XDMF 3
+/// counts their beginning along the other dimension than XDMF 2.
 const char* const kItem =
     "<DataItem Format=\"Binary\" NumberType=\"{}\" Precision=\"8\" Endian=\"Little\" Seek=\"";
 

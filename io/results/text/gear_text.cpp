@@ -2,6 +2,7 @@
 #include "io/results/text/gear_text.hpp"
 
 #include "io/formats/units/degrees.hpp"
+#include "io/results/figures/figure_names.hpp"
 
 #include <fmt/format.h>
 
@@ -15,18 +16,6 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// Formats a number, or "-" if it is unknown.
-std::string number(const NamedScalar* scalar, const char* format, double factor) {
-  if (!scalar || !std::isfinite(scalar->value)) return "-";
-  std::string text = fmt::format(fmt::runtime(format), factor * scalar->value);
-  if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-')) text.erase(0, 1);
-  return text;
-}
-
-std::string plus_minus(double error) {
-  return std::isfinite(error) ? fmt::format("± {:<7.1e}", error) : "±  ?     ";
-}
-
 /// Adds the name between `group` and the next slash to `members`, in the order of the figures, each name
 /// once.
 void add_members(const std::vector<NamedScalar>& figures, const std::string& group,
@@ -39,12 +28,6 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
   }
 }
 
-/// Whether its error from other meshes is known and more than round-off.
-bool depends_on_mesh(const NamedScalar& scalar) {
-  constexpr double kRoundOff = 1e-9;  // of the number, which has five digits
-  return std::isfinite(scalar.mesh_error) && scalar.mesh_error > kRoundOff * std::abs(scalar.value);
-}
-
 /// A column of a table with a row per member: it shows the figure `before` + member + `after`.
 struct Column {
   std::string heading, before, after;
@@ -53,12 +36,23 @@ struct Column {
   double factor = 1;       // from SI units to those of the heading
 };
 
-/// The number, and how far it may be off on account of the mesh.
-std::string with_error(const NamedScalar* scalar, const Column& column) {
-  const std::string text = number(scalar, column.format, column.factor);
-  return scalar && depends_on_mesh(*scalar)
-             ? text + fmt::format(" ± {:.1e}", column.factor * total_error(*scalar))
-             : text;
+/// The number with its error, if the mesh has a part in it that is known.
+std::string cell_of(const NamedScalar* scalar, const Column& column, double round_off) {
+  if (!scalar || !std::isfinite(scalar->value)) return "-";
+  const double value = std::abs(scalar->value) <= round_off ? 0 : scalar->value;
+  return measured(column.factor * value, column.factor * total_error(*scalar), column.format);
+}
+
+/// Round-off of the largest number among the members of some columns.
+double round_off_of(const std::vector<NamedScalar>& figures, const std::vector<Column>& columns,
+                    const std::vector<std::string>& members) {
+  double largest = 0;
+  for (const auto& member : members)
+    for (const auto& c : columns)
+      if (const auto* figure = find_scalar(figures, c.before + member + c.after);
+          figure && figure->unit == "N")
+        largest = std::fmax(largest, std::abs(figure->value));
+  return kTableRoundOff * largest;
 }
 
 /// Makes a row for every member of the columns' groups; no table without rows.
@@ -66,6 +60,7 @@ void add_table(const std::vector<NamedScalar>& figures, const std::string& title
                const std::vector<Column>& columns, std::vector<FigureTable>& tables) {
   std::vector<std::string> members;
   for (const auto& column : columns) add_members(figures, column.before, members);
+  const double round_off = round_off_of(figures, columns, members);
   FigureTable table{title, {}, {}};
   for (const auto& column : columns) table.headings.push_back(column.heading);
   for (const auto& member : members) {
@@ -74,7 +69,7 @@ void add_table(const std::vector<NamedScalar>& figures, const std::string& title
     for (const auto& c : columns) {
       const NamedScalar* figure = find_scalar(figures, c.before + member + c.after);
       is_known = is_known || (figure && !c.is_of_all);
-      row.cells.push_back(with_error(figure, c));
+      row.cells.push_back(cell_of(figure, c, figure && figure->unit == "N" ? round_off : 0));
     }
     if (is_known) table.rows.push_back(std::move(row));
   }
@@ -94,25 +89,21 @@ std::string to_the_right(const std::string& text, std::size_t width) {
 void write(const FigureTable& table, Out out) {
   constexpr std::size_t kNarrow = 11, kWide = 20;
   bool is_wide = false;
-  for (const auto& row : table.rows)
+  std::size_t name = std::max<std::size_t>(24, letters(table.title)) - 2;  // letters of the first column
+  for (const auto& row : table.rows) {
+    name = std::max(name, letters(row.name));
     for (const auto& cell : row.cells) is_wide = is_wide || letters(cell) > kNarrow;
+  }
   const auto cells = [&](const std::vector<std::string>& texts) {
     for (const auto& text : texts) fmt::format_to(out, " {}", to_the_right(text, is_wide ? kWide : kNarrow));
     fmt::format_to(out, "\n");
   };
-  fmt::format_to(out, "  {:<24}", table.title);
+  fmt::format_to(out, "  {:<{}}", table.title, name + 2);
   cells(table.headings);
   for (const auto& row : table.rows) {
-    fmt::format_to(out, "    {:<22}", row.name);
+    fmt::format_to(out, "    {:<{}}", row.name, name);
     cells(row.cells);
   }
-}
-
-/// The name of a figure in words: "headline height" for "headline_height", "door spread" for "door/spread".
-std::string spoken(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '_' || c == '/'; }, ' ');
-  return name;
 }
 
 /// A figure in the unit in which its trade speaks of it.
@@ -131,12 +122,6 @@ NamedScalar in_spoken_unit(NamedScalar figure) {
   return figure;
 }
 
-/// "pairs/door/spread" and what spreads it; the rest of a pair stands in the tables of its bodies.
-bool is_of_pair(const std::string& name) {
-  return name.starts_with("pairs/") &&
-         (name.ends_with("/spread") || name.ends_with("/spread_force") || name.ends_with("/ground_share"));
-}
-
 /// Drag and weight of every kind, or of every part.
 void force_table(const std::vector<NamedScalar>& figures, const std::string& title, const std::string& drag,
                  const std::string& weight, std::vector<FigureTable>& tables) {
@@ -145,7 +130,7 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
             tables);
 }
 
-/// Where every rigid body is and how it is turned; angles are outward and up.
+/// Adds position and attitude of every rigid body; angles are outward and up.
 void add_bodies(const std::vector<NamedScalar>& figures, std::vector<FigureTable>& tables) {
   const std::string body = "bodies/";
   add_table(figures, "bodies",
@@ -182,7 +167,7 @@ void add_warps(const std::vector<NamedScalar>& figures, std::vector<FigureTable>
             tables);
 }
 
-/// What ropes pull with and where they lie.
+/// Adds tensions of ropes, and contact of the footrope.
 void add_ropes(const std::vector<NamedScalar>& figures, bool is_half, std::vector<FigureTable>& tables) {
   const std::string rope = "ropes/", stretch = "footrope/";
   const Column largest{"largest [N]", rope, "/tension_largest", "{:.5g}", true},
@@ -204,55 +189,29 @@ void add_ropes(const std::vector<NamedScalar>& figures, bool is_half, std::vecto
 
 }  // namespace
 
-bool are_of_plan(const std::vector<NamedScalar>& figures) {
-  if (figures.empty()) return false;
-  const std::string& last = figures.back().name;
-  return !last.starts_with("bodies/") && !last.starts_with("body_forces/");
-}
-
-std::string principal_name(const std::string& figure) {
-  const std::string last = spoken(figure.substr(figure.find('/') + 1));
-  if (figure.starts_with("mouth/")) return last == "area" ? "mouth area" : last;
-  if (figure == "drag/all/x") return "drag";
-  if (figure.starts_with("netting/")) return "netting " + last;
-  if (figure.starts_with("ground/")) return "ground " + last;
-  if (figure.starts_with("rigging/")) return figure.substr(8, figure.rfind('/') - 8) + " pull";
-  if (is_of_pair(figure)) return spoken(figure.substr(6));
-  if (figure.starts_with("towing/")) return "towing " + last;
-  if (figure == "weight_in_water/all") return "weight in water";
-  if (figure.starts_with("budget/")) return "  " + last;
-  return "";
-}
-
-double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
-
-std::string mesh_note_text(std::string note) {
-  for (auto at = note.find('\n'); at != std::string::npos; at = note.find('\n', at + 1))
-    note.insert(at + 1, 4, ' ');
-  return note;
-}
-
-std::string error_text(const NamedScalar& scalar) {
-  const double error = total_error(scalar);
-  return std::isfinite(error) ? fmt::format("± {:.1e}", error) : "±?";
-}
-
-std::string errors_text(const NamedScalar& scalar) {
-  std::string text = " " + plus_minus(scalar.solver_error);
-  const std::string order =
-      std::isfinite(scalar.mesh_order) ? fmt::format("(order {:.1f})", scalar.mesh_order) : "";
-  return text + fmt::format(" {} {:<11}", plus_minus(scalar.mesh_error), order);
-}
-
-GearTables gear_tables(const std::vector<NamedScalar>& figures, bool is_half) {
-  GearTables all;
-  add_bodies(figures, all.bodies);
+std::vector<PrincipalFigure> principal_figures(const std::vector<NamedScalar>& figures) {
+  std::vector<PrincipalFigure> all;
   if (!are_of_plan(figures)) return all;
+  double largest = 0;
   for (const auto& figure : figures)
-    if (const std::string name = principal_name(figure.name); !name.empty())
-      all.principal.push_back({name, in_spoken_unit(figure)});
-  add_ropes(figures, is_half, all.gear);
-  add_table(figures, "power of towing", {{"[kW]", "power/", "", "{:.3f}", false, 1e-3}}, all.gear);
+    if (figure.unit == "N" && !principal_name(figure.name).empty())
+      largest = std::fmax(largest, std::abs(figure.value));
+  for (const auto& figure : figures) {
+    const std::string name = principal_name(figure.name);
+    if (name.empty()) continue;
+    NamedScalar shown = in_spoken_unit(figure);
+    if (figure.unit == "N" && std::abs(figure.value) <= kTableRoundOff * largest) shown.value = 0;
+    all.push_back({name, measured(shown), shown.unit, figure.doc});
+  }
+  return all;
+}
+
+void add_gear_tables(const std::vector<NamedScalar>& figures, bool is_half,
+                     std::vector<FigureTable>& tables) {
+  add_bodies(figures, tables);
+  if (!are_of_plan(figures)) return;
+  add_ropes(figures, is_half, tables);
+  add_table(figures, "power of towing", {{"[kW]", "power/", "", "{:.3f}", false, 1e-3}}, tables);
   const std::string panel = "panels/";
   add_table(figures, "netting",
             {{"open: least", panel, "/opening_min", "{:.3f}"},
@@ -262,23 +221,14 @@ GearTables gear_tables(const std::vector<NamedScalar>& figures, bool is_half) {
              {"filtered", panel, "/filtered_area"},
              {"twine [m²]", panel, "/twine_area"},
              {"mass [kg]", panel, "/mass"}},
-            all.gear);
-  force_table(figures, "forces [N]", "drag/", "weight_in_water/", all.gear);
-  force_table(figures, "forces by part [N]", "drag_by_part/", "weight_in_water_by_part/", all.gear);
-  return all;
+            tables);
+  force_table(figures, "forces [N]", "drag/", "weight_in_water/", tables);
+  force_table(figures, "forces by part [N]", "drag_by_part/", "weight_in_water_by_part/", tables);
 }
 
-std::string gear_text(const std::vector<NamedScalar>& figures, bool is_half) {
+std::string table_text(const FigureTable& table) {
   std::string text;
-  const Out out = std::back_inserter(text);
-  const GearTables all = gear_tables(figures, is_half);
-  for (const auto& table : all.bodies) write(table, out);
-  if (all.gear.empty() && all.principal.empty()) return text;
-  fmt::format_to(out, "gear{}\n", is_half ? std::string(": ") + kOfHalf : "");
-  for (const auto& [name, figure] : all.principal)
-    fmt::format_to(out, "  {:<24} {:>12.6g} {:<5} {:<9} {}\n", name, figure.value, figure.unit,
-                   error_text(figure), figure.doc);
-  for (const auto& table : all.gear) write(table, out);
+  write(table, std::back_inserter(text));
   return text;
 }
 

@@ -21,8 +21,8 @@ std::string units_of(const StoredField& field) {
   return units;
 }
 
-std::string part_of(const StoredResult& result, std::uint32_t part) {
-  return csv_field(result.parts[part].name);
+std::string part_of(const StoredShape& stored, std::uint32_t part) {
+  return csv_field(stored.parts[part].name);
 }
 
 /// Nodes of every cell, separated by spaces.
@@ -40,22 +40,13 @@ std::vector<std::string> nodes_of_cells(const StoredMesh& mesh) {
 
 }  // namespace
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
-std::string nodes_csv(const StoredResult& result, std::size_t state) {
-  const auto points = result.points(state), reaction = result.node_field("reaction", state);
+std::string nodes_csv(const StoredShape& stored, std::size_t state) {
+  const auto points = stored.points(state), reaction = stored.node_field("reaction", state);
   std::string text = "node,part,number in part,x [m],y [m],z [m]";
   if (!reaction.empty()) text += ",held x [N],held y [N],held z [N]";
   text += "\n";
-  for (std::size_t n = 0; n < result.mesh.n_points; ++n) {
-    text += fmt::format("{},{},{}", n, part_of(result, result.mesh.node_part[n]), result.mesh.node_number[n]);
+  for (std::size_t n = 0; n < stored.mesh.n_points; ++n) {
+    text += fmt::format("{},{},{}", n, part_of(stored, stored.mesh.node_part[n]), stored.mesh.node_number[n]);
     for (std::size_t axis = 0; axis < 3; ++axis) text += "," + csv_number(points[3 * n + axis]);
     for (std::size_t axis = 0; axis < 3 && !reaction.empty(); ++axis)
       text += "," + csv_number(reaction[3 * n + axis]);
@@ -64,17 +55,17 @@ std::string nodes_csv(const StoredResult& result, std::size_t state) {
   return text;
 }
 
-std::string elements_csv(const StoredResult& result, std::size_t state) {
+std::string elements_csv(const StoredShape& stored, std::size_t state) {
   std::string text = "element,part,nodes";
   std::vector<std::vector<double>> fields;
-  for (const auto& field : result.fields) {
+  for (const auto& field : stored.fields) {
     text += "," + with_unit(field.name, units_of(field));
-    fields.push_back(result.field(field.name, state));
+    fields.push_back(stored.field(field.name, state));
   }
   text += "\n";
-  const auto nodes = nodes_of_cells(result.mesh);
-  for (std::size_t c = 0; c < result.mesh.n_cells; ++c) {
-    text += fmt::format("{},{},{}", c, part_of(result, result.mesh.cell_part[c]), nodes[c]);
+  const auto nodes = nodes_of_cells(stored.mesh);
+  for (std::size_t c = 0; c < stored.mesh.n_cells; ++c) {
+    text += fmt::format("{},{},{}", c, part_of(stored, stored.mesh.cell_part[c]), nodes[c]);
     for (const auto& values : fields) text += "," + csv_number(values[c]);
     text += "\n";
   }

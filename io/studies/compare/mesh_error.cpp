@@ -49,14 +49,14 @@ std::size_t sort_meshes(std::vector<NumbersOnMesh>& meshes) {
 
 }  // namespace
 
-void find_mesh_errors(const runs::CaseSource& source, Registry& registry, const runs::PreparedScene& own,
-                      const std::vector<MeshLevel>& levels, const runs::Watch& watch,
-                      results::RunResult& result) {
-  if (!is_stationary(result.solution)) {
+void find_mesh_errors(const runs::CaseSource& source, Registry& registry, runs::PreparedScene& own,
+                      const Solution& solution, const std::vector<MeshLevel>& levels,
+                      const runs::Watch& watch, results::Result& result) {
+  if (!is_stationary(solution)) {
     result.mesh_note = "is not known: the scene itself did not converge";
     return;
   }
-  std::vector<NumbersOnMesh> meshes{numbers_of(own, result)};
+  std::vector<NumbersOnMesh> meshes{numbers_of(own, solution, result)};
   std::string missing;
   for (const auto& level : levels) {
     std::string why_not;
@@ -72,7 +72,7 @@ void find_mesh_errors(const runs::CaseSource& source, Registry& registry, const 
   const std::size_t at = sort_meshes(meshes);
   result.mesh_note = note_on(meshes) + missing;
   judge(meshes, at, &NumbersOnMesh::scalars, result.scalars, result.mesh_note);
-  judge(meshes, at, &NumbersOnMesh::gear, result.gear, result.mesh_note);
+  judge(meshes, at, &NumbersOnMesh::gear, result.figures, result.mesh_note);
 }
 
 }  // namespace netloft::studies

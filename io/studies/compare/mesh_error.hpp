@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/figures/run_result.hpp"
+#include "io/results/figures/result.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "io/runs/watch.hpp"
 #include "io/studies/compare/division.hpp"
@@ -10,8 +10,8 @@ namespace netloft::studies {
 /// Solves the scene of `own` on other meshes and fills in the mesh errors of the scalars of `result` (the
 /// answer of `own`), richardson.hpp (4). Adds a note that says which meshes were used, what does not converge
 /// with them, or why there are no errors. Each level is solved as the scene says, from its own initial guess.
-void find_mesh_errors(const runs::CaseSource& source, Registry& registry, const runs::PreparedScene& own,
-                      const std::vector<MeshLevel>& levels, const runs::Watch& watch,
-                      results::RunResult& result);
+void find_mesh_errors(const runs::CaseSource& source, Registry& registry, runs::PreparedScene& own,
+                      const Solution& solution, const std::vector<MeshLevel>& levels,
+                      const runs::Watch& watch, results::Result& result);
 
 }  // namespace netloft::studies

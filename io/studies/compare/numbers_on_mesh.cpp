@@ -8,14 +8,17 @@
 
 namespace netloft::studies {
 
-NumbersOnMesh numbers_of(const runs::PreparedScene& solved, const results::RunResult& result) {
+NumbersOnMesh numbers_of(runs::PreparedScene& solved, const Solution& solution,
+                         const results::Result& result) {
+  const auto outputs = results::ask_elements(solved.loaded().scene, solved.assembler(), solution.x,
+                                             results::at_rest(solution), false);
   return {count_mesh(solved.loaded()),
           solved.plan().unknowns,
-          result.solution.cost.statistics.total_seconds,
-          result.solution.status == SolveStatus::converged,
+          result.statistics.total_seconds,
+          result.is_answer(),
           result.scalars,
-          result.gear,
-          result.ropes};
+          result.figures,
+          results::find_rope_tensions(solved.loaded(), solved.assembler(), outputs)};
 }
 
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
@@ -31,16 +34,14 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSo
                           errors.empty() ? "" : errors.front().message);
     return {};
   }
-  results::RunResult result;
-  result.solution = runs::find_equilibrium(one, watch);
+  const Solution solution = runs::find_equilibrium(one, watch);
   const MeshSize mesh = count_mesh(one.loaded());
-  if (!is_stationary(result.solution)) {
-    why_not = fmt::format("with {} {} the result was {}: {}", mesh.count, mesh.of,
-                          name_of(result.solution.status), result.solution.reason);
+  if (!is_stationary(solution)) {
+    why_not = fmt::format("with {} {} the result was {}: {}", mesh.count, mesh.of, name_of(solution.status),
+                          solution.reason);
     return {};
   }
-  results::collect(one.loaded(), one.assembler(), result);
-  return numbers_of(one, result);
+  return numbers_of(one, solution, results::make_result(one.loaded(), one.assembler(), solution));
 }
 
 Trend find_trend_of(const std::string& name, NumberGroup numbers, const std::vector<NumbersOnMesh>& meshes,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/figures/run_result.hpp"
+#include "io/results/figures/make_result.hpp"
+#include "io/results/figures/rope_tensions.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "io/runs/watch.hpp"
 #include "io/studies/compare/division.hpp"
@@ -21,7 +22,8 @@ struct NumbersOnMesh {
 };
 
 /// The mesh of a run that has an answer, and that answer's numbers.
-NumbersOnMesh numbers_of(const runs::PreparedScene& solved, const results::RunResult& result);
+NumbersOnMesh numbers_of(runs::PreparedScene& solved, const Solution& solution,
+                         const results::Result& result);
 
 /// Selects one of the two lists of numbers.
 using NumberGroup = std::vector<results::NamedScalar> NumbersOnMesh::*;

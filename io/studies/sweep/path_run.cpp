@@ -3,7 +3,7 @@
 #include "io/runs/equilibrium.hpp"
 
 #include "framework/balance/statistics.hpp"
-#include "io/results/figures/run_result.hpp"
+#include "io/results/figures/make_result.hpp"
 #include "io/results/file/provenance.hpp"
 #include "io/studies/sweep/branch.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
@@ -144,13 +144,11 @@ std::string first_fault(const formats::Diagnostics& diagnostics) {
 }
 
 std::vector<StudyFigure> figures_of(runs::PreparedScene& scene, const Solution& solution) {
-  results::RunResult result;
-  result.solution = solution;
-  results::collect(scene.loaded(), scene.assembler(), result);
+  const results::Result result = results::make_result(scene.loaded(), scene.assembler(), solution);
   std::vector<StudyFigure> figures;
   for (const results::NamedScalar& s : result.scalars)
     figures.push_back({"results/" + s.name, s.unit, s.value});
-  for (const results::NamedScalar& s : result.gear) figures.push_back({"gear/" + s.name, s.unit, s.value});
+  for (const results::NamedScalar& s : result.figures) figures.push_back({"gear/" + s.name, s.unit, s.value});
   for (const results::HoldForce& hold : result.hold_forces)
     for (std::size_t axis = 0; axis < 3; ++axis)
       figures.push_back({"held/" + hold.name + "/" + "xyz"[axis], "N", hold.force[axis]});

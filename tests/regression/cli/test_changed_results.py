@@ -49,7 +49,7 @@ class Changed(InFreshFolder):
     def test_cells_on_nodes_that_overflow(self):
         def change(f):
             f["VTKHDF/Connectivity"][0] = 2**32 + 1
-        self.check(change, "a cell stands on a node that it has not")
+        self.check(change, "a cell refers to a node that does not exist")
 
     def test_places_on_panels_without_room_for_all_corners(self):
         self.check(lambda f: replace(f, "VTKHDF/CellData/panel_corners", np.zeros((36, 2))),

@@ -85,15 +85,16 @@ class Results(InFreshFolder):
         report = self.done("report", result, "--json").json()
         with h5py.File(self.folder / result) as f:
             height = f["netloft/gear/mouth/headline_height"][()]
-        self.assertEqual(report["gear"]["mouth/headline_height"]["value"], height)
+        self.assertEqual(report["gear"]["figures"]["mouth/headline_height"], height)
         self.assertEqual([float(row["value"]) for row in table if row["name"] == "mouth/headline_height"], [height])
 
     def test_an_error_without_the_mesh_is_not_known(self):
         result, said = self.gear()
-        self.assertRegex(said, r"headline height +[\d.]+ m +±\? ")
-        report = self.done("report", result, "--json").json()["gear"]["mouth/headline_height"]
-        self.assertIsNone(report["error"])
-        self.assertGreater(report["solver_error"], 0)
+        self.assertRegex(said, r"headline height +[\d.]+ m +height")
+        self.assertIn("errors of the mesh are not known", said)
+        error = self.done("report", result, "--json").json()["gear"]["errors"]["mouth/headline_height"]
+        self.assertIsNone(error["mesh"])
+        self.assertGreater(error["solver"], 0)
 
     def test_a_bill_of_materials_adds_up(self):
         result, _ = self.gear()
@@ -283,24 +284,20 @@ class Results(InFreshFolder):
             self.assertIn("it is not an HDF5 file", self.refused(*command, "text.hdf"))
             self.assertIn("not a result of netloft", self.refused(*command, "other.hdf"))
             self.assertIn("was written by a newer netloft, in format 99", self.refused(*command, "newer.hdf"))
-            self.assertIn("wild.hdf is damaged: a cell stands on a node that it has not", self.refused(*command, "wild.hdf"))
             self.assertIn("there is no such file", self.refused(*command, "nowhere.hdf"))
+        for command in (["view"], ["draw"]):  # a report has no need of the shape
+            self.assertIn("wild.hdf is damaged: a cell refers to a node that does not exist", self.refused(*command, "wild.hdf"))
 
     def test_run_report_and_page_have_the_same_figures_in_the_same_order(self):
         scene = SOURCE / "gear-library/scenes/pelagic-with-doors.toml"
         run = self.netloft("run", str(scene), "--set", "gear.nodes=200", "-o", "doors.hdf").out
-        report, rows = self.netloft("report", "doors.hdf").out, self.netloft("report", "doors.hdf", "--json").json()["gear"]
-
-        def tables(text):
-            return text[text.index("  bodies  "):].split("  written to")[0].split("  materials")[0]
-        self.assertEqual(tables(run), tables(report))
-        asked = self.netloft("run", str(scene), "--set", "gear.nodes=200", "-o", "again.hdf", "--json").json()["gear"]["figures"]
-        self.assertEqual(list(asked), list(rows))
+        report = self.netloft("report", "doors.hdf").out
+        self.assertEqual(run, report)
         page = Elements(self.page("doors.hdf"))
         said = " ".join(" ".join(page.texts).split())
         for title in ("Bodies", "Water on bodies", "Forces on bodies", "board spread", "Warps", "Ropes across the gear", "towing power", "Netting", "Forces by part"):
             self.assertIn(title, said)
-        for line in tables(report).splitlines():
+        for line in report.splitlines():
             words = line.split()
             if line.startswith("    ") and words[0] == "warp":
                 for number in words[1:]:
@@ -480,7 +477,7 @@ class Swinging(InFreshFolder):
         self.assertEqual(len(table), 1, said)
         self.assertIn(table[0], self.netloft("report", "float.hdf").out)
         again = self.netloft("report", "float.hdf", "--json").json()
-        self.assertEqual((again["swings_most"], again["results"]["x"]["per_swing"]), ("rod node 1", change[0]))
+        self.assertEqual(again["swing"], swing)
 
     def test_is_no_longer_an_answer_of_the_hard_cases_once_references_are_renewed(self):
         at = self.run_float("", "--json").json()["results"]
@@ -541,7 +538,7 @@ class SeveralEquilibria(InFreshFolder):
         table = [line for line in said.splitlines() if line.startswith("    middle")]
         self.assertEqual(len(table), 1)
         self.assertIn(table[0], self.netloft("report", "arch.hdf").out)
-        again = self.netloft("report", "arch.hdf", "--json").json()["results"]["middle"]
+        again = self.netloft("report", "arch.hdf", "--json").json()["spread"]["middle"]
         self.assertAlmostEqual(again["largest"] / RISE, 1, delta=1e-3)
         with h5py.File(self.folder / "arch.hdf") as f:
             self.assertEqual(f["netloft/spread/largest/middle"][()], again["largest"])

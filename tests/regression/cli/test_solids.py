@@ -67,8 +67,8 @@ class Solids(InFreshFolder):
     def test_a_damaged_outline_is_refused(self):
         self.write("a.toml", PLATE)
         self.exported("a.toml")
-        for change, message in ((lambda f: f["netloft/bodies/outline/body"].__setitem__(0, 7), "belongs to a body that it has not"),
-                                (lambda f: f["netloft/bodies/origin"].__setitem__(0, 10**6), "is at a node that it has not")):
+        for change, message in ((lambda f: f["netloft/bodies/outline/body"].__setitem__(0, 7), "refers to a body that does not exist"),
+                                (lambda f: f["netloft/bodies/origin"].__setitem__(0, 10**6), "refers to a node that does not exist")):
             with self.subTest(message):
                 damaged = self.folder / "b.hdf"
                 damaged.write_bytes((self.folder / "a.hdf").read_bytes())

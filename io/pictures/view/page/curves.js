@@ -43,7 +43,7 @@ class Curves {
   options(choice, box) {
     const ink = styleColour('--ink'), grid = {stroke: styleColour('--line'), width: 1}, ticks = {stroke: styleColour('--line'), width: 1, size: 4};
     const isPower = (v) => v > 0 && Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-9;
-    // Of a logarithmic axis powers of ten alone, and not all of them where there are many.
+    // A logarithmic axis has powers of ten alone, and not all of them if there are many.
     const everyDecade = Math.max(1, Math.ceil(Math.log10(Math.max(...choice.y) / Math.min(...choice.y.filter((v) => v > 0))) / 5));
     const powers = (_, values) => values.map((v) => (isPower(v) && Math.round(Math.log10(v)) % everyDecade === 0 ? v : null));
     const axis = {stroke: ink, grid, ticks, font: '11px system-ui, sans-serif', labelFont: '12px system-ui, sans-serif'};

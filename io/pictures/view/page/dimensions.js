@@ -37,7 +37,7 @@ function drawHolds(svg, model, camera, longest) {
   const {reaction} = model.state, {nPoints, half} = model.result;
   if (!reaction) return;
   const force = (n) => [reaction[3 * n], reaction[3 * n + 1], reaction[3 * n + 2]], size = (n) => Math.hypot(...force(n));
-  // What the plane of symmetry bears is no hold of the gear.
+  // Reactions of the plane of symmetry are not holds of the gear.
   const held = Array.from({length: nPoints}, (_, n) => n).filter((n) => (half ? Math.hypot(force(n)[0], force(n)[2]) : size(n)) > 0);
   const most = Math.max(...held.map(size));
   for (const n of held.filter((one) => size(one) > most / 50))

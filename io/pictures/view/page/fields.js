@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can be coloured: fields of the results, the part, and of two results what lies between them.
+// The choices of colouring: fields of the results, the part, and the distance between two results.
 
 const BY_PART = 'part', BY_MOVE = 'move';
 const LABELS = {water_force: 'force of the water', normal_force: 'force of the bed', contact: 'contact of knots'};

@@ -48,10 +48,7 @@ class Frames {
     const result = this.results[this.current.model], name = box.dataset.figure;
     const series = result.series.find((s) => s.name === name || s.name === `gear/${name}`);
     const figure = result.figures.find((f) => f.name === name);
-    if (this.isSweep && figure) {
-      box.textContent = shortText(figure.value, figure.unit);
-      box.nextElementSibling.textContent = figure.error;
-    }
+    if (this.isSweep && figure) box.textContent = figure.text;
     if (!this.isSweep && series && result.motion) box.textContent = shortText(series.values[this.current.state], series.unit);
   }
 }

@@ -17,7 +17,7 @@ class GearModel {
     this.makeBalls();
     if (result.catch) this.makeCatch();
     this.solids = new Solids(this);
-    // Contact with a bed is not a thing to look at, unless somebody asks for it.
+    // Contact with a bed is hidden unless it is selected.
     result.parts.forEach((p, i) => { if (p.contact) this.show(i, false); });
   }
 
@@ -94,7 +94,7 @@ class GearModel {
   makeBalls() {
     const n = this.result.dot.length;
     this.balls = squares(AROUND, n, {centre: [new Float32Array(3 * n), 3], ...this.ofParts(this.result.dotPart, 0)});
-    // The plate of a body stands for the node at its origin.
+    // The plate of a body is drawn in place of the node at its origin.
     for (const i of this.result.plateDot) this.balls.attributes.corner.array.fill(0, 8 * i, 8 * i + 8);
     this.add(this.balls, this.material('point', BALL_VERTEX, BALL_FRAGMENT, {leastPixels: {value: 3}}), 2);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies under a point of the screen, or of the plan.
+// Finds the element under a point of the screen or of the plan.
 
 /** Weights of the corners a, b, c of a triangle at p; null: p lies outside. */
 function barycentric(p, a, b, c) {

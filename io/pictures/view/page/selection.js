@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is selected: its description, its marks, and the distance from what was selected before it.
+// The selection: its description, its marks, and the distance from the selection before it.
 
 /** The place of a hit, from the origin of its result [m]. */
 function placeOfHit(model, hit) {
@@ -16,8 +16,9 @@ function describeHit(model, hit) {
   rows.push(['position', placeOfHit(model, hit).map((v, d) => formatNumber(v + result.origin[d], 5)).join(', ') + ' m']);
   const node = hit.nodes[hit.weights.indexOf(Math.max(...hit.weights))];
   rows.push(['nearest node', `${result.parts[result.nodePart[node]].name} ${result.nodeNumber[node]}` + (hit.mirrored ? ', mirrored' : '')]);
-  if (result.nodeError !== null) rows.push(['position, error', `± ${formatNumber(result.nodeError, 2)} m of the solver; of the mesh ±?`]);
-  return [...rows, ...figuresOfBody(model, part.name), ...valuesOfHit(model, hit), ...forcesOfNode(model, node)];
+  if (result.nodeError !== null) rows.push(['position, error', `± ${formatNumber(result.nodeError, 2)} m of the solver`]);
+  return [...rows, ...figuresOfBody(model, part.name), ...valuesOfHit(model, hit), ...forcesOfNode(model, node),
+    ['errors', 'not known for single elements']];
 }
 
 /** How a rigid body stands, and what its element says of itself. */
@@ -26,14 +27,14 @@ function figuresOfBody(model, name) {
   return figures.filter((f) => f.name.startsWith(begin)).map((f) => {
     const moving = series.find((s) => s.name === `gear/${f.name}`), value = moving ? moving.values[model.stateIndex] : f.value;
     const text = f.unit === 'rad' ? `${formatNumber(value * 180 / Math.PI)}°` : withUnit(value, f.unit);
-    return [words(f.name.slice(begin.length)), moving || f.error.includes('?') ? `${text} ±?` : `${text} ${f.error}${f.unit === 'rad' ? ' rad' : ''}`];
+    return [words(f.name.slice(begin.length)), moving || f.error === null ? text : `${text} ± ${formatNumber(f.error, 1)}${f.unit === 'rad' ? ' rad' : ''}`];
   });
 }
 
 function valuesOfHit(model, hit) {
   const kind = CELLS.findIndex((c) => c.kind === hit.kind);
   return model.result.fields.map((field, i) => [LABELS[field.name] || words(field.name), model.state.fields[i][hit.cell], field.units[kind]])
-    .filter(([, value]) => Number.isFinite(value)).map(([name, value, unit]) => [name, `${withUnit(value, unit)} ±?`]);
+    .filter(([, value]) => Number.isFinite(value)).map(([name, value, unit]) => [name, withUnit(value, unit)]);
 }
 
 function forcesOfNode(model, node) {

@@ -160,7 +160,7 @@ void main() {
   result = vec4(colourOf(shownValue, colourOfPart) * (0.62 + 0.38 * abs(dot(normal, eye))), 1.0);
 }`;
 
-// What is solid and no part of the gear: the catch, the ship.
+// Solids that are not parts of the gear: the catch, the ship.
 const SOLID_VERTEX = `
 precision highp float;
 uniform mat4 modelMatrix, viewMatrix, projectionMatrix;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/results/text/gear_text.hpp"
+#include "io/results/text/result_text.hpp"
 #include "tests/folders.hpp"
 #include "tests/unit/io/results/figures/hand_made.hpp"
 
@@ -164,7 +164,7 @@ double tension_error(int bars) {
   const std::string cells = "parts.rope.cells=" + std::to_string(bars);
   HandMade rope(netloft::test::source_folder() + "/gear-library/scenes/hanging-rope.toml",
                 {{}, {"rope"}, {}, "", ""}, {cells});
-  const auto gear = rope.solved().gear;
+  const auto gear = rope.solved().figures;
   EXPECT_NEAR(value(gear, "ropes/rope/tension_start"), value(gear, "ropes/rope/tension_end"), 1e-7);
   return value(gear, "ropes/rope/tension_end") - 5.82945518;  // exact (Irvine), as the scene says
 }
@@ -196,7 +196,7 @@ bool is_comparable(const std::string& name) {
 
 // The half model mirrored is the whole model, so the figures differ by the solver's tolerance alone.
 TEST(GearFigures, OfAHalfAreThoseOfTheWhole) {
-  const auto half = small_trawl("half").solved().gear, whole = small_trawl("whole").solved().gear;
+  const auto half = small_trawl("half").solved().figures, whole = small_trawl("whole").solved().figures;
   int compared = 0;
   for (const auto& f : whole) {
     if (!is_comparable(f.name)) continue;
@@ -209,7 +209,7 @@ TEST(GearFigures, OfAHalfAreThoseOfTheWhole) {
 }
 
 TEST(GearFigures, ComeWithTheSolversError) {
-  const auto gear = small_trawl("half").solved().gear;
+  const auto gear = small_trawl("half").solved().figures;
   for (const auto& f : gear) {
     EXPECT_GE(f.solver_error, 0) << f.name;
     EXPECT_LT(f.solver_error, 1e-4 * (1 + std::abs(f.value))) << f.name;
@@ -217,7 +217,7 @@ TEST(GearFigures, ComeWithTheSolversError) {
 }
 
 TEST(GearFigures, AddUp) {
-  const auto gear = small_trawl("half").solved().gear;
+  const auto gear = small_trawl("half").solved().figures;
   for (const char* axis : {"x", "y", "z"}) {
     double parts = 0;
     for (const auto& f : gear)
@@ -234,7 +234,7 @@ TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
       netloft::test::shipped_plugins());
   ASSERT_EQ(plain.prepare(), runs::PreparedScene::State::ready);
   const auto& scene = plain.loaded().scene;
-  EXPECT_TRUE(collect_gear(plain.loaded(), plain.assembler(),
+  EXPECT_TRUE(find_figures(plain.loaded(), plain.assembler(),
                            ask_elements(scene, plain.assembler(), plain.assembler().start()))
                   .empty());
 }
@@ -251,14 +251,15 @@ TEST(PartForces, AreLoadsAndNotTheTensionsOfMembers) {
   EXPECT_EQ(std::ranges::count_if(forces, &PartForce::is_drag), 2);
 }
 
-TEST(GearText, SpeaksOfPowerAndFuelInTheUnitsOfTheTrade) {
-  const std::string text = gear_text({{"towing/power", "W", "power", 81234, 100, 0},
-                                      {"towing/fuel", "kg/s", "fuel", 0.015},
-                                      {"towing/fuel_per_area", "kg/m2", "fuel", 4e-4},
-                                      {"power/netting", "W", "of it", 40500}},
-                                     false);
+TEST(ResultText, SpeaksOfPowerAndFuelInTheUnitsOfTheTrade) {
+  Result result;
+  result.figures = {{"towing/power", "W", "power", 81234, 100, 0},
+                    {"towing/fuel", "kg/s", "fuel", 0.015},
+                    {"towing/fuel_per_area", "kg/m2", "fuel", 4e-4},
+                    {"power/netting", "W", "of it", 40500}};
+  const std::string text = result_text(result);
   for (const char* line :
-       {"81.234 kW    ± 1.0e-01", " 54 kg/h", " 4 kg/ha", "[kW]\n    netting                     40.500\n"})
+       {"81.23 ± 0.10 kW", " 54 kg/h", " 4 kg/ha", "[kW]\n    netting                     40.500\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 

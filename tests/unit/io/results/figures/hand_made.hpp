@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/figures/run_result.hpp"
+#include "io/results/figures/make_result.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "tests/verification/solving.hpp"
@@ -36,15 +36,13 @@ class HandMade {
   /// Figures at the positions of the sketch.
   std::vector<NamedScalar> at_start() {
     Assembler& assembler = scene_.assembler();
-    return collect_gear(loaded(), assembler, ask_elements(loaded().scene, assembler, assembler.start()));
+    return find_figures(loaded(), assembler, ask_elements(loaded().scene, assembler, assembler.start()));
   }
   /// The result in equilibrium.
-  RunResult solved() {
-    RunResult result;
-    result.solution = runs::find_equilibrium(scene_);
-    EXPECT_EQ(result.solution.status, SolveStatus::converged) << result.solution.reason;
-    collect(loaded(), scene_.assembler(), result);
-    return result;
+  Result solved() {
+    const Solution solution = runs::find_equilibrium(scene_);
+    EXPECT_EQ(solution.status, SolveStatus::converged) << solution.reason;
+    return make_result(loaded(), scene_.assembler(), solution);
   }
 
  private:

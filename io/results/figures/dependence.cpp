@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/figures/dependence.hpp"
+
+#include "framework/judging/correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace netloft::results {
+
+namespace {
+
+/// Sets the solver error of every number: its difference from the number after the next Newton step, and at
+/// least its rounding unit.
+void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar>& scalars) {
+  for (auto& scalar : scalars) {
+    const NamedScalar* moved = find_scalar(after, scalar.name);
+    const double last_digit = std::numeric_limits<double>::epsilon() * std::abs(scalar.value);
+    if (moved) scalar.solver_error = std::max(std::abs(moved->value - scalar.value), last_digit);
+  }
+}
+
+/// Widens the range of every number by its value at another equilibrium.
+void widen(const std::vector<NamedScalar>& there, std::vector<NamedScalar>& scalars) {
+  for (auto& scalar : scalars) {
+    const NamedScalar* other = find_scalar(there, scalar.name);
+    if (!other) continue;
+    scalar.least = std::fmin(std::fmin(scalar.least, scalar.value), other->value);
+    scalar.largest = std::fmax(std::fmax(scalar.largest, scalar.value), other->value);
+  }
+}
+
+/// All numbers of a scene at one place.
+struct Numbers {
+  std::vector<NamedScalar> scalars, figures;
+};
+
+/// Empty where there is no place, or no force there.
+std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there) {
+  there.residual.assign(there.x.size(), 0.0);
+  const Kinematics motion = at_rest(there);
+  if (there.x.empty() || !assembler.evaluate(there.x, {.residual = there.residual.data(), .motion = motion}))
+    return {};
+  const Response answer = ask_elements(loaded.scene, assembler, there.x, motion);
+  return Numbers{find_scalars(loaded, assembler, there, answer.outputs),
+                 find_figures(loaded, assembler, answer)};
+}
+
+/// Evaluates all numbers once more, after the next Newton step, to estimate the solver's error.
+void add_solver_errors(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
+                       Result& result) {
+  Solution after;
+  after.x = solution.correction.x;
+  after.x_low = solution.correction.x_low;
+  if (const auto numbers = numbers_at(loaded, assembler, std::move(after))) {
+    note_changes(numbers->scalars, result.scalars);
+    note_changes(numbers->figures, result.figures);
+  }
+}
+
+/// Evaluates all numbers at every other equilibrium that was found.
+void add_spread(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
+                Result& result) {
+  for (const OtherShape& other : solution.shapes.others) {
+    Solution there;
+    there.x = other.x;
+    there.energy = other.energy;
+    if (const auto numbers = numbers_at(loaded, assembler, std::move(there))) {
+      widen(numbers->scalars, result.scalars);
+      widen(numbers->figures, result.figures);
+    }
+  }
+}
+
+// Displacement of the furthest node of a growing motion, over the length of the gear: small against what
+// bends, large against what a double rounds off.
+constexpr double kSmallSwing = 1e-6;
+
+double length_of(std::span<const double> x) {
+  const auto [least, most] = std::minmax_element(x.begin(), x.end());
+  return *most - *least;
+}
+
+/// The solution displaced along a phase of the growing motion.
+Solution swung(const Assembler& assembler, const Solution& s, const std::vector<double>& along,
+               double length) {
+  Solution there;
+  there.u = s.u;
+  there.x.resize(s.x.size());
+  there.energy = s.energy;
+  for (std::size_t i = 0; i < there.u.size(); ++i) there.u[i] += length * along[i];
+  assembler.place(there.u, there.x);
+  return there;
+}
+
+/// Adds the change by one of two phases of a swing, a quarter of a period apart, to that by the other.
+void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
+                double way, std::vector<NamedScalar>& scalars) {
+  for (auto& scalar : scalars) {
+    const NamedScalar *a = find_scalar(to_one_side, scalar.name), *b = find_scalar(to_the_other, scalar.name);
+    if (!a || !b) continue;
+    const double before = std::isfinite(scalar.per_swing) ? scalar.per_swing : 0;
+    scalar.per_swing = std::hypot(before, std::abs(a->value - b->value) / way);
+  }
+}
+
+/// Finds how much the numbers of an equilibrium depend on what grows there, by central differences.
+void add_swing(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& s, Result& result) {
+  const bool grows = s.stability == Stability::swinging || s.stability == Stability::unstable;
+  if (!grows || s.growing.mode.size() != s.u.size()) return;
+  const double length = kSmallSwing * length_of(s.x);
+  double way = 0;  // of the furthest node in the first phase [m]
+  for (const auto* along : {&s.growing.mode, &s.growing.mode_later}) {
+    if (along->size() != s.u.size()) continue;
+    const Solution one = swung(assembler, s, *along, length), other = swung(assembler, s, *along, -length);
+    if (way == 0) {
+      const NodeDistance furthest = furthest_node(loaded.scene, assembler.numbering(), one.x, other.x);
+      way = furthest.distance;
+      if (way > 0)
+        result.swing = Swing{assembler.node_name(loaded.scene, furthest.node), s.growing.rate,
+                             flutters(s) ? s.growing.frequency : 0};
+    }
+    const auto at_one = numbers_at(loaded, assembler, one), at_other = numbers_at(loaded, assembler, other);
+    if (!(way > 0) || !at_one || !at_other) return;
+    note_swing(at_one->scalars, at_other->scalars, way, result.scalars);
+    note_swing(at_one->figures, at_other->figures, way, result.figures);
+  }
+}
+
+}  // namespace
+
+void add_dependence(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
+                    Result& result) {
+  add_solver_errors(loaded, assembler, solution, result);
+  add_spread(loaded, assembler, solution, result);
+  add_swing(loaded, assembler, solution, result);
+}
+
+}  // namespace netloft::results

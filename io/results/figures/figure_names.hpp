@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/figures/named_scalar.hpp"
+
+namespace netloft::results {
+
+/// A name in words: "headline height" for "headline_height", "door spread" for "door/spread".
+std::string spoken(std::string name);
+
+/// The name of a principal figure in reports, on cards and in pictures: "headline height" for
+/// "mouth/headline_height". Empty: it is not a principal figure.
+std::string principal_name(const std::string& figure);
+
+/// Whether figures are those of a net plan, beside those of rigid bodies, which come first.
+bool are_of_plan(const std::vector<NamedScalar>& figures);
+
+}  // namespace netloft::results

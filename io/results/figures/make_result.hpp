@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/judging/verdict.hpp"
+#include "io/results/figures/response.hpp"
+#include "io/results/figures/result.hpp"
+
+namespace netloft::results {
+
+/// The motion of a scene at rest, with the low-order part of its positions if that is known.
+Kinematics at_rest(const Solution& solution);
+
+/// The figures of a scene's gear at an answer, without errors; none if it has no net plan.
+std::vector<NamedScalar> find_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
+                                      const Response& answer);
+/// The numbers of [results].
+std::vector<NamedScalar> find_scalars(const scenes::LoadedScene& loaded, const Assembler& assembler,
+                                      const Solution& solution, const FamilyOutputs& outputs);
+
+/// The facts of a scene that are known before it is solved.
+Result describe_scene(const scenes::LoadedScene& loaded, const Assembler& assembler);
+
+/// The result of a solve: figures, forces and warnings at its last point. Origins, times of reading and
+/// errors of the mesh are for others to add.
+Result make_result(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution);
+
+}  // namespace netloft::results

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/figures/response.hpp"
+#include "io/results/figures/result.hpp"
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace netloft::results {
+
+/// Names of the outputs that are tensions: of ropes, and of twines in both directions.
+inline constexpr std::array<std::string_view, 3> kTensions = {"tension", "tension_u", "tension_v"};
+
+/// Whether a part of the gear is the one of this name in the plan, or its port or starboard copy.
+bool is_called(const std::string& part, const std::string& name);
+
+/// The bill of materials of a gear without loads: the list of its plan, and its rigid bodies. Bodies to port
+/// and to starboard are one row, whether one half was modelled or both. Empty without a net plan.
+std::vector<Material> find_bill(const scenes::LoadedScene& loaded);
+
+/// The largest tension of the twines of each part of netting [N].
+std::map<std::string, double> largest_twine_tensions(const Scene& scene, const Assembler& assembler,
+                                                     const FamilyOutputs& outputs);
+
+/// Completes the rows of a bill: masses, areas and loads, from the figures of the gear.
+void add_loads(const std::vector<NamedScalar>& figures, const std::map<std::string, double>& twine_tensions,
+               std::vector<Material>& materials);
+
+/// A sentence for every material that carries more than half of its breaking load.
+std::vector<std::string> load_warnings(const std::vector<Material>& materials);
+
+}  // namespace netloft::results

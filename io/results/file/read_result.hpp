@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/hdf5/read.hpp"
+#include "io/results/figures/result.hpp"
+
+#include <filesystem>
+
+namespace netloft::results {
+
+/// Reads a result file, or the outputs so far of a motion that runs or was killed, without its shapes.
+/// Members that an older version did not write keep their defaults; `notes` says so. Throws FileError with a
+/// sentence if the file cannot be read, is not a result of this program, or was written in a newer format.
+Result read_result(const std::filesystem::path& path);
+
+/// The same from a file that is open already.
+Result read_result(const formats::Reader& reader, const std::filesystem::path& path);
+
+}  // namespace netloft::results
