@@ -66,7 +66,7 @@ struct OnBed {
                               const MovingNodes<T, 1>& m);
   };
 
-  /// What friction on a bed at rest is made of: d of plane.hpp (4), the shear spring m κ L, the limit q μ N.
+  /// The terms of friction on a bed at rest: d of plane.hpp (4), the shear spring m κ L, the limit q μ N.
   template <class T>
   struct Grip {
     Vec3<T> d{};

@@ -9,7 +9,8 @@ rooms=(framework plugins solvers io)
 breaches=0
 
 checks=(check_top_level check_arrows check_floors check_doors check_readmes check_first_lines check_documents check_component_names
-        check_linear_algebra check_function_lengths check_words check_promises check_one_definition)
+        check_linear_algebra check_function_lengths check_words check_openings check_page_lengths check_comment_lengths check_promises
+        check_one_definition)
 
 main() {
   local check
@@ -311,6 +312,48 @@ check_words() {
       [[ ! $text =~ ${entry%|*} ]] || breach_lines "say: ${entry##*|}" <<<"$hit"
     done
   done < <(grep_in '' '\.(hpp|cpp|h|c|md|py|sh|cmake|txt|toml|in)$' -E "${any%|}")
+}
+
+# Comments that begin so leave their sentence to the reader ("Of two that did not arrive the one to tell of").
+openings_at_most=0
+
+check_openings() {
+  local hits
+  mapfile -t hits < <(grep_in '' '^(framework|plugins|solvers|io)/.*\.(hpp|cpp|h|c)$' -E '^ *///? (Of|By|As|Where|What) ')
+  ((${#hits[@]} > openings_at_most)) || return 0
+  breach "${#hits[@]} comments begin with Of, By, As, Where or What: begin with the subject"
+  breach_lines 'leaves its sentence to the reader' < <(printf '%s\n' "${hits[@]}")
+}
+
+# A README says what, why, and the three files to read first; what is longer belongs to the code or to the page of a bench.
+words_at_most=500 words_of_front_page_at_most=1000
+
+check_page_lengths() {
+  local file words most
+  for file in "${files[@]}"; do
+    [[ -f $file && $file =~ ^((framework|plugins|solvers|io)/.*/|(framework|plugins|solvers|io)/|)README\.md$ ]] || continue
+    most=$words_at_most
+    [[ $file == */* ]] || most=$words_of_front_page_at_most
+    words=$(wc -w <"$file")
+    ((words <= most)) || breach "$file: has $words words, and $most are allowed"
+  done
+}
+
+
+# A comment of a class says model, symbols, units, source and range; rules stand beside the code that has them.
+comment_lines_at_most=30
+
+check_comment_lengths() {
+  local file chosen=()
+  for file in "${files[@]}"; do
+    [[ -f $file && $file =~ ^(framework|plugins|solvers|io)/.*\.(hpp|cpp|h)$ ]] && chosen+=("$file")
+  done
+  breach_lines "a comment of more than $comment_lines_at_most lines" < <(
+    awk -v most="$comment_lines_at_most" '
+      FNR == 1 { count = 0 }
+      /^ *\/\/\/($|[^<])/ { ++count; next }
+      { if (count > most) print FILENAME ":" FNR ":" count " lines before " $0; count = 0 }' "${chosen[@]}"
+  )
 }
 
 main "$@"

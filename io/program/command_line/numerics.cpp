@@ -40,7 +40,7 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       .add_option("--reference", o.reference,
                   "solver or integrator that errors are measured against; else another one")
       ->type_name(kMethod);
-  command.add_option("--repeats", o.repeats, "runs of each, of which the cheapest counts; else 3")
+  command.add_option("--repeats", o.repeats, "runs of each; the cheapest counts; else 3")
       ->check(CLI::Range(1, 1000));
   command.add_option("--csv", o.csv, "write the tables as comma-separated values")->type_name("FILE.csv");
   command.add_option("-o,--output,--plot", o.plot, "draw work over precision")
@@ -48,9 +48,9 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
 }
 
 void add_refine_command(CLI::App& app, Chosen& chosen) {
-  auto [command, o] = add_command(app, chosen, "refine",
-                                  "solve a scene on finer and finer meshes, and say what its results tend to",
-                                  refine_command);
+  auto [command, o] =
+      add_command(app, chosen, "refine",
+                  "solve a scene on finer and finer meshes, and extrapolate its results", refine_command);
   add_method_options(command, o);
   command.add_option("--nodes", o.nodes, "of a gear: about how many nodes; else 500,2000,8000,30000")
       ->check(CLI::Range(std::int64_t{10}, std::int64_t{10'000'000}))

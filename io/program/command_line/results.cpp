@@ -38,9 +38,9 @@ void add_export_command(CLI::App& app, Chosen& chosen) {
                                   refuse_options_of_other_files);
   convert.add_option("RESULT", o.result, "result file (.hdf)")->required();
   convert
-      .add_option(
-          "FILE,-o,--output", o.output,
-          "its ending says what: .glb is binary glTF, .csv a table, .mesh, .obj and .vtk meshes for scenes")
+      .add_option("FILE,-o,--output", o.output,
+                  "its ending names the format: .glb is binary glTF, .csv a table, .mesh, .obj and .vtk "
+                  "meshes for scenes")
       ->required();
   add_state_option(convert, o.state);
   add_json_option(convert, o);
@@ -66,9 +66,8 @@ void add_view_command(CLI::App& app, Chosen& chosen) {
 }
 
 void add_diff_command(CLI::App& app, Chosen& chosen) {
-  auto [diff, o] =
-      add_command(app, chosen, "diff", "say what changed between two results, and in what they were made of",
-                  diff_command);
+  auto [diff, o] = add_command(
+      app, chosen, "diff", "print what changed between two results, and between their inputs", diff_command);
   diff.add_option("BEFORE", o.before, "result file (.hdf)")->required();
   diff.add_option("AFTER", o.after, "another one")->required();
   add_json_option(diff, o);

@@ -36,8 +36,8 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
 
 void add_scene_commands(CLI::App& app, Chosen& chosen) {
   add_run_command(app, chosen);
-  auto [plan, o] =
-      add_command(app, chosen, "plan", "say what a scene needs, and why not the rest", plan_command);
+  auto [plan, o] = add_command(app, chosen, "plan", "print what a scene needs, and why the rest is left out",
+                               plan_command);
   add_method_options(plan, o);
 }
 

@@ -96,27 +96,27 @@ void add_show_action(CLI::App& study, Chosen& chosen) {
 
 void add_estimate_action(CLI::App& study, Chosen& chosen) {
   auto [estimate, o] = add_action(study, chosen, "estimate",
-                                  "say figures between the points that were computed, with their errors",
+                                  "print figures between the points that were computed, with their errors",
                                   study_estimate_command);
   as_words(
       estimate.add_option(
           "--at", o.at,
-          "the place: every variable; those that are sampled all, or none for medians and bands over the "
-          "samples; may be repeated, or with commas between"),
+          "values of the variables; of those that are sampled give all, or none for medians and bands over "
+          "the samples; may be repeated, or with commas between"),
       "NAME=VALUE")
       ->required();
   as_words(estimate.add_option("--figure", o.figures, kFigureDoc), "NAME");
 }
 
 void add_sobol_action(CLI::App& study, Chosen& chosen) {
-  auto [action, o] = add_action(study, chosen, "sobol",
-                                "say which variables figures follow from: Sobol indices, with their errors",
-                                study_sobol_command);
+  auto [action, o] = add_action(
+      study, chosen, "sobol", "print which variables the figures depend on: Sobol indices, with their errors",
+      study_sobol_command);
   as_words(action.add_option("--figure", o.figures, kFigureDoc), "NAME");
-  as_words(
-      action.add_option("--at", o.at,
-                        "a variable that is held; may be repeated, or with commas between; else all vary"),
-      "NAME=VALUE");
+  as_words(action.add_option(
+               "--at", o.at,
+               "a variable that is held fixed; may be repeated, or with commas between; else all vary"),
+           "NAME=VALUE");
   as_words(action.add_option("-o,--output", o.output, "draw the indices as bars"), "FILE.svg");
 }
 
