@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Counts calls of malloc in the whole program that counted_malloc.cpp is a source of.
+// Counts the calls of malloc in programs that contain counted_malloc.cpp.
 #pragma once
 
 namespace netloft::test {
 
-/// Whether this build can: not with a sanitizer, nor with another C library than glibc.
+/// Whether this build counts calls: not with a sanitizer, nor with a C library other than glibc.
 bool malloc_is_counted();
 
-/// Calls so far of malloc and its like, by all threads.
+/// Number of calls of malloc and similar functions so far, by all threads.
 long count_malloc();
 
 }  // namespace netloft::test

@@ -32,8 +32,8 @@ Sketch body_on_a_rope(const std::array<double, 3>& r, const std::array<double, 3
   return s;
 }
 
-/// Wherever it starts, the body hangs with its centre of mass below the end of the rope. How it is turned
-/// about the plumb line is open.
+/// From any start, the body hangs with its centre of mass below the end of the rope. Its rotation about the
+/// vertical is undetermined.
 TEST(Body, HangsWithItsMassBelowItsEye) {
   for (const std::array<double, 3> turned :
        {std::array<double, 3>{0.3, -0.2, 0.1}, {0, 2.5, 0.3}, {-1.2, 0.8, 2.9}}) {
@@ -47,8 +47,8 @@ TEST(Body, HangsWithItsMassBelowItsEye) {
   }
 }
 
-/// A body of the weight W that hangs from an eye at a above its mass and turns about y alone, pushed with F
-/// at h below its mass; the way by which its mass then hangs beside the eye.
+/// A body of the weight W that hangs from an eye at a above its mass and rotates about y only, with a force F
+/// at h below its mass; returns the lateral distance of its mass from the eye.
 double aside_by(double a, double h, double F, bool turns_with_it) {
   Sketch s = body_on_a_rope({0, 0, a}, {0, 0.2, 0}, {0, 0, -h});
   s.scene.bodies[0].held_rotation = kAxisX | kAxisZ;
@@ -63,8 +63,8 @@ double aside_by(double a, double h, double F, bool turns_with_it) {
   return solved.position(2)[0] - solved.position(1)[0];
 }
 
-/// Moments about the eye: W a sin θ = F (a + h), where the force turns with the body, so that it is always
-/// across its arm; W a tan θ = F (a + h), where it keeps its direction.
+/// Moments about the eye: W a sin θ = F (a + h) if the force rotates with the body, so that it is
+/// perpendicular to its arm; W a tan θ = F (a + h) if it keeps its direction.
 TEST(Body, LeansByAForceInItsOwnAxesOrThoseOfTheWorld) {
   constexpr double a = 0.5, h = 0.3, F = 900, W = (800 - 0.1 * 1025) * 9.81;
   EXPECT_NEAR(aside_by(a, h, F, true), F * (a + h) / W, 1e-9);
@@ -115,8 +115,8 @@ TEST(Body, SwingsAboutAHingeInTheTimeOfAPhysicalPendulum) {
   EXPECT_NEAR(m1.assembler.node_position(tip, x)[2], -l, 1e-7);
 }
 
-/// A body without forces that tumbles about its middle axis, through several turns: its angular momentum
-/// keeps direction and size, and so does its energy.
+/// A body without forces that tumbles about its middle axis, through several turns: its angular momentum and
+/// its energy are constant.
 TEST(Body, KeepsItsAngularMomentumAsItTumbles) {
   const Vec3<double> J{2, 3, 5}, spin{0.4, 6, 0.3};
   Sketch s;

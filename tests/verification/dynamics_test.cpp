@@ -190,9 +190,9 @@ TEST(EnergyMomentum, NeverMakesEnergyWhereItDamps) {
 }
 
 /// The answer of `solver` to the dead-weight panel.
-/// Hard motions, in steps that are given: drag, added mass, contact and friction, a guide that pulls slack
-/// and taut, damping by the material, a gust, a winch. Without damping of the scheme work and energies must
-/// agree to the tolerance of the solver, and at any length of the step.
+/// Hard motions with fixed steps: drag, added mass, contact and friction, a guide that pulls slack and taut,
+/// damping by the material, a gust, a winch. Without damping by the scheme, work and energies must agree to
+/// the tolerance of the solver for any step length.
 struct Hard {
   const char *name, *file;
   double h;

@@ -114,7 +114,7 @@ TEST(FoldedRope, StiffItIsNoFurtherOff) {
                 1e-11);
 }
 
-// Computed from rounded positions, tensions of the longer bars would be wrong by a newton.
+// Tensions of the longer bars computed from rounded positions would have errors of a newton.
 TEST(FoldedRope, StiffItTellsItsTensionsAsWell) {
   const Off stiff = off({"parts.rope.rope.EA=1e12", "results.tension={of=\"rope\",take=\"max tension\"}"},
                         {4000, 100, 80, kRopeWeight, 1e12L, {}, {}});

@@ -142,7 +142,7 @@ TEST(HangingPanelOrder, IsAboutOne) {
   EXPECT_LT(order, 1.6);
 }
 
-/// The paper's Newton, undamped. 200 iterations are ten times what a good start takes.
+/// The undamped Newton iteration of the paper. 200 iterations are ten times the number from a good start.
 Solved solve_as_published(Scene scene) {
   Solving how;
   how.solver_parameters = {{"method", std::string("classic")}};

@@ -64,7 +64,7 @@ double depth_of_truss(double EA) {
   return 0.5 * (lo + hi);
 }
 
-/// Two bars with the load at their joint: what the supports give sideways depends on its depth.
+/// Two bars with the load at their joint: the lateral forces of the supports depend on its depth.
 Known truss(double EA) {
   Sketch s;
   s.scene.water.gravity = 0;

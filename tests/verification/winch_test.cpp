@@ -76,7 +76,7 @@ Marched march(runs::PreparedScene& c, const MarchState* from = nullptr) {
 using Follows = WinchStage::Follows;
 using Rows = std::vector<std::array<double, 2>>;
 
-/// It holds a tension.
+/// A winch that holds a tension.
 Winch holding(double length, Rows tension, double max_speed, double band, double dead_band = 0) {
   return {"", "", 0, length, {{Follows::tension, 0, std::move(tension), max_speed, band, dead_band}}};
 }
@@ -135,8 +135,8 @@ std::unique_ptr<runs::PreparedScene> heaving(const Winch& winch, const std::vect
   return open_with("tests/bench/motions/heave.toml", all, winch, true);
 }
 
-/// The winch gives and takes what the ship does: T = T* + B w/v_max with w of the block, and the line is as
-/// long as it is from the bed to the block at that tension.
+/// The winch compensates the motion of the ship: T = T* + B w/v_max with w of the block, and the length of
+/// the line is the distance from the bed to the block at that tension.
 TEST(Winches, GiveAndTakeWhatAShipHeaves) {
   const double wanted = 2000, max_speed = 3, band = 300, EA = 424e3;
   const auto c = heaving(holding(29.86, {{0, wanted}}, max_speed, band), {"analysis.accuracy=1e-3"});
@@ -150,7 +150,8 @@ TEST(Winches, GiveAndTakeWhatAShipHeaves) {
   EXPECT_NEAR(longest - shortest, 1, 0.02);
 }
 
-/// Without damping of the scheme, what winch and block do goes into the line and the water, at any step.
+/// Without damping by the scheme, the work of winch and block goes into the line and the water, for any step
+/// length.
 TEST(Winches, DoWorkThatTheBudgetHas) {
   for (const char* step : {"analysis.step=0.05", "analysis.step=0.025"}) {
     const auto c = heaving(holding(29.86, {{0, 2500}}, 3, 300),
@@ -207,7 +208,7 @@ TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
   EXPECT_LT(errors[2], 0.1 * errors[1]) << errors[1] << " " << errors[2];
 }
 
-/// Speeds straight between times, of which the way is known; corners of the table lie between outputs.
+/// Speeds linear between times, with a known path; corners of the table are between outputs.
 TEST(Winches, PayOutWhatATableOfSpeedsSays) {
   Winch winch{
       "", "", 0, kLength, {{.follows = Follows::speed, .rows = {{0, 0}, {0.3, 1}, {1.1, 1}, {1.7, -2}}}}};

@@ -35,7 +35,7 @@ int evaluate(const void*, const netloft_law_tile*) { return NETLOFT_OK; }
 
 extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   static const char* words[] = {"first", "second", nullptr};
-  // A word that is only read when somebody asks for help.
+  // A word that is read only if help is requested.
   if (has("wild_word")) words[1] = reinterpret_cast<const char*>(std::uintptr_t{0x1230});
   static netloft_parameter choice{};
   choice.size = sizeof choice, choice.kind = NETLOFT_CHOICE, choice.name = "word", choice.unit = "1";

@@ -13,14 +13,14 @@ using namespace netloft;
 
 namespace {
 
-/// Who has to know when it is there, to interrupt it, asks for a word.
+/// Loops for ever. If a tool has to interrupt it, it first prints a word.
 [[noreturn]] void loop_for_ever() {
   if (std::getenv("HOSTILE_TELLS")) std::fputs("hostile loops\n", stderr);
   for (volatile std::uint64_t i = 0;; i = i + 1) {
   }
 }
 
-/// Deeper at every call; what it returns keeps the compiler from making a loop of it.
+/// Recurses without end; its result prevents the compiler from making a loop.
 int overflow(volatile int depth) {
   volatile char here[512];
   here[0] = static_cast<char>(depth);
@@ -33,7 +33,7 @@ struct OnANode {
   struct Data {};
 };
 
-/// A weight of 100 N that does something else, too.
+/// A weight of 100 N with a harmful side effect.
 template <void (*Harm)(netloft_tile&)>
 struct Weight {
   static Status tile(const auto&, netloft_tile& t) {
@@ -62,7 +62,7 @@ void add(Plugin& plugin, const char* name) {
   e.template term<Weight<Harm>, conservative | symmetric | from_outside>("pull", "its weight");
 }
 
-/// Small steps against the residual: they bring nothing into equilibrium, and are accepted points.
+/// Small steps against the residual, which are accepted but lead to no equilibrium.
 bool creep(Problem& problem, std::vector<double>& r, int steps) {
   double energy = 0;
   for (int i = 0; i < steps; ++i) {
@@ -73,7 +73,7 @@ bool creep(Problem& problem, std::vector<double>& r, int steps) {
   return true;
 }
 
-/// Takes three steps and is never seen again.
+/// Takes three steps and never returns.
 struct Stalls {
   struct Parameters {};
   static Outcome solve(const Parameters&, Problem& problem) {
@@ -83,7 +83,7 @@ struct Stalls {
   }
 };
 
-/// Evaluates for ever and never says what for.
+/// Evaluates for ever without a report of its progress.
 struct Asks {
   struct Parameters {};
   static Outcome solve(const Parameters&, Problem& problem) {
@@ -93,7 +93,7 @@ struct Asks {
   }
 };
 
-/// Asks for the same stage for ever, however often it is told that the time is over.
+/// Requests the same stage for ever, even after its time is over.
 struct Insists {
   struct Parameters {};
   static void run(const Parameters&, Search& search) {

@@ -9,7 +9,7 @@
 
 namespace netloft::wrong {
 
-/// A bar that a law drags, right in all but the length that it tells the law it stands for.
+/// A bar with drag by a law, correct except for the length that it passes to the law.
 struct DragByLaw {
   static constexpr auto stencil = NETLOFT_BAR;
   using Parameters = wrong::Parameters;

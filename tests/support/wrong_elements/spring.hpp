@@ -19,7 +19,7 @@ struct On {
   using Data = wrong::Data;
 };
 
-/// A bar as it should be; each wrong element spoils it in one place.
+/// A correct bar; each wrong element has one flaw.
 ///   f = T w/l,  T = k (l - l0),  k = EA/l0                   (1)
 ///   A = k t tᵀ + g (I - t tᵀ),  g = T/l                      (2)
 struct Spring {

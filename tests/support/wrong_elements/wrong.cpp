@@ -299,7 +299,7 @@ struct Drag {
   }
 };
 
-/// Drag whose tangent by velocity is left out where nothing moves.
+/// Drag without a tangent by velocity if nothing moves.
 struct UndampedAtRest {
   static Status tile(const Family<On<UndampedAtRest>>& f, netloft_tile& t) {
     for (std::size_t lane = 0; lane < t.count; ++lane) {
@@ -354,7 +354,7 @@ struct NeverMade {
 };
 struct BadDefault : NeverMade {};
 
-/// A spring that pushes as hard as it pulls, which its member does not say.
+/// A spring as stiff in compression as in tension, whose member has no stiffness in compression.
 struct ForgetsCompression : NeverMade {
   static constexpr auto stencil = NETLOFT_BAR;
   using Parameters = wrong::Parameters;

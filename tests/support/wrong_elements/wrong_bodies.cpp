@@ -72,7 +72,7 @@ struct InertiaOfWhatDoesNotTurn {
   }
 };
 
-/// The gradient of the weight, its moment twice.
+/// The gradient of the weight with twice its moment.
 struct DoubledMoment {
   static Status evaluate(const P& p, const D& d, const State<2>& s, Local<2>& out) {
     using T = Dual<6>;
@@ -91,7 +91,7 @@ struct DoubledMoment {
   }
 };
 
-/// The tangent of the push as if nothing turned.
+/// The tangent of the push without rotation.
 struct ForgetsSpin {
   static Status tile(const Family<On<ForgetsSpin>>& f, netloft_tile& t) {
     for (std::size_t lane = 0; lane < t.count; ++lane) {
@@ -111,7 +111,7 @@ struct ForgetsSpin {
   }
 };
 
-/// Pushed along its own axis, the harder the longer its rotation vector.
+/// A force along its own axis that increases with the length of its rotation vector.
 struct CountsTurns {
   static Status evaluate(const P& p, const D&, const State<2>& s, Local<2>& out) {
     using T = Dual<6, 1>;

@@ -18,13 +18,13 @@ struct Law {
   using Parameters = ::Parameters;
 };
 
-/// Speed without the 0/0 of its derivative at rest.
+/// The speed, with a derivative that is not 0/0 at rest.
 template <class T>
 T speed(const Flow<T>& f) {
   return norm(f.flow) > T(0) ? norm(f.flow) : T(0);
 }
 
-/// A law as it should be; each wrong one spoils it in one place.
+/// A correct law; each wrong one has one flaw.
 template <class T>
 Vec3<T> right(const Parameters& p, const Flow<T>& f) {
   const T k = p.C * f.density * f.diameter * (1.0 + f.solidity);

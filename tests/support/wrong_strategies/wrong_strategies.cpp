@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Strategies that are wrong in one place each: at once, else from soft to stiff, with a flaw. The sentence of
-// each names the check that must find it, and no other may:
+// Strategies that are wrong in one place each: at once, otherwise from soft to stiff, with a flaw. The
+// sentence of each names the check that must find it, and no other may:
 // tests/unit/framework/conformance/wrong_strategies_test.cpp reads it from there.
 #include <netloft/strategy.hpp>
 
@@ -37,8 +37,8 @@ enum class Flaw {
   keeps_threads
 };
 
-/// From the coarsest mesh at once; where that fails, over caps on stiffness, each `ratio` times the last;
-/// where that ends unstable, once more from beside it.
+/// From the coarsest mesh at once; if that fails, over caps on stiffness, each `ratio` times the previous
+/// one; if the result is unstable, again from a perturbed point.
 template <Flaw F>
 struct Wrong {
   struct Parameters {
@@ -81,7 +81,8 @@ struct Wrong {
     if (!is_over(search, stage)) go_on_from(search, stage);
   }
 
-  /// From a coarser mesh if there is one; the stage of the scene, or of the mesh where it had to stop.
+  /// Starts from a coarser mesh if there is one. Returns the stage of the scene, or of the mesh at which it
+  /// had to stop.
   static Stage at_once(Search& search) {
     Displacements u = has(Flaw::ignores_start) ? Displacements(search.size(), 0.0) : search.start();
     if (search.levels() > 1) {

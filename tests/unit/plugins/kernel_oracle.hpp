@@ -9,7 +9,7 @@
 
 namespace netloft {
 
-/// A tile of 64 lanes of one element, everything asked for.
+/// A tile of 64 lanes of one element with all outputs.
 template <int Nodes>
 struct TestTile {
   static constexpr std::size_t dofs = 3 * Nodes, entries = dofs * (dofs + 1) / 2;

@@ -101,7 +101,7 @@ TEST(Assembler, FindsTheGradientOfTheEnergyBesideTheResidual) {
   expect_gradient_beside_residual(a, a.moved(0.2));
 }
 
-// Netting gathered in one point: two corners of a triangle are one node.
+// Collapsed netting: two corners of a triangle are one node.
 TEST(Assembler, ScattersTheTangentOfAnElementThatHasANodeTwice) {
   Sketch s;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1.5, 0.3, -0.4);

@@ -68,7 +68,7 @@ TEST(Bodies, HandTheWholeWeightOnToWhatHoldsThem) {
   EXPECT_NEAR(solved.reaction(kAnchor)[2], weight, 1e-6);
 }
 
-/// Nothing resists a turn about the line of its two points but the metric.
+/// Rotation about the line of its two points has no stiffness except the metric.
 TEST(Bodies, AreFoundHangingThoughTheyTurnFreelyAboutTheLineOfTheirPoints) {
   const auto solved = solve(link_on_a_rope());
   ASSERT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
@@ -76,8 +76,8 @@ TEST(Bodies, AreFoundHangingThoughTheyTurnFreelyAboutTheLineOfTheirPoints) {
   for (const auto node : {kUpper, kLower, kTail}) EXPECT_NEAR(solved.position(node)[0], 0, 1e-6);
 }
 
-/// Forces and moments about the world's origin of what only pulls on itself add up to nothing, carried or
-/// not.
+/// Internal forces have no resultant force and no resultant moment about the origin of the world, whether or
+/// not bodies carry their nodes.
 TEST(Bodies, TakeTheMomentsOfTheirPoints) {
   Sketch s;
   const auto far = s.node(2, 1, 0.5), eye = s.node(0, 0, 0), other = s.node(0, 0, 0),
@@ -262,7 +262,8 @@ TEST_F(MovingVane, HasMassesThatAreTheDerivativeByAcceleration) {
   EXPECT_LT(largest_difference(y, direct), 1e-10 * largest(direct));
 }
 
-/// Two turns and a bit are the bit: places, velocities and accelerations of what is carried stay.
+/// Two full turns and a rest equal the rest: positions, velocities and accelerations of carried nodes do not
+/// change.
 TEST_F(MovingVane, StaysWhereItIsWhenItsRotationIsShortened) {
   const double arm = scene.bodies[0].arm();
   const Vec3<double> bit{0.3, -0.5, 0.2}, turns = (1 + 4 * M_PI / norm(bit)) * bit;

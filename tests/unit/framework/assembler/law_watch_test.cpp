@@ -14,7 +14,7 @@ struct Numbers {
   netloft_table curve{};
 };
 
-/// Pushes with 1 N/m along x.
+/// A force of 1 N/m along x.
 struct Push {
   static constexpr auto kind = NETLOFT_SCREEN_LAW;
   using Parameters = Numbers;

@@ -11,9 +11,9 @@ namespace netloft::test {
 ///   test/follower   bar; pushes sideways and turns with the bar: no energy, unsymmetric tangent
 ///   test/spring     bar; quartic spring known by its energy alone: the host makes convex part and metric
 ///   test/picky      bar; has no force when longer than its limit
-///   test/leash      node; pulls back along x to where it was remembered
-///   test/alike      bar; its rest length is that of all bars of its part, which is an unknown if `free` is
-///   set test/load       node; a constant force
+///   test/leash      node; pulls back along x to the position that it remembers
+///   test/alike      bar; its rest length, shared by its part, is an unknown if `free` is set
+///   test/load       node; a constant force
 ///   test/vane       body; a mass and a plate in the water, known by energy and force alone
 Registry& plugins();
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kWidth = NETLOFT_LANES;
 
-/// Leaves ones everywhere.
+/// Fills all rows with ones.
 void spoil(TileRows& rows, std::size_t count) {
   rows.begin();
   std::fill_n(rows.open(count, kWidth), count * kWidth, 1.0);
@@ -76,7 +76,7 @@ TEST(TileRows, BeginCleanAfterATileThatAddedNothing) {
   EXPECT_TRUE(rows.is_zero());
 }
 
-// A plugin must not; its mistake stays with the tile that it made it in.
+// A plugin must not write there; its mistake must not affect other tiles.
 TEST(TileRows, ForgetWhatWasWrittenBeyondTheLastLane) {
   TileRows rows(2);
   rows.open(2, 3)[kWidth + 5] = 7;

@@ -10,7 +10,7 @@
 namespace netloft::test {
 namespace {
 
-/// Allocations between one iteration and the next.
+/// Numbers of allocations between consecutive iterations.
 std::vector<long> count_allocations(const Scene& scene, const SolverType& solver, const Values& values,
                                     int threads) {
   std::vector<std::string> faults;
@@ -33,7 +33,7 @@ std::vector<long> count_allocations(const Scene& scene, const std::string& metho
   return count_allocations(scene, shipped_plugins().solver("newton"), {{"method", method}}, threads);
 }
 
-/// `factorisations`: how many it takes until all memory is there.
+/// `factorisations`: number of factorisations until all memory has been allocated.
 void expect_none_after_the_first_iteration(const std::vector<long>& between, std::size_t factorisations = 1) {
   if (!malloc_is_counted()) GTEST_SKIP() << "malloc cannot be counted in this build";
   ASSERT_GT(between.size(), 4u);
@@ -50,7 +50,7 @@ TEST(Allocations, AreOverWithTheFirstIterationOfSeveralThreads) {
   expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(48, 34), "globalised", 3));
 }
 
-// From over-long, the first tangents are positive definite: the convex part is wanted late.
+// From an overlong shape, the first tangents are positive definite, so that the convex part is used late.
 TEST(Allocations, AreOverWithTheFirstIterationFromAnOverlongSketch) {
   expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(16, 54), "globalised", 1));
 }

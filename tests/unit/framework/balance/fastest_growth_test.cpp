@@ -31,8 +31,8 @@ Matrix random(unsigned seed) {
   return Eigen::Map<const Matrix>(numbers.data());
 }
 
-/// M ÿ + C ẏ + (K₊ + N) y = 0: stiff along half of the directions, by K₊; N, a millionth of it, and what C
-/// lacks drive it.
+/// M ÿ + C ẏ + (K₊ + N) y = 0: stiff along half of the directions by K₊; N, a millionth of it, and negative
+/// damping in C drive it.
 struct Driven {
   Matrix M, C, convex, N;
 
@@ -57,7 +57,7 @@ struct Driven {
   }
 };
 
-// Against all eigenvalues, of what grows by a hundredth of its |s|.
+// Compared with all eigenvalues, for growth by a hundredth of |s|.
 TEST(FastestGrowth, IsNotExceededByWhatGrows) {
   const SparsePattern p = full_pattern();
   int grow = 0;
@@ -87,7 +87,7 @@ TEST(FastestGrowth, SparesWhatIsOnlyStiff) {
   EXPECT_EQ(g.cost.factorisations, 3);
 }
 
-// s = 50 ± 999i, of C alone: no K₊ and no N tells of it.
+// s = 50 ± 999i by C alone, which neither K₊ nor N contains.
 TEST(FastestGrowth, SeesWhatNegativeDampingDrives) {
   Driven driven(1, 0);
   driven.M.setIdentity(), driven.C.setIdentity(), driven.convex = 1e6 * Matrix::Identity();

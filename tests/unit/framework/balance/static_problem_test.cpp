@@ -22,7 +22,7 @@ Sketch hanging_chain() {
   return s;
 }
 
-/// The same with a last bar that is too short: pressed, and held sideways by nothing.
+/// The same with a last bar that is too short: in compression, without lateral support.
 Scene pressed_chain() {
   Sketch s = hanging_chain();
   s.scene.positions[3 * 4 + 2] = -3.7;
@@ -110,7 +110,7 @@ struct MeanForceStep {
   StepProblem::Ends ends;
 };
 
-// Mean forces of a step are the gradient of nothing, whose place is filled with zeros.
+// The mean forces of a step have no energy, so that the gradient is zero.
 TEST(StaticProblem, EvaluatesMeanForcesAndTheirLackOfAGradientToTheBitOfTwoEvaluations) {
   Called c(hanging_chain().scene, {}, [](ScenePlan& plan) { use_mean_forces(plan, "test"); });
   for (std::size_t i = 0; i < c.p.unknowns; ++i) c.p.u[i] = 0.01 * static_cast<double>(i);
@@ -267,7 +267,7 @@ TEST(StaticProblem, GoesOnUntilALimit) {
   EXPECT_EQ(c.problem.statistics().iterations, 2);
 }
 
-// A residual is worth 2 units here, and a matrix 3.
+// A residual costs 2 units here, and a matrix 3.
 TEST(StaticProblem, StopsWhenItsBudgetOfWorkIsUsedUp) {
   const WorkModel model{.matrix = 30, .residual = 20, .unit = 10};
   Limits limits;
@@ -361,7 +361,7 @@ TEST(StaticProblem, JudgesAPointByItsOwnLoadsAfterAnEvaluationThatFailed) {
   EXPECT_EQ(c.problem.history().back().scale, own);
 }
 
-// Positions of 1e6 m are good to 1e-10 m: with 100 N/m no residual below about 1e-8 N means anything.
+// Positions of 1e6 m have an error of 1e-10 m: with 100 N/m, residuals below about 1e-8 N are meaningless.
 TEST(StaticProblem, TakesRoundOffOfThePositionsForBalance) {
   Limits limits;
   limits.tolerance = 1e-14;
@@ -379,7 +379,7 @@ TEST(StaticProblem, TakesRoundOffOfThePositionsForBalance) {
   }
 }
 
-// 1e-12 m are below what a number near 1e6 m can tell, and worth 1e-10 N.
+// 1e-12 m is below the resolution of a number near 1e6 m, and causes 1e-10 N.
 TEST(StaticProblem, KeepsTheDigitsThatPositionsHaveNoRoomFor) {
   Limits limits;
   limits.tolerance = 1e-14;

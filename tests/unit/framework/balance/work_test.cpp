@@ -12,7 +12,7 @@
 namespace netloft::test {
 namespace {
 
-/// A factorisation that says how large its factor is, and counts how often it is asked to analyse.
+/// A factorisation that reports the size of its factor, and counts its analyses.
 class Sized final : public Factorisation {
  public:
   Sized(double flops, double entries, int& analyses)
@@ -83,8 +83,8 @@ TEST(WorkModel, LeavesItsAnalysisToTheSolver) {
   EXPECT_EQ(analyses, 1);
 }
 
-// Nested dissection of a square is what a panel is ordered by; what is counted for a square grid with nine
-// neighbours of a node is an upper estimate for panels of triangles, of which small ones fill in less.
+// A panel is ordered by nested dissection of a square; the count for a square grid with nine neighbours per
+// node is an upper estimate for panels of triangles, and small ones have less fill-in.
 TEST(WorkModel, EstimatesAFactorThatDoesNotTellItsSize) {
   plugins();
   int analyses = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The searches that strategies practise on have the answers they are said to have.
+// The practice searches have the answers that their descriptions claim.
 #include "framework/conformance/practice_search.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Everything shipped passes the suite, in each of its builds, and all builds give the same bits.
+// All shipped components pass the checks in each of their builds, and all builds give the same bits.
 #include "framework/conformance/law_bench.hpp"
 #include "framework/registry/library.hpp"
 #include "tests/folders.hpp"

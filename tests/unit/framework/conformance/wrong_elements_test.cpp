@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Does the suite find what is wrong, and nothing else? See tests/support/wrong_elements.
+// The checks find the flaw of each wrong element, and no other check fails. See tests/support/wrong_elements.
 #include "tests/unit/framework/conformance/wrong_plugins.hpp"
 
 namespace netloft::test {
 namespace {
 
-/// The thread sanitizer ends the program at the race that this element exists for.
+/// Whether this element exists for a data race, at which the thread sanitizer ends the program.
 bool is_a_race([[maybe_unused]] const ElementType& type) {
 #if defined(__SANITIZE_THREAD__)
   return type.type == "wrong/shared_scratch";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Does the suite find what is wrong with an integrator, and nothing else? See
+// The checks find the flaw of each wrong integrator, and no other check fails. See
 // tests/support/wrong_integrators.
 #include "tests/unit/framework/conformance/wrong_plugins.hpp"
 

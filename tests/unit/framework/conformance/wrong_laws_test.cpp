@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Does the suite find what is wrong with a law, and nothing else? See tests/support/wrong_laws.
+// The checks find the flaw of each wrong law, and no other check fails. See tests/support/wrong_laws.
 #include "tests/unit/framework/conformance/wrong_plugins.hpp"
 
 namespace netloft::test {

@@ -32,7 +32,7 @@ inline std::set<std::string> promised(const std::string& doc) {
   return doc == "nothing" ? std::set<std::string>{} : std::set<std::string>{doc};
 }
 
-/// `check(options)` finds it whatever is drawn, and nothing else.
+/// `check(options)` finds the flaw with any seed, and nothing else.
 template <class Check>
 void expect_what_is_promised(const std::string& doc, Check&& check) {
   for (const std::uint64_t seed : {1u, 20u}) {
@@ -43,7 +43,7 @@ void expect_what_is_promised(const std::string& doc, Check&& check) {
   }
 }
 
-/// Checks that nothing wrong is there for.
+/// Checks for which no wrong component exists.
 template <class Wrong, class Doc>
 std::set<std::string> without(const std::vector<std::string>& checks, const Wrong& wrong, Doc&& doc) {
   std::set<std::string> names(checks.begin(), checks.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Does the suite find what is wrong with a solver, and nothing else? See tests/support/wrong_solvers.
+// The checks find the flaw of each wrong solver, and no other check fails. See tests/support/wrong_solvers.
 #include "tests/unit/framework/conformance/wrong_plugins.hpp"
 
 namespace netloft::test {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Does the suite find what is wrong with a strategy, and nothing else? See tests/support/wrong_strategies.
+// The checks find the flaw of each wrong strategy, and no other check fails. See
+// tests/support/wrong_strategies.
 #include "tests/unit/framework/conformance/wrong_plugins.hpp"
 
 namespace netloft::test {

@@ -35,7 +35,7 @@ TEST(Curve, IsNeverAboveOrBelowItsSamples) {
   }
 }
 
-/// The slope is that of differences, and has no jump anywhere, not at the ends either.
+/// The slope equals differences, and has no jumps, not even at the ends.
 TEST(Curve, HasASlopeWithoutJumps) {
   const Curve c(kX, kRises);
   for (double x = -0.5; x <= 6.5; x += 0.01) {

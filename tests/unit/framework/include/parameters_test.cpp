@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A struct of parameters whose table declares one of two members. The host fills in the one and leaves the
-// other zero; the author's functions must see the author's default.
+// A struct of parameters whose table declares one of two members. The host sets that one and leaves the other
+// zero; the functions of the author must see the author's default.
 #include <netloft/integrator.hpp>
 #include <netloft/law.hpp>
 #include <netloft/solver.hpp>
@@ -75,7 +75,7 @@ TEST(UndeclaredParameters, OfALawKeepTheAuthorsDefaults) {
   EXPECT_EQ(force[0], 6);
 }
 
-/// Tells what it was given by how it ends.
+/// Reports its parameters by its outcome.
 struct Teller {
   using Parameters = Shared;
   static Outcome solve(const Parameters& p, Problem&) {

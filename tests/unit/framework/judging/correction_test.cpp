@@ -30,8 +30,7 @@ Scene standing_bar(double load, double height) {
   return s.scene;
 }
 
-/// A tolerance that accepts the start; by hand: 100 N stretch the bar by 0.01 m, and it starts at half of
-/// that.
+/// The tolerance accepts the start. By hand: 100 N stretch the bar by 0.01 m, and it starts at half of that.
 TEST(Correction, IsTheWayToTheEquilibriumWhereForcesAreLinear) {
   const Solved s = solve_sketch(standing_bar(100, 1.005), 1);
   EXPECT_EQ(s.solution.cost.statistics.iterations, 0);
@@ -85,7 +84,7 @@ TEST(Correction, IsNotKnownWhereNothingIsBalanced) {
   EXPECT_TRUE(s.solution.correction.x.empty());
 }
 
-/// A quarter turn is no way of 1.57 m; the carried point moves by √2 r.
+/// A quarter turn is no distance of 1.57 m; the carried point moves by √2 r.
 TEST(NodeDistance, CountsRotationsOfBodiesByWhatTheyMove) {
   Sketch s;
   const auto origin = s.node(0, 0, 0), carried = s.node(0.5, 0, 0);

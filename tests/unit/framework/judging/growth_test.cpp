@@ -35,7 +35,7 @@ struct ThreeDiagonals {
   std::vector<double> values;
 };
 
-/// M ÿ + C ẏ + K y = 0, where K is known but for `error` on its diagonal.
+/// M ÿ + C ẏ + K y = 0, where K has the error `error` on its diagonal.
 Growth growth_with(const ThreeDiagonals& K, const std::vector<double>& C, const std::vector<double>& M,
                    double error = 0) {
   const std::vector<double> zeros(K.values.size());
@@ -64,8 +64,8 @@ TEST(GrowthOfMatrices, IsThatOfACirculatoryPair) {
   EXPECT_EQ(growth_of({2, -sine, cosine, sine}), 0) << "its symmetric part is positive";
 }
 
-// All eigenvalues are 1, and yet what goes down the chain grows until it has left it, by 3^19. (Of a chain of
-// 60 the growth of 3^59 is beyond what double precision tells from an instability.)
+// All eigenvalues are 1, but a disturbance that moves down the chain grows until it has left it, by 3^19.
+// (For a chain of 60, double precision cannot distinguish the growth of 3^59 from an instability.)
 TEST(GrowthOfMatrices, PassesWhereEachFeedsTheNextOne) {
   EXPECT_LE(growth_of({20, -3, 1, 0}), kMarginalGrowth);
   EXPECT_GT(growth_of({20, -3, -0.1, 0}), kMarginalGrowth);
@@ -84,7 +84,7 @@ ThreeDiagonals random_matrix(int size, double shift, unsigned seed) {
   return K;
 }
 
-// Against all eigenvalues of the full problem, over six decades of time scales in one matrix.
+// Compared with all eigenvalues of the full problem, over six decades of time scales in one matrix.
 TEST(GrowthOfMatrices, IsFoundWhereverSomeEigenvalueGrows) {
   constexpr int kSize = 60;
   int grow = 0, decay = 0, marginal = 0;
@@ -115,8 +115,8 @@ using Vec3 = Eigen::Vector3d;
 using Vec6 = Eigen::Vector<double, 6>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// The plate of framework/guides/body.md without mass, in balance on its warp at 30 degrees to the stream:
-/// its matrices are differences of forces that are written down here once more.
+/// The plate of framework/guides/body.md without mass, in equilibrium on its warp at 30 degrees to the flow:
+/// its matrices are differences of forces that are implemented here a second time.
 struct PlateOnWarp {
   double damping, bracket;
   Eigen::Matrix3d axes = Eigen::AngleAxisd(-std::numbers::pi / 6, Vec3::UnitZ()).toRotationMatrix();
@@ -181,7 +181,7 @@ TEST(GrowthOfMatrices, IsNoneOfAPlateWithoutMassOnItsWarp) {
     }
 }
 
-// y₁: s = 1 ± 10i; y₃: s = 0.01, which is nearly on the circle for the σ that sees the pair best.
+// y₁: s = 1 ± 10i; y₃: s = 0.01, which is almost on the circle for the σ that is best for the pair.
 TEST(GrowthOfMatrices, TellsOfWhatDivergesBehindWhatSwingsFaster) {
   ThreeDiagonals K(3, 0, 0, 0);
   const ThreeDiagonals C(3, 0, 1, 0);
@@ -199,8 +199,7 @@ TEST(GrowthOfMatrices, TellsOfWhatDivergesBehindWhatSwingsFaster) {
   EXPECT_NEAR(diverges.rate, 0.01, 1e-6);
 }
 
-// s = 1 ± 0.5i, which grows five hundredfold before it has turned round, is flutter as well; 1 ± 0.05i is
-// not.
+// s = 1 ± 0.5i, which grows five hundredfold in one period, is flutter as well; 1 ± 0.05i is not.
 TEST(GrowthOfMatrices, CallsAPairFlutterUnlessItOutgrowsAllDigitsInHalfATurn) {
   for (const double frequency : {0.5, 0.05}) {
     ThreeDiagonals K(2, 0, 0, 0);
@@ -214,7 +213,7 @@ TEST(GrowthOfMatrices, CallsAPairFlutterUnlessItOutgrowsAllDigitsInHalfATurn) {
   }
 }
 
-// s = 0.05 ± 10i and -0.05 ± 10i: in the band (6), and where it decays.
+// s = 0.05 ± 10i and -0.05 ± 10i: within the band (6), and decaying.
 TEST(GrowthOfMatrices, IsMarginalWhereAPairHardlyGrows) {
   const ThreeDiagonals C(2, 0, 1, 0), grows(2, -10, -0.05, 10), decays(2, -10, 0.05, 10);
   EXPECT_EQ(growth_without_mass(grows, C).verdict, GrowthVerdict::marginal);
@@ -263,8 +262,7 @@ TEST(GrowthOfMatrices, TellsWhatGrows) {
   EXPECT_NEAR(growth.mode[0] / growth.mode[1], -std::sqrt(3.1 / 3), 1e-6);
 }
 
-// λ = −1e9, 1 and 1: what is pressed together to next to nothing. The symmetric part is indefinite either
-// way.
+// λ = −1e9, 1 and 1: a strongly compressed member. The symmetric part is indefinite either way.
 TEST(GrowthOfMatrices, SeesWhatGrowsMuchFasterThanTheRest) {
   ThreeDiagonals K(3, 2.5, 1, 0);
   K.values.front() = -1e9;
@@ -273,8 +271,8 @@ TEST(GrowthOfMatrices, SeesWhatGrowsMuchFasterThanTheRest) {
   EXPECT_LE(growth_of(K), kMarginalGrowth);
 }
 
-// λ² − (K₁₁/C₁₁ + K₂₂/C₂₂) λ + det K/det C = 0: its sum of roots changes its sign with C, that of its product
-// cannot.
+// λ² − (K₁₁/C₁₁ + K₂₂/C₂₂) λ + det K/det C = 0: the sum of its roots can change its sign with C, their
+// product cannot.
 TEST(GrowthOfMatrices, DependsOnTheDampingWhereItIsFlutterAlone) {
   ThreeDiagonals flutter(2, -3, 2, 3), divergence(2, -1, 2, 1), C(2, 0, 1, 0);
   flutter.values.back() = divergence.values.back() = -1;
@@ -320,9 +318,9 @@ TEST(GrowthWithMass, SwingsNotWhereANeighbourDampsWhatDrivesIt) {
   EXPECT_EQ(growth_with(K, C, {0, 0, 0, 0}).verdict, GrowthVerdict::grows);
 }
 
-// A wire: masses of 1 with ω up to 2e4/s. Its end has so little mass that it follows at 2e6/s, and what
-// drives it feels nothing of it, so that the eigenvalues are those of the wire and of the end by itself: all
-// decay. For the σ that sees the end best the wire's are next to one another.
+// A wire: masses of 1 with ω up to 2e4/s. Its end has so little mass that its rate is 2e6/s, and does not
+// affect the rest, so that the eigenvalues are those of the wire and of the end: all decay. For the σ that is
+// best for the end, the eigenvalues of the wire are close to each other.
 TEST(GrowthWithMass, IsNoneOfAWireWhoseEndIsMuchFaster) {
   for (const std::int32_t size : {200, 600, 2000}) {
     ThreeDiagonals K(size, -1e8, 2e8, -1e8);
@@ -403,7 +401,7 @@ TEST(GrowthWithMass, AsksNoMotionWhereItsEnergyFalls) {
   EXPECT_EQ(g.cost.solves, 0);
 }
 
-// Against all eigenvalues of the full problem.
+// Compared with all eigenvalues of the full problem.
 TEST(GrowthWithMass, IsFoundWhereverSomeEigenvalueGrows) {
   constexpr int kSize = 30;
   int grow = 0, decay = 0;
@@ -435,8 +433,8 @@ TEST(GrowthWithMass, IsFoundWhereverSomeEigenvalueGrows) {
   EXPECT_GT(decay, 10);
 }
 
-/// A float of 5 kg at the head of a spring along x, which something pushes sideways as it turns; it may move
-/// in x and y. Of the spring, of length l and rest length 1:
+/// A float of 5 kg at the head of a spring along x, with a lateral force that depends on its rotation; it may
+/// move in x and y. For the spring, of length l and rest length 1:
 ///   K₁₁ = k (3 l² − 1)/2,   K₂₂ = k (l² − 1)/2,   K₁₂ = −K₂₁ = 3 push,   k = 1000 N/m
 struct FloatOnSpring {
   double squared = 0.55, push = 0, speed = 0;  // l² [m²], [N], [m/s] along x
@@ -492,8 +490,8 @@ TEST(Growth, IsToldInSeconds) {
   EXPECT_NEAR(g.frequency, std::abs(f.expected().imag()), 1e-3 * g.frequency);
 }
 
-// The same in still water: what turns the force drives the swing, but how far, damping tells that is not
-// there.
+// The same in still water: the rotation of the force drives an oscillation, whose growth depends on a damping
+// that does not exist.
 TEST(Growth, IsMarginalWhereWhatSwingsIsNotDamped) {
   const FloatOnSpring f{.push = 200};
   EXPECT_GT(f.expected().real(), 1);
@@ -512,7 +510,7 @@ TEST(Growth, IsFlutterThatFastWaterCalms) {
   }
 }
 
-/// A float of 5 kg that a rod of 2 m holds, above its foot or below, in a current.
+/// A float of 5 kg on a rod of 2 m, above its foot or below, in a current.
 Scene float_on_rod(double z, std::array<double, 3> current, const std::string& drag_law) {
   Sketch s;
   s.scene.current.samples = {{0, current}};
@@ -529,7 +527,7 @@ Scene float_on_rod(double z, std::array<double, 3> current, const std::string& d
   return s.scene;
 }
 
-/// How fast the logarithm of the largest displacement along `mode` grows in a motion that begins with 0.1 mm
+/// Growth rate of the logarithm of the largest displacement along `mode`, in a motion that starts with 0.1 mm
 /// of it, from the first third of `duration` to the last.
 double rate_of_motion(const Scene& scene, const std::vector<double>& u, const std::vector<double>& mode,
                       double duration) {
@@ -551,7 +549,7 @@ double rate_of_motion(const Scene& scene, const std::vector<double>& u, const st
   return std::log(last / first) / (2 * duration / 3);
 }
 
-// Its frequency makes thirds of the time whole swings.
+// With its frequency, thirds of the time are whole periods.
 TEST(Growth, IsThatOfTheMotionOfAFloatInItsDragCrisis) {
   const Scene scene = float_on_rod(2, {1.7, 0, 0}, "sphere");
   const Solved s = solve_with("newton", scene);

@@ -30,7 +30,7 @@ bool contains(const std::string& text, const std::string& piece) {
   return text.find(piece) != std::string::npos;
 }
 
-/// A bar of 1 m on a fixed foot, loaded at its head along z. Pressed as stiffly as pulled.
+/// A bar of 1 m on a fixed foot, loaded at its head along z. It is as stiff in compression as in tension.
 Scene bar_on_end(double load, double height = 1) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -63,7 +63,7 @@ TEST(Verdict, CallsWhatTheClassicMethodFindsThereUnstableToo) {
   EXPECT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
 }
 
-/// A solver that moves the last unknown to where it is told, and says that no step leads on.
+/// A solver that moves the last unknown to a given value, and reports that no step helps.
 double given_up_at = 0;
 SolverType quitter() {
   SolverType type;
@@ -82,8 +82,8 @@ Solution given_up(const Scene& scene, double u) {
   return solve_static({a.scene, a.assembler, make_factorisation}, {&type}, {.tolerance = 1e-8});
 }
 
-/// Two bars hung side by side; only the second may move, along z. The first is pulled with 100 N, and so is
-/// in balance at 1.01 m. The second is as stiff as 1e8 N when taut and 1 N when slack, and pulled with 50 µN.
+/// Two bars side by side; only the second may move, along z. The first carries 100 N and is in equilibrium at
+/// 1.01 m. The second has a stiffness of 1e8 N when taut and 1 N when slack, and carries 50 µN.
 Scene stiff_bar_beside_a_load() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -102,8 +102,8 @@ TEST(Verdict, DoesNotTakeASolversWordThatNoStepLeadsOn) {
   }
 }
 
-// Slack by 50 µm it carries 50 µN the wrong way: 1e-4 N are out of balance, 1e-6 of the largest load. A step
-// of 0.1 mm with the stiffness of what is slack makes it taut with 5000 N, and would gain 5e-9 J.
+// Slack by 50 µm, it carries −50 µN: the imbalance is 1e-4 N, 1e-6 of the largest load. A step of 0.1 mm with
+// the slack stiffness makes it taut with 5000 N, and would gain 5e-9 J.
 TEST(Verdict, SeesThatAFlickeringTwineHasNothingToGain) {
   const Solution s = given_up(stiff_bar_beside_a_load(), 5e-5);
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
@@ -134,7 +134,7 @@ Scene bar_with_a_follower() {
   return s.scene;
 }
 
-// In still water, which damps no small swing, the follower would drive the bar round.
+// In still water, which does not damp small oscillations, the follower force would drive the bar.
 TEST(Verdict, CallsStableWhereNothingGrowsWithoutAnEnergy) {
   Scene scene = bar_with_a_follower();
   scene.current.samples = {{0, {0, 0, -4}}};
@@ -144,7 +144,7 @@ TEST(Verdict, CallsStableWhereNothingGrowsWithoutAnEnergy) {
   EXPECT_GT(s.judging.factorisations, 0) << "what judging takes is counted";
 }
 
-// Two points are one equilibrium where their estimated errors reach from one to the other.
+// Two points are one equilibrium if their distance is no larger than their estimated errors.
 TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
   Scene scene = bar_with_a_follower();
   scene.current.samples = {{0, {0, 0, -4}}};
@@ -195,7 +195,7 @@ TEST(Verdict, JudgesAPointThatNoSolverIsBehind) {
   EXPECT_EQ(found.stability, Stability::stable);
 }
 
-/// A solver that wants an energy, and must not be called without.
+/// A solver that needs an energy, and must not be called without one.
 bool was_called = false;
 SolverType wants_an_energy() {
   SolverType type;
@@ -238,8 +238,8 @@ Scene far_bar(double EA, double distance) {
   return s.scene;
 }
 
-// Over ten decades of stiffness and ten of distance, with every offset of the end that may pass for rounding:
-// whatever is called converged is in balance to a thousandth of its load.
+// Over ten decades of stiffness and of distance, with every offset of the end that could be rounding error,
+// each converged result is in balance to a thousandth of its load.
 TEST(Verdict, NeverTakesAResidualThatMattersForBalance) {
   int converged = 0, refused = 0;
   for (int stiffness = 5; stiffness <= 15; ++stiffness)
@@ -370,7 +370,7 @@ TEST(Verdict, SaysThatForcesOverflowedAndWhere) {
   EXPECT_TRUE(contains(solved.solution.at_fault, "node 1")) << solved.solution.at_fault;
 }
 
-// Forces of 1e200 N are numbers, their squares are not: an infinite load must not excuse an infinite
+// Forces of 1e200 N are finite, but their squares are not: an infinite load must not excuse an infinite
 // residual.
 TEST(Verdict, CallsNothingBalancedThatIsInfinite) {
   Sketch s;

@@ -58,7 +58,7 @@ TEST(HighestFrequency, IsThatOfAChainFromAbove) {
   EXPECT_LE(found, 1.005 * exact);
 }
 
-/// A heavy ball on a rope of bars that are stiff along themselves alone: four modes of twelve have a
+/// A heavy ball on a rope of bars that are stiff in axial direction only: four of twelve modes have a
 /// stiffness.
 TEST(HighestFrequency, IsFoundWhereFewModesAreStiff) {
   Chain chain(12, 0, 0.011);
@@ -79,8 +79,8 @@ TEST(HighestFrequency, HasTheShapeOfItsMode) {
     EXPECT_NEAR(pulled[i], mode.omega * mode.omega * chain.mass[i] * mode.shape[i], 1e-5 * mode.omega) << i;
 }
 
-/// The mode that is known is of a stiff spring at one end, which has become soft; the stiff one now is at the
-/// other end, and its mode all but orthogonal to that.
+/// The known mode is that of a stiff spring at one end, which has become soft; the stiff spring is now at the
+/// other end, and its mode is almost orthogonal to the known one.
 TEST(HighestFrequency, IsFoundWhereTheKnownModeHasNoPart) {
   Chain before(300), now(300);
   before.spring[20] = 4000;

@@ -74,7 +74,7 @@ TEST(Newmark, FindsTheSameStepsByTheFixedPointOfThePaper) {
   expect_same(found, newmark_by_hand(o.omega(), h, -0.3, 50, 0.1, 0), 1e-10);
 }
 
-/// Whether the paper's scheme goes through 20 steps of c/ω.
+/// Whether the scheme of the paper makes 20 steps of c/ω.
 bool settles(double c) {
   const Oscillator o;
   Moving m(o.scene());
@@ -147,7 +147,7 @@ Matrix3 amplification(double rho, double Omega) {
   return A;
 }
 
-/// ‖Aⁿ‖^(1/n) for n = 2^16, by squaring: what tends to the spectral radius.
+/// ‖Aⁿ‖^(1/n) for n = 2^16, by squaring, which tends to the spectral radius.
 double spectral_radius(Matrix3 A) {
   double log_size = 0, n = 1;
   for (int k = 0; k < 16; ++k, n *= 2) {
@@ -385,7 +385,8 @@ TEST(March, IsLostAtTheSameStepWhenItGoesOnFromAnOutput) {
   EXPECT_EQ(rest.reason, whole.reason);
 }
 
-/// The spring and the inertia of what a step's end holds balance; a cubic between ends does not know of it.
+/// The spring and the inertia of the held mass balance at the end of a step; the cubic between ends does not
+/// satisfy this.
 TEST(March, TellsForcesOfEndsOfStepsBetweenThem) {
   const Oscillator o;
   Moving m(o.scene());
@@ -442,7 +443,7 @@ double error_of_path(const Oscillator& o, const std::vector<double>& u, double i
 
 class PathError : public testing::TestWithParam<const char*> {};
 
-/// Once errors of single steps, once steps that are given; the closed form is what both are held against.
+/// Once with the errors of single steps, once with fixed steps; both are compared with the closed form.
 TEST_P(PathError, IsNeverBelowThatOfTheClosedFormAndAtMostTenTimesIt) {
   const Oscillator o;
   const double interval = 0.4 / o.omega();
@@ -480,7 +481,7 @@ TEST(PathError, IsMissedWhereStepsThatAreGivenAreTooLong) {
   }
 }
 
-/// The current has a corner at every step, where both marches end one.
+/// The current has a corner at every step, at which both marches end a step.
 TEST(PathError, IsNotKnownWhereBothMarchesTakeTheSameSteps) {
   const Oscillator o;
   Scene scene = o.scene();
@@ -495,7 +496,7 @@ TEST(PathError, IsNotKnownWhereBothMarchesTakeTheSameSteps) {
   EXPECT_TRUE(a.is_missed());
 }
 
-/// Outputs that lie within the first steps, which one march has made alone.
+/// Outputs within the first steps, which only one march has made.
 TEST(PathError, IsKnownWhereOutputsAreDenserThanSteps) {
   const Oscillator o;
   Moving m(o.scene());
@@ -565,7 +566,7 @@ TEST(March, MovesWhatAGuideHolds) {
   EXPECT_NEAR(u.back(), b * T * T / 2 - b * (1 - std::cos(w * T)) / (w * w), 1e-6);
 }
 
-/// Three masses on two bars that nobody holds, slack and taut as they fly and turn.
+/// Three masses on two free bars, slack and taut as they fly and rotate.
 Scene flying() {
   Scene s = Oscillator().scene();
   s.positions = {0, 0, 0, 2, 0, 0, 3, 1.7, 0.4};
@@ -623,8 +624,8 @@ struct FlyingScheme {
 };
 class FreeFlight : public testing::TestWithParam<FlyingScheme> {};
 
-/// Members pull both their ends alike, so the sum of all momenta is that of the start whatever a scheme does
-/// in time. Only energy-momentum keeps the moment of momenta, too (above).
+/// Members have equal and opposite end forces, so that linear momentum is constant with any scheme. Only
+/// energy-momentum also conserves angular momentum (above).
 TEST_P(FreeFlight, KeepsLinearMomentumWhereNothingActs) {
   const FlyingScheme& scheme = GetParam();
   Moving m(flying(), "newton", 1, scheme.integrator);

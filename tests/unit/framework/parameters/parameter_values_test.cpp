@@ -58,7 +58,7 @@ Values with(Values more) {
   return more;
 }
 
-/// The one fault that these values have besides nothing else.
+/// The message on these values, which must have exactly one error.
 std::string fault(const Values& more) {
   const Filled f(with(more));
   EXPECT_EQ(f.faults.size(), 1u);

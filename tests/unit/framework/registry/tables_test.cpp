@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Numbers in the tables of a plugin that no table can have, as what wrote over them leaves behind.
+// Impossible numbers in the tables of a plugin, as memory corruption leaves them.
 #include "framework/registry/descriptors.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(Tables, WithRowsTooShortForASizeAreRefused) {
   EXPECT_NE(refusal(&one, 2).find("has a table whose rows are 0 bytes long"), std::string::npos);
 }
 
-// Half a pointer is a wild one. Found by table_fuzzer.
+// Half a pointer is invalid. Found by table_fuzzer.
 TEST(Tables, WithRowsThatEndWithinAPointerAreRefused) {
   netloft_law one = law();
   one.size = offsetof(netloft_law, parameters) + 4;

@@ -25,7 +25,7 @@ Scene netting_on_ropes() {
   return s.scene;
 }
 
-/// A scene as members, and their tensions by their own law at made-up displacements.
+/// A scene as members, and their tensions by their own law at arbitrary displacements.
 struct Taken {
   explicit Taken(Scene given)
       : assembled(std::move(given)),
@@ -71,7 +71,7 @@ TEST(MemberProblem, MakesTheForcesOfTheWholeSceneOfItsMembersAndTheRest) {
   EXPECT_LT(largest_difference(along, whole), 1e-12 * largest(whole));
 }
 
-/// A right-hand side that the matrix makes of made-up numbers is solved for these.
+/// Solves for arbitrary numbers whose product with the matrix is the right-hand side.
 void expect_inverse_of_tangent(Taken& taken) {
   netloft_members& m = taken.m;
   const auto K = taken.assembled.matrix(taken.positions(), MatrixKind::exact);

@@ -182,7 +182,7 @@ TEST(ASearch, EndsAStageByItsOwnBudget) {
   });
 }
 
-// A strategy that would be cut off again and again is tried again and again.
+// A strategy that was cut off is tried again, one that found nothing is not.
 TEST(ASearch, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   search(compressed_bars(), [](Search& of) {
     const Stage nothing = of.call("coarse-to-fine", "", {.name = "there is no coarser mesh"}, of.start());
@@ -190,7 +190,7 @@ TEST(ASearch, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   });
 }
 
-/// How a strategy of the test, called by another one, ended.
+/// The ending of a strategy of the test that another one calls.
 std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> strategy) {
   Registry& registry = shipped_plugins();
   const ScenePlan plan = make_scene_plan(scene, registry);
@@ -305,7 +305,7 @@ TEST(ASearch, SolvesAnEasierVariantWithoutTakingItForTheScene) {
   EXPECT_EQ(s.cost.stages[0].variant.compression, 0);
 }
 
-/// Iterations of a stage whose solver is named, and asked to make one step an iteration.
+/// Iterations of a stage with a named solver, which is set to make one step per iteration.
 int iterations_of_named_solver(std::map<std::string, Values> given) {
   const Solution s = search(
       taut_bars(),
@@ -424,7 +424,7 @@ TEST(ASearch, TellsAStrategyThatTheUserInterrupts) {
   EXPECT_EQ(s.status, SolveStatus::interrupted) << s.reason;
 }
 
-// Without a step of its own no solver meets the limit; the search says it, and once.
+// No solver makes a step that could meet the limit; the search reports it once.
 TEST(ASearch, SaysThatItsTimeIsOver) {
   Limits limits;
   limits.seconds = 0;

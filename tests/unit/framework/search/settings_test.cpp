@@ -11,7 +11,7 @@
 namespace netloft {
 namespace {
 
-/// Ropes of 100 m in bars of 50 m, of which something else has no length.
+/// Ropes of 100 m in bars of 50 m, with other data that have no length.
 Scene ropes(const std::vector<double>& wanted) {
   Scene scene;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
@@ -112,8 +112,8 @@ TEST(Settings, SayWhyTheyEndWhereThereIsNoEquilibriumBeyond) {
   EXPECT_LT(100 * s.factors[0], 96);
 }
 
-/// A wire of 4 bars that hangs with a weight at its lower end, with a length for which its upper end bears
-/// `wanted` newtons.
+/// A wire of 4 bars with a weight at its lower end, and the length for which its upper end carries `wanted`
+/// newtons.
 Solution hang(double l0, double wanted) {
   test::Sketch s;
   std::vector<std::uint32_t> chain{s.node(0, 0, 0, kAllAxes)};

@@ -13,7 +13,7 @@ double real_of(const Part& part, const std::string& name) {
   return std::get<double>(part.parameters.at(name));
 }
 
-/// A rope of 1e6 N that bears 10 N when slack, beside one of 100 N that leaves that to its default.
+/// A rope of 1e6 N with a slack stiffness of 10 N, beside one of 100 N with the default.
 Scene two_ropes() {
   Sketch s;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0), c = s.node(2, 0, 0, kAllAxes);

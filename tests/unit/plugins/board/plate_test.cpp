@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The flat plate of board/otter against a lattice of vortices at small angles, and where it must be at
+// The flat plate of board/otter compared with a vortex lattice at small angles, and with known values at
 // others.
 #include "plugins/board/plate.hpp"
 

@@ -71,7 +71,7 @@ TEST(CatchFront, LeavesWhatIsAheadOfIt) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(norm(out.force[i]), 0);
 }
 
-/// The sum of the fractions is the share of the area behind the plane, here of similar triangles.
+/// The sum of the fractions is the fraction of the area behind the plane, here of similar triangles.
 TEST(CatchFront, CutsTrianglesByTheAreaBehindIt) {
   const auto one = Front::behind(std::array<double, 3>{0.5, -0.5, -0.5});
   EXPECT_NEAR(one.w[0] + one.w[1] + one.w[2], 0.25, 1e-15);

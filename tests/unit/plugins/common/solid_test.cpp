@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Inertia of a rigid body does not depend on the axes and the origin in which it is written down.
+// The inertia of a rigid body does not depend on the choice of its axes and origin.
 #include "plugins/common/solid.hpp"
 
 #include <gtest/gtest.h>
@@ -36,8 +36,7 @@ void expect_same(const Wrench<double>& one, const Wrench<double>& other) {
   EXPECT_LT(norm(one.moment - other.moment), kSmall * norm(one.moment));
 }
 
-/// The same body with axes of its own that are turned back by ψ, which is how far its principal ones then
-/// lead away from them.
+/// The same body with axes rotated back by ψ, which is then the rotation vector to its principal axes.
 TEST(Solid, MovesTheSameWhateverAxesItIsWrittenIn) {
   const V psi{0.4, -0.2, 0.7};
   const Body<double> b = moving();
@@ -51,7 +50,7 @@ TEST(Solid, MovesTheSameWhateverAxesItIsWrittenIn) {
   expect_same(Inertia::force(board(), Sided{}, b), Inertia::force(p, Sided{}, other));
 }
 
-/// The same body with its origin elsewhere: centre of mass and of added mass lie that far from it.
+/// The same body with a different origin, by which its centres of mass and of added mass are displaced.
 TEST(Solid, MovesTheSameWhereverItsOriginIs) {
   const V r{0.5, -0.2, 0.3};
   const Body<double> b = moving();

@@ -12,7 +12,7 @@ namespace netloft {
 
 inline constexpr double kDensity = 1025, kViscosity = 1.19e-6;
 
-/// 64 calls of a law, everything asked for.
+/// 64 calls of a law with all outputs.
 struct TestFlow {
   explicit TestFlow(std::uint32_t count = NETLOFT_LANES) {
     f.size = sizeof f, f.count = count;
@@ -57,7 +57,7 @@ inline TestFlow sample_flows(unsigned seed) {
   return t;
 }
 
-/// Largest difference in a lane, over the largest number it should be.
+/// Largest difference in a lane, relative to the largest expected number.
 template <std::size_t Rows>
 double lane_error(const double (&found)[Rows][kLanes], const double (&expected)[Rows][kLanes],
                   std::size_t i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Laws of twines and ropes against the dual numbers of their formulas, by hand, and where they are 0/0.
+// Laws of twines and ropes compared with dual numbers of their formulas, by hand, and at 0/0.
 #include "plugins/hydro/morison.hpp"
 #include "plugins/hydro/netting_twine.hpp"
 #include "plugins/hydro/reynolds.hpp"

@@ -88,7 +88,8 @@ TEST(Opening, MatchesItsOracleWhereTheSeriesTakesOver) {  // e = 0.1 is α = 0.2
   expect_matches<OpeningGiven>(twine(0.3), 0.22, 0.23, 1e-11);
 }
 
-/// α² to three terms of its series in 1 − c: an oracle for nearly closed meshes, good to e³ of the energy.
+/// α² to three terms of its series in 1 − c: an oracle for nearly closed meshes, with a relative error of e³
+/// in the energy.
 struct NearlyClosed {
   template <class T>
   static T oracle(const Triangle::Parameters& p, const Triangle::Data& d, const Water&,
@@ -227,7 +228,7 @@ std::pair<Eigen::MatrixXd, Eigen::MatrixXd> both_matrices(const Family<Triangle>
   return {matrix[0], matrix[1]};
 }
 
-/// The convex part may leave nothing convex out, nor add what is not there where the tangent is convex.
+/// The convex part must contain all convexity, and must add nothing where the tangent is convex.
 template <class Term>
 void expect_convex_part(const Triangle::Parameters& p, double lo, double hi) {
   const auto data = panels();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// seabed/bed: on a plane it is seabed/plane; on a hill it presses along the normal of the hill; friction has
-// its size.
+// seabed/bed: on a plane it equals seabed/plane; on a hill its force is normal to the hill; friction has its
+// magnitude.
 #include "plugins/seabed/bed.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
@@ -75,7 +75,7 @@ TEST(SeabedBed, RubsByItsShareOfTheNormalForceAlongTheGroundThatPasses) {
   EXPECT_EQ(norm(OnBed::Friction::force(firm(), {2, 0}, {}, m)[0]), 0) << "what stands does not rub";
 }
 
-/// Pressed in at the frequency of the loss factor, it loses in a radian η times the energy of the spring.
+/// In compression at the frequency of the loss factor, it loses η times the energy of the spring per radian.
 TEST(SeabedBed, LosesItsShareOfASwingInEveryRadian) {
   OnBed::Parameters p = firm();
   p.loss_factor = 0.2, p.loss_frequency = 1.5;

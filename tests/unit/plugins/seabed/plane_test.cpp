@@ -141,7 +141,7 @@ TEST(SeabedFriction, HoldsALoadForEverOnceItSticks) {
   EXPECT_EQ(n.state[0], 0) << "what sticks does not creep";
 }
 
-/// The same node on a bed that passes with (1.2, −0.5) m/s.
+/// The same node on a bed that moves with (1.2, −0.5) m/s.
 struct OnPassingBed : OneNode {
   OnPassingBed() { inputs[detail::kGroundPlace] = &passing, t.v = v; }
   double ground[3] = {1.2, -0.5, 0};
@@ -233,7 +233,7 @@ TEST(SeabedFriction, HasTheDerivativeAsTangentWhileItSlides) { expect_tangent_is
 TEST(SeabedFriction, HasTheDerivativeAsTangentInTheSoftBed) { expect_tangent_is_derivative(1, 0.5 * kSoft); }
 TEST(SeabedFriction, HasTheDerivativeAsTangentAboveTheBed) { expect_tangent_is_derivative(1, -0.1); }
 
-/// On a sloping bed that passes: with respect to position and to velocity, by central differences.
+/// On a sloping, moving bed: with respect to position and to velocity, by central differences.
 void expect_tangent_of_passing_bed(double vx, double vy) {
   OnPassingBed n;
   n.p = sloping();
