@@ -39,8 +39,8 @@ struct Chord {
   double l0, l1, l;
 };
 
-/// A member at both ends of a step and in its middle. The rest lengths of rope that is paid out or hauled
-/// differ.
+/// A member at both ends of a step and in its middle. The three rest lengths are different if the rope is
+/// being paid out or hauled in.
 struct MemberOfStep {
   const netloft_member &before, &middle, &after;
   bool grows() const { return before.rest_length != after.rest_length; }

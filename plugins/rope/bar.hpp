@@ -9,12 +9,12 @@ namespace netloft::rope {
 /// The model is that of bars (1)–(5), plugins/common/bars.hpp, with N = 1, and in addition
 ///   E = T_c l                      at constant tension, no spring    (1)
 ///   l₀(t) = σ(t) l₀                rope is paid out or hauled in     (2)
-/// T_c [N] tension that a winch or a weight over a pulley holds at any length; σ [1] linear between the times
-/// of a table, the same for all bars of a rope, with which its length, weight, drag and mass increase; the
-/// sag within a bar does not use (2). If the weight in water w [N/m] is given, the weight of the rope is that
-/// of the density
+/// T_c [N] tension that a winch or a weight over a pulley holds at any length; σ [1] from a table, linear
+/// between its times, the same for all bars of a rope. Length, weight, drag and mass are proportional to σ;
+/// the sag within a bar ignores it. If the weight in water w [N/m] is given, the weight is computed with the
+/// density
 ///   ρ = ρ_w + w/(g A),  A = (π/4) D²                                (3)
-/// and its own density is used for inertia only.
+/// and the density of the rope is used for inertia only.
 struct Bar {
   static constexpr auto stencil = NETLOFT_BAR;
 

@@ -106,8 +106,8 @@ class Whereabouts {
     return sunk;
   }
 
-  /// Parts that rest on the bed of the scene where they reach it: the force between them, and how near they
-  /// are.
+  /// A part that can rest on the bed: the sum of its normal contact forces [N], and the height of its lowest
+  /// node above the bed [m].
   struct Resting {
     double force = 0, above = std::numeric_limits<double>::infinity();
   };

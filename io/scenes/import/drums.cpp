@@ -10,8 +10,9 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Keeps of a curve that is given sample by sample as few as keep it within a distance: a sample is kept
-/// where no straight line from the last one that was kept passes all since then.
+/// Thins out a sampled curve so that straight lines between the kept samples stay within a given distance of
+/// all samples. A sample is kept when no straight line from the last kept sample stays within that distance
+/// of all samples up to the next one.
 class Curve {
  public:
   explicit Curve(double first) : time_(0), value_(first), times_{0}, values_{first} {}

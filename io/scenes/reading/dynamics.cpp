@@ -84,13 +84,26 @@ std::vector<Course::Point> read_columns(formats::TableReader& table, const char*
   return points;
 }
 
-/// Velocities that let a cubic through the points be smooth: the mean slope to both neighbours, none at ends.
+/// Limits the slope of a cubic at a point so that the curve stays within its neighbours (F. N. Fritsch and
+/// R. E. Carlson, SIAM J. Numer. Anal. 17, 1980): at most three times the smaller of the secants before and
+/// after the point, and zero at an extremum and beside a level piece.
+double limited(double slope, double before, double after) {
+  if (!(before * after > 0)) return 0;
+  const double most = 3 * std::min(std::abs(before), std::abs(after));
+  return std::clamp(slope, -most, most);
+}
+
+/// Velocities that let a cubic through the points be smooth: the mean slope to both neighbours, limited; none
+/// at the ends.
 Course through(const std::vector<double>& t, const std::vector<Course::Point>& d) {
   Course course;
   for (std::size_t i = 0; i < t.size(); ++i) {
     Course::Knot knot{t[i], d[i], {}};
     if (i > 0 && i + 1 < t.size())
-      for (std::size_t k = 0; k < 3; ++k) knot.v[k] = (d[i + 1][k] - d[i - 1][k]) / (t[i + 1] - t[i - 1]);
+      for (std::size_t k = 0; k < 3; ++k)
+        knot.v[k] =
+            limited((d[i + 1][k] - d[i - 1][k]) / (t[i + 1] - t[i - 1]),
+                    (d[i][k] - d[i - 1][k]) / (t[i] - t[i - 1]), (d[i + 1][k] - d[i][k]) / (t[i + 1] - t[i]));
     course.knots.push_back(knot);
   }
   return course;

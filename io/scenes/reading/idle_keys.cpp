@@ -20,8 +20,8 @@ bool meshes_resist(const Part& part) {
 
 void check_idle_keys(const Part& part, formats::TableReader& table) {
   if (is_set(part, parameter::kOpeningAngle) && !meshes_resist(part))
-    table.error("twine", "opening_angle has no effect: nothing draws the meshes to it",
-                "EI or opening_stiffness of the twine, or leave it out");
+    table.error("twine", "opening_angle has no effect, because the meshes have no stiffness against opening",
+                "give EI or opening_stiffness of the twine, or leave opening_angle out");
 }
 
 void check_turned_netting(const Part& part, const formats::Place& place, formats::Diagnostics& diagnostics) {

@@ -5,11 +5,11 @@
 
 namespace netloft::scenes {
 
-/// Refuses an angle of unloaded meshes where nothing draws the meshes to it.
+/// Refuses an opening angle of unloaded meshes that have no stiffness against opening.
 void check_idle_keys(const Part& part, formats::TableReader& table);
 
-/// Warns of netting turned by a right angle whose meshes resist nothing: without knots and bending, twines
-/// that run the same ways carry the same, so that it is as if it were not turned.
+/// Warns of T90 netting without bending stiffness and opening stiffness: its twines lie along the same
+/// directions as in diamond netting and carry the same forces, so that the turn has no effect.
 void check_turned_netting(const Part& part, const formats::Place& place, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::scenes

@@ -87,10 +87,10 @@ const ElementType* PartReader::find_type(Part& part, formats::TableReader& table
   part.type = read_type_name(draft_, part.name, table);
   const ElementType* type = elements_.find(part.type, table);
   if (!type || type->is_on_body() == (home == Home::bodies)) return type;
-  table.error("type",
-              type->type + (type->is_on_body() ? " stands on a rigid body" : " stands on no rigid body"),
-              type->is_on_body() ? "[bodies." + part.name + "] makes one; on = \"…\" names one that there is"
-                                 : "[parts." + part.name + "], or a type such as body/solid");
+  table.error(
+      "type", type->type + (type->is_on_body() ? " needs a rigid body" : " cannot be on a rigid body"),
+      type->is_on_body() ? "make one with [bodies." + part.name + "], or name an existing one with on = \"…\""
+                         : "move it to [parts." + part.name + "], or use a type such as body/solid");
   return nullptr;
 }
 

@@ -51,9 +51,10 @@ class SceneModel : public Model {
 std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t scene,
                                       const std::vector<double>& parameters);
 
-/// Opens every scene at the means and at the ends of what is looked for; what is wrong with keys, values and
-/// figures goes to `diagnostics`. Returns what was measured in the units of the figures, in the order of the
-/// file. `on_budget` hears of the processor time that a scene may take for its figures [s].
+/// Opens every scene at the prior means of the variables, and at both ends of the interval of each variable.
+/// Reports errors in keys, values and figures to `diagnostics`. Returns the measurements in the order of the
+/// file, converted to the units of the figures. `on_budget` receives the processor time that a scene may take
+/// for its figures [s].
 struct CheckedCalibration {
   std::vector<Measurement> measured;
   std::vector<std::string> units;

@@ -13,9 +13,9 @@ enum class Sampling { latin_hypercube, sobol };
 inline constexpr std::size_t kMostSobolVariables = 3667;
 
 /// `count` points in the open unit cube of `dimensions`, the same on every machine.
-///   latin_hypercube   in every dimension one point in each of `count` equal intervals, at random within it,
-///   in
-///                     random order (McKay, Beckman and Conover, Technometrics 21, 1979)
+///   latin_hypercube   every dimension is divided into `count` equal intervals with one random point in
+///                     each; the order of the intervals is random (McKay, Beckman and Conover, Technometrics
+///                     21, 1979)
 ///   sobol             Sobol's sequence with the direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30,
 ///                     2008), every dimension shifted digit by digit by a random number, so that points keep
 ///                     their distribution and differ between seeds; counts that are powers of two fill evenly

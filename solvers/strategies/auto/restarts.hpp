@@ -9,8 +9,9 @@ namespace netloft::automatic {
 /// Whether restarts are possible in this scene; known before anything is solved.
 bool may_restart(const Search& search, const Options& options);
 
-/// Looks for other equilibria after the equilibrium `first`, because parts in compression may fold in several
-/// ways: if all forces have an energy and compression bears a load, or always with `everywhere`. The first
+/// Looks for other equilibria, starting from the equilibrium `first`, because parts in compression may fold
+/// in several ways. It does so only if all forces have an energy and compression bears a load; `everywhere`
+/// drops both conditions. The first
 /// restart is from the shape without resistance to compression, the next ones from perturbations of the best
 /// shape so far. Each costs at most a slice of work. The host chooses among the answers.
 void restart(Search& search, const Options& options, const Stage& first);

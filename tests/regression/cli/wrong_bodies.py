@@ -54,11 +54,11 @@ def beside(name, text, where, says, hint="", **more):
 
 ALL = [
     body("bodies is no table", '[bodies.clump]\ntype = "body/solid"', '[bodies]\nclump = 3\n[parts.other]\ntype = "body/solid"', "16:9",
-         "a body is a table, such as [bodies.door]", also=[("scene.toml:18:8", "body/solid stands on a rigid body"),
+         "a body is a table, such as [bodies.door]", also=[("scene.toml:18:8", "body/solid needs a rigid body"),
          ("scene.toml:24:23", 'there is no part "clump"'), ("scene.toml:27:11", 'there is no part "clump"'), ("scene.toml:33:15", 'there is no part "clump"')]),
-    body("body of a rope", 'type = "body/solid"', 'type = "rope/bar"', "16:8", "rope/bar stands on no rigid body", "[parts.clump]"),
+    body("body of a rope", 'type = "body/solid"', 'type = "rope/bar"', "16:8", "rope/bar cannot be on a rigid body", "[parts.clump]"),
     body("rope of a body", 'type = "rope/bar"\nlength = "5 m"\ncells = 2\nsketch = [[0, 0, -6]', 'type = "body/solid"\nlength = "5 m"\ncells = 2\nsketch = [[0, 0, -6]',
-         "9:8", "body/solid stands on a rigid body", "[bodies.tail] makes one"),
+         "9:8", "body/solid needs a rigid body", "make one with [bodies.tail]"),
     body("no place", "at = [0, 0, -5.5]\n", "", "15:1", 'missing key "at" in bodies.clump'),
     body("place of two numbers", "at = [0, 0, -5.5]", "at = [0, 0]", "17:6", "has 2 values; 3 are expected"),
     body("point of two numbers", "eye = [0, 0, 0.5]", "eye = [0, 0]", "18:18", "has 2 values; 3 are expected"),
@@ -92,7 +92,7 @@ ALL = [
     beside("element on a point of a body", '[parts.more]\ntype = "body/solid"\non = "clump.eye"\n', "34:6", '"clump.eye" is no rigid body'),
     beside("force of a body on a rope", '[parts.more]\ntype = "force/body"\non = "tail"\n', "34:6", '"tail" is no rigid body or point of one', "[bodies]"),
     beside("force at no point", '[parts.more]\ntype = "force/body"\non = "clump.fot"\n', "34:6", '"clump" has no "fot"', 'did you mean "clump.foot"?'),
-    beside("force on no body", '[parts.more]\ntype = "force/body"\nat = [0, 0, 0]\n', "33:8", "force/body stands on a rigid body", "[bodies.more]"),
+    beside("force on no body", '[parts.more]\ntype = "force/body"\nat = [0, 0, 0]\n', "33:8", "force/body needs a rigid body", "[bodies.more]"),
     beside("force of a mass", '[parts.more]\ntype = "force/body"\non = "clump"\nforce = { x = "3 kg" }\n', "35:15", "force.x"),
     beside("motion of a body without inertia", IN_MOTION, "15:1",
            'the body "clump" has no moment of inertia about some axis, and nothing bounds how fast it would move; these keys give it: body.inertia_x, '),
