@@ -6,6 +6,7 @@
 #include "io/scenes/reading/tow.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace netloft::scenes {
 
@@ -15,11 +16,12 @@ void HoldReader::read() {
     const int errors_before = diagnostics_.errors();
     const HoldEntry entry = read_hold(table);
     check_hold_name(entry, table);
+    Course course = read_course(table);
     if (table.kind("on") != formats::Kind::text && table.kind("on") != formats::Kind::array) continue;
     const auto nodes = find_held(entry, table);
     if (nodes.empty() || diagnostics_.errors() > errors_before) continue;
     out_.holds.push_back(holder.hold(entry, nodes, table));
-    guide(read_course(table), entry, out_.holds.back(), table);
+    guide(std::move(course), entry, out_.holds.back(), table);
     if (out_.gear && out_.gear->times == 1) one_sided_.add(entry, table.place("on"));
   }
 }
