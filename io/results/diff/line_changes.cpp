@@ -9,7 +9,7 @@ namespace netloft::results {
 
 namespace {
 
-// of the table; longer stretches are reported as changed entirely
+// Most cells that the table may have; longer stretches are reported as changed entirely.
 constexpr std::size_t kMostCells = 4'000'000;
 
 using Lines = std::vector<std::string>;
@@ -21,8 +21,8 @@ Lines split(const std::string& text) {
   return lines;
 }
 
-/// The stretches [begin, a_end) and [begin, b_end) that remain when the common head and tail of two texts are
-/// taken away.
+/// The stretches [begin, a_end) and [begin, b_end) that remain of two texts without their common head and
+/// tail.
 struct Middle {
   std::size_t begin = 0, a_end, b_end;
 

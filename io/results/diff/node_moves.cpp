@@ -12,13 +12,15 @@ namespace {
 
 using Position = std::array<double, 3>;
 using Place = std::array<double, 2>;  // U, V [meshes]
-constexpr double kInside = 1e-6;      // weights of a triangle's corners may be that much negative
+// weights of a triangle's corners may be negative by this much
+constexpr double kInside = 1e-6;
 
 Position position_of(const std::vector<double>& points, std::uint32_t node) {
   return {points[3 * node], points[3 * node + 1], points[3 * node + 2]};
 }
 
-/// Triangles of one panel, found by a place on it: they lie in the squares of a grid that they touch.
+/// Finds the triangles of one panel at a place. Each triangle is listed in all squares of a grid that it
+/// touches.
 class PanelIndex {
  public:
   PanelIndex(const StoredShape& result, const std::vector<double>& points, std::uint32_t part)
@@ -36,7 +38,7 @@ class PanelIndex {
     for (const std::size_t t : triangles_) insert(t);
   }
 
-  /// The position of a place on the panel; nothing outside of it.
+  /// Returns the position [m] of a place on the panel; empty outside the panel.
   std::optional<Position> at(const Place& p) const {
     const auto found = squares_.find({column(p, 0), column(p, 1)});
     if (found == squares_.end()) return {};
@@ -94,7 +96,7 @@ std::vector<std::size_t> nodes_per_part(const StoredShape& result) {
   return count;
 }
 
-/// Compares two results; members are steps in the order of execution.
+/// Compares two results. The member functions are the steps, in the order of execution.
 class MoveFinder {
  public:
   MoveFinder(const StoredShape& before, const StoredShape& after)

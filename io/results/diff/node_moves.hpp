@@ -8,19 +8,19 @@
 
 namespace netloft::results {
 
-/// The node that lies farthest from where it was.
+/// The node that moved farthest between two results.
 struct NodeMove {
   double distance = 0;  // [m]
   std::string part;
-  std::uint32_t number = 0;                 // of the node within its part, before
+  std::uint32_t number = 0;                 // number of the node within its part, in the result before
   std::array<double, 3> before{}, after{};  // [m]
-  std::size_t compared = 0;                 // nodes of the result before that were found in the one after
-  std::size_t nodes = 0;                    // of the result before
+  std::size_t compared = 0;  // number of nodes of the earlier result that were found in the later one
+  std::size_t nodes = 0;     // number of nodes of the earlier result
 };
 
-/// Compares the newest states. Nodes of a part that has as many in both are compared by number; those of
-/// netting that is divided differently by their place on the panel, between the nodes around it. Nothing if
-/// no node can be compared.
+/// Compares the newest states of two results. If a part has equally many nodes in both, its nodes are
+/// compared by number. Nodes of netting that is divided differently are compared by their place on the panel,
+/// with positions interpolated between the surrounding nodes. Empty if no node can be compared.
 std::optional<NodeMove> find_largest_move(const StoredShape& before, const StoredShape& after);
 
 }  // namespace netloft::results

@@ -31,9 +31,10 @@ void side_text(const char* which, const Result& result, Out out) {
   fmt::format_to(out, "\n");
 }
 
-constexpr std::size_t kShownChanges = 3;  // in the first lines, which are for reading at a glance
+// the summary lines name only so many changes, since they are read at a glance
+constexpr std::size_t kShownChanges = 3;
 
-/// The first of some texts in one line, and how many more there are.
+/// Joins the first texts in one line and adds how many more there are.
 std::string first_of(const std::vector<std::string>& all) {
   std::string text;
   for (std::size_t i = 0; i < std::min(all.size(), kShownChanges); ++i) text += (i ? "; " : "") + all[i];
@@ -52,7 +53,8 @@ std::string key_of(const std::string& line) {
   return equals == std::string::npos || equals == 0 ? "" : line.substr(0, equals);
 }
 
-/// New lines; "key = before -> after" where a line with the same key went. Comments change nothing.
+/// Adds the new lines. If a removed line has the same key, the change is "key = before -> after". Comments do
+/// not count as changes.
 void add_line_changes(const std::vector<LineChange>& lines, std::vector<std::string>& changes) {
   const auto is_comment = [](const LineChange& line) {
     return trimmed(line.text).empty() || trimmed(line.text).starts_with("#");
@@ -78,7 +80,8 @@ void add_line_changes(const std::vector<LineChange>& lines, std::vector<std::str
       changes.push_back("without " + trimmed(line.text));
 }
 
-/// The changes of the input in a line: new settings first, then those that are gone without a successor.
+/// The changes of the input in one line: new settings first, then settings that were removed without a
+/// successor.
 std::string inputs_line(const InputDifferences& inputs) {
   std::vector<std::string> changes;
   for (const auto& option : inputs.options_after) changes.push_back(option);
@@ -94,9 +97,9 @@ std::string inputs_line(const InputDifferences& inputs) {
   return first_of(changes);
 }
 
-/// A coordinate; round-off of zero is zero.
+/// Returns a coordinate, with round-off around zero replaced by zero.
 double plain(double metres) {
-  constexpr double kNothing = 1e-9;  // [m]: less than any gear is computed to
+  constexpr double kNothing = 1e-9;  // [m]: no gear is computed to this accuracy
   return std::abs(metres) < kNothing ? 0 : metres;
 }
 
@@ -119,8 +122,8 @@ bool is_figure(const std::string& name) {
          name == "gear/weight_in_water/all";
 }
 
-/// The figures that changed beyond their errors, the largest change first; where no errors are known, the
-/// largest changes.
+/// The figures that changed by more than their errors, the largest change first. If no errors are known, the
+/// figures with the largest changes.
 std::string figures_line(const std::vector<NumberDifference>& numbers) {
   std::vector<const NumberDifference*> figures;
   bool any_error = false;
@@ -142,7 +145,7 @@ std::string figures_line(const std::vector<NumberDifference>& numbers) {
                     : "; errors of the mesh are not known (run --error finds them), so that none is marked");
 }
 
-/// Two lines above these say which results are compared: five in all.
+/// Writes three lines. The caller writes two above them that name the compared results: five in all.
 void summary_text(const ResultDiff& diff, Out out) {
   fmt::format_to(out, "inputs: {}\n", inputs_line(diff.inputs));
   fmt::format_to(out, "largest move of a node: {}\n", move_line(diff.move));

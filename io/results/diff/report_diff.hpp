@@ -4,8 +4,8 @@
 
 namespace netloft::results {
 
-/// A text for people: the numbers that changed, marked with `*` if they exceed the known errors; then the
-/// inputs.
+/// The differences as a text for people: first the numbers that changed, marked with `*` if the change
+/// exceeds the known errors, then the inputs.
 std::string diff_text(const ResultDiff& diff);
 
 /// One JSON object with all numbers; unknown values are null.

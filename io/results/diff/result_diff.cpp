@@ -15,7 +15,8 @@ constexpr double kRoundOff =
 
 struct ComparedNumber {
   std::string unit;
-  double value = NumberDifference::kUnknown, error = NumberDifference::kUnknown;  // of solver and mesh
+  double value = NumberDifference::kUnknown,
+         error = NumberDifference::kUnknown;  // error: of solver and mesh together
 };
 using NumberMap = std::map<std::string, ComparedNumber>;
 
@@ -23,8 +24,8 @@ void add_vector(const std::string& name, const std::array<double, 3>& force, Num
   for (std::size_t axis = 0; axis < 3; ++axis) numbers[name + "/" + "xyz"[axis]] = {"N", force[axis]};
 }
 
-/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". Figures of a gear contain
-/// the forces by part, which are left out with them.
+/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". The forces by part are
+/// included on request only, because figures of a gear contain them.
 NumberMap numbers_of(const Result& result, bool with_forces) {
   NumberMap numbers;
   for (const auto& s : result.scalars)
@@ -47,8 +48,8 @@ NumberDifference difference_of(const std::string& name, const NumberMap& before,
   return {name, a.unit.empty() ? b.unit : a.unit, a.value, b.value, a.error + b.error};
 }
 
-/// Sets the floor of every number: the rounding of the largest number of its unit. A force that is the small
-/// difference of large ones carries their rounding.
+/// Sets the floor of every number to the rounding of the largest number with the same unit, because a force
+/// that is the small difference of large ones has their rounding.
 void set_floors(std::vector<NumberDifference>& numbers) {
   std::map<std::string, double> largest;
   for (const auto& d : numbers)

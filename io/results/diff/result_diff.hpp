@@ -14,32 +14,32 @@ struct NumberDifference {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit;
   double before = kUnknown, after = kUnknown;
-  // of solver and mesh, of both results together; unknown unless all are known, because that of the mesh is
-  // by far the largest as a rule
+  // Errors of solver and mesh, summed over both results. NaN unless all of them are known, because the mesh
+  // error is usually by far the largest.
   double error = kUnknown;
-  double floor = 0;  // differences up to here are round-off of what numbers like this one are summed from
+  double floor = 0;  // differences up to this value are round-off of the summed numbers
 
   double difference() const { return after - before; }
-  /// The difference relative to the value before; unknown if that is zero.
+  /// The difference relative to the value before; NaN if that value is zero.
   double percent() const;
   /// Whether the difference exceeds round-off.
   bool is_changed() const;
-  /// Whether the difference exceeds the errors; false if they are not known.
+  /// Whether the difference exceeds the errors; false if the errors are not known.
   bool exceeds() const;
 };
 
-/// A file of the scene that differs between the results, with its lines; or a file that only one of them has.
+/// A file of the scene whose lines differ between the results, or a file that only one result has.
 struct FileDifference {
-  std::string before, after;  // paths; empty: there is no such file
+  std::string before, after;  // paths; empty: this result has no such file
   std::vector<LineChange> lines;
 };
 
 /// The differences between the inputs of two results.
 struct InputDifferences {
-  // options of only one, such as "--set water.current=[1,0,0]"
+  // options that only one command line has, such as "--set water.current=[1,0,0]"
   std::set<std::string> options_before, options_after;
   std::vector<FileDifference> files;
-  std::vector<std::string> plugins;  // built differently, or present in one only
+  std::vector<std::string> plugins;  // built differently, or present in one result only
   bool other_program = false;
 
   bool none() const;

@@ -32,12 +32,12 @@ void widen(const std::vector<NamedScalar>& there, std::vector<NamedScalar>& scal
   }
 }
 
-/// All numbers of a scene at one place.
+/// All numbers of a scene at one set of positions.
 struct Numbers {
   std::vector<NamedScalar> scalars, figures;
 };
 
-/// Empty where there is no place, or no force there.
+/// Empty if there are no positions, or if the forces cannot be evaluated at them.
 std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there) {
   there.residual.assign(there.x.size(), 0.0);
   const Kinematics motion = at_rest(there);
@@ -60,7 +60,7 @@ void add_solver_errors(const scenes::LoadedScene& loaded, Assembler& assembler, 
   }
 }
 
-/// Evaluates all numbers at every other equilibrium that was found.
+/// Widens the range of all numbers by their values at every other equilibrium that was found.
 void add_spread(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
                 Result& result) {
   for (const OtherShape& other : solution.shapes.others) {
@@ -74,8 +74,8 @@ void add_spread(const scenes::LoadedScene& loaded, Assembler& assembler, const S
   }
 }
 
-// Displacement of the furthest node of a growing motion, over the length of the gear: small against what
-// bends, large against what a double rounds off.
+// Largest nodal displacement along a growing motion, as a fraction of the length of the gear: small enough
+// for linear differences, large enough that round-off of a double does not matter.
 constexpr double kSmallSwing = 1e-6;
 
 double length_of(std::span<const double> x) {
@@ -95,7 +95,8 @@ Solution swung(const Assembler& assembler, const Solution& s, const std::vector<
   return there;
 }
 
-/// Adds the change by one of two phases of a swing, a quarter of a period apart, to that by the other.
+/// Adds in quadrature the changes of all numbers along one phase of a swing; two phases are a quarter period
+/// apart.
 void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
                 double way, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {
@@ -106,12 +107,12 @@ void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<N
   }
 }
 
-/// Finds how much the numbers of an equilibrium depend on what grows there, by central differences.
+/// Finds by central differences how much the numbers of an equilibrium change with its growing motion.
 void add_swing(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& s, Result& result) {
   const bool grows = s.stability == Stability::swinging || s.stability == Stability::unstable;
   if (!grows || s.growing.mode.size() != s.u.size()) return;
   const double length = kSmallSwing * length_of(s.x);
-  double way = 0;  // of the furthest node in the first phase [m]
+  double way = 0;  // distance between both displaced positions of the furthest node, in the first phase [m]
   for (const auto* along : {&s.growing.mode, &s.growing.mode_later}) {
     if (along->size() != s.u.size()) continue;
     const Solution one = swung(assembler, s, *along, length), other = swung(assembler, s, *along, -length);

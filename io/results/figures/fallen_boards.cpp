@@ -12,7 +12,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Figures of a gear by name, 0 where there is none.
+/// Figures of a gear by name; 0 for a figure that the gear does not have.
 class Values {
  public:
   explicit Values(const std::vector<NamedScalar>& figures) : figures_(figures) {}
@@ -31,8 +31,8 @@ double side_of(const scenes::LoadedScene& loaded, std::uint32_t part) {
   return 1;
 }
 
-/// Force of water and ground on a board along the level line to it from the other one of its pair, or from
-/// its mirror image if there is a half alone [N].
+/// Force of water and ground on a board, along the level line to it from the other board of its pair [N]. In
+/// a half gear the line begins at the mirror image of the board.
 double outward_force(const scenes::LoadedScene& loaded, const std::vector<std::uint32_t>& pair,
                      std::size_t which, const Values& value) {
   const auto name = [&](std::size_t k) { return loaded.scene.parts[pair[k]].name; };
@@ -52,7 +52,7 @@ double outward_force(const scenes::LoadedScene& loaded, const std::vector<std::u
   return apart > 0 ? work / apart : 0;
 }
 
-/// Empty for a board that is upright and spreads.
+/// Returns a sentence about the fault of a board; empty for a board that is upright and spreads.
 std::string trouble_of(const std::string& board, double heel, double outward) {
   if (std::abs(heel) > std::numbers::pi / 2)
     return fmt::format("{} lies over, its top turned {} by {:.0f}°", board, heel > 0 ? "outward" : "inward",

@@ -13,10 +13,10 @@ struct FallenBoard {
   std::string board, sentence;
 };
 
-/// Boards of pairs that lie over, their heel beyond a right angle either way, and those that water and ground
-/// push inward. Both are equilibria like others, found at low speeds above all; a gear in one is not the gear
-/// that somebody meant. Inward is towards the other board of the pair, whichever way the ship goes. `figures`
-/// are those of the gear (gear_figures.hpp).
+/// Finds the boards of pairs that have fallen over (heel beyond a right angle to either side) or that water
+/// and ground push inward, that is, towards the other board of the pair, regardless of the towing direction.
+/// Both are true equilibria, mostly at low speeds, but nobody designs a gear for them. `figures` are those of
+/// the gear (gear_figures.hpp).
 std::vector<FallenBoard> find_fallen_boards(const scenes::LoadedScene& loaded,
                                             const std::vector<NamedScalar>& figures);
 

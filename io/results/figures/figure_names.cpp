@@ -7,7 +7,8 @@ namespace netloft::results {
 
 namespace {
 
-/// The spread of a pair and what causes it. Its other figures are in the tables of its bodies.
+/// Whether a figure is the spread of a pair or a force that causes it. The other figures of a pair are in the
+/// tables of its bodies.
 bool is_of_pair(const std::string& name) {
   return name.starts_with("pairs/") &&
          (name.ends_with("/spread") || name.ends_with("/spread_force") || name.ends_with("/ground_share"));

@@ -8,10 +8,10 @@ namespace netloft::results {
 std::string spoken(std::string name);
 
 /// The name of a principal figure in reports, on cards and in pictures: "headline height" for
-/// "mouth/headline_height". Empty: it is not a principal figure.
+/// "mouth/headline_height". Empty if the figure is not a principal one.
 std::string principal_name(const std::string& figure);
 
-/// Whether figures are those of a net plan, beside those of rigid bodies, which come first.
+/// Whether any figure belongs to a net plan. The figures of rigid bodies, which come first, do not.
 bool are_of_plan(const std::vector<NamedScalar>& figures);
 
 }  // namespace netloft::results

@@ -28,7 +28,8 @@ void add_place(const scenes::LoadedScene& loaded, const Assembler& assembler, co
                        at[2] - loaded.scene.bed.at(at[0], at[1])[0]});
 }
 
-/// Adds the outputs of its own element, such as the attack of a board. A doubt is a warning, not a figure.
+/// Adds the outputs of the body's own element, such as the angle of attack of a board. An output of the role
+/// "doubt" is a warning, not a figure.
 void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                  std::size_t b, const std::string& own, std::vector<Figure>& figures) {
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
@@ -44,8 +45,8 @@ void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, 
   }
 }
 
-/// Whether a part is on bodies alone, as the element of a board and its shoe do; ropes lead away from
-/// them.
+/// Whether all nodes of a part are on rigid bodies, as those of a board and its shoe are. A rope also has
+/// nodes elsewhere.
 bool rides_on_bodies(const Scene& scene, const Part& part) {
   return std::ranges::all_of(part.nodes, [&](std::uint32_t node) {
     return std::ranges::any_of(scene.bodies, [&](const RigidBody& body) {
@@ -55,7 +56,7 @@ bool rides_on_bodies(const Scene& scene, const Part& part) {
   });
 }
 
-/// Whether elements of a part rest on some ground, which they say by an output.
+/// Whether elements of a part rest on some ground: they then have an output for the normal force.
 bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
   return std::ranges::any_of(assembler.families(), [&](const auto& family) {
     const auto& outputs = family->type().outputs;
@@ -65,8 +66,8 @@ bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
   });
 }
 
-/// Under which name a force on a body is summed up: water, weight and ground of what rides on bodies, and
-/// all else by the part that brings it.
+/// The name under which a force on a body is summed: water, weight or ground for parts on bodies only, and
+/// the name of the part for all others.
 std::string source_of(const scenes::LoadedScene& loaded, const Assembler& assembler, const BodyForce& force) {
   const Part& part = loaded.scene.parts[force.part];
   if (!rides_on_bodies(loaded.scene, part)) return part.name;

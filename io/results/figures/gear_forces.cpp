@@ -19,7 +19,7 @@ struct PartGroup {
   std::vector<std::uint32_t> parts;
 };
 
-/// All parts of the scene, each once: `others` are no part of the plan.
+/// Groups all parts of the scene by kind; `others` are those that the plan does not have.
 std::vector<PartGroup> kinds_of(const GearView& gear) {
   const scenes::GearInScene& g = gear.gear();
   std::vector<PartGroup> kinds = {
@@ -29,7 +29,7 @@ std::vector<PartGroup> kinds_of(const GearView& gear) {
   planned.insert(g.pieces.begin(), g.pieces.end());
   const auto& parts = gear.loaded().scene.parts;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    if (parts[p].companion) continue;  // counts with the part it rides on, whose name it bears
+    if (parts[p].companion) continue;  // counts with the part of the same name that it belongs to
     kinds.front().parts.push_back(p);
     if (!planned.contains(p)) kinds.back().parts.push_back(p);
   }
@@ -68,14 +68,14 @@ void add_weight(const GearView& gear, const std::string& at, const PartGroup& ki
                        -sum_over(gear, kind, &PartForce::is_weight).z});
 }
 
-/// Every part of a kind as a kind of its own.
+/// Makes a group of its own of every part of a kind.
 std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
   std::vector<PartGroup> parts;
   for (const auto part : kind.parts) parts.push_back({gear.name(part), {part}});
   return parts;
 }
 
-/// Adds the weights in water of all parts that sink, and of all that float.
+/// Adds the total weight in water of all parts that sink, and that of all parts that float.
 void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::vector<Figure>& figures) {
   double sinking = 0, floating = 0;
   for (const auto& part : parts) {

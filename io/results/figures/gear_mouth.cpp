@@ -13,8 +13,8 @@ namespace netloft::results {
 
 namespace {
 
-/// Height of the seabed below a place [m], that of the scene or of the first part that has a depth; empty if
-/// there is no seabed.
+/// Height of the seabed below a place [m]: the bed of the scene, or that of the first part with a depth.
+/// Empty if there is no seabed.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
@@ -34,7 +34,7 @@ void add_height(const GearView& gear, std::uint32_t headline, const std::uint32_
                        middle.z - gear.middle_of(*footrope).z});
 }
 
-/// Distance between the ends of a rope; of a half gear, between its end and the mirror image of that end.
+/// Distance between the ends of a rope; for a half gear, between the rope's end and its mirror image.
 double spread(const GearView& gear, std::uint32_t rope) {
   const Vector way = gear.at(gear.nodes_of(rope).back()) - gear.at(gear.nodes_of(rope).front());
   return gear.is_half() ? 2 * std::abs(way.y) : norm(way);
@@ -53,8 +53,9 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
   return gear.times() * std::abs(dot(gear.current_at(middle), S));
 }
 
-/// Extrapolates linearly to the end from the middles of the two outer bars, if the third bar lies on the same
-/// line. Otherwise, for instance where netting pulls at the end, it is the tension of the outer bar.
+/// The tension at the end of a rope [N]: extrapolated linearly from the middles of the two outer bars if the
+/// third bar fits the same trend. Otherwise, for instance where netting pulls at the end, the tension of the
+/// outer bar.
 double tension_at_end(const std::vector<double>& T, const std::vector<double>& l) {
   if (T.size() < 3 || !(T[0] > 0 && T[1] > 0)) return T[0];
   const double change = T[0] - T[1], before = T[1] - T[2];

@@ -11,10 +11,10 @@ namespace netloft::results {
 
 namespace {
 
-/// Sums over the netting that was modelled.
+/// Sums over the netting as modelled.
 struct Amount {
   double area = 0, filtered = 0, twine_area = 0, mass = 0;
-  bool is_spread = false;  // true: it consists of triangles, which have an area
+  bool is_spread = false;  // true: the netting consists of triangles, which have an area
 
   void add(const Amount& other) {
     area += other.area;
@@ -27,7 +27,7 @@ struct Amount {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// Adds (3) for one family's elements of a part.
+/// Adds (3) for the elements of one family that belong to a part.
 void add_triangles(const GearView& gear, const ElementFamily& family, std::uint32_t panel, Amount& amount) {
   for (std::size_t e = 0; e < family.size(); ++e) {
     if (family.part(e) != panel) continue;

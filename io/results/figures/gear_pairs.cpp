@@ -15,14 +15,14 @@ const Figure* find(const std::vector<Figure>& figures, const std::string& name) 
   return at == figures.end() ? nullptr : &*at;
 }
 
-/// Names of the bodies of a pair; in a half gear one.
+/// Names of the bodies of a pair; a half gear has only one of the two.
 std::vector<std::string> bodies_of(const GearView& gear, const std::vector<std::uint32_t>& parts) {
   std::vector<std::string> names;
   for (const auto part : parts) names.push_back(gear.name(part));
   return names;
 }
 
-/// Σ value/n over the bodies of a pair, 0 for what one of them has not.
+/// Mean Σ value/n over the bodies of a pair; a body without this figure counts as 0.
 double mean_of(const std::vector<Figure>& figures, const std::vector<std::string>& bodies,
                const std::string& before, const std::string& after) {
   double sum = 0;
@@ -44,7 +44,8 @@ void add_spread(const std::vector<std::string>& bodies, const std::string& own,
                      at.size() == 2 ? norm(at[1] - at[0]) : 2 * std::abs(at[0].y)});
 }
 
-/// Attitude, depth and what their elements say of them; all but y, which has its spread.
+/// Adds the means of attitude, depth and outputs of the bodies' elements; y is left out, because the spread
+/// replaces it.
 void add_means(const std::vector<std::string>& bodies, const std::string& own, std::vector<Figure>& figures) {
   const std::string first = "bodies/" + bodies.front() + "/";
   std::vector<Figure> means;
@@ -57,7 +58,7 @@ void add_means(const std::vector<std::string>& bodies, const std::string& own, s
   std::ranges::move(means, std::back_inserter(figures));
 }
 
-/// Adds the outward force of water and ground on one of the two.
+/// Adds the mean outward force of water and ground on a body of the pair.
 void add_spreading(const std::vector<std::string>& bodies, const std::string& own,
                    std::vector<Figure>& figures) {
   const auto acts = [&](const char* source) {

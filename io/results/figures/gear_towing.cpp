@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kHeatOfDiesel = 42.7e6;  // lower heating value [J/kg], ISO 15550
 
-/// Unit vector along the outer bar of a rope, from one end inwards.
+/// Unit vector along the outermost bar of a rope, pointing from the chosen end into the rope.
 Vector direction(const GearView& gear, std::uint32_t rope, bool from_start) {
   const auto& nodes = gear.nodes_of(rope);
   const std::size_t n = nodes.size();
@@ -24,7 +24,8 @@ Vector direction(const GearView& gear, std::uint32_t rope, bool from_start) {
   return (1 / norm(way)) * way;
 }
 
-/// The force in a rope at its start: it changes evenly along a warp, and is known in the middles of bars.
+/// The force in a rope at its start [N], extrapolated linearly because it changes evenly along a warp and
+/// bars give it in their middles.
 Vector force_at_start(const GearView& gear, std::uint32_t rope, const std::vector<double>& T,
                       const std::vector<double>& l) {
   const Vector first = T[0] * direction(gear, rope, true);
@@ -34,7 +35,7 @@ Vector force_at_start(const GearView& gear, std::uint32_t rope, const std::vecto
   return first + (l[0] / (l[0] + l[1])) * (first - (T[1] / norm(way)) * way);
 }
 
-/// Angles of a warp at its ends, and the sum of what its block bears.
+/// Adds the angles of a warp at its ends, and adds the load on its block to `pull`.
 void add_warp(const GearView& gear, std::uint32_t rope, Vector& pull, std::vector<Figure>& figures) {
   const auto tensions = gear.tensions(rope);
   if (tensions.empty()) return;
@@ -70,8 +71,8 @@ std::string group_of(const GearView& gear, std::uint32_t part) {
   return gear.output(part, output::kNormalForce).empty() ? "others" : "ground";
 }
 
-/// Adds the power that towing each group takes: the force aft of water, ground and other external loads,
-/// times the speed. Forces between elements add up to zero.
+/// Adds the power for towing each group: the aft force of water, ground and other external loads, times the
+/// speed. Forces between elements cancel in the sum.
 void add_power(const GearView& gear, std::vector<Figure>& figures) {
   static constexpr std::pair<const char*, const char*> groups[] = {
       {"netting", "towing the netting"},
@@ -92,7 +93,7 @@ void add_power(const GearView& gear, std::vector<Figure>& figures) {
                          gear.times() * gear.gear().ship_speed * at->second});
 }
 
-/// The value of a figure that has been added; 0 if it has not.
+/// The value of a figure that was added before; 0 if it was not.
 double value_of(const std::vector<Figure>& figures, std::string_view name) {
   const auto at = std::ranges::find(figures, name, &Figure::name);
   return at == figures.end() ? 0 : at->value;

@@ -25,22 +25,23 @@ class GearView {
   bool is_half() const { return gear().times == 2; }
 
   const std::string& name(std::uint32_t part) const { return loaded_.scene.parts[part].name; }
-  /// The part of a rope; null if no rope has that name.
+  /// The index of the part of a rope; null if no rope has this name.
   const std::uint32_t* find_rope(const std::string& name) const;
 
   Vector at(std::uint32_t node) const;
   /// Nodes of a rope from its start to its end.
   const std::vector<std::uint32_t>& nodes_of(std::uint32_t rope) const { return loaded_.parts[rope].nodes; }
-  /// Unstretched lengths of its bars [m]; all equal if its elements state none.
+  /// Unstretched lengths of the rope's bars [m]; all equal if its elements give none.
   std::vector<double> rest_lengths(std::uint32_t rope) const;
-  /// The middle of a rope that goes from side to side; a half gear's rope starts there.
+  /// The middle of a rope from side to side; the rope of a half gear starts there.
   Vector middle_of(std::uint32_t rope) const;
 
-  /// An output of all elements of a part, in their order; empty if they have none of that name and unit.
+  /// An output of all elements of a part, in their order; empty if the elements have no output with this name
+  /// and unit.
   std::vector<double> output(std::uint32_t part, const KnownOutput& known) const;
   /// The first output of each element that is a tension [N].
   std::vector<double> tensions(std::uint32_t part) const;
-  /// Which forces on a part belong to a kind of load.
+  /// Selects the forces that belong to a kind of load.
   using Kind = std::function<bool(const PartForce&)>;
   /// Sum of the forces of a kind on a part as modelled [N].
   Vector force(const std::string& part, const Kind& is_of_kind) const;

@@ -36,8 +36,8 @@ void add(const std::array<double, 3>& force, std::array<double, 3>& sum) {
   for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += force[axis];
 }
 
-/// Every force on every part, zeros included, by term and then in the order of the parts. Companions count
-/// with the part whose name they have.
+/// The force of every term on every part, zeros included, sorted by term and then in the order of the parts.
+/// Forces on companions count with the part of the same name.
 std::vector<PartLoad> find_part_loads(const Scene& scene, const std::vector<PartForce>& forces) {
   std::map<std::string, std::map<std::string, std::array<double, 3>>> sums;  // by term, by part
   for (const auto& f : forces) add(f.force, sums[f.term][f.part]);

@@ -6,10 +6,10 @@
 
 namespace netloft::results {
 
-/// The motion of a scene at rest, with the low-order part of its positions if that is known.
+/// The state of a scene at rest, with the low-order part of its positions if that is known.
 Kinematics at_rest(const Solution& solution);
 
-/// The figures of a scene's gear at an answer, without errors; none if it has no net plan.
+/// The figures of a scene's gear for an answer, without errors; empty without a net plan or rigid bodies.
 std::vector<NamedScalar> find_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Response& answer);
 /// The numbers of [results].
@@ -19,8 +19,8 @@ std::vector<NamedScalar> find_scalars(const scenes::LoadedScene& loaded, const A
 /// The facts of a scene that are known before it is solved.
 Result describe_scene(const scenes::LoadedScene& loaded, const Assembler& assembler);
 
-/// The result of a solve: figures, forces and warnings at its last point. Origins, times of reading and
-/// errors of the mesh are for others to add.
+/// Makes the result of a solve: figures, forces and warnings at its last point. The caller adds origins,
+/// reading times and mesh errors.
 Result make_result(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution);
 
 }  // namespace netloft::results

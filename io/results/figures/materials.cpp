@@ -18,7 +18,7 @@ namespace {
 constexpr double kHighLoad =
     0.5;  // of the breaking load: knots and splices take about half of a line's strength
 
-/// The figures `group`/<part>/`what` of all copies of a part.
+/// The values of the figures `group`/<part>/`what` over all copies of a part.
 std::vector<double> figures_of(const std::vector<NamedScalar>& figures, const std::string& group,
                                const std::string& name, const std::string& what) {
   std::vector<double> values;
@@ -48,7 +48,8 @@ double largest_of(const std::map<std::string, double>& twine_tensions, const std
   return largest;
 }
 
-/// The number of an element's parameter with this name, whatever its table is called: `board.mass`.
+/// The value of an element's parameter with this name in any table, for example `board.mass`; NaN if there is
+/// none.
 double number_called(const Part& part, const std::string& name) {
   for (const auto& [parameter, value] : part.parameters)
     if (parameter.ends_with("." + name)) return number_or(NamedScalar::kUnknown, part.parameters, parameter);
@@ -70,7 +71,7 @@ scenes::BillItem item_of(const scenes::LoadedScene& loaded, const std::string& n
           number_called(body, "area")};
 }
 
-/// Bodies to port and to starboard are a row, whether one half was modelled or both.
+/// Makes one row for each pair of bodies to port and to starboard, whether a half or the whole was modelled.
 std::vector<scenes::BillItem> items_of_bodies(const scenes::LoadedScene& loaded) {
   std::vector<scenes::BillItem> items;
   std::set<std::uint32_t> paired;

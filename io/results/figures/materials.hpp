@@ -11,21 +11,22 @@
 
 namespace netloft::results {
 
-/// Names of the outputs that are tensions: of ropes, and of twines in both directions.
+/// Names of the outputs that are tensions: one for ropes, and one for each twine direction of netting.
 inline constexpr std::array<std::string_view, 3> kTensions = {"tension", "tension_u", "tension_v"};
 
-/// Whether a part of the gear is the one of this name in the plan, or its port or starboard copy.
+/// Whether a part of the gear has this name in the plan, or is the port or starboard copy of the part that
+/// has.
 bool is_called(const std::string& part, const std::string& name);
 
 /// The bill of materials of a gear without loads: the list of its plan, and its rigid bodies. Bodies to port
-/// and to starboard are one row, whether one half was modelled or both. Empty without a net plan.
+/// and to starboard share one row, whether a half or the whole was modelled. Empty without a net plan.
 std::vector<Material> find_bill(const scenes::LoadedScene& loaded);
 
 /// The largest tension of the twines of each part of netting [N].
 std::map<std::string, double> largest_twine_tensions(const Scene& scene, const Assembler& assembler,
                                                      const FamilyOutputs& outputs);
 
-/// Completes the rows of a bill: masses, areas and loads, from the figures of the gear.
+/// Adds masses, areas and loads to the rows of a bill, from the figures of the gear.
 void add_loads(const std::vector<NamedScalar>& figures, const std::map<std::string, double>& twine_tensions,
                std::vector<Material>& materials);
 

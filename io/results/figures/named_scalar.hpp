@@ -6,19 +6,21 @@
 
 namespace netloft::results {
 
-/// A number that is reported by its name, with its errors. NaN marks unknown ones.
+/// A number that is reported by its name, with its errors. NaN means unknown.
 struct NamedScalar {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit, doc;
   double value = 0;
-  double solver_error = kUnknown;               // its change by the next Newton step
-  double mesh_error = kUnknown;                 // bound of the distance from the limit of finer meshes
-  double mesh_order = kUnknown;                 // observed order of convergence
-  double least = kUnknown, largest = kUnknown;  // over all equilibria that were found, if there were several
-  double per_swing = kUnknown;  // its change for each metre that the furthest node of a growing motion moves
+  double solver_error = kUnknown;  // change of the value by the next Newton step
+  double mesh_error = kUnknown;    // bound of the distance from the limit under mesh refinement
+  double mesh_order = kUnknown;    // observed order of convergence
+  double least = kUnknown,
+         largest = kUnknown;  // range over all equilibria that were found, if there were several
+  // change of the value per metre of movement of the furthest node of a growing motion
+  double per_swing = kUnknown;
 };
 
-/// Returns null if none has this name.
+/// Returns null if no number has this name.
 const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const std::string& name);
 
 }  // namespace netloft::results

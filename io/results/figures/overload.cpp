@@ -15,11 +15,11 @@ namespace netloft::results {
 
 namespace {
 
-// Measured on both sides: gears of the library are strained by up to 0.11, and plans with a number mistaken
-// by 0.6 and more. A panel of the trawl-gear paper, which is of no material, has 0.56.
+// Separates strains of up to 0.11, measured in gears of the library, from 0.6 and more, measured in plans
+// with a wrong number. A panel of the trawl-gear paper that is of no real material has 0.56.
 constexpr double kMostStrain = 0.5;
 
-/// The largest number of each part of a scene among outputs of a kind; 0 where its elements have none.
+/// The largest value of each part over its outputs of one kind; 0 for parts whose elements have none.
 template <class IsOfKind>
 std::vector<double> largest_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                     const Response& answer, IsOfKind is_of_kind) {
@@ -34,7 +34,7 @@ std::vector<double> largest_outputs(const scenes::LoadedScene& loaded, const Ass
   return largest;
 }
 
-/// Parts in the bill of materials are judged by load_warnings().
+/// Whether a part is in the bill of materials; load_warnings() judges such parts.
 bool is_in_bill(const scenes::LoadedScene& loaded, const std::string& part) {
   return loaded.gear &&
          std::ranges::any_of(loaded.gear->bill, [&](const auto& item) { return is_called(part, item.name); });
@@ -72,7 +72,8 @@ std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const
     const ElementFamily& family = *assembler.families()[f];
     for (std::size_t k = 0; k < family.type().outputs.size(); ++k) {
       if (family.type().outputs[k].role != NETLOFT_OUTPUT_DOUBT) continue;
-      std::map<std::uint32_t, std::array<std::size_t, 2>> elements;  // of a part: in doubt, all
+      std::map<std::uint32_t, std::array<std::size_t, 2>>
+          elements;  // by part: number of elements in doubt, number of all
       for (std::size_t e = 0; e < family.size(); ++e) {
         auto& [in_doubt, all] = elements[family.part(e)];
         in_doubt += answer.outputs[f][k][e] != 0;

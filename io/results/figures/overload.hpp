@@ -5,9 +5,9 @@
 
 namespace netloft::results {
 
-/// A sentence for every part whose tension exceeds its breaking load by the plan or the catalogue, and for
-/// every part with a strain that no rope or twine bears. Parts in the bill of materials are left to
-/// load_warnings().
+/// Returns a sentence for every part whose tension exceeds the breaking load in the plan or the catalogue,
+/// and for every part with a strain that no rope or twine bears. load_warnings() judges parts in the bill of
+/// materials instead.
 std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                            const Response& answer);
 

@@ -25,7 +25,7 @@ void add_forces(const Scene& scene, Assembler& assembler, std::size_t f, const K
   }
 }
 
-/// Per node of the scene the body to which it belongs.
+/// The index of the body of each node of the scene; -1 for nodes that are on no body.
 std::vector<std::int32_t> bodies_by_node(const Scene& scene) {
   std::vector<std::int32_t> bodies(scene.node_count(), -1);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -35,7 +35,7 @@ std::vector<std::int32_t> bodies_by_node(const Scene& scene) {
   return bodies;
 }
 
-/// Per part of a family and body whether an element of the part has a node on the body.
+/// For each part of a family and each body: whether an element of the part has a node on the body.
 std::vector<char> reached_bodies(const ElementFamily& family, std::span<const std::int32_t> body_of,
                                  std::size_t bodies) {
   std::vector<char> reached(bodies * family.parts().size());
@@ -47,8 +47,8 @@ std::vector<char> reached_bodies(const ElementFamily& family, std::span<const st
   return reached;
 }
 
-/// Forces that are zero at this moment are listed too, so that motions have a number for them at every
-/// output.
+/// Adds the forces of family f on bodies, including those that are zero now, so that motions have a value for
+/// them at every output.
 void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, const Kinematics& motion,
                      Response& answer) {
   if (scene.bodies.empty()) return;

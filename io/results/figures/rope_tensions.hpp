@@ -5,18 +5,19 @@
 
 namespace netloft::results {
 
-/// The tensions of the bars of a gear's rope, from its start to its end.
+/// The tensions of the bars of a rope in the gear, from the rope's start to its end.
 struct RopeTensions {
   std::string rope;
   std::vector<double> tension;      // [N]
   std::vector<double> rest_length;  // [m]
 
-  /// The tension at an unstretched distance from the start [N], linear between the middles of bars.
+  /// The tension at an unstretched distance from the start [N], interpolated linearly between the middles of
+  /// bars.
   double at(double distance) const;
   RopeTensions turned_round() const;
 };
 
-/// None if the scene has no gear.
+/// Empty if the scene has no gear.
 std::vector<RopeTensions> find_rope_tensions(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                              const Response& answer);
 

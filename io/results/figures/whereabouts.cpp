@@ -15,12 +15,12 @@ namespace netloft::results {
 
 namespace {
 
-// Measured on both sides [m]: netting of the library's gears, which no bed carries, lies up to 0.31 m below
-// it; a float on a line that is longer than the water is deep is 2 m in the air, and a depth mistaken is
-// more.
+// Separates harmless depths from faults, both measured [m]: netting of the library's gears that does not
+// touch the bed by an element reaches up to 0.31 m below it. A float on a line longer than the water depth is
+// 2 m in the air, and a wrong depth gives more.
 constexpr double kClearly = 0.5;
 
-/// The part that is furthest beyond a limit, and how many others are, too.
+/// The part that is furthest beyond a limit, and the number of parts that are beyond it.
 struct Beyond {
   double most = kClearly;
   std::string part;
@@ -67,7 +67,8 @@ class Whereabouts {
     return at[2] - loaded_.scene.bed.at(at[0], at[1])[0];
   }
 
-  /// Parts that water drags or lifts, as far down as it is there and further.
+  /// Parts with drag or buoyancy that does not end at the surface. Warps, and parts with an element that
+  /// knows the surface, are left out.
   std::set<std::string> feel_water_anywhere() const {
     std::set<std::string> feel, know_surface;
     for (const auto& f : answer_.forces) {
@@ -144,7 +145,7 @@ class Whereabouts {
                                   loaded_.gear->footrope, one.above));
   }
 
-  /// Whether all nodes of a part are nodes of the footrope, whatever the part is called.
+  /// Whether all nodes of a part are nodes of the footrope. The name of the part does not matter.
   bool stands_on_footrope(std::uint32_t p) const {
     if (!loaded_.gear) return false;
     for (const auto& rope : loaded_.scene.parts)

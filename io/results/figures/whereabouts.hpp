@@ -8,9 +8,9 @@
 
 namespace netloft::results {
 
-/// Sentences for a gear that is where nobody means it to be, which no equation forbids: parts above the
-/// surface, where the model has water all the same unless an element knows the surface; parts below the bed;
-/// and a gear made to rest on the bed of which nothing, or no footrope, touches it. Warps of a ship, which
+/// Returns sentences about implausible positions of the gear that no equation forbids: parts above the
+/// surface (the model has water there too, unless an element knows the surface), parts below the bed, and a
+/// gear made to rest on the bed of which no part, or no footrope, touches the bed. Warps of a ship, which
 /// begin in the air, are left out.
 std::vector<std::string> whereabouts_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                               const Response& answer);

@@ -8,13 +8,13 @@
 
 namespace netloft::results {
 
-/// The outline of a rigid body, such as an otter board, where it is at a state.
+/// The outline of a rigid body, such as an otter board, at its position in one state.
 struct BodyPlate {
-  std::uint32_t dot = 0;                           // its own element, of StoredMesh::dots
-  std::vector<std::array<double, 3>> triangles{};  // three corners each, in the world [m]
+  std::uint32_t dot = 0;                           // the body's own element, an index into StoredMesh::dots
+  std::vector<std::array<double, 3>> triangles{};  // three corners each, in world coordinates [m]
 };
 
-/// The outlines of all bodies that have one and an element of their own.
+/// The outlines of all bodies that have both an outline and an element of their own.
 std::vector<BodyPlate> plates_of(const StoredShape& stored, std::size_t state);
 
 }  // namespace netloft::results

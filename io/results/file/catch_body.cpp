@@ -12,7 +12,7 @@ namespace {
 
 using Side = std::array<std::uint32_t, 2>;
 
-/// How many triangles with catch, and how many without, a side has.
+/// The number of triangles on a side that have catch, and the number of those without.
 struct Neighbours {
   int with = 0, without = 0;
 };

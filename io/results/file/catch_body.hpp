@@ -8,10 +8,11 @@
 
 namespace netloft::results {
 
-/// The place of the catch: the triangles of netting that it presses on, and the rim of its front.
+/// The extent of the catch: the triangles of netting under its pressure, and the edge of its front.
 struct CatchBody {
-  std::vector<std::uint32_t> triangles;           // of StoredMesh::triangles
-  std::vector<std::array<std::uint32_t, 2>> rim;  // sides of these that border on netting without catch
+  std::vector<std::uint32_t> triangles;  // indices into StoredMesh::triangles
+  // edges between a triangle with catch and one without
+  std::vector<std::array<std::uint32_t, 2>> rim;
 };
 
 /// The catch at a state; empty if the result has none.

@@ -14,7 +14,7 @@ namespace {
 
 using Where = DimensionEnd::Where;
 
-/// The middle of a rope that goes from side to side; that of a half starts there.
+/// The middle of a rope from side to side; the rope of a half gear starts there.
 std::uint32_t middle_of(const std::vector<std::uint32_t>& rope, bool is_half) {
   return rope[is_half ? 0 : rope.size() / 2];
 }
@@ -26,7 +26,7 @@ Dimension spread_of(const std::string& name, const std::vector<std::uint32_t>& r
           starboard};
 }
 
-/// Nodes that are held, and not by the plane of symmetry alone.
+/// Nodes that a hold other than the plane of symmetry acts on.
 std::vector<std::uint32_t> held_nodes(const StoredShape& stored) {
   const auto reaction = stored.node_field("reaction", stored.times.size() - 1);
   std::vector<std::uint32_t> held;
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> held_nodes(const StoredShape& stored) {
   return held;
 }
 
-/// Between the points that a gear is towed at: one of a half, or two on both sides.
+/// Adds the distance between the towing points: two points, or one point of a half gear and its mirror image.
 void add_towing_spread(const StoredShape& stored, std::vector<Dimension>& all) {
   const auto held = held_nodes(stored);
   if (held.size() == 1 && stored.result.is_half())
@@ -50,7 +50,8 @@ std::string name_aboard(const StoredBody& body) {
   return body.name;
 }
 
-/// Between a body to port and the one to starboard: that of a half and its image, or two of a pair.
+/// Adds the distance between the port and the starboard body: two bodies of a pair, or one of a half gear and
+/// its mirror image.
 void add_body_spreads(const StoredShape& stored, std::vector<Dimension>& all) {
   for (const auto& body : stored.bodies) {
     if (body.is_to_port) continue;

@@ -15,17 +15,18 @@ struct DimensionEnd {
   std::uint32_t node = 0;
 };
 
-/// A length that is written beside the gear, between two places that move with it.
+/// A length that is drawn beside the gear, between two points that move with the gear.
 struct Dimension {
   std::string name;
   DimensionEnd from, to;
 };
 
-/// Height of the headline and the spreads of the wings, between the places that the figures of the gear are
-/// measured between (io/results/figures/gear_figures.hpp). None without a headline.
+/// The height of the headline and the spreads of the wings, between the points that define these figures of
+/// the gear (io/results/figures/gear_figures.hpp). Empty without a headline.
 std::vector<Dimension> dimensions_of(const StoredShape& stored);
 
-/// The place of an end [m] by the positions of a state, 3 per node; `other` is the first end of the line.
+/// The position of a dimension's end [m], from the node positions of a state (3 per node). `other` is the
+/// first end of the line.
 std::array<double, 3> place_of(const DimensionEnd& end, const StoredShape& stored,
                                const std::vector<double>& points, const std::array<double, 3>& other);
 

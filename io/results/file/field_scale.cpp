@@ -9,10 +9,12 @@ namespace netloft::results {
 
 namespace {
 
-constexpr double kLeastOfLargest = 1e-4;  // where a logarithmic scale begins, relative to its end
-constexpr std::size_t kBeyond = 50;       // one of so many values lies beyond either end of the middle
-constexpr std::size_t kSample = 20000;    // values of one state that the middle is found from, at most
-constexpr double kTicks = 6;              // of a legend, at most
+// lower end of a logarithmic scale relative to its upper end, at least
+constexpr double kLeastOfLargest = 1e-4;
+// one value in so many is left out at either end of the middle range
+constexpr std::size_t kBeyond = 50;
+constexpr std::size_t kSample = 20000;  // most values of one state used to find the middle range
+constexpr double kTicks = 6;            // most ticks of a legend
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.
 double round_below(double most) {
@@ -34,7 +36,7 @@ std::vector<double> round_steps(double lo, double hi) {
   return ticks;
 }
 
-/// 1, 10, 100 … or, over less than two decades, 1, 2, 5, 10 ….
+/// Returns 1, 10, 100 …, or 1, 2, 5, 10 … if the range is shorter than two decades.
 std::vector<double> round_powers(double lo, double hi) {
   const bool is_short = hi < 100 * lo;
   std::vector<double> ticks;
@@ -109,7 +111,7 @@ Scale FieldSpread::logarithmic(bool middle) const {
 
 FieldSpreads spreads_of(const StoredShape& stored, const std::string& field) {
   FieldSpreads spreads;
-  // Stages of a solve do not count: they are not equilibria.
+  // Only the last state of a static solve counts: its earlier stages are not equilibria.
   const std::size_t first = stored.stages.empty() ? 0 : stored.times.size() - 1;
   for (std::size_t state = first; state < stored.times.size(); ++state) {
     const auto values = stored.field(field, state);

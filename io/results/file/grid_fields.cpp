@@ -12,9 +12,9 @@ namespace netloft::results {
 
 namespace {
 
-/// Whether the elements of a family become cells of the picture: elements between their own nodes, and
-/// elements on single nodes and on the origins of bodies. Elements between other parts' nodes and elements
-/// that ride on drawn elements would hide those.
+/// Whether the elements of a family become cells of the picture. Elements between their own nodes, on single
+/// nodes and on origins of bodies do. Elements between other parts' nodes, and elements on elements that are
+/// already drawn, do not, because they would hide those.
 bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
   if (family.type().element.stencil == NETLOFT_NODE || family.type().is_on_body()) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
@@ -22,14 +22,15 @@ bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
 
 using PanelPoint = std::array<double, 2>;  // U, V [meshes]
 
-/// The place of each node of the scene on a panel. A node of a seam that closes the panel has two places.
+/// The panel coordinates of each node of the scene. A node on a seam that closes the panel has two pairs of
+/// coordinates.
 class PanelPlaces {
  public:
   explicit PanelPlaces(const scenes::PartGeometry& part) {
     for (std::size_t own = 0; own < part.panel.size(); ++own)
       places_.emplace(part.nodes[own], part.panel[own]);
   }
-  /// The place of `node` that is nearest to `near`; NaN if the panel has none.
+  /// The coordinates of `node` that are nearest to `near`; NaN if the node is not on the panel.
   PanelPoint nearest(std::uint32_t node, const PanelPoint& near) const {
     PanelPoint best{kNone, kNone};
     double least = std::numeric_limits<double>::infinity();
@@ -42,7 +43,8 @@ class PanelPlaces {
     }
     return best;
   }
-  /// The place of the first of `nodes` that has only one, to tell apart those of the others.
+  /// The coordinates of the first of `nodes` that has only one pair; they select among the pairs of the other
+  /// nodes.
   PanelPoint anchor(std::span<const std::uint32_t> nodes) const {
     for (const auto node : nodes)
       if (places_.count(node) == 1) return places_.find(node)->second;
@@ -54,8 +56,7 @@ class PanelPlaces {
   std::multimap<std::uint32_t, PanelPoint> places_;
 };
 
-/// U, V of three corners; NaN where there is no panel, and where netting is gathered so that two corners are
-/// one node.
+/// U, V of three corners; NaN without a panel, and for gathered netting, where two corners are one node.
 std::array<double, 6> corners_on_panel(const PanelPlaces& panel, std::span<const std::uint32_t> nodes) {
   std::array<double, 6> corners;
   corners.fill(kNone);
@@ -70,7 +71,7 @@ std::array<double, 6> corners_on_panel(const PanelPlaces& panel, std::span<const
   return corners;
 }
 
-/// The cells of the elements of each family.
+/// Assigns cells to the elements of each family.
 class CellsOfFamilies {
  public:
   static constexpr std::size_t kNoCell = std::numeric_limits<std::size_t>::max();
@@ -85,7 +86,7 @@ class CellsOfFamilies {
     }
   }
   std::size_t count() const { return count_; }
-  /// The cell of every element of a family; empty if it has none.
+  /// The cell of every element of a family; empty if the family has no cells.
   std::vector<std::size_t> of(std::size_t f) const {
     const ElementFamily& family = *assembler_.families()[f];
     const bool is_own = is_drawn(loaded_, family);

@@ -4,8 +4,8 @@
 
 namespace netloft::results {
 
-// The places of a Result below /netloft (io/formats/hdf5/LAYOUT.md), each named once. `file` is a
-// RecordWriter and `r` a constant Result, or a RecordReader and a Result to fill.
+// Names the place of every member of a Result below /netloft once (io/formats/hdf5/LAYOUT.md). `file` and `r`
+// are a RecordWriter and a constant Result, or a RecordReader and the Result that it fills.
 
 template <class File, class AnyOrigins>
 void visit_origins(File&& file, AnyOrigins& o) {
@@ -171,7 +171,7 @@ void visit_others(File&& file, AnyResult& r) {
   });
 }
 
-/// Facts that are known when a run has ended, but for numbers by name and forces.
+/// Facts that are known when a run has ended, except named numbers and forces.
 template <class File, class AnyResult>
 void visit_ending(File&& file, AnyResult& r) {
   file.attribute("status", "outcome", r.outcome);

@@ -4,7 +4,7 @@
 
 namespace netloft::results {
 
-/// Stands for a number that a field or a table does not have.
+/// Marks the absence of a number in a field or a table.
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace netloft::results

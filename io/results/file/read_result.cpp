@@ -13,7 +13,7 @@ namespace netloft::results {
 
 namespace {
 
-constexpr std::ptrdiff_t kDeepestGroup = 16;  // groups within groups: a group that holds itself has no end
+constexpr std::ptrdiff_t kDeepestGroup = 16;  // nesting limit: a group that contains itself has no end
 
 void require_result(const formats::Reader& reader, const std::string& path) {
   if (!reader.has("/netloft"))
@@ -41,7 +41,8 @@ void walk(const formats::Reader& reader, const std::string& group, const std::st
   }
 }
 
-/// Names that the file does not list, as in one of an older version, follow by the alphabet.
+/// Sorts numbers in the listed order. Names that the file does not list, as in older versions, follow in
+/// alphabetical order.
 void put_in_order(const std::vector<std::string>& order, std::vector<NamedScalar>& named) {
   std::map<std::string, std::size_t> places;
   for (const auto& name : order) places.emplace(name, places.size());
@@ -89,7 +90,7 @@ void read_forces(const formats::Reader& reader, Result& result) {
     result.balance = row_of(sum, 0);
 }
 
-/// The last of every series of the energy budget.
+/// Reads the last value of every energy series.
 void read_energies(const formats::Reader& reader, const std::string& path, Motion& motion) {
   walk(reader, kRoot + "series/energy/", path, [&](const std::string& name, const std::string& at) {
     if (const auto values = reader.reals(at); !values.empty()) motion.energies[name] = values.back();

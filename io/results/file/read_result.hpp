@@ -7,9 +7,9 @@
 
 namespace netloft::results {
 
-/// Reads a result file, or the outputs so far of a motion that runs or was killed, without its shapes.
-/// Members that an older version did not write keep their defaults; `notes` says so. Throws FileError with a
-/// sentence if the file cannot be read, is not a result of this program, or was written in a newer format.
+/// Reads a result file, or the outputs so far of a motion that is running or was killed, without its shapes.
+/// Members that an older version did not write keep their defaults, and `notes` lists them. Throws FileError
+/// with a sentence if the file cannot be read, is not a result of this program, or has a newer format.
 Result read_result(const std::filesystem::path& path);
 
 /// The same from a file that is open already.

@@ -14,9 +14,10 @@
 
 namespace netloft::results {
 
-// The two ways through layout.hpp, which names every member of a Result once, with its place below /netloft.
+// The writer and the reader for layout.hpp, which names every member of a Result once, with its place below
+// /netloft.
 
-/// Writes a Result. Lists that are empty are left out.
+/// Writes a Result, without its empty lists.
 class RecordWriter {
  public:
   explicit RecordWriter(formats::Tree& tree) : tree_(tree) {}
@@ -58,7 +59,7 @@ class RecordWriter {
     else
       tree_.write_reals(kRoot + at, gathered<double>(rows, member), unit, doc);
   }
-  /// A part that not every result has. In a file it is there if the dataset, group or attribute `at` is.
+  /// A part of the result that may be absent. The file has it if the dataset, group or attribute `at` exists.
   template <class Part, class Visit>
   void sometimes(const std::string&, const std::optional<Part>& part, const Visit& visit) {
     if (part) visit(*part);
@@ -76,7 +77,7 @@ class RecordWriter {
   formats::Tree& tree_;
 };
 
-/// Reads a Result. A member that the file does not have keeps its value.
+/// Reads a Result. A member that is missing in the file keeps its value.
 class RecordReader {
  public:
   RecordReader(const formats::Reader& reader, std::string file) : reader_(reader), file_(std::move(file)) {}

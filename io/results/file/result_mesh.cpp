@@ -13,7 +13,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Makes one mesh; members are steps in the order they happen.
+/// Makes one mesh. The member functions are the steps, in the order of execution.
 class ResultMesh {
  public:
   ResultMesh(const StoredShape& stored, std::size_t state)
@@ -74,7 +74,7 @@ class ResultMesh {
     return n[0] == n[1] || n[1] == n[2] || n[0] == n[2];
   }
 
-  /// Bars in the order of their rope, each with its share of the unstretched length.
+  /// Adds the bars of a part in the order of their rope, each with its fraction of the unstretched length.
   void add_bars(std::uint32_t part) {
     formats::MeshRegion region{formats::RegionKind::bars, name_of_part(part)};
     std::vector<double> ends{0};

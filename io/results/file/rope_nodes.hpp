@@ -8,7 +8,7 @@
 
 namespace netloft::results {
 
-/// Nodes of a rope from its start to its end; none if there is no such rope.
+/// Nodes of a rope from its start to its end; empty if there is no such rope.
 std::vector<std::uint32_t> nodes_of_rope(const StoredShape& stored, const std::string& name);
 
 }  // namespace netloft::results

@@ -13,11 +13,12 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// Blocks that are farther apart than any trawler is wide belong to two ships.
+// Blocks farther apart than the width of any trawler belong to two ships.
 constexpr double kWidestShip = 40;                // [m]
-constexpr double kNarrowestShip = 4, kBeam = 10;  // [m]; the latter where blocks do not say it
+constexpr double kNarrowestShip = 4, kBeam = 10;  // [m]; kBeam is used if the blocks do not determine a beam
 
-// Outlines, in parts of the length ahead of the stern and of half of the beam to starboard.
+// Outlines: distance ahead of the stern as a fraction of the length, distance to starboard as a fraction of
+// half the beam.
 const std::vector<std::array<double, 2>> kHull = {{0, 1},       {0.65, 1},  {0.87, 0.6}, {1, 0},
                                                   {0.87, -0.6}, {0.65, -1}, {0, -1}},
                                          kHouse = {{0.5, 0.7}, {0.7, 0.7}, {0.7, -0.7}, {0.5, -0.7}};
@@ -35,7 +36,7 @@ std::set<std::string> warps_of(const StoredShape& stored) {
   return has_ship ? warps : std::set<std::string>{};
 }
 
-/// The upper ends of the warps, those of the half that was left out included.
+/// The upper ends of the warps, with the mirror images for a half gear.
 std::vector<Point> blocks_of(const StoredShape& stored, std::size_t state) {
   std::vector<Point> blocks;
   const auto points = stored.points(state);
@@ -52,7 +53,7 @@ std::vector<Point> blocks_of(const StoredShape& stored, std::size_t state) {
   return blocks;
 }
 
-/// A prism between two outlines with as many corners, closed above and below.
+/// Adds a prism between two outlines with equally many corners, closed above and below.
 void add_prism(const std::vector<Point>& below, const std::vector<Point>& above, std::vector<Point>& out) {
   for (std::size_t i = 0; i < below.size(); ++i) {
     const std::size_t next = (i + 1) % below.size();

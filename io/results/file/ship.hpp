@@ -9,14 +9,15 @@ namespace netloft::results {
 
 /// A ship that tows the gear.
 struct TowingShip {
-  std::array<double, 3> stern{};  // middle between its blocks, at their height over the water [m]
+  std::array<double, 3> stern{};  // midpoint between the ship's blocks, at their height above the water [m]
   double beam = 0;                // [m]
 };
 
-/// The ships of a result that has one in its plan: one, or the two of a pair trawl.
+/// The ships of a result whose plan has any: one, or the two of a pair trawl.
 std::vector<TowingShip> ships_of(const StoredShape& stored, std::size_t state);
 
-/// A hull and a house as triangles, three corners each [m]. A sign for a ship: a plan has its blocks alone.
+/// Hull and house as triangles, three corners each [m]. They are a symbol only, because a plan has no ship
+/// but its blocks.
 std::vector<std::array<double, 3>> triangles_of(const TowingShip& ship);
 
 }  // namespace netloft::results

@@ -10,7 +10,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Own number -> node, of every part.
+/// Maps the number within a part to the node.
 using PartNumbers = std::map<std::uint32_t, std::uint32_t>;
 
 std::vector<PartNumbers> numbers_of(const StoredShape& stored) {
@@ -34,7 +34,7 @@ bool are_alike(const PartNumbers& a, const PartNumbers& b) {
                     [](const auto& p, const auto& q) { return p.first == q.first; });
 }
 
-/// Carries one part after the other; members are the ways to do so.
+/// Carries over one part after another. Each carry_ function is one method.
 class Carrier {
  public:
   Carrier(const StoredShape& stored, const scenes::LoadedScene& loaded)
@@ -67,9 +67,9 @@ class Carrier {
   }
 
  private:
-  /// Which half of a part the result has: that to starboard of one in the middle, or of a pair the one to
-  /// starboard, of which that to port is the mirror image. Halves and wholes number the nodes of netting and
-  /// ropes in other ways.
+  /// Which half of a part the result has. The starboard half of a part in the middle, or the starboard part
+  /// of a pair, serves both sides by its mirror image. Half and whole gears number the nodes of netting and
+  /// ropes differently.
   enum class Side { all, both, starboard, port };
   struct Source {
     std::optional<std::uint32_t> part;
@@ -106,7 +106,7 @@ class Carrier {
     }
   }
 
-  /// Carries a part of a half result, which is to starboard, to both halves of the scene.
+  /// Carries a part of a half (starboard) result over to both halves of the scene.
   void carry_halves(std::uint32_t there, std::size_t here) {
     if (is_rope(here)) {
       if (const Part rope = rope_of(there); !rope.nodes.empty())
@@ -126,7 +126,7 @@ class Carrier {
     return node + static_cast<std::uint32_t>(x_.size() / 3);
   }
 
-  /// From port to starboard, of a rope that starts on the plane.
+  /// The whole rope from port to starboard, made from a half that starts on the plane of symmetry.
   Part whole_rope(const Part& half) const {
     Part whole;
     for (auto node = half.nodes.rbegin(); node != half.nodes.rend(); ++node)
@@ -139,7 +139,7 @@ class Carrier {
     return whole;
   }
 
-  /// Places to port have a negative U.
+  /// The whole panel, made from a half. Places to port have a negative U.
   Part whole_panel(const Part& half) const {
     Part whole = half;
     for (const auto node : half.nodes) whole.nodes.push_back(image_of(node));
@@ -163,7 +163,7 @@ class Carrier {
     return rope;
   }
 
-  /// The triangles of a panel in the result, with the places of their corners in meshes.
+  /// The triangles of a panel in the result, with the coordinates of their corners in meshes.
   Part panel_of(std::uint32_t part) const {
     Part panel;
     std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];
@@ -182,7 +182,8 @@ class Carrier {
     return panel;
   }
 
-  /// All nodes of a panel of the scene as corners of triangles, the last ones more than once to fill them up.
+  /// All nodes of a panel of the scene as corners of triangles; the last node is repeated to complete a
+  /// triangle.
   static Part places_of(const scenes::PartGeometry& geometry) {
     Part panel;
     std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];
@@ -197,7 +198,7 @@ class Carrier {
 
   const StoredShape& stored_;
   const scenes::LoadedScene& loaded_;
-  std::vector<double> x_, images_, positions_;  // images_: across the plane of symmetry, y = 0
+  std::vector<double> x_, images_, positions_;  // images_: x_ mirrored in the plane of symmetry, y = 0
 };
 
 }  // namespace

@@ -12,10 +12,10 @@ namespace netloft::results {
 
 namespace {
 
-// Fields that are made of others: the larger tension of the two twine directions, the opening of meshes, and
-// the force of the water by the length of a rope and the area of netting.
+// Derived fields: the larger tension of the two twine directions, the opening of meshes, and the water force
+// per length of rope or area of netting.
 constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
-// Sums over an element: larger elements have more of them.
+// Totals over an element, which grow with its size.
 constexpr std::array kTotals = {output::kDrag.name, output::kKnots.name, output::kMass.name,
                                 output::kTwineArea.name, output::kVolume.name};
 
@@ -48,7 +48,7 @@ void StoredShape::read_fields() {
   fields.insert(fields.end(), stored.begin(), stored.end());
 }
 
-/// Elements on single nodes with a normal force are where a part touches a bed.
+/// Marks parts on single nodes with a normal force as contacts with a bed.
 void StoredShape::find_contacts() {
   for (const auto& field : fields) {
     if (field.name != output::kNormalForce.name) continue;

@@ -14,7 +14,7 @@ namespace netloft::results {
 
 namespace {
 
-constexpr std::ptrdiff_t kDeepest = 16;  // of groups within groups: one that holds itself has no end
+constexpr std::ptrdiff_t kDeepest = 16;  // limit of nested groups: a group that contains itself has no end
 StoredPart nameless_part() {
   StoredPart part;
   part.diameter = part.bar = kNone;
@@ -164,7 +164,7 @@ void StoredShape::read_bodies() {
   }
 }
 
-/// Refuses a file with more or fewer numbers than its mesh has room for.
+/// Returns the values, or throws FileError if their number does not fit the mesh.
 std::vector<double> StoredShape::whole(std::vector<double> values, std::size_t count,
                                        const std::string& what) const {
   require(values.size() == count, path_,

@@ -12,14 +12,14 @@
 
 namespace netloft::results {
 
-/// A part as the file describes it; NaN marks numbers that it does not have, or that the file is too old to
-/// have.
+/// A part as the file describes it. NaN marks numbers that the part does not have, or that an old file does
+/// not contain.
 struct StoredPart {
   std::string name, type;
-  double diameter = 0, bar = 0;        // of twine, rope or float; of a bar of the meshes [m]
+  double diameter = 0, bar = 0;        // diameter of twine, rope or float; length of a mesh bar [m]
   std::array<double, 4> twine_axes{};  // a, b, c, d: u = a U + b V, v = c U + d V
-  scenes::SheetPlace sheet;            // on the plan
-  // its single nodes are where it touches something, such as a bed, not things to look at
+  scenes::SheetPlace sheet;            // place on the plan
+  // true: its single nodes mark contact with something, such as a bed, and are not drawn
   bool is_contact = false;
 };
 
@@ -33,7 +33,7 @@ struct StoredMesh {
   std::vector<std::uint32_t> cell_part;        // by cell
   std::vector<std::array<double, 6>> corners;  // U, V of the corners, by triangle; NaN where unknown
   std::vector<std::uint32_t> node_part,
-      node_number;  // by node: the part it was made for, and its number there
+      node_number;  // by node: its part, and its number within that part
 };
 
 /// The kind of a cell: netting, a bar of a rope, or an element on a single node.
@@ -45,41 +45,41 @@ struct StoredField {
   std::string name;
   std::array<std::string, kCellKinds> units;  // by kind of cell
   std::string doc;
-  // A total over a cell, which is the larger the larger the cell: nothing to colour by.
+  // whether the value is a total over a cell, which grows with the cell, so that colours would show its size
   bool is_total = false;
 
   const std::string& unit(CellKind kind) const { return units[static_cast<std::size_t>(kind)]; }
 };
 
-/// The bed: a plane z = -depth + slope_x x + slope_y y, and a relief over it where there is one.
+/// The bed: a plane z = -depth + slope_x x + slope_y y, plus a relief if there is one.
 struct StoredBed {
   double depth = 0, slope_x = 0, slope_y = 0;
   std::vector<double> relief_x = {}, relief_y = {}, relief = {};  // places, heights [x][y] [m]
 
-  /// z at a place, straight between the heights of the relief and as at its edges beyond them.
+  /// z at a place: linear between the heights of the relief, constant beyond its edges.
   double height(double x, double y) const;
   bool is_plane() const { return relief.empty(); }
 };
 
-/// A rigid body, such as an otter board. How it is turned is the field `rotation` at its origin.
+/// A rigid body, such as an otter board. The field `rotation` at its origin gives its orientation.
 struct StoredBody {
   std::string name;
   std::uint32_t origin = 0;  // node
   bool is_to_port = false;
-  std::vector<std::array<double, 3>> outline;  // corners of its shape in its own axes [m]
+  std::vector<std::array<double, 3>> outline;  // corners of its shape in body axes [m]
 };
 
-/// A quantity over the outputs of a motion.
+/// A quantity at all outputs of a motion.
 struct StoredSeries {
   std::string name, unit;
   std::vector<double> values;
 };
 
-/// The shapes of a result in its file (io/formats/hdf5/LAYOUT.md): parts and mesh, and positions and fields
-/// of every state, which are read when they are called for.
+/// The shapes of a result in its file (io/formats/hdf5/LAYOUT.md): parts, mesh, and the positions and fields
+/// of every state, which are read on request.
 class StoredShape {
  public:
-  /// Throws FileError with a sentence like read_result(), and if the file holds no shape.
+  /// Throws FileError with a sentence as read_result() does, and also if the file holds no shape.
   explicit StoredShape(const std::filesystem::path& path);
 
   Result result;
@@ -87,15 +87,15 @@ class StoredShape {
   StoredMesh mesh;
   std::vector<StoredBody> bodies;
   std::vector<double> times;
-  std::vector<std::string> stages;  // what each state of a solve is; empty: not kept
+  std::vector<std::string> stages;  // name of each state of a solve; empty: states were not saved
   std::vector<StoredField> fields;
   std::optional<StoredBed> bed;
   std::vector<StoredSeries> series;
 
   std::vector<double> points(std::size_t state) const;
-  /// A field by its name in `fields`, by cell; NaN where a cell has none.
+  /// A field by its name in `fields`, one number per cell; NaN for a cell without a value.
   std::vector<double> field(const std::string& name, std::size_t state) const;
-  /// A field on the nodes, three numbers each; empty if the file has none of that name.
+  /// A field on the nodes, three numbers each; empty if the file has no field of that name.
   std::vector<double> node_field(const std::string& name, std::size_t state) const;
 
  private:
@@ -120,7 +120,7 @@ class StoredShape {
   formats::Reader reader_;
 };
 
-/// The number of the part of this name, if there is one.
+/// The index of the part with this name; empty if there is none.
 std::optional<std::uint32_t> find_part(const StoredShape& shape, const std::string& name);
 
 }  // namespace netloft::results

@@ -24,7 +24,7 @@ double diameter_of(const Part& part) {
   return kNone;
 }
 
-/// The first number of a datum of the part's elements.
+/// The first number of a datum of the part's elements; NaN if the part does not have it.
 double first_of(const Part& part, const HostDatum& datum) {
   const auto* numbers = find_data(part.data, datum);
   return numbers ? numbers->front() : kNone;
@@ -32,9 +32,9 @@ double first_of(const Part& part, const HostDatum& datum) {
 
 using Axes = std::array<double, 4>;
 
-/// (a, b, c, d) of u = a U + b V, v = c U + d V: twine coordinates over panel coordinates, which are linear
-/// on the whole panel, found from the corners of one triangle. Nodes on seams are left out, because they have
-/// the coordinates of another panel's.
+/// (a, b, c, d) of u = a U + b V, v = c U + d V: the twine coordinates as functions of the panel coordinates,
+/// linear over the whole panel, found from the corners of one triangle. Nodes on seams are left out, because
+/// they may have the coordinates of another panel.
 Axes axes_of(const Part& part, const scenes::PartGeometry& geometry) {
   const auto *u = find_data(part.data, datum::kU), *v = find_data(part.data, datum::kV);
   Axes axes{kNone, kNone, kNone, kNone};
@@ -59,7 +59,7 @@ Axes axes_of(const Part& part, const scenes::PartGeometry& geometry) {
   return axes;
 }
 
-/// The rows of the parts in a file: names, types, and the numbers that a picture needs.
+/// The table of parts in a file: names, types, and the numbers that a picture needs.
 struct PartRows {
   std::vector<std::string> names, types;
   std::vector<double> diameters, bars, axes, sheet;
@@ -77,7 +77,8 @@ struct PartRows {
   }
 };
 
-/// A relief on an even grid, for pictures: between its own places it is smooth.
+/// Writes a relief sampled on an even grid, for pictures. The relief itself is smooth between its data
+/// points.
 void write_relief(formats::Tree& tree, const Surface& relief) {
   constexpr std::size_t kPlaces = 65;
   if (relief.empty()) return;
@@ -101,7 +102,7 @@ void write_plane(formats::Tree& tree, const scenes::BedPlane& plane, const char*
   tree.write_real("/netloft/seabed/slope_y", plane.slope_y, "1", doc);
 }
 
-/// The bed of the scene, or that of the first part that has one.
+/// Writes the bed of the scene, or that of the first part that has one.
 void write_seabed(formats::Tree& tree, const Scene& scene) {
   if (scene.bed.is_there) {
     const char* doc = "seabed: z = -depth + slope_x x + slope_y y, and a relief where there is one";
@@ -116,7 +117,8 @@ void write_seabed(formats::Tree& tree, const Scene& scene) {
   }
 }
 
-/// Rigid bodies: names, origins, points and outlines. How they are turned is the point field `rotation`.
+/// Writes rigid bodies: names, origins, points and outlines. The point field `rotation` gives their
+/// orientation.
 void write_bodies(formats::Tree& tree, const scenes::LoadedScene& loaded) {
   if (loaded.bodies.empty()) return;
   std::vector<std::string> names, points;

@@ -5,8 +5,8 @@
 
 namespace netloft::results {
 
-/// Writes the parts: their names, and for pictures diameters, directions of twines, places on the plan, rigid
-/// bodies and the seabed.
+/// Writes the parts: their names and, for pictures, diameters, directions of twines, places on the plan,
+/// rigid bodies and the seabed.
 void write_parts(formats::Tree& tree, const scenes::LoadedScene& loaded);
 
 }  // namespace netloft::results

@@ -28,7 +28,7 @@ struct StateFields {
   std::vector<double> points;
 };
 
-/// `residual` is empty if it is not known.
+/// The fields at positions x. An empty `residual` means that it is not known.
 StateFields fields_at(const scenes::LoadedScene& loaded, const Assembler& assembler,
                       std::span<const double> x, std::span<const double> residual,
                       const FamilyOutputs& outputs) {
@@ -60,7 +60,7 @@ void write_state(formats::ResultFile& file, double number, const StateFields& st
   file.write_state(number, state.points, values);
 }
 
-/// The stages of the solve, if they were kept, and its end.
+/// Writes the states of the solve: its saved stages, if any, and its end.
 void write_picture(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                    const SolvedShapes& shapes) {
   const Solution& s = shapes.end;
@@ -87,7 +87,7 @@ void write_stages(formats::Tree& tree, const SolvedShapes& shapes) {
                      "what each state is: the start, stages of the solve, and its end");
 }
 
-/// Numbers by name, which HDF5 lists by their letters, and the order in which reports have them.
+/// Writes numbers by name, and their order in reports, because HDF5 lists names alphabetically.
 void write_scalars(formats::Tree& tree, const std::string& group, const std::string& errors,
                    const std::vector<NamedScalar>& scalars) {
   std::vector<std::string> order;
@@ -119,7 +119,7 @@ void write_forces(formats::Tree& tree, const Result& result) {
                    "sum of all forces on the gear, those of the holds included");
 }
 
-/// How good an outcome is; the names are those of name_of().
+/// Ranks an outcome, higher is better; the outcomes are those of name_of().
 int rank_of(const std::string& outcome) {
   if (outcome == "converged" || outcome == "finished") return 2;
   return outcome == "unstable" ? 1 : 0;
@@ -129,7 +129,7 @@ std::string outcome_in(const std::filesystem::path& result) {
   try {
     return formats::Reader(result).text_attribute("/netloft/status", "outcome");
   } catch (const formats::FileError&) {
-    return {};  // no result of ours, which is kept as NAME.hdf~ like any
+    return {};  // not a result of this program; it is kept as NAME.hdf~ like any replaced file
   }
 }
 

@@ -14,30 +14,30 @@ struct RunContext {
 };
 Origins make_origins(const scenes::LoadedScene& loaded, const RunContext& context);
 
-/// The shape in which a stage of the solve ended.
+/// The shape at the end of a stage of the solve.
 struct StageShape {
   std::string name;       // "coarse: converged"
   std::vector<double> x;  // positions over all dofs
 };
 
-/// The shapes of a solve, which a Result does not hold.
+/// The shapes of a solve, which a Result does not contain.
 struct SolvedShapes {
   const Solution& end;
-  std::vector<StageShape> stages = {};  // before the end; empty: not kept
+  std::vector<StageShape> stages = {};  // stages before the end; empty: they were not saved
 };
 
 /// Writes the facts that are known when a run begins.
 void write_inputs(formats::Tree& tree, const scenes::LoadedScene& loaded, const Result& result);
 
-/// Writes the facts that are known when a run of any kind has ended, but for shapes and forces.
+/// Writes the facts that are known when a run of any kind has ended, except shapes and forces.
 void write_ending(formats::Tree& tree, const Result& result);
 
-/// The name of a result with this outcome: `wanted`, or NAME.not-converged.hdf beside it if the result that
-/// is there is better. A worse result never replaces a better one.
+/// The path for a result with this outcome: `wanted`, or NAME.not-converged.hdf beside it if the existing
+/// result has a better outcome. A worse result never replaces a better one.
 std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome);
 
-/// Writes a static result with its shapes into `file`, as described in io/formats/hdf5/LAYOUT.md, and
-/// finishes it as `result.path`.
+/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md) and completes it as
+/// `result.path`.
 void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                   const SolvedShapes& shapes, const Result& result);
 

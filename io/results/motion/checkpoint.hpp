@@ -6,10 +6,10 @@
 
 namespace netloft::results {
 
-/// The state from which a march continues, as bytes in a journal beside the output.
+/// Packs the state from which a march continues into bytes for a journal beside the output.
 std::string pack_checkpoint(const MarchState& state);
 
-/// The same state, to the bit. Throws FileError if the bytes are none.
+/// Restores the same state, bit by bit. Throws FileError if the bytes are not a packed state.
 MarchState unpack_checkpoint(const std::string& bytes);
 
 }  // namespace netloft::results

@@ -41,7 +41,7 @@ class LossWatch {
       compare({at.t, totals, v});
     before_ = {at.t, totals, v};
   }
-  /// None before the second output.
+  /// Empty before the second output.
   std::optional<NumericalLoss> loss() const { return loss_; }
 
  private:
@@ -84,7 +84,7 @@ class LossWatch {
   std::optional<NumericalLoss> loss_;
 };
 
-/// Boards that have lain over or pushed inward, each since when first.
+/// Remembers which boards have fallen or pushed inward, and when each did so first.
 class BoardWatch {
  public:
   void note(double t, const std::vector<FallenBoard>& fallen) {
@@ -98,7 +98,7 @@ class BoardWatch {
   std::vector<std::string> warnings_;
 };
 
-/// One run; the journal is made at the first output, because the content of an output is known only then.
+/// One run. The journal is created at the first output, because only then the content of an output is known.
 class MotionRun {
  public:
   MotionRun(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options)
@@ -130,7 +130,8 @@ class MotionRun {
   }
 
  private:
-  /// Elements remember that they are there, as in an equilibrium to start from.
+  /// The state of rest at u. Elements store u as their last accepted state, as at an equilibrium that starts
+  /// a motion.
   MarchState rest_at(std::span<const double> u) {
     runs::remember(scene_, u);
     return state_at_rest(scene_.assembler(), u);
@@ -165,13 +166,15 @@ class MotionRun {
     ++outputs_;
   }
   void begin_journal() {
-    result_.materials = find_bill(loaded_);  // the search for the start may have set lengths in it
+    // The search for the start may have set lengths in the bill.
+    result_.materials = find_bill(loaded_);
     const auto origins =
         formats::hdf5_image([&](formats::Tree& tree) { write_inputs(tree, loaded_, result_); });
     journal_.emplace(formats::SeriesJournal::create(part_path(), options_.identity, origins, layout_));
   }
 
-  /// The run was killed after its last output: only the result has to be made.
+  /// Restores the last output of a killed run that had finished marching, so that only the result has to be
+  /// made.
   void recall_last_output() {
     describe_layout_of_killed(*from_);
     journal_->require_layout(layout_);
@@ -188,7 +191,7 @@ class MotionRun {
       result_.figures.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
   }
 
-  /// Finds the content of an output by making one at the point of continuation.
+  /// Finds the layout of an output by making one at the point of continuation.
   void describe_layout_of_killed(const MarchState& from) {
     Assembler& assembler = scene_.assembler();
     MovingState state(assembler, 0);
@@ -237,7 +240,7 @@ class MotionRun {
     return state;
   }
 
-  /// Outputs of elements at the moment of the forces, which is one for all outputs within a step, and
+  /// Outputs of elements at the time of the forces, which is the same for all outputs within a step, with the
   /// positions of the output.
   const Response& answer_at(const ForceMoment& forces, std::span<const double> x) {
     if (!answered_at_ || *answered_at_ != forces.t) {
@@ -248,7 +251,7 @@ class MotionRun {
     return answer_;
   }
 
-  /// Sums of forces have a use in figures of gears and bodies alone.
+  /// Whether sums of forces are needed: only figures of gears and bodies use them.
   bool has_figures() const { return loaded_.gear || !loaded_.scene.bodies.empty(); }
 
   void add_point_fields(const Snapshot& at, const Solution& solution, formats::SeriesState& state) {
@@ -290,7 +293,8 @@ class MotionRun {
     }
   }
 
-  /// Figures of the first output have a column each for the whole motion; NaN where a later one lacks them.
+  /// Adds the figures of the gear. Figures of the first output get a column for the whole motion; NaN if a
+  /// later output lacks one.
   void add_gear(const Snapshot& at, const Response& answer, formats::SeriesState& state) {
     result_.figures = find_figures(loaded_, scene_.assembler(), answer);
     add_warp_figures(loaded_, scene_.assembler(), at, result_.figures);
@@ -314,14 +318,14 @@ class MotionRun {
     return columns;
   }
 
-  /// If outputs lie between steps, forces are those of the end of a step.
+  /// Adds the time of the forces: for outputs between steps, forces are those at the end of a step.
   void add_moment_of_forces(const Snapshot& at, formats::SeriesState& state) {
     if (!loaded_.analysis.dynamics.march.dense) return;
     layout_.columns.push_back({"forces_time", "s", "end of the step to which forces and outputs belong"});
     state.row.push_back(at.forces.t);
   }
 
-  /// How the march went, and the warnings of its outputs.
+  /// Takes over the outcome and statistics of the march, and the warnings of its outputs.
   void note_march(const MarchResult& march) {
     Motion& m = *result_.motion;
     const scenes::Dynamics& d = loaded_.analysis.dynamics;
@@ -375,11 +379,11 @@ class MotionRun {
   std::optional<OutputFields> fields_;
   formats::SeriesLayout layout_;
   std::optional<std::vector<formats::SeriesColumn>> gear_columns_;  // known from the first output on
-  Response answer_;                                                 // of answered_at_ [s]
+  Response answer_;                                                 // at the time answered_at_ [s]
   std::optional<double> answered_at_;
   std::optional<MarchState> from_;
   std::optional<formats::SeriesJournal> journal_;
-  std::size_t outputs_ = 0, outputs_before_ = 0;  // in the journal now, and before this run
+  std::size_t outputs_ = 0, outputs_before_ = 0;  // outputs in the journal now, and before this run
   std::vector<std::string> energies_;             // in the order of their columns
   Result result_;
 };

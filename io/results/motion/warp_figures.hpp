@@ -6,8 +6,8 @@
 
 namespace netloft::results {
 
-/// Figures of the warps that only a motion has: their present length, the load on their blocks, and how fast
-/// a winch that holds a tension pays out. They take the place of figures of the same name.
+/// Adds the figures of warps that exist only in a motion: their present length, the load on their blocks, and
+/// the speed at which a constant-tension winch pays out. They replace figures of the same name.
 void add_warp_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Snapshot& at,
                       std::vector<NamedScalar>& gear);
 

@@ -10,8 +10,8 @@ namespace netloft::results {
 
 namespace {
 
-/// An array of all states, every one with rows of its own from offsets[state] on. The place of a state in the
-/// file is written between two texts that are the same for all.
+/// An array of all states; the rows of a state begin at offsets[state]. In the text, the position of a state
+/// in the file is written between `before` and `after`, which are the same for all states.
 struct SteppedArray {
   std::string before, after;
   std::uint64_t place;  // of the array in the file [bytes]
@@ -26,8 +26,8 @@ struct SteppedArray {
   }
 };
 
-/// The begin of a reference to numbers in the file. References do not select rows by HDF5, because XDMF 3
-/// counts their beginning along the other dimension than XDMF 2.
+/// The beginning of a reference to numbers in the file. References do not select rows by HDF5, because XDMF 2
+/// and XDMF 3 count the start of a selection along different dimensions.
 const char* const kItem =
     "<DataItem Format=\"Binary\" NumberType=\"{}\" Precision=\"8\" Endian=\"Little\" Seek=\"";
 
@@ -41,7 +41,7 @@ SteppedArray array_at(const formats::Reader& reader, const std::string& path, co
           reader.place(path), columns, reader.integers(offsets_path)};
 }
 
-/// Scalars and vectors; numbers of parts and places on panels are neither.
+/// Returns scalar and vector fields; part numbers and panel coordinates are left out.
 std::vector<SteppedArray> fields_of(const formats::Reader& reader, const std::string& file) {
   std::vector<SteppedArray> arrays;
   for (const auto& [group, center] : {std::pair{"PointData", "Node"}, {"CellData", "Cell"}}) {

@@ -4,9 +4,9 @@
 
 namespace netloft::results {
 
-/// Writes NAME.xdmf beside a finished NAME.hdf with several states: the same series for viewers that read one
-/// state of a VTKHDF group only (ParaView before 5.12). It refers to bytes of the HDF5 file, where arrays
-/// lie in one piece, and contains no numbers.
+/// Writes NAME.xdmf beside a finished NAME.hdf with several states, for viewers that read only one state of a
+/// VTKHDF group (ParaView before 5.12). The file refers to byte ranges of the HDF5 file, whose arrays are
+/// contiguous, and contains no numbers.
 void write_xdmf(const std::filesystem::path& result);
 
 }  // namespace netloft::results

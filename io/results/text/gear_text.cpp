@@ -32,18 +32,18 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
 struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
-  bool is_of_all = false;  // whoever has only such figures has no row
+  bool is_of_all = false;  // true: a member that has only such figures gets no row
   double factor = 1;       // from SI units to those of the heading
 };
 
-/// The number with its error, if the mesh has a part in it that is known.
+/// The number with its error, if a mesh error is known.
 std::string cell_of(const NamedScalar* scalar, const Column& column, double round_off) {
   if (!scalar || !std::isfinite(scalar->value)) return "-";
   const double value = std::abs(scalar->value) <= round_off ? 0 : scalar->value;
   return measured(column.factor * value, column.factor * total_error(*scalar), column.format);
 }
 
-/// Round-off of the largest number among the members of some columns.
+/// Round-off of the largest value in some columns.
 double round_off_of(const std::vector<NamedScalar>& figures, const std::vector<Column>& columns,
                     const std::vector<std::string>& members) {
   double largest = 0;
@@ -55,7 +55,7 @@ double round_off_of(const std::vector<NamedScalar>& figures, const std::vector<C
   return kTableRoundOff * largest;
 }
 
-/// Makes a row for every member of the columns' groups; no table without rows.
+/// Adds a table with a row for every member of the columns' groups; no table if there are no rows.
 void add_table(const std::vector<NamedScalar>& figures, const std::string& title,
                const std::vector<Column>& columns, std::vector<FigureTable>& tables) {
   std::vector<std::string> members;
@@ -76,7 +76,7 @@ void add_table(const std::vector<NamedScalar>& figures, const std::string& title
   if (!table.rows.empty()) tables.push_back(std::move(table));
 }
 
-/// Letters, of which some take several bytes.
+/// Number of letters, of which some have several bytes.
 std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -106,7 +106,7 @@ void write(const FigureTable& table, Out out) {
   }
 }
 
-/// A figure in the unit in which its trade speaks of it.
+/// Converts a figure to the unit that is usual in the trade.
 NamedScalar in_spoken_unit(NamedScalar figure) {
   static constexpr struct {
     const char *unit, *spoken;
@@ -122,7 +122,7 @@ NamedScalar in_spoken_unit(NamedScalar figure) {
   return figure;
 }
 
-/// Drag and weight of every kind, or of every part.
+/// Adds a table of drag and weight by kind, or by part.
 void force_table(const std::vector<NamedScalar>& figures, const std::string& title, const std::string& drag,
                  const std::string& weight, std::vector<FigureTable>& tables) {
   add_table(figures, title,
@@ -130,7 +130,7 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
             tables);
 }
 
-/// Adds position and attitude of every rigid body; angles are outward and up.
+/// Adds position and attitude of every rigid body. Angles are positive outward and up.
 void add_bodies(const std::vector<NamedScalar>& figures, std::vector<FigureTable>& tables) {
   const std::string body = "bodies/";
   add_table(figures, "bodies",

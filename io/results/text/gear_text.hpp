@@ -4,18 +4,18 @@
 
 namespace netloft::results {
 
-/// A table of figures for people, in any medium: a row for each part, rope or body.
+/// A table of figures for people, for text and HTML: a row for each part, rope or body.
 struct FigureTable {
   struct Row {
     std::string name;
     std::vector<std::string> cells;  // "-" where a number is not known
   };
   std::string title;
-  std::vector<std::string> headings;  // of the cells
+  std::vector<std::string> headings;  // headings of the cells
   std::vector<Row> rows;
 };
 
-/// A principal figure, in the unit in which its trade speaks of it.
+/// A principal figure, in the unit that is usual in the trade.
 struct PrincipalFigure {
   std::string name;         // "headline height"
   std::string value, unit;  // "0.41 ± 0.06", "m"

@@ -17,7 +17,7 @@ std::string plain_number(double value, const char* format) {
   return text;
 }
 
-/// Decimals that an error leaves to a number.
+/// Number of decimals to print for a value with this error.
 int decimals_of(double error) {
   const double exponent = std::floor(std::log10(error));
   const bool begins_with_one = error < 1.95 * std::pow(10, exponent);
@@ -29,14 +29,14 @@ int decimals_of(double error) {
 double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
 
 std::string measured(double value, double error, const char* format) {
-  constexpr double kNothing = 1e-9;  // of the number: no format shows as many digits
+  constexpr double kNothing = 1e-9;  // relative to the number: no format shows as many digits
   constexpr int kMostDecimals = 6;
   if (!std::isfinite(value)) return "-";
   if (!std::isfinite(error) || error <= kNothing * std::abs(value)) return plain_number(value, format);
   const int decimals = decimals_of(error);
   if (decimals > kMostDecimals) return plain_number(value, format) + fmt::format(" ± {:.1g}", error);
   const int shown = std::max(decimals, 0);
-  const double unit = std::pow(10, std::max(-decimals, 0));  // of a large error: 6500 ± 1800
+  const double unit = std::pow(10, std::max(-decimals, 0));  // rounding unit for a large error: 6500 ± 1800
   const auto rounded = [&](double number) { return shown > 0 ? number : unit * std::round(number / unit); };
   return plain_number(rounded(value), fmt::format("{{:.{}f}}", shown).c_str()) +
          fmt::format(" ± {:.{}f}", rounded(error), shown);

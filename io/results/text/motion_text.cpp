@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How far from rest it began; empty for a run that went on.
+/// How far from equilibrium the motion began; empty for a resumed run.
 std::string start_text(const Motion& m) {
   if (!m.start) return "";
   return fmt::format(
@@ -21,7 +21,7 @@ std::string start_text(const Motion& m) {
       m.start_from, m.start->residual, m.start->node, m.start->load);
 }
 
-/// A warning if the scheme took so much energy that the motion depends on it.
+/// A warning if the scheme removed or added so much energy that the motion depends on it; else empty.
 std::string loss_text(const std::optional<NumericalLoss>& l) {
   if (!l || !l->is_large()) return "";
   if (l->is_created())
@@ -38,7 +38,7 @@ std::string loss_text(const std::optional<NumericalLoss>& l) {
       l->lost, l->given, l->worst, l->from, l->until, l->node);
 }
 
-/// Why no accuracy gives the whole path.
+/// A warning that the motion is chaotic, so that no accuracy gives the whole path.
 std::string chaos_text(const AchievedAccuracy& a) {
   return fmt::format(
       "  warning: the motion is chaotic: a start displaced by 1e-7 of an element leads to another path from "
@@ -47,7 +47,7 @@ std::string chaos_text(const AchievedAccuracy& a) {
       a.unpredictable_from);
 }
 
-/// The error of the path, and whether that is what was asked for.
+/// The error of the path, and whether it meets the requested accuracy.
 std::string path_text(const AchievedAccuracy& a) {
   if (!a.is_checked) return "";
   if (std::isnan(a.path))
@@ -66,7 +66,7 @@ std::string path_text(const AchievedAccuracy& a) {
          (a.is_predictable() ? "" : chaos_text(a));
 }
 
-/// The accuracy that was asked for and the errors of steps; empty: steps were given.
+/// The requested accuracy and the errors of steps; empty if the steps were prescribed.
 std::string accuracy_text(const std::optional<AchievedAccuracy>& a) {
   if (!a) return "";
   std::string text = fmt::format("  accuracy {:.3g} asked", a->asked);

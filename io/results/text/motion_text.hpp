@@ -8,7 +8,8 @@
 
 namespace netloft::results {
 
-/// The part of a report that only motions have: steps, start, accuracy, energies. Needs result.motion.
+/// The part of a report that is specific to motions: steps, start, accuracy, energies. Requires
+/// result.motion.
 std::string motion_text(const Result& result);
 nlohmann::ordered_json motion_json(const Result& result);
 

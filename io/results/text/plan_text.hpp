@@ -6,14 +6,15 @@
 
 namespace netloft::results {
 
-/// Facts about the solve that the plan does not decide but that a reader of the plan needs.
+/// Facts about the solve that are not part of the plan but that a reader of the plan needs.
 struct PlanExtras {
   std::string solver, factorisation;
   std::size_t matrix_entries = 0;
   int threads_given = 1, threads_used = 1;
-  std::string strategy, attempts;  // of the search; its attempts with their reasons, a line each
-  std::string material_damping;    // loss factors that count in a motion, or why none does
-  double memory = 0, factor_memory = 0, stability_memory = 0;  // expected, in all and for two uses [bytes]
+  std::string strategy, attempts;  // attempts: those of the strategy with their reasons, a line each
+  std::string material_damping;    // the loss factors that apply to a motion, or why none does
+  double memory = 0, factor_memory = 0,
+         stability_memory = 0;  // expected memory: total, factor, stability check [bytes]
 };
 
 /// The forces that each family of elements evaluates, and why the others are off.

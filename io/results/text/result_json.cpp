@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers that are not known are null: NaN has no other form in JSON.
+// Unknown numbers are written as null, because JSON has no NaN.
 
 Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
@@ -36,7 +36,7 @@ Json errors_json(const std::vector<NamedScalar>& scalars) {
   return errors;
 }
 
-/// Null if one equilibrium was found.
+/// The range of each number over all equilibria; null if only one was found.
 Json spread_json(const std::vector<NamedScalar>& scalars) {
   Json spread = nullptr;
   for (const auto& s : scalars)
@@ -76,7 +76,7 @@ Json seconds_json(const Result& r) {
           {"total", r.reading_seconds + r.setup_seconds + s.total_seconds}};
 }
 
-/// Every stage of the search, those on easier variants included.
+/// All stages of the search, those on easier variants included.
 Json stages_json(const std::vector<Stage>& all) {
   Json stages = Json::array();
   for (const Stage& stage : all)
@@ -97,7 +97,7 @@ Json stages_json(const std::vector<Stage>& all) {
   return stages;
 }
 
-/// Null if nobody looked for other shapes.
+/// Null if there was no search for other equilibria.
 Json shapes_json(const std::optional<FoundShapes>& shapes) {
   if (!shapes) return nullptr;
   Json others = Json::array();
@@ -112,7 +112,7 @@ Json shapes_json(const std::optional<FoundShapes>& shapes) {
           {"others", others}};
 }
 
-/// Forces that act on some part.
+/// The forces on parts, without zeros.
 Json part_forces_json(const std::vector<PartLoad>& all) {
   Json forces = Json::array();
   for (const auto& f : all)
@@ -144,7 +144,7 @@ Json materials_json(const std::vector<Material>& materials) {
   return all;
 }
 
-/// How the result was found and what that took.
+/// How the result was found, and the cost of the solve.
 Json solve_json(const Result& r) {
   const Statistics& s = r.statistics;
   return {{"solver", r.solver},

@@ -13,8 +13,8 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-/// Adds a row for every number of which `known` is known, by its name in reports, and the table if it has
-/// any.
+/// Adds a table with a row, named as in reports, for every number whose member `known` is finite; no table if
+/// there are no rows.
 template <class MakeCells>
 void add_dependence_table(const Result& result, double NamedScalar::*known, FigureTable table,
                           const MakeCells& cells, std::vector<FigureTable>& tables) {

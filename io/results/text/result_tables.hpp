@@ -5,11 +5,11 @@
 
 namespace netloft::results {
 
-/// All tables of a report in their order, but for the bill of materials; text and HTML print the same. Beside
-/// those of a gear (gear_text.hpp) they are, each left out if it would be empty:
-///   the least and the largest value of every number over the equilibria that were found;
-///   the change of these numbers with a growing motion, for each metre that its furthest node moves;
-///   forces of the holds, and of parts where no table of a gear has them.
+/// All tables of a report in their order, except the bill of materials, for text and HTML alike. Besides the
+/// tables of a gear (gear_text.hpp) there are, each left out if empty:
+///   a table of the least and the largest value of every number over the equilibria that were found;
+///   a table of the changes of these numbers with a growing motion, per metre that its furthest node moves;
+///   a table of the forces of holds, and one of the forces on parts if no table of a gear has them.
 std::vector<FigureTable> report_tables(const Result& result);
 
 }  // namespace netloft::results

@@ -93,7 +93,7 @@ void solve_text(const Result& result, Out out) {
                      stage.statistics.factorisations, stage.outcome);
 }
 
-/// The sentences of a note, each on a line of its own that is indented.
+/// Indents each line of a note after the first.
 std::string indented(std::string note) {
   for (auto at = note.find('\n'); at != std::string::npos; at = note.find('\n', at + 1))
     note.insert(at + 1, 4, ' ');

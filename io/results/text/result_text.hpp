@@ -6,16 +6,16 @@
 
 namespace netloft::results {
 
-/// The report of a result as text for people, whether it was found just now or read from a file.
+/// The report of a result as text for people, for a new result and for one read from a file.
 std::string result_text(const Result& result);
 /// One JSON object with all numbers and their errors; unknown values are null.
 std::string result_json(const Result& result);
-/// A line per number: name, value, unit, error of the solver, error of the mesh, description.
+/// One line per number: name, value, unit, solver error, mesh error, description.
 std::string result_csv(const Result& result);
 
-/// How a run ended: "converged, stable equilibrium", "unstable equilibrium, swinging".
+/// The outcome of a run in words: "converged, stable equilibrium", "unstable equilibrium, swinging".
 std::string ending_text(const Result& result);
-/// A sentence about the errors of the numbers: their parts, or why they are not known.
+/// A sentence about the errors of the numbers: their components, or why they are not known.
 std::string errors_text(const Result& result);
 
 }  // namespace netloft::results

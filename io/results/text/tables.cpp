@@ -13,7 +13,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return csv_field(unit == "1" ? name : name + " [" + unit + "]");
 }
 
-/// "N/m2, N/m, N" where kinds of cells differ.
+/// The units of a field: one, or "N/m2, N/m, N" if they differ between kinds of cells.
 std::string units_of(const StoredField& field) {
   std::string units = field.units.front();
   for (std::size_t kind = 1; kind < kCellKinds; ++kind)

@@ -7,15 +7,16 @@
 
 namespace netloft::results {
 
-/// A line per node of a state: part, number in the part, position, forces of the holds on it.
+/// One line per node of a state: part, number in the part, position, forces of the holds on the node.
 std::string nodes_csv(const StoredShape& stored, std::size_t state);
 
-/// A line per element of a state: part, nodes, all fields; empty where an element has none.
+/// One line per element of a state: part, nodes, all fields; a field is empty if the element does not have
+/// it.
 std::string elements_csv(const StoredShape& stored, std::size_t state);
 
-/// A field of a CSV line (RFC 4180).
+/// Quotes a text as a field of a CSV line (RFC 4180).
 std::string csv_field(const std::string& text);
-/// A number of a CSV line; empty if it is not known.
+/// Formats a number for a CSV line; empty if it is not known.
 std::string csv_number(double value);
 
 }  // namespace netloft::results
