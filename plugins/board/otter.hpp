@@ -13,23 +13,26 @@ namespace netloft::boards {
 ///   α = atan2(w_y, w_x)   attack,   β = asin w_z   sideslip: flow along the span                        (1)
 ///   F = q (f_D C_D w + f_L (C_L e_L + C_Z e_Z)),   e_L = (−w_y, w_x, 0)/cos β,   e_Z = z − w_z w, unit   (2)
 ///   at (chord (ξ − ½), 0, span η)                                                                        (3)
-/// C_L, C_D, C_Z over α and β are from a table, ξ (from the nose) and η (above the middle) over α from
-/// another. A table over α alone uses the flow across the span, as for a yawed wing of infinite span: C_L,
-/// C_D of α times cos²β (R. T. Jones, NACA TN 1402, 1947), C_Z = 0. Without a table the board is a flat plate
-/// (plate.hpp) with an additional drag coefficient C_0,
-///   F = q (f_D F_∥ + f_L F_⊥),  F_∥ and F_⊥ along and across w, of C_N sgn(w_y) y + C_0 w                (4)
-/// with the image of the board in the bed if the scene has one; tables are used as measured. Beyond the edge
-/// of a table, the coefficients change to those of the plate within 20°, and the output `outside` is 1.
+/// One table gives C_L, C_D and C_Z over α and β, another gives ξ (from the nose) and η (above the middle)
+/// over α. If the first is over α alone, the flow across the span determines the force, as for a yawed wing
+/// of infinite span: C_L(α) and C_D(α) are multiplied by cos²β (R. T. Jones, NACA TN 1402, 1947), and C_Z =
+/// 0. Without a table the board is a flat plate (plate.hpp) with an additional drag coefficient C_0,
+///   F = q (f_D F_∥ + f_L F_⊥),  F_∥, F_⊥ the parts of C_N sgn(w_y) y + C_0 w along and across w         (4)
+/// The image of the board in the bed, if the scene has one, acts on the plate only, by plate.hpp (7). Beyond
+/// the edge of a table, the coefficients change to those of the plate within 20°, and the output `outside` is
+/// 1.
 ///
-/// The force is evaluated at four points, (±chord, ±span)/2√3, a quarter each (Gauss), so that it depends on
-/// rotation and on a current that varies over the height of the board. f_L and f_D are for calibration.
+/// The force is evaluated at the four Gauss points (±chord, ±span)/2√3, a quarter of it at each, so that it
+/// depends on rotation and on a current that varies over the height of the board. f_L and f_D are for
+/// calibration.
 ///
-/// If the lower edge sinks into moving ground, ploughing pushes it outward, at four points along the edge at
-/// the depth δ, with ĝ the direction in which the ground passes the point:
-///   F = ¼ chord s p f (ĝ·y) y,   f = (δ/0.1 m)^n, beyond 0.1 m along its tangent                        (5)
+/// If the lower edge sinks into moving ground, ploughing pushes it outward. The force at each of four points
+/// along the edge depends on the depth δ of the point and on the direction ĝ in which the ground passes it:
+///   F = ¼ chord s p f (ĝ·y) y,   f = (δ/0.1 m)^n, continued by its tangent beyond 0.1 m                 (5)
 /// n = 1 in clay, 2 in sand; s is the local factor of the ground, 1 by default; p is for calibration and zero
-/// by default. The tangent bounds the force for an initial guess with boards metres deep. The contact of the
-/// shoe, seabed/bed on points of it, carries the board.
+/// by default. The tangent keeps the force moderate if an initial guess has boards metres deep in the ground.
+/// Ploughing does not carry the board: that is the contact of its shoe, by elements seabed/bed at points of
+/// the shoe.
 ///
 /// Source of (1)-(3): the form of FAO, Otter board design and performance (1974). Two angles of the flow in
 /// the axes of the board determine the force on a body in a uniform flow; unlike attack, heel and trim on a
@@ -84,7 +87,7 @@ struct Coefficients {
   T at_chord, at_span;  // (3) [m]
 };
 
-/// i of plate.hpp (7), by the clearance of the lower edge of an upright board.
+/// Returns i of plate.hpp (7), from the clearance of the lower edge of the board above the bed.
 template <class T>
 T image_in_bed(const Otter::Parameters& p, const Body<T>& b) {
   if (!b.bed.is_there) return T(0);
@@ -123,7 +126,8 @@ Coefficients<T> of_table(const Otter::Parameters& p, const Otter::Whole& t, cons
   return c;
 }
 
-/// Weight of the plate for a flow outside a table: a smooth function of the distance over 20°.
+/// Weight of the plate for a flow outside a table. It rises smoothly from 0 at the edge of the table to 1 at
+/// 20° from it.
 template <class T>
 T weight_of_plate(const Otter::Whole& t, const T& alpha, const T& beta) {
   constexpr double kPassage = 0.3490658503988659;  // 20° [rad]

@@ -12,11 +12,11 @@ namespace netloft::boards {
 ///   K_p = 2πA/(2 + √(A² + 4)),   K_v = 3.1,   C_90 = 1.11 + 0.018 A'                                     (3)
 ///   α_s = 38° (1 + A⁴)^−0.16                                                                             (4)
 ///   A → A^(cos 2χ),   tan χ = w_z/w_x                                                                    (5)
-///   A = (1 + i) span/chord,   i = 1 on the bed, to 0 where its edge is a span above it, by a cubic (7)
-/// A cubic in the 16° about α_s leads from (1) to (2). The force along the normal acts ahead of the middle,
-/// against the flow, by
-///   Δ = (½ − ξ₀) L K_p c/(K_p c + K_v s),   ξ₀ = ¼ A^1.25/(A^1.25 + 0.48),   L = c_χ (6)
-/// with L the width of the plate along χ, chord cos²χ + span sin²χ.
+///   A = (1 + i) span/chord,   i falls by a cubic from 1 on the bed to 0 at a clearance of a span (7)
+/// A cubic in the 16° about α_s leads from (1) to (2). The normal force acts upstream of the middle of the
+/// plate, at the distance
+///   Δ = (½ − ξ₀) L K_p c/(K_p c + K_v s),   ξ₀ = ¼ A^1.25/(A^1.25 + 0.48)                       (6)
+/// with L = chord cos²χ + span sin²χ, the width of the plate in the direction χ.
 ///
 /// Sources: (1) E. C. Polhamus, NASA TN D-3767 (1966): leading-edge suction turned into normal force; K_v is
 /// that of low aspect ratios. (2) L. A. Viterna and R. D. Corrigan, DOE/NASA large wind turbine workshop
@@ -24,15 +24,15 @@ namespace netloft::boards {
 /// Jahrbuch der deutschen Luftfahrtforschung (1942): within 5 % of a vortex lattice for A = 0.4 to 3 (in a
 /// test). (4) fits the stall angles of square and wider plates (S. F. Hoerner and H. V. Borst, Fluid-Dynamic
 /// Lift, 1985, chapter 17): 34° for A = 1, 24° for 2, 19° for 3, 38° for slender ones. (5): a plate in a flow
-/// along its span is one of the reciprocal aspect ratio. (6): the part K_p acts where it does in the lattice
-/// at small angles, to which ξ₀ is a fit within 0.004; the part K_v acts in the middle. (7): on the bed, a
+/// along its span is one of the reciprocal aspect ratio. (6): the part with K_p acts where the lattice has it
+/// at small angles, which ξ₀ fits within 0.004; the part with K_v acts in the middle. (7): on the bed, a
 /// board and its mirror image form one of twice the span; that this ends at a clearance of one span is a
 /// choice. The error is about 20 % near the greatest lift.
 template <class T>
 struct PlateForce {
   T normal;       // C_N, along y where w_y > 0
-  T ahead_chord;  // lever of the force along the chord, against the flow [m]; negative: ahead
-  T ahead_span;   // along the span [m]
+  T ahead_chord;  // point at which the force acts, aft of the middle along the chord [m]
+  T ahead_span;   // the same, above the middle along the span [m]
 };
 
 namespace detail {

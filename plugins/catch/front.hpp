@@ -8,21 +8,22 @@ namespace netloft::catches {
 
 /// Pressure of the flow that the catch stops, on all netting behind a plane across the flow, from inside:
 ///   p = p₀ + C_d ½ ρ V²                                                                        (1)
-///   n = (x₂−x₁)×(x₃−x₁)                        outwards, twice the area                          (2)
-///   e = (cos ψ, sin ψ, 0),  s_i = e·x_i − ξ    way of a corner behind the plane                  (3)
-///   I(s) = ∫ max(s, 0) over the triangle, over its area,  w_i = ∂I/∂s_i                           (4)
+///   n = (x₂−x₁)×(x₃−x₁)                        outward normal, length twice the area             (2)
+///   e = (cos ψ, sin ψ, 0),  s_i = e·x_i − ξ    distance of corner i behind the plane             (3)
+///   I(s) = mean of max(s, 0) over the triangle,  w_i = ∂I/∂s_i                                    (4)
 ///   r_i = −(w_i p/2) n                         residual on each corner                           (5)
-///   v = I n·e/2                                what the triangle adds to the volume behind ξ     (6)
-///   r_ξ = k (σ V₀ − Σ v) = 0,  k = p/∛V₀,  which grows with ξ                                   (7)
-/// With one corner a behind, t_b = s_a/(s_a − s_b), t_c alike:
+///   v = I n·e/2                                contribution of the triangle to the volume        (6)
+///   r_ξ = k (σ V₀ − Σ v) = 0,  k = p/∛V₀                 r_ξ grows with ξ                       (7)
+/// If only corner a is behind the plane, with t_b = s_a/(s_a − s_b) and t_c alike,
 ///   I = s_a t_b t_c/3,  w_a = t_b t_c (1 − (t_b+t_c)/3),  w_b = t_b² t_c/3,  w_c = t_b t_c²/3     (8)
-/// with one ahead, I = s̄ + I(−s) and w_i = ⅓ − w_i(−s), s̄ the mean; with three behind, I = s̄, w_i = ⅓.
-/// p₀ [Pa] given pressure, V [m/s] speed of the water, C_d drag coefficient of the catch, ψ direction of the
-/// flow, ξ [m] position of the plane along it, V₀ [m³] volume of the catch, of half of it in half a gear; σ
-/// [1] the fraction of V₀ at a given time, linear between the times of a table, 1 without one. ξ is the same
-/// for all triangles of a part: given, or an unknown with (7). By the theorem of Gauss, Σ v is the volume
-/// between the plane and the netting, if that is closed behind the plane. Corners are counter-clockwise seen
-/// from outside. Source: the catch of FEMNET (D. Priour), where ξ is found by bisection without its tangent.
+/// If only one corner is ahead, I = s̄ + I(−s) and w_i = ⅓ − w_i(−s), with s̄ the mean of the s_i. If all
+/// three are behind, I = s̄ and w_i = ⅓. p₀ [Pa] given pressure, V [m/s] speed of the water, C_d drag
+/// coefficient of the catch, ψ direction of the flow, ξ [m] position of the plane along it, V₀ [m³] volume of
+/// the catch (of its half in half a gear); σ [1] the fraction of V₀ at a given time, linear between the times
+/// of a table, and 1 without a table. All triangles of a part share ξ, which is either given or an unknown
+/// whose equation is (7). By the theorem of Gauss, Σ v is the volume between the plane and the netting, if
+/// that is closed behind the plane. Corners are counter-clockwise seen from outside. Source: the catch of
+/// FEMNET (D. Priour), where ξ is found by bisection without its tangent.
 struct Front {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // ξ

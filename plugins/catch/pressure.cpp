@@ -39,8 +39,9 @@ struct FilledSlice {
   double n, arm;
 };
 
-/// A cut at `depth` from a corner whose neighbours are at `first` and `second` from it [meshes]. As m grows,
-/// the cut moves away from that corner (1) or towards it (−1).
+/// A cut through a triangle, at `depth` from one corner; the other two corners are at `first` and `second`
+/// from it [meshes]. `away` is 1 if the cut moves away from that corner as m grows, and −1 if it moves
+/// towards it.
 struct Cut {
   double depth, first, second, away;
 };

@@ -8,14 +8,14 @@ namespace netloft::catches {
 
 /// Pressure of the flow that the catch stops, on the netting behind the catch front, from inside:
 ///   p = p₀ + C_d ½ ρ V²                                                                (1)
-///   n = (x₂−x₁)×(x₃−x₁) = x₁×x₂ + x₂×x₃ + x₃×x₁     outward normal, as long as twice the area (2)
+///   n = (x₂−x₁)×(x₃−x₁) = x₁×x₂ + x₂×x₃ + x₃×x₁     outward normal, length twice the area    (2)
 ///   r_i = −(φ_i p/2) n,  i = 1, 2, 3                  the part of the force on each corner   (3)
 ///   K_ij = (φ_i p/2) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v            (4)
-///   φ_i(m) = ∫ N_i over the part of the triangle with s < m, over its area,  φ = Σ φ_i      (5)
+///   φ_i(m) = (∫ N_i over the part of the triangle with s < m)/(its area),  φ = Σ φ_i        (5)
 /// p₀ [Pa] given pressure, V [m/s] speed of the water through the gear, C_d drag coefficient of the catch; s
 /// is the number of meshes to the aft end of the netting, counted through all panels in a row and given at
 /// the corners; m is the number of filled meshes, so that the front is at s = m; N_i is linear, 1 at corner i
-/// and 0 at the others. φ_i is that of the unstretched triangle. Corners are counter-clockwise seen from
+/// and 0 at the others. φ_i is computed for the unstretched triangle. Corners are counter-clockwise seen from
 /// outside. Source: the trawl-gear paper, p with C_d = 1.4; (3) after Priour.
 ///
 /// The pressure is a follower force without an energy. Over a closed surface, or one with a fixed rim, the
@@ -29,13 +29,13 @@ namespace netloft::catches {
 ///   r_m = k (Σ φ v − σ V₀) = 0,  k = p/∛V₀                                                (7)
 ///   ∂r_i/∂m = −φ_i′ (p/2) n,   ∂r_m/∂m = k φ′ v                                           (8)
 ///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
-/// V₀ [m³] volume; σ [1] its fraction at a given time, linear between the times of a table, 1 without one; y
-/// across the cod-end, y₀ its middle. By the theorem of Gauss, Σ φ v is the volume behind the front, closed
-/// there by a surface of straight lines from side to side. This is exact for every cod-end that is symmetric
-/// about the plane y = y₀, and for half of one that ends in that plane. If the cod-end is turned by ψ, the
-/// error is the area of the front times sin ψ times the distance of its middle from y₀. A cut triangle counts
-/// with its fraction φ and its own middle. k makes (7) a force whose ratio to the drag on the front is that
-/// of the missing volume to V₀.
+/// V₀ [m³] volume; σ [1] its fraction at a given time, from a table, 1 without one; y axis across the
+/// cod-end, y₀ the middle of the cod-end. By the theorem of Gauss, Σ φ v is the volume behind the front,
+/// closed there by a surface of straight lines from side to side. This is exact for every cod-end that is
+/// symmetric about the plane y = y₀, and for half of one that ends in that plane. If the cod-end is turned by
+/// ψ, the error is the area of the front times sin ψ times the distance of its middle from y₀. A cut triangle
+/// contributes φ v, with v that of the whole triangle. k makes (7) a force whose ratio to the drag on the
+/// front is that of the missing volume to V₀.
 struct Pressure {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // m

@@ -8,7 +8,7 @@
 
 namespace netloft::bars {
 
-/// Straight two-node bars of rope or twine, 64 at a time; a bar represents N equal ones side by side.
+/// Straight two-node bars of rope or twine, 64 at a time. Each represents N equal bars side by side.
 ///   w = x₁ − x₀; tension T and tangent by axial (1)–(5)
 ///   r₀ = −N T t,  r₁ = +N T t      residual ∂E/∂x                    (1)
 ///   W = V (ρ − ρ_w) g              weight in water, half per node    (2)
@@ -49,7 +49,7 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.surface[lane] = p.surface;
 }
 
-/// The bars of an element as its one member; `P` has EA and EA_compression of one bar.
+/// The N bars of an element as one Member. `P` has EA and EA_compression of one bar.
 template <class P>
 Member member(const P& p, double rest_length, double parallel) {
   return {{-1, 1, 0}, rest_length, p.EA, p.EA_compression, parallel};
@@ -71,7 +71,7 @@ inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double
     }
 }
 
-/// axial (6).
+/// Adds the metric, axial (6).
 inline void add_metric(const Lanes& p, netloft_tile& t) {
   double A[6][kLanes];
   for (std::size_t i = 0; i < t.count; ++i) {

@@ -51,7 +51,7 @@ inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count
   }
 }
 
-/// Adds -½ N l₀ ∂f to the tangent, the same for both nodes p; the derivative for node q is
+/// Adds -½ N l₀ ∂f to the rows of both nodes in the tangent. The derivative with respect to node q is
 ///   ∂f = cu [½ ∂f/∂W (dc/dz)_q e_zᵀ ± ∂f/∂t (I − t tᵀ)/l] − cv ½ ∂f/∂W
 inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLanes& f, netloft_tile& t) {
   const double cu = t.cu, cv = t.cv;
@@ -164,7 +164,8 @@ inline Status add_damping(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// loss.hpp (1) for the strain rate: a rope that runs off a drum under constant strain loses nothing.
+/// Adds the damping loss.hpp (1), with dl/dt reduced by the growth of the unstretched length: a rope that
+/// runs off a drum at constant strain loses no energy.
 inline Status add_loss(const Lanes& p, const double* growth, netloft_tile& t) {
   const Chords chord(t, p.l0);
   Dampers d;
@@ -178,7 +179,7 @@ inline Status add_loss(const Lanes& p, const double* growth, netloft_tile& t) {
   return Status::ok;
 }
 
-/// ∂r_p/∂w = −½ V C_a ρ_w [t (a_p − (t·a_p) t)ᵀ + (t·a_p)(I − t tᵀ)]/l.
+/// Adds (5), with ∂r_p/∂w = −½ V C_a ρ_w [t (a_p − (t·a_p) t)ᵀ + (t·a_p)(I − t tᵀ)]/l.
 inline Status add_inertia(const Lanes& p, netloft_tile& t) {
   const Chords chord(t, p.l0);
   for (std::size_t i = 0; i < t.count; ++i) {
@@ -207,8 +208,8 @@ inline Status add_inertia(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// The force by the acceleration u′ of the water: the inertia (5) of water in place of the bar, with the
-/// opposite sign.
+/// Adds the force that the acceleration u′ of the water exerts. It is the inertia (5) of a bar made of water,
+/// with the opposite sign:
 ///   r_p = −½ V [ρ_w (1 + C_a) u′ − C_a ρ_w (t·u′) t]                                                 (6)
 /// The first part is the pressure of the waves on the displaced volume (Froude and Krylov), in all directions
 /// like buoyancy; the second is added mass, across the bar.

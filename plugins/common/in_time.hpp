@@ -4,8 +4,8 @@
 
 namespace netloft::in_time {
 
-/// A factor in time: a table with the columns t [s] and factor [1], linear between its rows, constant before
-/// the first and after the last. 1 without rows.
+/// Returns the factor at a given time from a table with the columns t [s] and factor [1]. The factor is
+/// linear between the rows, constant before the first and after the last, and 1 if there are no rows.
 inline double factor_at(const netloft_table& table, double time) {
   if (table.rows == 0) return 1;
   const auto t = [&](std::uint32_t i) { return table.values[2 * i]; };

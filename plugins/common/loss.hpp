@@ -17,8 +17,8 @@ namespace netloft::axial {
 /// Dynamics of Structures. The gradual onset over ε₁ is ours: a jump of the force would have no balance at
 /// the jump.
 ///
-/// ε₁ is a strain that is negligible for oscillations of a rope in use, at strains of 1e-3 and more, but over
-/// which an implicit step can still resolve the onset.
+/// ε₁ is small compared with the strains of a rope in use, 1e-3 and more, but large enough for an implicit
+/// step to resolve the onset.
 inline constexpr double kFullLossStrain = 1e-4;
 
 /// (η/(2π f₀)) EA of one bar [N s].
@@ -26,7 +26,7 @@ inline double loss_of(double EA, double loss_factor, double loss_frequency) {
   return EA * loss_factor / (2 * std::numbers::pi * loss_frequency);
 }
 
-/// c of (1) and dc/dl, for `loss` of loss_of [N s].
+/// c of (1) and dc/dl. `loss` is the result of loss_of [N s].
 struct Damper {
   double c, slope;  // [N s/m], [N s/m²]
 };

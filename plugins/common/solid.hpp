@@ -39,7 +39,8 @@ struct Solid {
   double inertia_x = 0, inertia_y = 0, inertia_z = 0;  // about the centre of mass [kg m2]
   double added_x = 0, added_y = 0, added_z = 0;        // added mass along the body's axes [kg]
   double turning_x = 0, turning_y = 0, turning_z = 0;  // added inertia about them [kg m2]
-  // Rotation vectors to the principal axes, of the inertia, and of added mass and added inertia [rad].
+  // Rotation vectors from the body's axes to the principal axes of inertia, and to those of added mass and
+  // added inertia [rad].
   double inertia_turned_x = 0, inertia_turned_y = 0, inertia_turned_z = 0;
   double added_turned_x = 0, added_turned_y = 0, added_turned_z = 0;
   double added_at_x = 0, added_at_y = 0, added_at_z = 0;  // point at which added mass has no moment [m]
@@ -66,9 +67,9 @@ struct Weight {
   }
 };
 
-/// Inertia of the body and of the water that moves with it. u is the velocity, in the axes of the body, of
-/// the point a at which added mass has no moment, Ω the angular velocity; the symmetric tensors are J of
-/// inertia, A of added mass, B of added inertia:
+/// Inertia of the body and of the water that moves with it. In the axes of the body, u is the velocity of the
+/// point a at which added mass has no moment, and Ω is the angular velocity. The symmetric tensors J, A and B
+/// are those of inertia, added mass and added inertia:
 ///   F = −m a_c at the centre of mass,  M = −R (J Ω̇ + Ω×J Ω)                                     (2)
 ///   F = −R (A u̇ + Ω×A u) at a,  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                    (3)
 /// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity in the scene, not

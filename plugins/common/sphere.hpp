@@ -4,13 +4,13 @@
 
 namespace netloft {
 
-/// Drag coefficient of a smooth sphere on its frontal area over Re = |W| D/ν, across the drag crisis:
+/// Drag coefficient of a smooth sphere, on its frontal area, as a function of Re = |W| D/ν through the drag
+/// crisis:
 ///   C_d = 24/Re + 2.6 a/(1 + a^1.52) + 0.411 b^−7.94/(1 + b^−8) + 0.25 c/(1 + c)            (1)
 ///   a = Re/5, b = Re/2.63e5, c = Re/1e6
-/// for Re < 1e6; constant above. Source: F. A. Morrison, An Introduction to Fluid Mechanics, Cambridge
-/// University
-/// Press 2013, and "Data correlation for drag coefficient for sphere", Michigan Technological University
-/// 2016.
+/// for Re < 1e6, and constant above. Source: F. A. Morrison, An Introduction to Fluid Mechanics, Cambridge
+/// University Press 2013, and "Data correlation for drag coefficient for sphere", Michigan Technological
+/// University 2016.
 template <class T>
 T sphere_drag(const T& reynolds) {
   using std::pow;

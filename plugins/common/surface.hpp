@@ -53,7 +53,7 @@ bool is_wet(const Lanes& p, const netloft_tile& t) {
   return true;
 }
 
-/// The drag of a tile of elements with N nodes, and the part that is lost.
+/// The drag of a tile of elements with N nodes as if they were under water, and its removal from dry nodes.
 template <int N>
 struct Drag {
   static constexpr int dofs = 3 * N;
@@ -67,7 +67,7 @@ struct Drag {
     inner.tangent = t.tangent ? tangent : nullptr;
     return inner;
   }
-  /// (2) for a node, with the dry fraction and its slope over z.
+  /// Adds (2) for a node. `dry` is σ (1 − w), `slope` its derivative with respect to z.
   void take_from(netloft_tile& t, int node, std::size_t lane, double dry, double slope) const {
     for (int axis = 0; axis < 3; ++axis) {
       const int row = 3 * node + axis;

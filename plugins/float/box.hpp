@@ -4,8 +4,9 @@
 
 namespace netloft::floats {
 
-/// An upright box above or below a node, independent of the motion of the gear. It displaces water as far as
-/// it is below the surface, z = 0. s is the number of boxes at the node: one half on a plane of symmetry.
+/// An upright box with the middle of its lower or upper face at a node; it does not rotate. Its part below
+/// the surface, z = 0, displaces water. s is the number of boxes at the node, one half on a plane of
+/// symmetry.
 ///   d = clamp(η − z_b, 0, H),  z_b = z of the node, or z − H where the box hangs   immersed height   (1)
 ///   E = s ρ g A D(z),  −dD/dz = d,  r = −s ρ g A d e_z,  A = L_x L_y                buoyancy          (2)
 ///   E = s m g z                                                                     weight            (3)

@@ -34,7 +34,7 @@ struct Coefficient {
 Coefficient drag_coefficient(const Float::Parameters& p, const Water& w, double speed) {
   if (p.drag_law == Float::kConstant) return {p.drag_coefficient, 0};
   constexpr double kLeast =
-      1e-3;  // Reynolds number, below which drag is less than round-off of anything else
+      1e-3;  // Reynolds number below which drag is less than the round-off of other forces
   const double Re = std::max(kLeast, speed * p.diameter / w.viscosity);
   const auto at = sphere_drag(Dual<1, 1>::variable(Re, 0));
   return {at.value, Re * at.gradient[0]};

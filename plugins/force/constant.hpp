@@ -6,8 +6,8 @@
 
 namespace netloft::forces {
 
-/// A constant force at a node, independent of the shape of the gear: of a door or a winch that is not
-/// modelled, for example.
+/// A constant force at a node, independent of the shape of the gear, such as that of a door or a winch that
+/// is not modelled.
 ///   E = −s F·x,  r = −s F                                                 (1)
 /// F [N] in the axes of the world; s is the number of forces at the node: one half on a plane of symmetry.
 struct Constant {

@@ -68,8 +68,8 @@ inline void cross_flow_lane(const CrossFlow& c, const netloft_law_tile& f, std::
   }
 }
 
-/// The same for all lanes. `__restrict` tells the compiler that arrays do not overlap, so that it vectorises
-/// the loop.
+/// Computes (1)–(5) in all lanes. `__restrict` tells the compiler that arrays do not overlap, so that it
+/// vectorises the loop.
 template <bool Derivatives, class Across>
 [[gnu::flatten]] void cross_flow_all_lanes(const CrossFlow& c, const netloft_law_tile& flow,
                                            Across&& across) {

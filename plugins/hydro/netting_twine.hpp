@@ -8,7 +8,8 @@
 
 namespace netloft::hydro {
 
-/// Force of the water on a metre of twine of knotted netting, each part with its own Reynolds number:
+/// Force of the water on a metre of twine of knotted netting. Drag, friction and the knots have a Reynolds
+/// number each:
 ///   U = r W,  τ = U·t,  U_n = U − τ t,  s = ‖U_n‖,  u = ‖U‖,  û = U_n/s,  ê = U/u              (1)
 ///   F = k(s) U_n + a(e) τ t + m(u) U                                                          (2)
 ///   k = ½ ρ ν φ(s D/ν)                                   a cylinder across, reynolds.hpp       (3)

@@ -5,8 +5,8 @@
 
 namespace netloft::hydro {
 
-/// Normal drag coefficient of a smooth cylinder over the Reynolds number of the flow across it, as φ = Re
-/// C_n, which stays finite at rest:
+/// Normal drag coefficient C_n of a smooth cylinder as a function of the Reynolds number of the flow across
+/// it, in the form φ = Re C_n, which stays finite at rest:
 ///   creeping   φ = (8π/σ)(1 − 0.87/σ²),  σ = ln(8/Re) − 0.077215665     Re < 1           (1)
 ///   slow       φ = Re (1.45 + 8.55 Re^−0.9)                             1 < Re < 30      (2)
 ///   fast       φ = Re (1.1 + 4 Re^−½)                                   30 < Re < 10⁵    (3)
@@ -55,8 +55,8 @@ T choo_casarella_phi(const T& reynolds) {
   return joined(slow_phi(reynolds), 1.1 * Re + 4.0 * sqrt(Re), Re, 30);  // (3)
 }
 
-/// The same after Takagi et al. 2004, who assume that twines of netting below a Reynolds number of 200, such
-/// as those of models, have a lower and steeper drag than a single cylinder:
+/// φ after Takagi et al. 2004, who assume that twines of netting below a Reynolds number of 200, such as
+/// those of models, have a lower and steeper drag than a single cylinder:
 ///   φ = Re 10^0.7 Re^−0.3                                               11 < Re < 200      (5)
 ///   φ = 1.2 Re                                                          200 < Re           (6)
 /// Source: Takagi, Shimizu, Suzuki, Hiraishi and Yamamoto 2004, Validity and layout of "NaLA": a net
@@ -89,9 +89,9 @@ T cylinder_phi(std::int64_t cylinder, const T& Re) {
   return with_cylinder_phi(cylinder, [&](const auto& phi) { return phi(Re); });
 }
 
-/// A continuously differentiable curve without overshoot through samples over ln x: cubic pieces with
-/// harmonic means as slopes at the samples (Fritsch and Butland 1984, SIAM J. Sci. Stat. Comput. 5(2)), zero
-/// at both ends; constant beyond them.
+/// A continuously differentiable curve over ln x through samples, without overshoot. It consists of cubic
+/// pieces whose slopes at the samples are harmonic means (Fritsch and Butland 1984, SIAM J. Sci. Stat.
+/// Comput. 5(2)) and zero at both ends; beyond the ends it is constant.
 class Curve {
  public:
   explicit Curve(const netloft_table& table) : t_(table) {}

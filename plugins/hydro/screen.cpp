@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kStill = 1e-150;  // speed below which u² is zero [m/s]
 
-/// α and λ of (3) with their derivatives in c, S and Re.
+/// α and λ of (3) and their derivatives with respect to c, S and Re.
 struct Shape {
   double alpha, alpha_c, alpha_S, alpha_Re, lambda, lambda_c, lambda_S, lambda_Re;
 };

@@ -85,7 +85,7 @@ struct LolandModel {
 /// Farming:
 ///   C_D = 0.04 + (−0.04 + S − 1.24 S² + 13.7 S³) cos θ                  (10)
 ///   C_L = (0.57 S − 3.54 S² + 10.1 S³) sin 2θ
-/// For S < 0.35; S is limited to that.
+/// Valid for S < 0.35; S is limited to 0.35.
 struct AarsnesModel {
   using Parameters = ScreenParameters;
   template <class T>
@@ -124,17 +124,17 @@ struct KnottedParameters : ScreenParameters {
   double normal = 0, friction = 0, friction_slope = 0;
 };
 
-/// Knotted trawl netting, Nippon Suisan Gakkaishi (Bull. Japan. Soc. Sci. Fish.) 45(10), 1979, of whose
-/// article only the abstract was at hand:
+/// Knotted trawl netting, from the abstract of an article in Nippon Suisan Gakkaishi (Bull. Japan. Soc. Sci.
+/// Fish.) 45(10), 1979; the article itself was not available:
 ///   C_D = S [C_90 sin^⅖ a + cos a (C_F + K sin a)],  C_L = S C_90 sin^(3/2) a cos a        (16)
 /// a is the angle of attack, 90° − θ, so that sin a = c. C_90 is the pressure drag at normal incidence, C_F
 /// and K are friction, all on the area of the twines. The drag at small angles is far higher than that of
 /// laws proportional to the sine. The abstract gives no coefficients. C_90 is that of a cylinder at Re =
 /// 1000, 1.23, plus 10 % for the knots, which the abstract mentions; C_F is 0.3 of it after Niño et al. 2020
 /// (nylon nets along the flow, 0.2 to 0.4); K is zero. Users should vary C_F and K to see their effect.
-/// Deviations: sin^⅖ and sin^½ = sin^(3/2)/sin have no slope at grazing incidence, cos a and K sin a none at
-/// normal and grazing incidence; within 3°, parabolas replace them as in (7). Friction acts along the flow. S
-/// is limited to 0.5.
+/// Deviations: sin^⅖, sin^½ = sin^(3/2)/sin and K sin a have no derivative at grazing incidence, and cos a
+/// has none at normal incidence; within 3° of there, smooth functions replace them, by (7) and (17). Friction
+/// acts along the flow. S is limited to 0.5.
 struct KnottedModel {
   using Parameters = KnottedParameters;
   /// c^p above ε, a cubic in c that meets it with its slope below.                        (17)
@@ -165,9 +165,10 @@ struct KnottedModel {
 ///   C_n(Re)/C_n(Re₀)                                                     (15)
 /// with the drag coefficient C_n of a cylinder by Choo and Casarella 1971, or by Takagi et al. 2004
 /// (reynolds.hpp). The factor is 1 if Re₀ = 0. It assumes that a twine in a screen depends on the Reynolds
-/// number like a single cylinder, which is an estimate for Re below about 500. Below Re = 2, 1 mm/s for a
-/// twine of 2.4 mm, 1 + Re²/4 replaces Re, which has the same value and slope there: a force linear in the
-/// velocity, with coefficients over an angle, would not be differentiable in water at rest.
+/// number like a single cylinder, which is an estimate for Re below about 500. Below Re = 2 (1 mm/s for a
+/// twine of 2.4 mm), 1 + Re²/4 replaces Re; both have the same value and slope at Re = 2. Otherwise the force
+/// would be linear in the velocity with coefficients that depend on an angle, and therefore not
+/// differentiable in water at rest.
 
 template <class T>
 T reynolds_factor(const ScreenParameters& p, const T& Re) {

@@ -98,8 +98,7 @@ void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t co
     const Vec3<double> u{m.u.t[0][i], m.u.t[1][i], m.u.t[2][i]}, v{m.v.t[0][i], m.v.t[1][i], m.v.t[2][i]};
     const Vec3<double> fu = across(u, v), w = cross(u, fu), fv = cross(w, v);
     const double iu = m.u.inverse[i], iv = m.v.inverse[i], lambda = h2 > 0 ? h2 + rho : h1 * h1 / (rho - h2);
-    // the unscaled vector (σ, μ) = (λ, −h′) has the square 2λρ, so the unit vector's eigenvalue divided by
-    // that is 1/2ρ
+    // The eigenvector (σ, μ) = (λ, −h′) has the squared length 2λρ, by which λ is divided: 1/2ρ.
     add_square(0.25 / rho, iu * (-h1 * u - lambda * fu), iv * (-h1 * v + lambda * fv), i, k);
     const double sign = h1 > 0 ? 1 : -1;  // (τ, κ)
     add_square(0.25 * std::abs(h1), iu * (fu + sign * u), iv * (fv - sign * v), i, k);

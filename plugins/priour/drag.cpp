@@ -11,8 +11,9 @@ namespace netloft::priour {
 
 namespace {
 
-/// F of every lane and its derivatives with respect to W and, [corner], to positions without the shear of the
-/// current. The first contribution sets them, later ones add to them.
+/// F of every lane, with its derivatives with respect to W (`flow`) and to the position of each corner (`x`),
+/// the latter without the shear of the current. The first contribution sets these numbers, later ones add to
+/// them.
 struct Force {
   double F[3][kLanes], flow[9][kLanes], x[3][9][kLanes];
 };
@@ -150,7 +151,7 @@ void find_slope(const Force& F, const Slowing* slowed, const netloft_tile& t, in
   for (std::size_t i = 0; i < t.count; ++i) slope[i] = t.cu * (x[i] + shear[i]) - t.cv * flow[i] / 3;
 }
 
-/// The three rows of corners are equal.
+/// Adds the tangent, whose rows are the same for all three corners.
 void add_tangent(const Force& F, netloft_tile& t) {
   const double third = -1.0 / 3, cu = t.cu, cv = t.cv;
   const std::size_t count = t.count;
@@ -173,8 +174,8 @@ void add_tangent(const Force& F, netloft_tile& t) {
       }
 }
 
-/// Adds the difference between the tangents in slowed water and in undisturbed water. Adding them separately
-/// would leave rounding errors of the whole.
+/// Adds the difference between the tangents in slowed water and in undisturbed water. Adding the one and
+/// subtracting the other would leave rounding errors of their size.
 void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const Force& in_all,
                            netloft_tile& t) {
   double with[kLanes] = {}, without[kLanes] = {};

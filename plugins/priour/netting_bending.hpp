@@ -11,11 +11,11 @@ namespace netloft::priour {
 ///   n_i = N_i/s_i,  s_i = √(‖N_i‖² + (δ M_i)²),  M_i the unstretched ‖N_i‖                           (2)
 ///   E = −κ L(w),  w = 1 − ¼‖n₁ − n₂‖²,  L = ln w,  κ = 4 k b/(h₁ + h₂)                               (3)
 ///   dE/dφ = k b/R,  R = (h₁ + h₂)/(4 tan(φ/2)),  φ the turning angle, 0 where the netting is flat    (4)
-/// n_i is the unit normal and w = (1 + cos φ)/2, except for δ = kClosed: in closing meshes, a normal turns
-/// faster than any bending, so that it fades below 1/1000 of the unstretched area (1e-6 of E in open meshes,
-/// 1 % at 1/100). Netting that is drawn together in a plane turns triangles over, φ from 0 to π. Below w₀ =
-/// kFolded (φ above 176.4°) L is continued by its Taylor polynomial ln w₀ + z − z²/2, z = w/w₀ − 1, because
-/// (3) would be a barrier (5)
+/// Without δ = kClosed, n_i would be the unit normal and w = (1 + cos φ)/2. In closing meshes, a normal turns
+/// faster than bending can; therefore n_i fades below 1/1000 of the unstretched area (this changes E by 1e-6
+/// in open meshes and by 1 % at 1/100 of the area). If netting is drawn together in a plane, triangles turn
+/// over, φ from 0 to π, to which (3) would be a barrier: below w₀ = kFolded (φ above 176.4°), L is its Taylor
+/// polynomial ln w₀ + z − z²/2 with z = w/w₀ − 1 (5).
 ///
 /// The unstretched altitudes h₁, h₂ over the edge correspond to the two bars of a rope. b is the unstretched
 /// edge, k [N m] the bending stiffness of a metre of it: the sum over both directions of twines of EI ×
@@ -29,8 +29,8 @@ namespace netloft::priour {
 ///
 /// With D₁ = κ L′, D₂ = −κ L″, q = n₁ − n₂, σ = (1, −1), A_i = (I − n_i n_iᵀ)/s_i, g_i = ½ D₁ σ_i q:
 ///   G_i = ∂E/∂N_i = A_i g_i                                                                          (8)
-///   ∂²E/∂N_i∂N_j = σ_i σ_j A_i (½ D₁ I + ¼ D₂ q qᵀ) A_j − δ_ij [n_i p_iᵀ + p_i n_iᵀ + (g_i·n_i)(I − n_i
-///   n_iᵀ)]/s_i² p_i = g_i − (g_i·n_i) n_i = s_i G_i (9)
+///   ∂²E/∂N_i∂N_j = σ_i σ_j A_i (½ D₁ I + ¼ D₂ q qᵀ) A_j
+///     − δ_ij [n_i p_iᵀ + p_i n_iᵀ + (g_i·n_i)(I − n_i n_iᵀ)]/s_i²,  p_i = g_i − (g_i·n_i) n_i = s_i G_i  (9)
 /// Source: the trawl-gear paper, eq. (1) and fig. 5b; (2) and (5) were derived for this program.
 struct Bending {
   static constexpr auto stencil = NETLOFT_TRIANGLE_PAIR;

@@ -15,7 +15,7 @@ double turning(const Vec3<double>& t, const Vec3<double>& y, double along, int r
   return t[r] * (y[c] - along * t[c]) + along * ((r == c ? 1 : 0) - t[r] * t[c]);
 }
 
-/// `damper(lane, 1/length)` returns the damper of one twine.
+/// Adds the damping of the twines of one direction. `damper(lane, 1/length)` returns the damper of one twine.
 template <class DamperOf>
 void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf& damper, netloft_tile& t) {
   const Twines twines(t, c, p.l0);
@@ -48,7 +48,8 @@ struct Accelerated {
   const double* density;  // null: density of the water
 };
 
-/// Accelerated masses in every lane: of the mass in all directions, and of the added mass across the twines.
+/// The masses of a corner in every lane: `across` the twines, mass and added mass; `added`, the added mass
+/// alone.
 struct Inert {
   double across[kLanes], added[kLanes];
 
@@ -73,7 +74,7 @@ struct OfCorner {
   Vec3<double> at_lane(std::size_t i) const { return {y[0][i], y[1][i], y[2][i]}; }
 };
 
-/// Adds derivatives of row r of corner m; only those by (4) if derivatives by position are not requested.
+/// Adds the derivatives of row r of corner m: (4) and, if derivatives by position are requested, (5).
 void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const double (&c)[3][kLanes],
                 const Accelerated& by, int m, int r, netloft_tile& t) {
   double turned[kLanes];

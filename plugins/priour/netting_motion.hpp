@@ -19,7 +19,7 @@ struct Loss {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };
 
-/// Mass of the twines, a third at every corner, and added mass across each of both directions.
+/// Mass of the twines, and added mass across the twines of each direction, a third at every corner.
 ///   r_p = ⅓ M Σ_t [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t],  t = Û, V̂,  M = n (π/4) D² l₀             (3)
 ///   ∂r_p/∂a_p = ⅓ M Σ_t [(ρ + C_a ρ_w) I − C_a ρ_w t tᵀ]                                             (4)
 ///   ∂r_p/∂U = −⅓ M C_a ρ_w [Û (a_p − (Û·a_p) Û)ᵀ + (Û·a_p)(I − ÛÛᵀ)]/‖U‖                             (5)
@@ -29,8 +29,8 @@ struct Inertia {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };
 
-/// The force by the acceleration u′ of the water: the inertia (3) of water in place of the twines, with the
-/// opposite sign, as for bars.
+/// The force that the acceleration u′ of the water exerts. It is the inertia (3) of twines made of water,
+/// with the opposite sign, as for bars:
 ///   r_p = −⅓ M Σ_t [ρ_w (1 + C_a) u′_p − C_a ρ_w (t·u′_p) t]                                         (6)
 struct Waves {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);

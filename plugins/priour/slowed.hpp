@@ -5,14 +5,14 @@
 namespace netloft::priour {
 
 /// Water that a catch slows ahead of its front, along the flow:
-///   d = ξ − e·x̄,  e = (cos ψ, sin ψ, 0)              distance from the centroid x̄ of a triangle to the front
-///   (1) s = 1 − b (1 + d²/R²)^(−3/2)  if d > 0, else 1 − b     fraction of the velocity of the water that is
-///   left   (2) ∂s/∂x̄ = −3 b d/R² (1 + d²/R²)^(−5/2) e           continuous where d = 0 (3)
-/// b [1] fraction of the velocity lost at the front, R [m] radius of the catch, ξ [m] position of the front
-/// along the flow, ψ direction of the flow. (2) is the velocity that a vortex ring at the rim of the front
-/// induces on its axis (H. Lamb, Hydrodynamics, art. 161), and decreases with d like the flow ahead of a
-/// sphere. It applies to the whole cod-end, whose netting is near the axis. If the catch is given by
-/// its volume, ξ is the front that was computed for that volume.
+///   d = ξ − e·x̄,  e = (cos ψ, sin ψ, 0)                 distance ahead of the front             (1)
+///   s = 1 − b (1 + d²/R²)^(−3/2)  if d > 0, else 1 − b    fraction of the velocity that remains   (2)
+///   ∂s/∂x̄ = −3 b d/R² (1 + d²/R²)^(−5/2) e               continuous at d = 0                     (3)
+/// x̄ [m] is the centroid of a triangle, b [1] fraction of the velocity lost at the front, R [m] radius of the
+/// catch, ξ [m] position of the front along the flow, ψ direction of the flow. (2) is the velocity that a
+/// vortex ring at the rim of the front induces on its axis (H. Lamb, Hydrodynamics, art. 161), and decreases
+/// with d like the flow ahead of a sphere. It applies to the whole cod-end, whose netting is near the axis.
+/// If the catch is given by its volume, ξ is the front that was computed for that volume.
 struct Slowing {
   bool acts = false;
   double left[kLanes], x[kLanes], y[kLanes];  // s; (3) along x and y [1/m]

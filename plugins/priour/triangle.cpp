@@ -11,7 +11,7 @@ namespace netloft::priour {
 
 namespace {
 
-/// Σ c = 0.
+/// Returns Σ c_p x_p from differences of positions, because Σ c_p = 0.
 Vec3<double> combine(const double (&c)[3], const State<3>& s) {
   return c[1] * s.between(0, 1) + c[2] * s.between(0, 2);
 }

@@ -51,7 +51,7 @@ struct Triangle {
     bool slows = false;
   };
 
-  /// d of (1), of the first three corners or of the first two and another one.
+  /// d of (1), for the first two corners and the corner `third`.
   template <std::size_t Corners>
   static double determinant(const std::array<double, Corners>& u, const std::array<double, Corners>& v,
                             std::size_t third = 2) {

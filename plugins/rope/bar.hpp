@@ -36,11 +36,12 @@ struct Bar {
 
   /// σ of (2).
   static double factor_at(const netloft_table& table, double time);
-  /// dσ/dt over σ [1/s]; at a corner of the table, that of the line before it.
+  /// (dσ/dt)/σ [1/s]; at a time of the table, the value of the segment before it.
   static double growth_at(const netloft_table& table, double time);
-  /// The lanes at a given time: `lanes` itself, or `room` filled by (2).
+  /// Returns the lanes at the time of the tile: `lanes` itself if no rope changes its length, else `room`,
+  /// filled by (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
-  /// The density for the weight of a rope: (3), or its own [kg/m3].
+  /// The density for the weight of a rope [kg/m3]: (3), or `density` if no weight in water is given.
   static double density_by_weight(double weight_in_water, double density, double diameter,
                                   double water_density, double gravity);
 
@@ -72,7 +73,8 @@ struct Bar {
   };
 
   struct Weight {
-    /// The lanes with the densities of (3): `at_time` itself, or `room`.
+    /// Returns the lanes with the densities of (3): `at_time` itself if no rope has a weight in water, else
+    /// `room`.
     static const Lanes& weighed(const Lanes& at_time, const netloft_tile& t, Lanes& room);
     static Status tile(const Family<Bar>& f, netloft_tile& t) {
       Lanes room;

@@ -6,13 +6,14 @@
 
 namespace netloft::rope {
 
-/// The deformation of a rope within a bar: sag across the chord and uneven stretch along it. To leading
-/// order, straight bars with lumped weights neglect the energy of a string under a uniform load,
+/// The deformation of a rope within a bar: sag across the chord and uneven stretch along it. Straight bars
+/// with lumped weights neglect its energy, which is to leading order that of a string under a uniform load,
 ///   E = −w² l₀² l cos²φ / (24 T̃) − w² l₀³ sin²φ / (24 EA),  T̃ = √(T² + (w l₀)²)               (1)
 /// w [N/m] weight in water of the unstretched rope, φ the slope of the chord, T the tension of the straight
 /// bar by axial (2); T̃ keeps (1) finite for a slack rope. With it, a hanging rope converges with h⁴ instead
-/// of h². Only weight is included, not drag: do not use it if drag bends the rope as much. Source: the
-/// transverse load of a taut string, −q² l³/(24 T) (Irvine, Cable Structures, MIT Press 1981, ch. 2).
+/// of h². Only weight is included, not drag: do not use it if drag bends the rope as much as weight does.
+/// Source: the transverse load of a taut string, −q² l³/(24 T) (Irvine, Cable Structures, MIT Press 1981, ch.
+/// 2).
 struct Sag {
   template <class T>
   static T energy(const Bar::Parameters& p, const Bar::Data& d, const Water& water, const Points<T, 2>& x) {

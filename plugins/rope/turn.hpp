@@ -9,7 +9,7 @@ namespace netloft::rope {
 ///   ∂c/∂w₁ = (I − t₁t₁ᵀ) t₂/l₁ = g₁,  ∂c/∂w₂ = (I − t₂t₂ᵀ) t₁/l₂ = g₂                      (2)
 ///   ∂²c/∂w₁∂w₁ = −(t₁g₁ᵀ + g₁t₁ᵀ)/l₁ − c (I − t₁t₁ᵀ)/l₁²                                   (3)
 ///   ∂²c/∂w₁∂w₂ = (I − t₁t₁ᵀ)(I − t₂t₂ᵀ)/(l₁ l₂)                                            (4)
-/// 1 + c is computed from the chord t₂ − t₁, which avoids cancellation in a straight rope.
+/// 1 − c is computed from the chord t₂ − t₁, which avoids cancellation in a straight rope.
 struct Turn {
   static constexpr double kShortest = 1e-9;  // bar over its unstretched length
 

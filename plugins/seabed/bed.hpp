@@ -8,19 +8,19 @@
 
 namespace netloft::seabed {
 
-/// The bed of the scene, of any shape, under a node with L metres of rope or twine and the radius r: contact,
-/// and friction.
+/// Contact and friction between the bed of the scene, of any shape, and a node that carries L metres of rope
+/// or twine of the radius r.
 ///   g = z − z_b(x, y) − r,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured vertically            (1)
 ///   E = k m L f(−g),  r = k L (f ∇m − m f' ∇g)                f of plane.hpp (2)
 ///   K = k L (m (f'' ∇g ∇gᵀ + f' ∇∇z_b) − f' (∇g ∇mᵀ + ∇m ∇gᵀ) + f ∇∇m)                              (2)
 ///   N = k m L f' ‖∇g‖,  n = ∇g/‖∇g‖                            normal force                         (3)
-///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               on a bed that passes, h of plane.hpp (9) (4)
+///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               on a moving bed, h of plane.hpp (9)     (4)
 ///   r = η/(2π f₀) k m L s(−g/ε) (∇g·v) ∇g,  s(y) = y² (3 − 2y), 0 below 0, 1 beyond 1            (5)
 /// (5) is the energy loss of the bed in compression, with the loss factor η at the frequency f₀, as for
 /// Kelvin and Voigt's solid, but limited by the force (2), because a bed does not pull. m and q are local
-/// factors on stiffness and friction at (x, y), 1 by default. v_b is the velocity of the ground. Friction of
-/// ground at rest sticks up to q μ N and then slides: it is that of plane.hpp (4) to (7), with n and N of (3)
-/// and the shear stiffness m κ. r is the radius of bobbins or discs that lift a footrope off the bed.
+/// factors on stiffness and friction at (x, y), 1 by default. v_b is the velocity of the ground. On ground at
+/// rest, a node sticks up to the force q μ N and then slides, by plane.hpp (4) to (7) with n and N of (3) and
+/// the shear stiffness m κ. r is the radius of bobbins or discs that lift a footrope off the bed.
 struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
@@ -60,7 +60,7 @@ struct OnBed {
   };
   struct Friction {
     static Status tile(const Family<OnBed>& family, netloft_tile& t);
-    /// On a bed that passes.
+    /// Friction of a moving bed, (4).
     template <class T>
     static Points<T, 1> force(const Parameters& p, const Data& d, const Whole& whole,
                               const MovingNodes<T, 1>& m);
@@ -83,7 +83,7 @@ struct OnBed {
   };
 
  private:
-  /// Vertical depth of the lower side of the node below the bed, and ∇g.
+  /// Vertical depth of the lower side of the node below the bed, −g of (1).
   template <class T>
   static T depth_of(const Parameters& p, const MovingNodes<T, 1>& m) {
     return m.bed[0].below(m.x[0]) + T(p.radius) - m.x[0].z;

@@ -12,7 +12,7 @@ namespace netloft::seabed {
 ///   δ = −h,  f(δ) = 0 | δ³/6ε | (δ − ε/2)²/2 + ε²/24  for  δ ≤ 0 | 0 < δ < ε | δ ≥ ε            (2)
 ///   E = k L f,  N = k L f',  r = −N n,  K = k L f'' n nᵀ          contact; f'' is continuous     (3)
 ///   d = (I − n nᵀ)(x − a)                                        displacement from the anchor        (4)
-///   r = κ L d                   while κ L |d| ≤ μ N              it sticks to a by a spring      (5)
+///   r = κ L d                   while κ L |d| ≤ μ N              a spring holds it at the anchor (5)
 ///   r = μ N d̂                   beyond that                      it slides, Coulomb              (6)
 ///   a ← x where N = 0,  a where it sticks,  x − (μ N/κ L) d̂ where it slides                       (7)
 /// A bed that moves with the velocity g under a towed gear drags every node and leaves no anchor:
