@@ -21,7 +21,8 @@ formats::TableReader own_table(formats::TableReader& analysis, const std::string
   return at.component.empty() ? plugin : plugin.table(at.component, formats::Presence::optional);
 }
 
-/// The parameters of a solver, an integrator or a strategy in the scene; read once.
+/// The parameters of a solver, an integrator or a strategy in the scene. The first call for a component reads
+/// them; later calls return the same values.
 template <class Type>
 const Values& parameters_of(const Type& component, formats::TableReader& analysis, Analysis& a) {
   const auto [given, is_new] = a.given.try_emplace(component.type);
@@ -32,7 +33,8 @@ const Values& parameters_of(const Type& component, formats::TableReader& analysi
   return given->second;
 }
 
-/// An integrator as a solver: `solver` is its name, and motion has to die.
+/// Sets up an integrator that `solver` names: it marches in time until the motion has died out, so mass
+/// damping is on by default.
 void read_settling(formats::TableReader& table, Registry& registry, Analysis& a) {
   a.dynamics.integrator = a.solver;
   const IntegratorType& type = registry.integrator(a.solver);
@@ -44,16 +46,17 @@ void read_settling(formats::TableReader& table, Registry& registry, Analysis& a)
   a.dynamics.march.budget = false;
 }
 
-/// Refuses what speaks of time where nobody said that there is none: kind = "dynamic" may be forgotten.
+/// Refuses keys of motions in a static analysis whose `kind` is not stated, because kind = "dynamic" may have
+/// been forgotten.
 void pass_over_time(formats::TableReader& table) {
-  bool is_refused = table.has("kind");  // it may stay for another day
+  bool is_refused = table.has("kind");  // kind = "static" is stated, so keys of motions may stay
   for (const auto& key : dynamics_keys())
     if (table.has(key.name) && !std::exchange(is_refused, true))
       table.error(key.name, "has no effect on an equilibrium",
                   "kind = \"dynamic\" for a motion, kind = \"static\" to keep it for another day");
 }
 
-/// Reads the keys of motions. True if the analysis needs no solver of equilibria.
+/// Reads the keys of motions. Returns true if the analysis needs no solver of equilibria.
 bool read_time(formats::TableReader& table, Registry& registry, Analysis& a) {
   const bool moves = a.kind == AnalysisKind::dynamics;
   a.settles = !moves && is_integrator(registry, a.solver);
@@ -74,13 +77,14 @@ bool read_time(formats::TableReader& table, Registry& registry, Analysis& a) {
 void read_solver(formats::TableReader& table, Registry& registry, Analysis& a) {
   const SolverType& solver = registry.solver(a.solver);
   a.solver_parameters = parameters_of(solver, table, a);
-  // A step begins so near its end that Newton's method wants no damping.
+  // A time step starts so near its solution that Newton's method needs no damping.
   if (a.kind == AnalysisKind::dynamics && a.solver == "newton")
     a.solver_parameters.try_emplace("damping", 0.0);
 }
 
-/// A solver that is named alone is to show what it is worth by itself. A motion names the solver of its
-/// steps; the equilibrium that it may start from is found by the default strategy.
+/// Reads the strategy. If a static analysis names only a solver, the strategy is kStrategyOfNamedSolver, so
+/// that the result shows what this solver can do by itself. In a motion `solver` names the solver of the
+/// steps; the default strategy finds the equilibrium from which the motion may start.
 void read_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   const bool only_solver = values.contains("solver") && !values.contains("strategy");
   if (only_solver && a.kind == AnalysisKind::statics) a.strategy = kStrategyOfNamedSolver;
@@ -88,7 +92,8 @@ void read_strategy(formats::TableReader& table, Registry& registry, const Values
   a.strategy_parameters = parameters_of(strategy, table, a);
 }
 
-/// An integrator that stands for a solver goes to the equilibrium in time, and asks no strategy.
+/// Clears the strategy: an integrator that is used as a solver reaches the equilibrium by time steps and
+/// calls no strategy. Warns if the scene names one.
 void pass_over_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   if (values.contains("strategy")) {
     registry.strategy(a.strategy);
@@ -114,7 +119,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
   return a;
 }
 
-/// Says of each component that is not there under which key it stands.
+/// Calls `read`. If a plugin is refused, reports this at `key` and sets `refused`.
 template <class Read>
 void read_component(formats::TableReader& table, const char* key, bool& refused, const Read& read) {
   try {
@@ -125,7 +130,7 @@ void read_component(formats::TableReader& table, const char* key, bool& refused,
   }
 }
 
-/// Keys of earlier versions, and what took their place.
+/// Reports keys of earlier versions, each with its replacement.
 void report_successors(formats::TableReader& table) {
   constexpr std::array<std::array<const char*, 2>, 2> kSuccessors = {
       {{"continuation", "strategy = \"auto\" solves easier variants first; \"direct\" does not"},
@@ -136,7 +141,8 @@ void report_successors(formats::TableReader& table) {
     if (table.has(key)) table.error(key, "is no longer a key of [analysis]", successor);
 }
 
-/// A strategy that is named as a solver gets a hint; whether it is one is asked of its plugin.
+/// Whether a name is that of a strategy, which decides on the hint for a strategy named as a solver. Its
+/// plugin is opened to find out.
 bool is_strategy(Registry& registry, const std::string& name) {
   try {
     registry.strategy(name);
@@ -146,7 +152,7 @@ bool is_strategy(Registry& registry, const std::string& name) {
   }
 }
 
-/// Solvers and strategies that parameters of a strategy name.
+/// Checks the solvers and strategies that parameters of a strategy name.
 void check_named_by(const StrategyType& strategy, const Values& values, formats::TableReader own,
                     Registry& registry, bool& refused) {
   for (const auto& parameter : strategy.parameters) {
@@ -162,14 +168,16 @@ void check_named_by(const StrategyType& strategy, const Values& values, formats:
   }
 }
 
-/// Checks the names of all strategies with a table. Which of them another strategy calls is known only later.
+/// Checks the names in the tables of all strategies. Which of these strategies another strategy calls is
+/// known only later.
 void check_names(formats::TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
   for (const auto& [type, values] : a.given)
     for (const auto& strategy : registry.plugin(table_of_component(type).plugin).strategies)
       if (strategy.type == type) check_named_by(strategy, values, own_table(table, type), registry, refused);
 }
 
-/// Tables of components that the scene does not name: a strategy may call them.
+/// Reads the tables of components that the scene does not name as its solver or strategy: a strategy may call
+/// them.
 void read_others(formats::TableReader& table, Registry& registry, Analysis& a) {
   const auto read = [&](const auto& all) {
     for (const auto& component : all) parameters_of(component, table, a);

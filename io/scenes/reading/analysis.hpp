@@ -6,15 +6,16 @@
 
 namespace netloft::scenes {
 
-/// The table of a solver, an integrator or a strategy in `[analysis]`: `newton` and `newton/newton` in
-/// `newton`, `tension/stages` in `tension.stages`.
+/// The table of a solver, an integrator or a strategy within `[analysis]`: `newton` and `newton/newton` have
+/// the table `newton`, `tension/stages` has `tension.stages`.
 struct ComponentTable {
   std::string plugin, component;  // the latter empty where the plugin's name is enough
 };
 ComponentTable table_of_component(const std::string& name);
 
-/// `[analysis]`: what is looked for, and by which solver with which parameters. Tables of others are read,
-/// too, for a strategy may call them. `refused` is set when a plugin is missing or must not run.
+/// Reads `[analysis]`: the kind of analysis, the solver and the strategy with their parameters. Also reads
+/// the tables of other solvers and strategies, because a strategy may call them. Sets `refused` if a plugin
+/// is missing or must not run.
 Analysis read_analysis(formats::TableReader analysis, Registry& registry, bool& refused);
 
 }  // namespace netloft::scenes

@@ -21,14 +21,15 @@ const netloft_parameter& bottom_key() {
                                [](const auto& key) { return key.name == std::string_view(kBottom); });
 }
 
-/// Number of a column of `[bed] bottom`; none if it has no such column.
+/// Index of a column of `[bed] bottom` by its name; none if there is no such column.
 std::optional<std::size_t> column_named(const char* name) {
   for (std::size_t k = 0; bottom_key().columns[k]; ++k)
     if (!std::strcmp(bottom_key().columns[k], name)) return k;
   return {};
 }
 
-/// No factor is negative, and what carries nothing is no bed.
+/// Refuses negative factors, factors above kMostFactor, and a stiffness factor of zero, with which the bed
+/// would carry nothing.
 void check_factors(const Samples& rows, formats::TableReader& bottom) {
   for (std::size_t k = 2; bottom_key().columns[k]; ++k) {
     const std::string_view name = bottom_key().columns[k];

@@ -6,8 +6,9 @@
 
 namespace netloft::scenes {
 
-/// The ground of the bed of a scene, `[bed] bottom`: rows of x, y and factors on parameters of the elements
-/// that rest on it. Every element type with a grid named `bottom` receives the factors that its columns name.
+/// The material of the bed of a scene, `[bed] bottom`: rows of x, y and factors on parameters of the elements
+/// that rest on the bed. Every element type that has a grid named `bottom` receives the factors that the
+/// columns of this grid name.
 class SeaBottom {
  public:
   SeaBottom() = default;
@@ -15,9 +16,10 @@ class SeaBottom {
   SeaBottom(const Values& values, formats::TableReader bed);
 
   bool empty() const { return rows_.empty(); }
-  /// Whether it is the same at y and -y.
+  /// Whether the factors are the same at y and -y.
   bool is_symmetric() const;
-  /// Gives a part what its type takes, unless the part says something else itself. False: it takes nothing.
+  /// Gives a part of this type its factors, unless the part states its own. Returns false if the type takes
+  /// none.
   bool lay_under(const ElementType& type, Part& part) const;
 
  private:

@@ -13,11 +13,11 @@ namespace netloft::scenes {
 
 namespace {
 
-/// A part of the catalogue that a scene names.
+/// A mention of a catalogue part in a scene.
 struct NamedPart {
-  std::string name;  // of the part of the scene
+  std::string name;  // of the part in the scene
   formats::Table* part;
-  std::string key;  // its twine, rope, float or board
+  std::string key;  // the key that names it: twine, rope, float or board
   std::string path;
 
   formats::Value& said() const { return part->find(key)->value; }
@@ -52,7 +52,8 @@ void insert_numbers(std::set<std::string>& known, const std::vector<netloft_para
     if (std::string_view(p.name).starts_with(prefix)) known.insert(p.name + prefix.size());
 }
 
-/// The numbers that elements of a part's plugin take under `key`. Its riders read the same table.
+/// The names of the numbers that elements of the part's plugin take under `key`. All elements of the plugin
+/// count, because riders on the part read the same table.
 std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry) {
   std::set<std::string> known;
   const formats::Member* type = mention.part->find("type");
@@ -61,12 +62,13 @@ std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry
   try {
     for (const auto& element : registry.plugin(name->substr(0, name->find('/'))).elements)
       insert_numbers(known, element.parameters, mention.key + ".");
-  } catch (const PluginRefused&) {  // it is said where the part is read
+  } catch (const PluginRefused&) {  // reported when the part is read
   }
   return known;
 }
 
-/// A part of the same kind in place of one that was not found, so that the rest can be read.
+/// A part of the same kind that replaces a part not found, so that the rest of the scene can be read. Null if
+/// the catalogue has none.
 const gears::CataloguePart* stand_in(const gears::Catalogue& catalogue, const std::string& key) {
   for (const auto& part : catalogue.parts())
     if (part.kind->key == key) return &part;
@@ -91,7 +93,7 @@ void put(const NamedPart& mention, const gears::Catalogue& catalogue, Registry& 
 
 constexpr const char *kPolar = "polar", *kSlip = "sideslip";
 
-/// A polar that a board names: `board = { polar = "cambered-low-aspect" }`.
+/// A mention of a polar in the table of a board: `board = { polar = "cambered-low-aspect" }`.
 struct NamedPolar {
   formats::Table* board;
   std::string path;
@@ -109,7 +111,8 @@ std::vector<NamedPolar> find_polars(formats::Value& scene) {
   return polars;
 }
 
-/// A table of some columns of a polar; nothing if it lacks the first of them.
+/// A table of those of `columns` that the polar has; nothing if it lacks the second column, the first column
+/// of values.
 std::optional<formats::Value> columns_of(const gears::CataloguePart& polar,
                                          const std::vector<const char*>& columns, formats::Place place) {
   formats::Table table;

@@ -6,8 +6,8 @@
 
 namespace netloft::scenes {
 
-/// The catalogue of a scene, which is loaded when it is first needed: the folders that the scene names, those
-/// of the user, and the library.
+/// The catalogue of a scene, which is loaded at its first use. It consists of the folders that the scene
+/// names, the folders of the user, and the library.
 class SceneCatalogue {
  public:
   /// `catalogue` of the scene names folders relative to `folder`.
@@ -15,7 +15,7 @@ class SceneCatalogue {
                  formats::Diagnostics& diagnostics);
 
   std::shared_ptr<const gears::Catalogue> load();
-  /// Null if it was not needed.
+  /// The catalogue if it has been loaded, else null.
   const gears::Catalogue* loaded() const { return catalogue_.get(); }
 
  private:
@@ -25,8 +25,9 @@ class SceneCatalogue {
   std::shared_ptr<const gears::Catalogue> catalogue_;
 };
 
-/// Replaces the names of catalogue parts in a scene, `twine = "pe-braided-4mm"`, by their numbers, and puts
-/// the loads that they bear into `strengths`. A scene without such names needs no catalogue.
+/// Replaces the names of catalogue parts in a scene, such as `twine = "pe-braided-4mm"`, by their numbers,
+/// and stores their breaking loads in `strengths`. Does not load the catalogue if the scene names no
+/// catalogue part.
 void put_catalogue_parts(formats::Value& scene, SceneCatalogue& catalogue, Registry& registry,
                          formats::Diagnostics& diagnostics, std::map<std::string, Strength>& strengths);
 

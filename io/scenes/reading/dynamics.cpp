@@ -70,7 +70,7 @@ std::vector<double> read_times(formats::TableReader& table) {
   return t;
 }
 
-/// The columns x, y, z, as many as there are times; those left out are zero.
+/// Reads the columns x, y, z with `count` values each; an absent column is zero.
 std::vector<Course::Point> read_columns(formats::TableReader& table, const char* unit, const char* doc,
                                         formats::Range range, std::size_t count) {
   std::vector<Course::Point> points(count, Course::Point{});
@@ -84,17 +84,17 @@ std::vector<Course::Point> read_columns(formats::TableReader& table, const char*
   return points;
 }
 
-/// Limits the slope of a cubic at a point so that the curve stays within its neighbours (F. N. Fritsch and
-/// R. E. Carlson, SIAM J. Numer. Anal. 17, 1980): at most three times the smaller of the secants before and
-/// after the point, and zero at an extremum and beside a level piece.
+/// Limits the slope of a cubic at a point, so that the curve stays between neighbouring points (F. N. Fritsch
+/// and R. E. Carlson, SIAM J. Numer. Anal. 17, 1980): the slope is at most three times the smaller of the
+/// secants before and after the point, and zero at an extremum and beside a level piece.
 double limited(double slope, double before, double after) {
   if (!(before * after > 0)) return 0;
   const double most = 3 * std::min(std::abs(before), std::abs(after));
   return std::clamp(slope, -most, most);
 }
 
-/// Velocities that let a cubic through the points be smooth: the mean slope to both neighbours, limited; none
-/// at the ends.
+/// A smooth cubic course through the points d. The velocity at a point is the limited mean slope between its
+/// two neighbours, and zero at both ends.
 Course through(const std::vector<double>& t, const std::vector<Course::Point>& d) {
   Course course;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -109,7 +109,7 @@ Course through(const std::vector<double>& t, const std::vector<Course::Point>& d
   return course;
 }
 
-/// The way gone with velocities that are straight between the points, from nothing at t = 0.
+/// The displacements of velocities that are linear between the points, zero at t = 0.
 Course gone(const std::vector<double>& t, const std::vector<Course::Point>& v) {
   Course course;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -135,7 +135,7 @@ namespace {
 
 const std::string kSketch = "sketch", kEquilibrium = "equilibrium";
 
-/// The words that `start` knows, and a result by its name.
+/// Reads `start`: sketch, equilibrium, or the name of a result file.
 void read_start(const std::string& start, formats::TableReader& analysis, Dynamics& d) {
   d.from_equilibrium = start == kEquilibrium;
   if (d.from_equilibrium || start == kSketch) return;
@@ -176,7 +176,8 @@ Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry) {
   d.stiffness_damping = k.stiffness_damping;
   d.material_damping = k.material_damping;
   const IntegratorType& type = registry.integrator(d.integrator);
-  if (analysis.diagnostics().errors() > errors_before) return d;  // what follows from them helps nobody
+  if (analysis.diagnostics().errors() > errors_before)
+    return d;  // the checks below would only repeat these errors
   if (k.shortest_step > k.longest_step)
     analysis.error("shortest_step", "is longer than longest_step, so that no step is allowed");
   if (k.adaptive && k.step > k.longest_step)

@@ -11,28 +11,29 @@
 
 namespace netloft::scenes {
 
-/// How a scene goes through time.
+/// How a scene is integrated in time.
 struct Dynamics {
   std::string integrator = {};
   Values integrator_parameters = {};
   MarchSettings march = {};
-  bool material_damping = true;           // loss factors of parts count
+  bool material_damping = true;           // whether loss factors of parts are used
   double stiffness_damping = 0;           // β of Rayleigh's damping β K [s]; α is march.mass_damping
-  bool from_equilibrium = false;          // otherwise from the sketch, or from start_file; always at rest
-  std::filesystem::path start_file = {};  // a result; beside the scene unless it is absolute
+  bool from_equilibrium = false;          // start; otherwise from the sketch or start_file. Always at rest
+  std::filesystem::path start_file = {};  // a result file; relative to the scene unless absolute
 };
 
-/// Keys of `[analysis]` that speak of time.
+/// The keys of `[analysis]` about motions.
 std::span<const netloft_parameter> dynamics_keys();
 
-/// Reads them, and the table of the integrator. Throws PluginRefused if there is no such integrator.
+/// Reads dynamics_keys(). Throws PluginRefused if there is no such integrator.
 Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry);
 
-/// A solver's name that is an integrator's: it goes through time until everything is at rest.
+/// Whether the name of a solver is that of an integrator, which marches in time until everything is at rest.
 bool is_integrator(Registry& registry, const std::string& name);
 
-/// `displacement` or `velocity` of a `[[hold]]`: columns over `t`. A way is a smooth curve through its points
-/// that begins and ends at rest; a velocity is straight between them, and goes on as it ends.
+/// Reads `displacement` or `velocity` of a `[[hold]]`: columns over `t`. Displacements are interpolated by a
+/// smooth curve that begins and ends at rest. Velocities are interpolated linearly, and the last velocity
+/// continues after the last time.
 Course read_course(formats::TableReader& hold);
 
 }  // namespace netloft::scenes

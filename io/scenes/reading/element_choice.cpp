@@ -59,7 +59,7 @@ void ElementChoice::read(const ElementType& type, formats::TableReader& table, P
   check_idle_keys(part, table);
 }
 
-/// A part's parameters are those of its elements and of all that ride on them, each name once.
+/// The parameters of the elements of a part and of all elements that ride on them, each name once.
 std::vector<netloft_parameter> ElementChoice::parameters_with_companions(const ElementType& type) const {
   std::vector<netloft_parameter> all = type.parameters;
   for (const auto* rider : companions_of(type))
@@ -70,7 +70,7 @@ std::vector<netloft_parameter> ElementChoice::parameters_with_companions(const E
   return all;
 }
 
-/// `drag = "hydro/morison"`, or a table with `law` and the parameters of the law.
+/// Reads the laws of a part: `drag = "hydro/morison"`, or a table with `law` and the parameters of the law.
 std::map<std::string, LawChoice> ElementChoice::read_laws(const ElementType& type,
                                                           formats::TableReader& table) const {
   std::map<std::string, LawChoice> laws;

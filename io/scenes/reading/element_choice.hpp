@@ -8,26 +8,27 @@
 
 namespace netloft::scenes {
 
-/// Puts what a registry said when it refused a plugin at a key: its sentence is the first line; where it was
-/// looked for stands below.
+/// Reports at `key` why a registry refused a plugin. The first line of `what` is the message; the lines below
+/// it, the places that were searched, become the hint.
 void report_refusal(formats::TableReader& table, const char* key, const std::string& what);
 
-/// A text that must not be empty.
+/// Reads a text that must not be empty; reports an empty one.
 std::string read_name(formats::TableReader& table, const char* key, const char* doc);
 
-/// The number of nodes of an element of each type; all types are known.
+/// The number of nodes of an element, for each type. No type may be null.
 std::vector<int> nodes_per_element(std::span<const ElementType* const> types);
 
-/// The elements, companion elements and laws of parts, from the plugins that a scene names.
+/// Finds the elements, companion elements and laws of parts in the plugins that a scene names.
 class ElementChoice {
  public:
   ElementChoice(Registry& registry, bool& refused) : registry_(registry), refused_(refused) {}
 
-  /// Null: there is none of this name, and it was said at `type`. An empty name says nothing.
+  /// The element type of this name. Null if there is none, which is reported at `type`, or if the name is
+  /// empty, which is not reported.
   const ElementType* find(const std::string& name, formats::TableReader& table) const;
-  /// Elements of the same plugin that ride on this one: bending on the bars of a rope.
+  /// Elements of the same plugin that ride on this one, such as bending on the bars of a rope.
   std::vector<const ElementType*> companions_of(const ElementType& type) const;
-  /// Parameters, those of companions among them, and laws of a part.
+  /// Reads the laws of a part and its parameters, including those of companions.
   void read(const ElementType& type, formats::TableReader& table, Part& part) const;
 
  private:

@@ -15,20 +15,21 @@ namespace {
 constexpr double kMostFiner = 100;
 constexpr std::int64_t kFewestNodes = 20;
 
-/// Whether `nodes = "knots"`, beside which no other key says how fine the mesh is.
+/// Whether the scene says `nodes = "knots"`; then no other key may set the fineness of the mesh.
 bool wants_knots(formats::TableReader& table) {
   const formats::Value* nodes = table.kind("nodes") == formats::Kind::text ? table.raw("nodes") : nullptr;
   return nodes && *nodes->as<std::string>() == kKnots;
 }
 
-/// The keys of `[gear]`, without the number of nodes where it is a word.
+/// Reads the keys of `[gear]`, except `nodes` if its value is a word.
 Values read_gear_keys(formats::TableReader& table, bool knots) {
   std::vector<netloft_parameter> keys(gear_keys().begin(), gear_keys().end());
   if (knots) std::erase_if(keys, [](const auto& key) { return std::string_view(key.name) == "nodes"; });
   return read_parameters(keys, table);
 }
 
-/// Either the number of nodes or the length of sides says how fine a mesh is.
+/// Refuses `nodes` and `size` together, since each sets the fineness of the mesh, and a number of nodes out
+/// of range.
 void check_fineness(const GearKeys& keys, formats::TableReader& table) {
   if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
     table.error("size", "stands beside nodes, and either says how fine the mesh is",
@@ -74,7 +75,7 @@ void check_halves(const gears::NetPlan& plan, formats::TableReader& table) {
                   "extent = \"whole\", or leave out tension_port");
 }
 
-/// `finer = { top-codend = 2 }`, by panels and ropes.
+/// Reads `finer = { top-codend = 2 }`: factors on the fineness of single panels and ropes.
 void read_finer(formats::TableReader& table, const gears::Gear& gear, gears::Fineness& fineness) {
   formats::TableReader finer = table.table("finer", formats::Presence::optional);
   std::vector<std::string> names;

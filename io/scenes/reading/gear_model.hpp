@@ -10,16 +10,17 @@
 
 namespace netloft::scenes {
 
-/// The modelled part of a net plan, the whole or a half, and its fineness.
+/// The part of a net plan that is modelled, the whole or a half, and the fineness of its mesh.
 struct GearModel {
   gears::Gear gear;
   gears::Fineness fineness;
 };
 
-/// Reads `[gear]`. Nothing where its keys are wrong, as the diagnostics then say.
+/// Reads `[gear]`. Returns nothing if its keys have errors, which are reported.
 std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
-/// The names in a gear for a name in its plan: the same name, or both of a pair in the whole gear.
+/// The names in a gear that a name in its plan means: the same name, or both names of a pair in a whole gear.
+/// Empty if there are none.
 std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::scenes

@@ -62,8 +62,8 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
   own_.resize(mesh().nodes);
 }
 
-/// A board starts where warps of such boards have it: as deep as they reach, on the bed where there is one.
-/// Only a start: what is found does not depend on it, unless a gear has several equilibria.
+/// The initial guess of the position of a board: as deep as warps usually reach with such boards, but not
+/// below the bed. The equilibrium does not depend on it, unless a gear has several equilibria.
 BodyOfPlan GearParts::place_of(const gears::GearBody& body) const {
   BodyOfPlan place{body.is_mirrored ? -1.0 : 1.0, {}};
   const gears::Rope* warp = plan_.find_rope(gears::kWarp);
@@ -174,7 +174,7 @@ void GearParts::add_part(std::string_view kind, const std::string& name, const s
   draft_.add_part(std::move(part), std::move(geometry), elements_->type_of(kind), is_sound);
 }
 
-/// Points of the plan that no part has for its own: towing points.
+/// Names the points of the plan that belong to no part, such as towing points.
 void GearParts::name_points() {
   for (const auto& [name, node] : mesh().points)
     if (name.find('.') == std::string::npos && !own_[node].empty()) {
@@ -214,7 +214,7 @@ void GearParts::put_pieces(const gears::GearPieces& pieces) {
   draft_.add_rider(std::move(part), pieces.pieces->place, elements_->type_of("floats"), is_sound);
 }
 
-/// The nodes that carry pieces, and the length of rope or edge that each of them carries.
+/// The nodes that carry `pieces`. Adds to `carried` the length of rope or edge [m] that belongs to each node.
 std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
                                                std::vector<double>& carried) const {
   std::vector<std::uint32_t> nodes;
@@ -244,7 +244,7 @@ std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
   return nodes;
 }
 
-/// The roles that the plan gives its ropes; parts of ropes are in the order of the gear's.
+/// Stores the roles that the plan gives its ropes. Parts of ropes have the order of the ropes of the gear.
 void GearParts::name_lines(GearInScene& gear) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::Rope& rope = *gear_.ropes[r].rope;
@@ -258,7 +258,8 @@ void GearParts::name_lines(GearInScene& gear) const {
   }
 }
 
-/// Ends of a rope across the gear have the same names in the whole and in the half.
+/// The name of a point in reports. The ends of a rope across the gear have the same names in the whole and in
+/// the half gear.
 std::string GearParts::point_name(const std::string& name) const {
   const auto dot = name.find('.');
   const gears::GearRope* rope = dot == std::string::npos ? nullptr : gear_.find_rope(name.substr(0, dot));
@@ -269,7 +270,7 @@ std::string GearParts::point_name(const std::string& name) const {
   return end == "end" ? rope->name + ".starboard" : name;
 }
 
-/// A pair counts as carried if the part to starboard is.
+/// Whether all nodes of a rope of the plan are carried. A pair counts as carried if its rope to starboard is.
 bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
     if (gear_.ropes[r].rope->name == rope)
@@ -287,7 +288,8 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
 
 namespace {
 
-/// Pieces are shared out among the shoes of one board, also where the other one is modelled, too.
+/// Divides the number of pieces by `shoes`, the number of shoes of one board, so that the result does not
+/// depend on whether the other board is modelled, too.
 void count_on_one_side(formats::Table& contact, double shoes) {
   if (contact.find("each")) return;
   double pieces = 1;
@@ -295,7 +297,7 @@ void count_on_one_side(formats::Table& contact, double shoes) {
     const double* real = said->value.as<double>();
     const std::int64_t* whole = said->value.as<std::int64_t>();
     pieces = real ? *real : whole ? static_cast<double>(*whole) : -1;
-    if (!(pieces >= 0)) return;  // said where it is read
+    if (!(pieces >= 0)) return;  // reported where it is read
     std::erase_if(contact.members, [](const formats::Member& m) { return m.key == "number"; });
   }
   formats::put(contact, "each", {contact.members.front().place, pieces / shoes});
@@ -367,8 +369,9 @@ void GearParts::hold_blocks() {
   draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
 }
 
-/// Adds a setting for each warp with a tension, whose length is found, and a winch, which holds the tension
-/// in a motion unless the plan states how it runs. A warp starts at its block.
+/// For each warp with a tension, adds a setting: the solver finds the length with this tension. Adds a winch
+/// for each warp with a tension or a winch program; without a program it holds the tension in a motion. A
+/// warp starts at its block.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::GearRope& rope = gear_.ropes[r];

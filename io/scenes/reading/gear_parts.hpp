@@ -12,17 +12,17 @@
 
 namespace netloft::scenes {
 
-/// Name of the hold that keeps the middle of a half on the plane of symmetry.
+/// Name of the hold that keeps the middle of half a gear on the plane of symmetry.
 inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
 
-/// Name of the hold that is the ship.
+/// Name of the hold of the blocks of the ship.
 inline constexpr const char* kShip = "ship";
 
-/// The parts of a net plan in a scene: panels of triangles and ropes of bars, joined as in the plan, with
-/// floats and weights. Members are steps of reading a scene, in the order in which they happen.
+/// Makes the parts of a net plan in a scene: panels of triangles and ropes of bars, joined as in the plan,
+/// with floats and weights. The members are the steps of reading a scene, in their order.
 class GearParts : public GearSteps {
  public:
-  /// `plan` has no errors. Reads `[gear]` and `[elements]`.
+  /// Reads `[gear]` and `[elements]`. `plan` must have no errors.
   GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice, Draft& draft,
             gears::Divisions& divisions);
 
@@ -51,9 +51,9 @@ class GearParts : public GearSteps {
   void add_part(std::string_view kind, const std::string& name, const std::string& path,
                 formats::Value numbers, bool is_of_catalogue, Geometry geometry,
                 const std::vector<std::uint32_t>& nodes);
-  /// The position of a body before anything is known of the equilibrium.
+  /// The initial position of a body, before anything is known of the equilibrium.
   BodyOfPlan place_of(const gears::GearBody& body) const;
-  /// Lets ropes lead to the points of this part, which is that body.
+  /// Lets ropes end at the points of a body. `part` is the part of the scene that makes this body.
   void tie(const gears::GearBody& body, std::size_t part);
   void add_parts();
   void hold_middle();
@@ -72,9 +72,10 @@ class GearParts : public GearSteps {
   gears::Gear gear_;
   std::optional<PlanElements> elements_;       // once it is read
   std::shared_ptr<gears::Division> division_;  // null after an error
-  std::vector<gears::KnownCoordinate> known_;  // points of bodies
+  std::vector<gears::KnownCoordinate> known_;  // coordinates of points of bodies
   std::vector<double> start_;                  // 3 per node of the gear
-  /// Parts and own nodes that a node of the gear is: its first is where its position comes from.
+  /// For each node of the gear, the parts that have it, each with its own number of it. The first of them
+  /// gives the node its position.
   std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;
 };
 

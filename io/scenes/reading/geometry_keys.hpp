@@ -13,7 +13,7 @@ inline constexpr std::int64_t kMostCells = 100000;  // along one direction
 
 using Point = std::array<double, 3>;
 
-/// Something that each layout of a part has.
+/// One value for each layout of a part.
 template <class T>
 struct ByLayout {
   T point, line, panel_in_triangles, panel_in_bars, body;
@@ -39,11 +39,11 @@ extern const GeometryKey kAt, kLength, kBars, kLine, kAcross, kAlong, kBar, kNet
     kTurns, kOutline;
 
 double read_real(formats::TableReader& table, const GeometryKey& key, std::optional<double> fallback = {});
-/// The first of those that are allowed if it is missing.
+/// Reads a word; returns the first allowed word if the key is missing.
 std::string read_word(formats::TableReader& table, const GeometryKey& key);
-/// A point that is needed; the origin if something is wrong with it.
+/// Reads a required point; returns the origin after an error.
 Point read_one_point(formats::TableReader& table, const GeometryKey& key);
-/// One, where the key is of one integer.
+/// Reads integers; a single one if the key is of one integer.
 std::vector<std::int64_t> read_integers(formats::TableReader& table, const GeometryKey& key);
 std::vector<Point> read_points(formats::TableReader& table, const GeometryKey& key);
 

@@ -26,7 +26,7 @@ void HoldReader::read() {
   }
 }
 
-/// Nodes of all that a hold names; empty where something is wrong with it.
+/// The nodes of all names in a hold; empty after an error.
 std::vector<std::uint32_t> HoldReader::find_held(const HoldEntry& entry, formats::TableReader& table) {
   std::vector<std::uint32_t> nodes;
   std::size_t sets = 0;
@@ -57,7 +57,7 @@ void HoldReader::refuse_carried(const Mention& m, std::uint32_t node) {
                          "] holds its attitude");
 }
 
-/// Lets what a hold holds go along a course.
+/// Moves the nodes of a hold along a course.
 void HoldReader::guide(Course course, const HoldEntry& entry, const Hold& hold, formats::TableReader& table) {
   if (course.knots.empty()) return;
   guides_.push_back(table);

@@ -6,14 +6,14 @@
 
 namespace netloft::scenes {
 
-/// Reads `[[hold]]`: what is held, where, and along which course it goes.
+/// Reads `[[hold]]`: the held nodes, their positions, and the course along which they move.
 class HoldReader {
  public:
   HoldReader(formats::TableReader& root, Draft& draft, const GearSteps& gear)
       : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out), gear_(gear) {}
 
   void read();
-  /// Nothing moves in a static analysis, unless somebody looks at a motion that way for once.
+  /// Refuses moving holds in a static analysis, unless --set has made the analysis static.
   void check_guides();
   void report_one_sided() const { one_sided_.report(draft_, diagnostics_); }
 

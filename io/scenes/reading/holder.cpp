@@ -41,8 +41,8 @@ std::array<double, 9> frame_along(const std::array<double, 3>& d) {
   return {a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]};
 }
 
-/// `along`: free on a line of this direction alone. `plane`: free in the plane with this normal (a symmetry
-/// plane).
+/// Reads `along`, the direction of a line on which the nodes are free, or `plane`, the normal of a plane in
+/// which they are free (a symmetry plane).
 void read_frame(formats::TableReader& table, HoldEntry& entry) {
   const bool along = table.has("along"), plane = table.has("plane");
   if (!along && !plane) return;
@@ -105,7 +105,7 @@ std::string spell(const std::array<double, 3>& p) {
   return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) + ") m";
 }
 
-/// The same place along the axes that both speak of, but for round-off.
+/// Whether two points agree, up to round-off, along the axes that both entries hold.
 bool agree(const std::array<double, 3>& a, const std::array<double, 3>& b, int axes) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if ((axes & (1 << axis)) && std::abs(a[axis] - b[axis]) > 1e-9 * (1 + std::abs(a[axis]))) return false;
@@ -151,12 +151,14 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
   return held;
 }
 
-/// Bits of a node that has its own axes mean those; only all of them together mean the same.
+/// Whether a node can be held along axes of the scene. The bits of a node that has its own axes refer to
+/// those; only the bits of all three axes mean the same in both.
 bool Holder::holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const {
   return axes == kAllAxes || scene_.held[node] == kAllAxes || !scene_.frames.contains(node);
 }
 
-/// Gives a node its own axes. Not if it is held along others already, but for one that is held altogether.
+/// Gives a node its own axes. Returns false if the node is held along other axes already; a node that is held
+/// along all axes needs none.
 bool Holder::turn(std::uint32_t node, const std::array<double, 9>& frame) {
   if (scene_.held[node] == kAllAxes) return true;
   if (const auto at = scene_.frames.find(node); at != scene_.frames.end()) return at->second == frame;
@@ -165,7 +167,7 @@ bool Holder::turn(std::uint32_t node, const std::array<double, 9>& frame) {
   return true;
 }
 
-/// A point for every node; none at all if the entry leaves them where they are.
+/// The position of every node; empty if the entry leaves the nodes where they are.
 std::vector<Holder::Point> Holder::places(const HoldEntry& entry,
                                           const std::vector<std::uint32_t>& nodes) const {
   std::vector<Point> points;
@@ -178,7 +180,8 @@ std::vector<Holder::Point> Holder::places(const HoldEntry& entry,
   return points;
 }
 
-/// False: an error was put at `at`.
+/// Puts a node at its held position. Returns false if another entry holds it elsewhere, which is reported at
+/// `at`.
 bool Holder::put(std::uint32_t node, const Put& put, formats::TableReader& table) {
   for (const Put& earlier : put_[node])
     if (!agree(put.point, earlier.point, put.axes & earlier.axes)) {

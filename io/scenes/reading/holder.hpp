@@ -8,31 +8,33 @@
 
 namespace netloft::scenes {
 
-/// One `[[hold]]` as it is written.
+/// The content of one `[[hold]]`.
 struct HoldEntry {
   std::vector<std::string> on;
   std::string name;
   std::uint8_t axes = kAllAxes;
-  std::optional<std::array<double, 9>> frame;  // its own axes, for `along` and `plane`
+  std::optional<std::array<double, 9>> frame;  // axes of the hold, for `along` and `plane`
   bool as_sketched = false;                    // at = "sketch"
-  std::vector<std::array<double, 3>> at;       // points of a line; empty: not said
+  std::vector<std::array<double, 3>> at;       // points of a line; empty if `at` is absent
 };
 
-/// Errors are located and go to the diagnostics of `table`.
+/// Reads one hold; errors go to the diagnostics of `table`.
 HoldEntry read_hold(formats::TableReader& table);
 
-/// Fixes nodes of a scene where the entries say, and finds entries that contradict one another.
+/// Fixes nodes of a scene at the positions that the entries state, and finds entries that contradict each
+/// other.
 class Holder {
  public:
   explicit Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {}
 
-  /// `nodes` of the scene in the order of the set. What is held already counts with the entry that held it
-  /// first, so that the reactions of all holds add up to what holds the gear.
+  /// Holds `nodes` of the scene, given in the order of their set. An axis that is held already counts only
+  /// with the entry that held it first, so that the reactions of all holds add up to the total reaction on
+  /// the gear.
   Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:
   using Point = std::array<double, 3>;
-  /// The position and the axes at which an entry holds a node, and the place of the entry.
+  /// The position and axes of a node in one entry, and the place of the entry in the file.
   struct Put {
     Point point;
     std::uint8_t axes;

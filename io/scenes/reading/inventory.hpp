@@ -10,11 +10,11 @@
 
 namespace netloft::scenes {
 
-/// The tension at which what a table describes breaks [N]; NaN if it does not say.
+/// The breaking load in a table of a twine or a rope [N]; NaN if the table has none.
 double breaking_load_of(const formats::Value& numbers);
 
-/// The rows of a gear's bill of materials: panels, ropes, and what is hung on them, each under its name in
-/// the plan, port and starboard in one row.
+/// The rows of the bill of materials of a gear: panels, ropes, floats and weights. Each row has the name in
+/// the plan; port and starboard share one row.
 std::vector<BillItem> bill_of(const gears::NetPlan& plan);
 
 /// The place of every panel of the gear on the drawing of its plan.

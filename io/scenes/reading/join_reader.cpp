@@ -17,7 +17,7 @@ void JoinReader::read() {
   number(joiner);
 }
 
-/// Nodes that meshes and the net plan have in common.
+/// Joins the nodes that parts have in common in meshes and in the net plan.
 void JoinReader::join_by_others(Joiner& joiner) const {
   meshes_.connect(joiner);
   gear_.join(joiner);
@@ -41,7 +41,7 @@ void JoinReader::read_join(formats::TableReader& table, Joiner& joiner) {
 bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
                                formats::TableReader& table, bool together) {
   for (std::size_t s = 0; s < sets.size(); ++s) {
-    if (!draft_.is_sound[sets[s].part]) return false;  // it has no true number of nodes
+    if (!draft_.is_sound[sets[s].part]) return false;  // its number of nodes may be wrong
     if (!together && sets[s].own.size() != sets[0].own.size()) {
       table.error("points",
                   formats::in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +
@@ -60,7 +60,7 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
   return true;
 }
 
-/// Joins must leave every element its size. The first that does not is found by making them again one by
+/// Refuses joins that make an element collapse. To find the first such join, makes all joins again, one by
 /// one.
 void JoinReader::check_joins(Joiner& joiner) const {
   if (!joiner.find_collapse(nodes_per_element(draft_.types))) return;

@@ -15,11 +15,11 @@ class JoinReader {
   void read();
 
  private:
-  /// A [[join]] that was made, and where it stands.
+  /// A [[join]] that was made, and its place in the file.
   struct Join {
     std::vector<Joiner::Ends> sets;
     Mention at;
-    bool together;  // all nodes in one
+    bool together;  // whether all nodes become one
     void make(Joiner& joiner) const { together ? joiner.gather(sets) : joiner.join(sets); }
   };
 

@@ -10,7 +10,7 @@
 
 namespace netloft::scenes {
 
-/// Makes the nodes of a scene out of the nodes of its parts: joined nodes become one, with the position of
+/// Makes the nodes of a scene from the nodes of its parts: joined nodes become one node at the position of
 /// the first.
 class Joiner {
  public:
@@ -40,7 +40,7 @@ class Joiner {
       }
   }
 
-  /// All nodes of all sets become one node, in the middle of them: netting gathered in a point.
+  /// All nodes of all sets become one node at their mean position: netting gathered in a point.
   void gather(const std::vector<Ends>& sets) {
     std::vector<std::uint32_t> nodes;
     for (const auto& set : sets)
@@ -51,7 +51,7 @@ class Joiner {
     gathered_.push_back(std::move(nodes));
   }
 
-  /// An element that has lost its size: two of its nodes have become one, other than by being gathered.
+  /// An element that has lost its size because two of its nodes have become one, other than by gathering.
   struct Collapse {
     std::size_t part, element;
   };
@@ -68,7 +68,7 @@ class Joiner {
     return std::nullopt;
   }
 
-  /// Numbers what is left and fills positions, labels and `held` of the scene.
+  /// Numbers the nodes that remain, and fills positions, labels and `held` of the scene.
   void number(Scene& scene) {
     number_.assign(leader_.size(), 0);
     std::uint32_t node = 0;
@@ -99,7 +99,8 @@ class Joiner {
     return node;
   }
 
-  /// A triangle may have two corners where netting is gathered; what is left of it is a line, not a point.
+  /// Whether joins have reduced an element to a point, or a bar to zero length. Where netting is gathered, a
+  /// triangle may have two equal corners, because it is still a line.
   bool is_collapsed(const std::vector<std::uint32_t>& corners) {
     std::size_t twins = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)

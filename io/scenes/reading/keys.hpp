@@ -8,11 +8,11 @@
 
 namespace netloft::scenes {
 
-/// Defaults of `[analysis]`: the solver of stages and of the steps of a motion, the strategy, and the
-/// strategy if only a solver is named.
+/// Defaults of `[analysis]`: the solver of stages and of steps of a motion, the strategy, and the strategy of
+/// a scene that names only a solver.
 inline constexpr const char *kSolver = "newton", *kStrategy = "auto", *kStrategyOfNamedSolver = "direct";
 
-/// `[analysis]`, but for the tables of solvers and strategies.
+/// The keys of `[analysis]`, except the tables of solvers and strategies.
 struct AnalysisKeys {
   std::int64_t kind = 0;
   const char *strategy = nullptr, *solver = nullptr;
@@ -22,13 +22,13 @@ struct AnalysisKeys {
   std::int64_t tangent = 0, swinging = 0;
 };
 
-/// `[water]`, but for the current.
+/// The keys of `[water]`, except the current.
 struct WaterKeys : SceneWater {
   double model_scale = 1;        // [1]
   double model_twine_scale = 0;  // [1]; 0: Froude's rule
 };
 
-/// `water.waves`.
+/// The keys of `water.waves`.
 struct WaveKeys {
   std::int64_t spectrum = 0, components = 0, seed = 0, stretching = 0;
   double height = 0, period = 0;               // [m], [s]
@@ -36,43 +36,43 @@ struct WaveKeys {
   double depth = 0, ramp = 0, peakedness = 0;  // [m], [s], [1]
 };
 
-/// `[tow]`.
+/// The keys of `[tow]`.
 struct TowKeys {
   double speed = 0;   // [m/s]
   double leeway = 0;  // [rad]
 };
 
-/// The word for every knot a node, in place of the number of nodes of `[gear]`.
+/// The value of `nodes` in `[gear]` that makes every knot a node.
 inline constexpr const char* kKnots = "knots";
 
-/// `[bed]`.
+/// The keys of `[bed]`.
 struct BedKeys {
   double depth = 0, slope_x = 0, slope_y = 0;  // [m]
   netloft_table relief{};                      // x, y, height
   netloft_table bottom{};                      // x, y, stiffness, friction, ploughing
 };
 
-/// `[gear]`, but for the table `finer`.
+/// The keys of `[gear]`, except the table `finer`.
 struct GearKeys {
   const char *title = nullptr, *source = nullptr;
-  std::int64_t extent = 0;  // whole, half
+  std::int64_t extent = 0;  // 0: whole, 1: half
   std::int64_t nodes = 0;
   double size = 0;
 };
 
-/// The kind of what touches the bed. It is there only where a scene has `[elements.contact]`.
+/// The kind of the contact elements, which exist only in a scene with `[elements.contact]`.
 inline constexpr const char* kContact = "contact";
 
-/// The elements of a kind of parts of a net plan, `[elements.KIND]`: the key of a part that they take from
-/// the plan, and the default type.
+/// The elements of one kind of parts of a net plan, `[elements.KIND]`: the key whose numbers they take from
+/// the plan, and the default element type.
 struct GearElements {
   const char *kind, *key, *type, *doc;
-  std::uint32_t stencil;  // that they are divided into
+  std::uint32_t stencil;  // of the elements into which the parts are divided
 };
 std::span<const GearElements> gear_elements();
 
-/// The tables of a scene that belong to no plugin, in the same form as those of plugins: reading, checks,
-/// `describe` and the schema all come from here.
+/// The keys of tables of a scene that belong to no plugin, in the same form as the keys of plugins. Reading,
+/// checks, `describe` and the schema all use these tables.
 std::span<const netloft_parameter> water_keys();
 std::span<const netloft_parameter> wave_keys();
 std::span<const netloft_parameter> tow_keys();

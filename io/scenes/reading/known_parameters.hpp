@@ -4,9 +4,8 @@
 
 namespace netloft::scenes {
 
-/// Parameters that are read by their name, in an element of whatever plugin: what a part says under it is
-/// checked, drawn or changed. Authors find the table in framework/guides/element.md, and a test compares
-/// both.
+/// Parameters that are recognized by their name in the elements of every plugin: their values are checked,
+/// drawn or scaled. Authors find the table in framework/guides/element.md, and a test compares both.
 struct KnownParameter {
   const char *name, *use;
 };

@@ -19,18 +19,18 @@ namespace netloft::scenes {
 struct PartGeometry {
   std::string name;
   formats::Place place;
-  std::vector<std::uint32_t> nodes;  // own number -> scene node
-  std::vector<int> cells;            // bars of a rope; cells across, along a panel; empty: not divided
-  std::vector<std::array<double, 2>> panel;                // own number -> (U, V) [meshes]; empty off a panel
+  std::vector<std::uint32_t> nodes;          // own number -> scene node
+  std::vector<int> cells;                    // bars of a rope, or cells across and along a panel; else empty
+  std::vector<std::array<double, 2>> panel;  // own number -> (U, V) [meshes]; empty off a panel
   std::map<std::string, std::vector<std::uint32_t>> sets;  // "fore" -> own numbers, in order along the edge
-  bool is_numbered = false;  // something is held, joined or stands on a node that is called by its number
+  bool is_numbered = false;  // whether a hold, a join or a rider names one of its nodes by number
 };
 
 /// A `[[hold]]`, for reactions by name.
 struct Hold {
   std::string name;
   std::vector<std::uint32_t> nodes;  // of the scene
-  std::vector<std::uint8_t> axes;    // per node, those that count with this hold
+  std::vector<std::uint8_t> axes;    // per node, the axes whose reactions belong to this hold
 };
 
 /// One line of `[results]`: a named scalar, such as the lowest z of the net.
@@ -41,9 +41,9 @@ struct ResultRequest {
   std::string quantity;  // "z", "tension"
   std::string unit, doc;
   Source source = Source::position;
-  int axis = 0;                      // of positions, displacements and reactions; 3 is the length; of
-                                     // attitudes the angle: heading, heel, trim
-  std::uint32_t body = 0;            // of attitudes, in Scene::bodies
+  int axis = 0;                      // 0 to 2: x, y, z, and 3: length of the vector;
+                                     // of an attitude 0: heading, 1: heel, 2: trim
+  std::uint32_t body = 0;            // index in Scene::bodies, for attitudes
   std::vector<std::uint32_t> nodes;  // of the scene
   std::uint32_t part = 0;            // for outputs
 };
@@ -51,14 +51,14 @@ struct ResultRequest {
 /// How the scene is to be solved.
 struct Analysis {
   AnalysisKind kind = AnalysisKind::statics;
-  bool settles = false;  // `solver` is an integrator, which goes through time until all is at rest
+  bool settles = false;  // whether `solver` is an integrator, which marches in time until all is at rest
   Dynamics dynamics = {};
   std::string strategy;  // the plugin that decides how the equilibrium is found
   Values strategy_parameters;
-  double work = 0;     // budget of the strategy, in the units of framework/balance/work.hpp
+  double work = 0;     // budget of the strategy, in the unit of framework/balance/work.hpp
   std::string solver;  // the plugin that solves stages, or steps in time
   Values solver_parameters;
-  std::map<std::string, Values> given;  // what the scene says of components by type, "newton/newton"
+  std::map<std::string, Values> given;  // parameters in the scene by component type, such as "newton/newton"
   Limits limits;
   TangentChoice tangent = TangentChoice::exact;
 };
@@ -66,9 +66,9 @@ struct Analysis {
 /// A row of the bill of materials of a gear; NaN marks a number that does not apply or is not given.
 struct BillItem {
   std::string kind;          // netting, rope, piece, body
-  std::string name;          // in the plan
-  std::string part_name;     // in the catalogue; empty: written in the plan
-  double number = 1;         // in the whole gear
+  std::string name;          // its name in the plan
+  std::string part_name;     // name in the catalogue; empty if the plan states the numbers
+  double number = 1;         // pieces in the whole gear
   double length = 0;         // of one rope, unstretched [m]
   double diameter = 0;       // of a twine, a rope or a piece [m]
   double breaking_load = 0;  // of a rope, or of the twines of a bar [N]
@@ -82,35 +82,35 @@ struct SheetPlace {
   double x = 0, y = 0, x_across = 0, y_across = 0, x_deep = 0, y_deep = 0;
 };
 
-/// The parts of a scene that come from a net plan, for reports in the plan's names. Parts are numbered as in
-/// Scene::parts.
+/// The parts of a scene that come from a net plan, for reports that use the names of the plan. Indices of
+/// parts refer to Scene::parts.
 struct GearInScene {
-  int times = 1;  // 2: a half was modelled, and what is summed up counts twice
+  int times = 1;  // 2 if half a gear is modelled: sums over parts are doubled
   std::vector<std::uint32_t> panels, ropes, pieces;
   std::map<std::string, std::uint32_t> points;  // "headrope.end", "top-wing.fore-outer": node of the scene
-  std::size_t nodes = 0;                        // about as many were asked for,
-  double size = 0;                              // or sides of triangles of about this length [m]; 0: by nodes
+  std::size_t nodes = 0;                        // requested number of nodes
+  double size = 0;                              // requested side of triangles [m]; 0: `nodes` decides
   std::string headline, footrope;               // ropes by their roles in the plan; empty: none
-  std::set<std::uint32_t> across;               // ropes from one side to the other: port, middle, starboard
+  std::set<std::uint32_t> across;  // ropes across the gear: from port over the middle to starboard
   std::map<std::string, std::vector<std::uint32_t>> roles;  // ropes of the other roles, such as bridle
-  /// Bodies that are there to port and to starboard, by their name in the plan: parts of the scene; of a half
-  /// the one to starboard.
+  /// Pairs of bodies by their name in the plan, as parts of the scene. Half a gear has only the body to
+  /// starboard.
   std::map<std::string, std::vector<std::uint32_t>> pairs;
-  double ship_speed = 0;       // over the ground [m/s]; 0: there is no ship
-  double ship_efficiency = 0;  // towing power over the heat of the fuel; 0: not known
+  double ship_speed = 0;       // over the ground [m/s]; 0 without a ship
+  double ship_efficiency = 0;  // towing power divided by the heat power of the fuel; 0: unknown
   std::vector<BillItem> bill;
-  std::map<std::string, SheetPlace> sheet;  // by panel, as the gear names it
+  std::map<std::string, SheetPlace> sheet;  // by the name of the panel in the gear
 };
 
 /// The strength of a part, from its plan or the catalogue.
 struct Strength {
   double breaking_load = 0;  // of a rope, or of the twines of a bar [N]; NaN: not known
-  std::string material;      // in the catalogue; empty: written in the scene
+  std::string material;      // name in the catalogue; empty if the scene states the load
 };
 
-/// Names and looks of a rigid body of Scene::bodies.
+/// Names and outline of a rigid body of Scene::bodies.
 struct BodyInScene {
-  std::uint32_t part = 0;                      // of Scene::parts, the one that made it
+  std::uint32_t part = 0;                      // index in Scene::parts of the part that made it
   double side = 1;                             // 1 to starboard, -1 to port
   std::vector<std::string> points;             // names, as RigidBody::points
   std::vector<std::array<double, 3>> outline;  // corners in its own axes, for pictures [m]
@@ -119,16 +119,16 @@ struct BodyInScene {
 /// A scene file, read and checked.
 struct LoadedScene {
   Scene scene;
-  std::vector<PartGeometry> parts;  // as in scene.parts
-  std::vector<BodyInScene> bodies;  // as in scene.bodies
+  std::vector<PartGeometry> parts;  // in the order of scene.parts
+  std::vector<BodyInScene> bodies;  // in the order of scene.bodies
   std::vector<Hold> holds;
   std::vector<ResultRequest> results;
   Analysis analysis;
   std::vector<formats::SourceFile> files;
-  std::optional<GearInScene> gear;            // of a scene with a net plan
-  std::map<std::string, Strength> strengths;  // by part, where something is known
+  std::optional<GearInScene> gear;            // only in a scene with a net plan
+  std::map<std::string, Strength> strengths;  // by part; only of parts whose strength is known
 
-  /// Place of the part that a fault speaks of, for messages.
+  /// The place of a part in the file, for messages; line 0 if there is no such part.
   formats::Place place_of(const std::string& part) const {
     for (const auto& p : parts)
       if (p.name == part) return p.place;

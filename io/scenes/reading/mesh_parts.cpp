@@ -91,7 +91,7 @@ void read_triangles(const formats::MeshRegion& region, formats::TableReader& par
   out.data[datum::kBarLength.name].assign(region.size(), bar);
 }
 
-/// Names the ends of bars that follow one another.
+/// Names the start, the end and the middle of a rope whose bars follow one another.
 void name_ends(Geometry& out) {
   const auto& bars = out.elements;
   for (std::size_t i = 2; i < bars.size(); i += 2)
@@ -138,7 +138,7 @@ Geometry MeshParts::read(const ElementType& type, const std::string& name, std::
     return out;
   }
   const formats::InputMesh* mesh = find_mesh(table);
-  table.has("region");  // known, also where there is no mesh to have it
+  table.has("region");  // marks the key as known even if the mesh is missing
   const formats::MeshRegion* region = mesh ? find_region(*mesh, kind_for(layout), name, table) : nullptr;
   const formats::MeshRegion none{kind_for(layout), name, {}, std::vector<double>(2)};
   if (region) {
@@ -146,7 +146,7 @@ Geometry MeshParts::read(const ElementType& type, const std::string& name, std::
     add_nodes(*mesh, *region, OwnNodes(*mesh, *region), out);
   }
   const formats::MeshRegion& stands_on =
-      region ? *region : none;  // else its other keys are read all the same
+      region ? *region : none;  // without a region, the other keys are still checked
   if (layout == Layout::panel_in_triangles) read_triangles(stands_on, table, out);
   if (layout == Layout::panel_in_bars) read_twines(stands_on, table, out);
   if (layout == Layout::line) region ? read_bars(*region, table, out) : void(read_real(table, kLength));

@@ -10,27 +10,27 @@
 
 namespace netloft::scenes {
 
-/// The keys of a part that stands on a region of a mesh instead of being divided by the program.
+/// The geometry keys of a part on a region of a mesh from a file, which the program does not divide.
 const std::vector<GeometryKey>& mesh_keys(Layout layout);
 
-/// Parts that stand on meshes in files of their own, and the nodes that these parts have in common.
+/// Reads parts whose elements come from mesh files, and joins the nodes that these parts have in common.
 class MeshParts {
  public:
-  /// Names of files are relative to `folder`, that of the scene.
+  /// Names of files are relative to `folder`, the folder of the scene.
   MeshParts(std::filesystem::path folder, formats::Diagnostics& diagnostics);
 
-  /// The region of the mesh that the part names, as part number `part` of the scene. Elements on triangles
-  /// take triangles, with the data u, v, bar_length, to_aft (meshes to the largest V of the region); elements
-  /// on bars take bars, with the data rest_length, and the sets start, end and middle if they are one line;
-  /// panels in bars take bars of twines, with the data rest_length and parallel. Sets of the mesh become
-  /// those of the part, as far as it has their nodes.
+  /// Reads the region of a mesh that the part names; `part` is the index of the part in the scene. Elements
+  /// on triangles take triangles, with the data u, v, bar_length and to_aft (meshes to the largest V of the
+  /// region). Elements on bars take bars, with the data rest_length, and have the sets start, end and middle
+  /// if the bars form one line. Panels in bars take bars of twines, with the data rest_length and parallel.
+  /// The part gets those nodes of each set of the mesh that lie in its region.
   Geometry read(const ElementType& type, const std::string& name, std::size_t part,
                 formats::TableReader& table);
 
-  /// Makes nodes of a mesh that several parts use one node.
+  /// Joins the nodes of a mesh that several parts use.
   void connect(Joiner& joiner) const;
 
-  /// Whether a mesh could not be read, so that parts on it have no true number of nodes.
+  /// Whether a mesh could not be read, so that the number of nodes of parts on it is unknown.
   bool has_failed() const;
 
   /// The files that were read.
@@ -49,7 +49,7 @@ class MeshParts {
 
   std::filesystem::path folder_;
   formats::Diagnostics& diagnostics_;
-  std::map<std::string, std::unique_ptr<formats::InputMesh>> meshes_;  // by name; null: it cannot be read
+  std::map<std::string, std::unique_ptr<formats::InputMesh>> meshes_;  // by name; null after an error
   std::vector<Standing> standing_;
   std::vector<formats::SourceFile> files_;
 };

@@ -26,7 +26,7 @@ bool has(const Draft& draft, const std::string& name) {
          (dot == std::string::npos || draft.geometries[*part].names.sets.contains(name.substr(dot + 1)));
 }
 
-/// The end of a rope across the gear is that to starboard.
+/// Replaces ".end" of a rope across the gear by ".starboard", which is the same end.
 std::string in_full(const Draft& draft, const std::string& name) {
   const std::string port = name.substr(0, name.find('.')) + ".port";
   return name.ends_with(".end") && has(draft, port) ? name.substr(0, name.find('.')) + ".starboard" : name;

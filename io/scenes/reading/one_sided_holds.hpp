@@ -5,14 +5,14 @@
 
 namespace netloft::scenes {
 
-/// Holds of a whole gear, each of which wants its mirror image: a gear that is held on one side is towed
-/// askew.
+/// The holds of a whole gear. Each one should have its mirror image: a gear that is held on one side only is
+/// towed askew.
 class OneSidedHolds {
  public:
   void add(const HoldEntry& entry, const formats::Place& place) {
     for (const std::string& on : entry.on) holds_.push_back({on, entry.axes, place});
   }
-  /// Warns of those whose mirror image is there and is not held alike.
+  /// Warns of holds whose mirror image exists but is not held along the same axes.
   void report(Draft& draft, formats::Diagnostics& diagnostics) const;
 
  private:
@@ -24,8 +24,8 @@ class OneSidedHolds {
   std::vector<Held> holds_;
 };
 
-/// The name of the mirror image of a part, an edge or a point: "port-bridle.start" of
-/// "starboard-bridle.start". The same name where nothing in it speaks of a side.
+/// The name of the mirror image of a part, an edge or a point: "port-bridle.start" for
+/// "starboard-bridle.start". Returns the same name if it contains no side.
 std::string mirror_image(const std::string& name);
 
 }  // namespace netloft::scenes

@@ -12,7 +12,7 @@ void read_own_datum(const ElementType& type, const netloft_datum& datum, std::si
                        std::string("did its author mean \"") + meant->name + "\" (" + meant->doc + ")?");
   const auto values =
       table.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = formats::exactly(datum.width)});
-  if (values.size() != datum.width) return;  // which was said
+  if (values.size() != datum.width) return;  // reported already
   auto& own = data[datum.name];
   for (std::size_t e = 0; e < elements; ++e) own.insert(own.end(), values.begin(), values.end());
 }

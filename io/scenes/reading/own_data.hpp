@@ -5,9 +5,9 @@
 
 namespace netloft::scenes {
 
-/// Reads a datum that the host does not give to elements of this type: `elements` times what the table of
-/// their part says under its name. Where it says nothing, the error names what the author of the element may
-/// have meant.
+/// Reads a datum that the host does not give to elements of this type: the value under its name in the table
+/// of the part, repeated for each of `elements`. If the table does not have it and the name resembles that of
+/// a datum of the host, the error suggests the latter.
 void read_own_datum(const ElementType& type, const netloft_datum& datum, std::size_t elements,
                     formats::TableReader& table, ElementData& data);
 

@@ -14,7 +14,7 @@ namespace netloft::scenes {
 
 namespace {
 
-// In one part: 3·10⁷ unknowns, three times as many as have been solved; a matrix may have 10⁸.
+// Limit of one part: 3·10⁷ unknowns, three times as many as have been solved; a matrix may have 10⁸.
 constexpr std::int64_t kMostElements = 20000000;
 
 /// Rows and columns of a structured panel.
@@ -55,7 +55,8 @@ SurfacePoint through_corners(std::vector<Point> corner) {
 
 Vec3<double> vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// c(t) + r(t) (cos 2πs e₁ + sin 2πs e₂) about the axis a, e₁ × e₂ = a; e₁ is as much upwards as can be.
+/// The surface c(t) + r(t) (cos 2πs e₁ + sin 2πs e₂) about the axis a, with e₁ × e₂ = a; e₁ points upwards as
+/// far as the axis allows.
 SurfacePoint round_an_axis(const Point& from, const Point& to, double radius, double radius_aft) {
   const Vec3<double> way = vector(to) - vector(from), a = (1 / norm(way)) * way;
   const Vec3<double> up = std::abs(a.z) > 0.999 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 0, 1};
@@ -90,7 +91,7 @@ std::optional<SurfacePoint> read_tube(formats::TableReader& part) {
   return round_an_axis(from, to, radius, radius_aft);
 }
 
-/// `sketch` or `tube`; nothing when there is something wrong with it.
+/// Reads `sketch` or `tube`; returns nothing after an error.
 std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   if (part.has("tube") && part.has("sketch"))
     part.error("tube", "stands beside a sketch; a panel starts in one place", "leave one of them out");
@@ -100,14 +101,15 @@ std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   return through_corners(sketch);
 }
 
-/// A panel by its keys, before it is divided.
+/// The keys of a panel, before it is divided.
 struct Panel {
   double across, along, bar;  // [meshes], [m]
   Grid cells;
   SurfacePoint surface;
 };
 
-/// `elements` in a cell, of a kind.
+/// Reads the keys of a panel. `elements`: number of elements in a cell; `kind`: their name in messages.
+/// Returns nothing after an error.
 std::optional<Panel> read_panel_keys(formats::TableReader& part, const GeometryKey& key,
                                      std::int64_t elements, const char* kind) {
   formats::TableReader panel =
@@ -126,12 +128,12 @@ std::optional<Panel> read_panel_keys(formats::TableReader& part, const GeometryK
       across, along, bar, {static_cast<std::size_t>(cells[0]), static_cast<std::size_t>(cells[1])}, *surface};
 }
 
-/// Meshes of a cell along, over those across; 1 if its bars run along the twines.
+/// The length of a cell divided by its width, both in meshes; 1 if its bars run along the twines.
 double slant(const Panel& p, double across, double along) { return p.along * across / (p.across * along); }
 
 bool is_square(double slant) { return std::abs(slant - 1) < 1e-9; }
 
-/// "[36, 36]": the square cells nearest to those of a panel; empty if there are none.
+/// The square cells nearest to those of a panel, such as "[36, 36]"; empty if there are none.
 std::string nearest_square_cells(const Panel& p) {
   double best = std::numeric_limits<double>::infinity();
   std::string cells;
@@ -146,7 +148,7 @@ std::string nearest_square_cells(const Panel& p) {
   return cells;
 }
 
-/// Whether the cells are as many meshes wide as long.
+/// Whether the cells have the same number of meshes across and along; if not, reports an error.
 bool check_square_cells(const Panel& p, formats::TableReader& part) {
   const double across = double(p.cells.across), along = double(p.cells.along);
   if (is_square(slant(p, across, along))) return true;
@@ -162,7 +164,7 @@ bool check_square_cells(const Panel& p, formats::TableReader& part) {
   return false;
 }
 
-/// Centres behind the corners.
+/// Appends the centres of the cells to the nodes, after the corners.
 void place_centres(const Panel& p, Geometry& out) {
   for (std::size_t j = 0; j < p.cells.along; ++j)
     for (std::size_t i = 0; i < p.cells.across; ++i) {
@@ -176,8 +178,8 @@ void place_centres(const Panel& p, Geometry& out) {
 /// Nodes of a triangle, outer face counter-clockwise.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Cell (i, j) of a panel: corners from the fore left on, counter-clockwise seen from outside, and the node
-/// in the middle, if there is one.
+/// Cell (i, j) of a panel: its corners counter-clockwise seen from outside, beginning with the fore left one,
+/// and the number of the node in the middle, which exists only in crossed cells.
 struct Cell {
   Cell(const Grid& g, std::size_t i, std::size_t j)
       : corners{g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1), g.node(i, j + 1)},
@@ -205,7 +207,7 @@ void for_each_cell(const Grid& g, Visit&& visit) {
     for (std::size_t i = 0; i < g.across; ++i) visit(Cell(g, i, j));
 }
 
-/// A triangle of netting that hangs as `netting` says.
+/// Adds a triangle of netting with the orientation `netting`.
 void add_triangle(const Panel& p, const Triangle& corners, const std::string& netting, Geometry& out) {
   for (const auto node : corners) {
     const auto [U, V] = out.names.panel[node];

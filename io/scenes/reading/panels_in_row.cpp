@@ -10,7 +10,7 @@ namespace netloft::scenes {
 
 namespace {
 
-constexpr double kOnEdge = 1e-6;  // a node that is nearer to the aft edge lies on it [meshes]
+constexpr double kOnEdge = 1e-6;  // distance within which a node lies on the aft edge [meshes]
 
 class PanelsInRow {
  public:
@@ -33,7 +33,7 @@ class PanelsInRow {
   double behind(std::size_t panel) {
     Panel& p = panels_[panel];
     if (p.is_counted) return p.behind;
-    p.is_counted = true;  // with none behind it, should it follow a panel that it precedes
+    p.is_counted = true;  // set before recursion, so that panels sewn in a ring end it
     double sum = 0, count = 0;
     for (const auto node : p.aft_edge)
       if (const double most = most_behind(node, panel); most > 0) sum += most, ++count;
@@ -47,7 +47,7 @@ class PanelsInRow {
     bool is_counted = false;
   };
 
-  /// Meshes behind a node in the panels other than `panel` that go on there.
+  /// The most meshes behind a node in the panels other than `panel` that continue there.
   double most_behind(std::uint32_t node, std::size_t panel) {
     double most = 0;
     for (const auto& [other, meshes] : seams_[node])

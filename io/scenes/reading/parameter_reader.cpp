@@ -16,7 +16,7 @@ std::vector<std::string> words_of(const netloft_parameter& p) {
   return words;
 }
 
-/// A table of columns, as many numbers in each, row by row.
+/// Reads a table of columns of equal length, and returns it row by row.
 Samples read_rows(const netloft_parameter& p, formats::TableReader& table) {
   Samples rows;
   for (std::size_t k = 0; p.columns[k]; ++k) {
@@ -28,7 +28,7 @@ Samples read_rows(const netloft_parameter& p, formats::TableReader& table) {
   return rows;
 }
 
-/// The first column ascends.
+/// Reads a table whose first column must ascend; returns only its first row if it does not.
 Samples read_samples(const netloft_parameter& p, formats::TableReader table) {
   Samples rows = read_rows(p, table);
   for (std::size_t i = 1; i < rows.size(); ++i)
@@ -44,7 +44,8 @@ std::string pair_text(const netloft_parameter& p, double first, double second) {
          " = " + formats::format(second, p.column_units[1]);
 }
 
-/// Rows for every pair of the values of two arguments, in any order; sorted here.
+/// Reads a table with one row for every pair of values of its two arguments, and sorts the rows, which may be
+/// in any order.
 Samples read_grid(const netloft_parameter& p, formats::TableReader table) {
   const int errors_before = table.diagnostics().errors();
   Samples rows = read_rows(p, table);
@@ -73,7 +74,7 @@ Samples read_grid(const netloft_parameter& p, formats::TableReader table) {
   return rows;
 }
 
-/// Whatever the table says of it.
+/// Reads a text, and reports the fault that its parameter finds in it.
 std::string read_text(const netloft_parameter& p, formats::TableReader& from, const std::string& key) {
   std::string text = from.text(key, {.doc = p.doc});
   const bool is_text = from.kind(key) == formats::Kind::text;
@@ -99,14 +100,14 @@ netloft::Value read_value(const netloft_parameter& p, formats::TableReader& from
   }
 }
 
-/// Whether some parameter "group.…" must be given.
+/// Whether a parameter "group.…" is required.
 bool group_is_required(std::span<const netloft_parameter> table, const std::string& group) {
   for (const auto& p : table)
     if (std::string_view(p.name).starts_with(group + ".") && (p.flags & NETLOFT_REQUIRED)) return true;
   return false;
 }
 
-/// The keys of a group stand in a table of its own, which says something if it is there.
+/// Opens the table with the keys of a group; refuses an empty table of an optional group.
 formats::TableReader open_group(std::span<const netloft_parameter> table, formats::TableReader& from,
                                 const std::string& group) {
   const bool is_required = group_is_required(table, group);

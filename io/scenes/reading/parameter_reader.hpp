@@ -7,8 +7,9 @@
 
 namespace netloft::scenes {
 
-/// Reads what a parameter table asks for out of a TOML table; a dot in a name is a table within ("twine.EA").
-/// Absent parameters that are not required keep their defaults. Errors are located and go to the diagnostics.
+/// Reads the parameters of `table` from a TOML table; a dot in a name marks a key within a table
+/// ("twine.EA"). Absent parameters that are not required keep their defaults. Errors go to the diagnostics
+/// with their places.
 Values read_parameters(std::span<const netloft_parameter> table, formats::TableReader& from);
 
 }  // namespace netloft::scenes

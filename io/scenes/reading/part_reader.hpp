@@ -7,7 +7,8 @@
 
 namespace netloft::scenes {
 
-/// Reads parts on nodes of their own, bodies among them. Parts that stand on others are announced, and kept.
+/// Reads the parts with nodes of their own, including bodies. Announces riders, the parts that stand on
+/// others, and keeps their tables for later.
 class PartReader {
  public:
   PartReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, MeshParts& meshes,
@@ -21,12 +22,14 @@ class PartReader {
 
   /// A scene without a net plan requires at least one part.
   void read_parts(formats::Presence presence);
-  /// Parts that make rigid bodies. Their elements are those of `type`; others may stand on them.
+  /// Reads the parts that make rigid bodies. Each part has elements of its `type`; other parts may stand on
+  /// the body.
   void read_bodies();
-  /// Reads a body under its name in the plan. Returns its part; nothing if the body before it has an error.
+  /// Reads a body under its name in the plan. Returns the index of its part; nothing if the part before it
+  /// has an error.
   std::optional<std::size_t> read_body_of_plan(const std::string& name, const std::string& name_in_plan,
                                                const BodyOfPlan* place);
-  /// Names and tables of the parts that stand on others.
+  /// The names and tables of riders.
   std::vector<std::pair<std::string, formats::TableReader>>& riders() { return riders_; }
 
  private:
@@ -49,7 +52,8 @@ class PartReader {
   std::vector<std::pair<std::string, formats::TableReader>> riders_;
 };
 
-/// The element type of a part; a part that --set has made by a slip of the pen has none.
+/// Reads the element type of a part. Reports a missing type; if another part has a similar name, the part may
+/// have been made by a misspelt --set, and the hint names the other part.
 std::string read_type_name(const Draft& draft, const std::string& name, formats::TableReader& table);
 
 }  // namespace netloft::scenes

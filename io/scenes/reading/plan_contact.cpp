@@ -11,7 +11,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// A length as the plan or the catalogue writes it [m]; 0 where that is no length, which is said elsewhere.
+/// A length from the plan or the catalogue [m]; 0 if the value is no length, which is reported elsewhere.
 double metres_of(const formats::Value& value) {
   if (const auto* number = value.as<double>()) return *number;
   if (const auto* number = value.as<std::int64_t>()) return static_cast<double>(*number);

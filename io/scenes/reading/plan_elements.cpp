@@ -13,7 +13,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Numbers of the catalogue's that a part may know and its element need not: what is left is known.
+/// Removes numbers from the catalogue that the element type does not take.
 void drop_unknown_numbers(formats::Table& numbers, const ElementType& type, const std::string& key) {
   std::erase_if(numbers.members, [&](const formats::Member& number) {
     const std::string name = key + "." + number.key;
@@ -42,7 +42,7 @@ PlanElements::PlanElements(const gears::NetPlan& plan, const gears::Gear& gear,
   read_exceptions(elements, gear);
 }
 
-/// Whether the name of a rope, a body or of the kind itself stands for what rests on the bed.
+/// Whether a name means something that rests on the bed: a rope, a body, or the kind itself.
 bool PlanElements::touches_bed(const std::string& name) const {
   if (!contact_) return false;
   const gears::Rope* rope = plan_.find_rope(name);
@@ -50,7 +50,7 @@ bool PlanElements::touches_bed(const std::string& name) const {
   return name == kContact || (rope && rests_on_bed(*rope)) || (body && !shoes_of(*body).empty());
 }
 
-/// `[elements.top-codend]`: what one part of the plan is made of, over what all of its kind are.
+/// Reads tables such as `[elements.top-codend]`, which override `[elements.KIND]` for one part of the plan.
 void PlanElements::read_exceptions(formats::TableReader& elements, const gears::Gear& gear) {
   std::vector<std::string> names;
   for (const auto& panel : gear.panels) names.push_back(panel.name);

@@ -13,8 +13,8 @@
 
 namespace netloft::scenes {
 
-/// `[elements]`: what the parts of a net plan are made of, and what a scene says of them beside the plan, of
-/// all parts of a kind and of single ones.
+/// Reads `[elements]`: the element types of the parts of a net plan, and parameters that a scene adds to the
+/// plan for all parts of a kind or for single parts.
 class PlanElements {
  public:
   /// Reads the table `elements`. The plan and the choice have to outlive this object.
@@ -23,23 +23,23 @@ class PlanElements {
 
   /// The element type of a kind of parts, such as "netting"; null after an error.
   const ElementType* type_of(std::string_view kind) const { return made(kind).type; }
-  /// Parameters of a part of a kind: its numbers in the plan, over them what `[elements.KIND]` says of all,
-  /// and over both what `[elements.NAME]` says of this one. `path` names the part in messages. False:
-  /// something is wrong with them.
+  /// Reads the parameters of a part: its numbers in the plan, overridden by `[elements.KIND]` for all parts
+  /// of its kind, and then by `[elements.NAME]` for this part. `path` names the part in messages. Returns
+  /// false after an error.
   bool read_part(std::string_view kind, const std::string& path, formats::Value numbers, bool is_of_catalogue,
                  Part& part) const;
 
-  /// Whether `[elements.contact]` lets what touches the bed rest there.
+  /// Whether the scene has `[elements.contact]`, which lets parts that touch the bed rest on it.
   bool has_contact() const { return contact_.has_value(); }
-  /// The part on points `on` that carries a rope or a body of the plan on the bed, as it would stand in
+  /// The part that carries a rope or a body of the plan on the bed at the points `on`, as a table of
   /// `[parts]`.
   formats::Value contact_of(const std::string& name, std::vector<std::string> on, formats::Place place) const;
 
  private:
-  /// `[elements.KIND]` and the element type that it chooses.
+  /// `[elements.KIND]` and the chosen element type.
   struct Made {
     const GearElements* of = nullptr;
-    formats::Value said;  // a table
+    formats::Value said;  // a table of TOML
     const ElementType* type = nullptr;
   };
 

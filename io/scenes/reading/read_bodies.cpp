@@ -18,7 +18,7 @@ Point mirrored(const Point& r, double side) { return {r[0], side * r[1], r[2]}; 
 Vector vector_of(const Point& p) { return {p[0], p[1], p[2]}; }
 Point point_of(const Vector& v) { return {v.x, v.y, v.z}; }
 
-/// The axis a word such as "about y" names; -1: none.
+/// The axis that a word such as "about y" names; -1 if it names none.
 int axis_in(const std::string& word) { return word.starts_with("about ") ? word.back() - 'x' : -1; }
 
 void read_turning(formats::TableReader& table, BodyGeometry& body) {
@@ -60,7 +60,7 @@ Point placed(const Point& origin, const Point& rotation, const Point& r) {
   return point_of(vector_of(origin) + rotated(vector_of(rotation), vector_of(r)));
 }
 
-/// A body of a plan is on the side where the plan has it.
+/// The side of a body. The plan decides for a body of a pair, whose table must not state a side.
 double read_side(formats::TableReader& table, const BodyOfPlan* plan) {
   if (!plan || table.has(kSide.name)) {
     const double said = read_word(table, kSide) == "port" ? -1 : 1;
@@ -111,7 +111,8 @@ std::string shown(const RigidBody& body, std::size_t point, const BodyGeometry& 
   return formats::in_quotes(body.name + "." + geometry.names[point]);
 }
 
-/// A node that two bodies carry, or that one carries and the other has for its origin, would tie their turns.
+/// Refuses a node that two bodies carry, or that one body carries and that is the origin of another, because
+/// it would couple their rotations.
 void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& geometry,
                  formats::Place place, formats::Diagnostics& diagnostics) {
   const Scene& scene = draft.out.scene;

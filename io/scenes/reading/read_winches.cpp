@@ -9,7 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// The warps of a plan are one rope of it.
+/// The rope of the plan that has a tension or a winch program; null if there is none. All warps are one rope
+/// of the plan.
 const gears::Rope* find_warp(const gears::NetPlan& plan) {
   const auto is_run = [](const gears::Rope& rope) { return rope.tension || !rope.winch.empty(); };
   const auto warp = std::ranges::find_if(plan.ropes, is_run);
@@ -27,7 +28,7 @@ bool has_table(const Part& part, Registry& registry, const std::string& name) {
   });
 }
 
-/// The part of a rope; null if it was refused.
+/// The part of a rope; null if its element type was refused.
 Part* find_part(Scene& scene, const std::string& name) {
   const auto part =
       std::ranges::find_if(scene.parts, [&](const Part& one) { return one.name == name && !one.companion; });
@@ -59,7 +60,7 @@ void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& 
                         "elements.ropes.type = \"rope/bar\"");
       return;
     }
-    part->parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};  // rows of every step, one after the other
+    part->parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};  // rewritten in every step
   }
 }
 

@@ -6,8 +6,9 @@
 
 namespace netloft::scenes {
 
-/// Whether the lengths of warps can be looked for and changed by what the scene is analysed by, and with what
-/// its ropes are made of. In a motion, winches then have a table to change; at rest there are none.
+/// Checks that the analysis can find or change the lengths of warps, and that the elements of the ropes allow
+/// it. In a motion, gives the rope of each winch a table of length factors; for a static analysis, removes
+/// the winches.
 void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& out,
                    formats::Diagnostics& diagnostics);
 

@@ -4,7 +4,7 @@
 
 namespace netloft::scenes {
 
-/// Reads `[results]`: what is asked of the answer, and whether there is such a thing.
+/// Reads `[results]`, the requested scalars, and checks that they exist.
 class ResultReader {
  public:
   ResultReader(formats::TableReader& root, Draft& draft)

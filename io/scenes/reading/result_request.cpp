@@ -36,14 +36,14 @@ const NodeQuantity kNodeQuantities[] = {
     {"reaction z", "N", "force of what holds it on the gear, along z", Source::reaction, 2},
 };
 
-/// The angles of netloft/attitude.hpp, of rigid bodies.
+/// The angles of rigid bodies, as in netloft/attitude.hpp.
 const NodeQuantity kAngles[] = {
     {"heading", "rad", "angle by which the nose is turned outward", Source::attitude, 0},
     {"heel", "rad", "angle by which the top leans outward", Source::attitude, 1},
     {"trim", "rad", "angle by which the nose is up", Source::attitude, 2},
 };
 
-/// Splits "max reaction z" into how ("max") and quantity ("reaction z"); how is empty if it is not said.
+/// Splits "max reaction z" into how ("max") and quantity ("reaction z"); how is empty if there is none.
 void split_take(ResultRequest& request) {
   const auto space = request.take.find(' ');
   const std::string first = request.take.substr(0, space);
@@ -92,7 +92,7 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// How to write what was probably meant: "minimum z", "tension" of an edge, "min heigth".
+/// A hint for a wrong `take`, such as "minimum z", "tension" of an edge, or "min heigth".
 std::string take_hint(const ResultRequest& request, const ElementType& type, bool whole) {
   const auto names = quantity_names(whole ? &type : nullptr);
   if (has_name(quantity_names(&type), request.quantity))

@@ -7,13 +7,13 @@
 
 namespace netloft::scenes {
 
-/// Fills what `take` asks for: "[min|max|mean|sum|range] quantity", the quantity being x, y, z, displacement,
-/// reaction, reaction x … of nodes; heading, heel, trim of a body; or an output (tension) of the part's
-/// elements, if `of` is a whole part.
-/// False: an error was put at `take`.
+/// Fills a request from its `take`: "[min|max|mean|sum|range] quantity". The quantity is x, y, z,
+/// displacement, reaction, reaction x … of nodes; heading, heel, trim of a body; or an output (tension) of
+/// the elements of a part, if `of` names a whole part. Returns false after an error, which is reported at
+/// `take`.
 bool understand(ResultRequest& request, const ElementType& type, formats::TableReader& entry);
 
-/// Its value in a solution; `outputs` are [family][output][element].
+/// The value of a request in a solution; `outputs` are indexed [family][output][element].
 double value_of(const ResultRequest& request, const LoadedScene& loaded, const Assembler& assembler,
                 const Solution& solution, const std::vector<std::vector<std::vector<double>>>& outputs);
 

@@ -19,7 +19,7 @@ bool rests_on_bed(const ElementType& type) {
          });
 }
 
-/// Removes parameters that only the riders of a part know; the riders have them.
+/// Removes the parameters that only companions of a part take; the companions have copies.
 void keep_own_parameters(Part& part, const ElementType& type) {
   std::erase_if(part.parameters, [&](const auto& given) {
     return std::none_of(type.parameters.begin(), type.parameters.end(),
@@ -57,7 +57,7 @@ void RiderReader::read_contacts() {
       return table.error("type", type->type + " does not rest on the bed of the scene", "such as seabed/bed");
     read(name, table);
     table.finish();
-    if (diagnostics_.errors()) return;  // said once, not of every rope
+    if (diagnostics_.errors()) return;  // reported once, not for every rope
   }
   if (out_.scene.bed.is_there && gear_.sinks_into_bed(carried))
     diagnostics_.warning(
@@ -66,7 +66,7 @@ void RiderReader::read_contacts() {
         "rest on it");
 }
 
-/// Nodes that parts of the scene carry which stand on a bed.
+/// The nodes of all parts of the scene that rest on a bed.
 std::set<std::uint32_t> RiderReader::carried_by_beds() const {
   std::set<std::uint32_t> nodes;
   for (std::size_t p = 0; p < draft_.types.size(); ++p)
@@ -81,7 +81,7 @@ void RiderReader::add_companions() {
     const ElementType& type = *draft_.types[p];
     for (const auto* rider : elements_.companions_of(type)) {
       Part companion = make_companion(out_.scene.parts[p], type, *rider);
-      if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;  // it has no pairs
+      if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;  // it has no elements
       companions_.push_back(rider);
       out_.scene.parts.push_back(std::move(companion));
       out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}, {}});

@@ -7,8 +7,8 @@
 
 namespace netloft::scenes {
 
-/// Reads parts that stand on others, once the scene has its nodes: those with a table of their own, what of a
-/// net plan touches the bed, and the elements that ride on those of a part.
+/// Reads riders, the parts that stand on others, once the nodes of the scene are numbered: parts with a table
+/// of their own, contacts of a net plan with the bed, and companion elements of parts.
 class RiderReader {
  public:
   RiderReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, const GearSteps& gear)
@@ -20,10 +20,10 @@ class RiderReader {
         gear_(gear) {}
 
   void read(const std::string& name, formats::TableReader& table);
-  /// Parts of the plan that touch the bed.
+  /// Reads the contacts of the plan with the bed.
   void read_contacts();
   void add_companions();
-  /// The types of the parts that were added last.
+  /// The element types of the companions, which are the last parts of the scene.
   const std::vector<const ElementType*>& companions() const { return companions_; }
 
  private:

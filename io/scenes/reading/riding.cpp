@@ -8,7 +8,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// |d| bars of length a lie in a triangle, both directions together.
+/// The length of twine in a triangle: |d| bars of length `bar`, counting both twine directions.
 double twine_length(const std::vector<double>& u, const std::vector<double>& v, double bar, std::size_t e) {
   const double d = (u[3 * e + 1] - u[3 * e]) * (v[3 * e + 2] - v[3 * e]) -
                    (u[3 * e + 2] - u[3 * e]) * (v[3 * e + 1] - v[3 * e]);

@@ -13,13 +13,13 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Parameters across the plane y = 0, which are called so.
+/// Refuses non-zero parameters along y, which have names that end in "_y".
 void check_symmetric_parameters(const Draft& draft, const std::string& cure,
                                 formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {
-    const ElementType* type = draft.types[p];   // null for one that is not there, which was said
-    if (!type || type->is_on_body()) continue;  // whose y is outward
+    const ElementType* type = draft.types[p];   // null if unknown, which was reported
+    if (!type || type->is_on_body()) continue;  // its y points outward, so it is symmetric
     const Part& part = out.scene.parts[p];
     for (const auto& [name, value] : part.parameters)
       if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
@@ -28,7 +28,8 @@ void check_symmetric_parameters(const Draft& draft, const std::string& cure,
   }
 }
 
-/// A start from which a gear can come free is a warning; what is held stays where it is.
+/// Reports crossings at the start. A held part cannot leave the wrong side, which is an error; a free one
+/// can, which is a warning.
 void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) {
   for (const auto& crossing : find_crossings(out, out.scene.positions)) {
     const formats::Place place = out.parts[crossing.part].place;
@@ -40,15 +41,15 @@ void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) 
   }
 }
 
-/// `types`: of all parts of the scene.
+/// Reports parts that nothing holds. `types`: the types of all parts of the scene.
 void check_held(const LoadedScene& out, const std::vector<const ElementType*>& types,
                 formats::Diagnostics& diagnostics) {
   for (const auto& fault : find_loose_parts(out.scene, nodes_per_element(types)))
     diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
-/// Friction of what the gear is towed over points aft only if the ground passes, too; and where it stands,
-/// there may be none.
+/// Warns of friction that does not suit the ground. Friction of towed parts points aft only if the ground
+/// passes them; on standing ground there is none, unless the element has friction that sticks.
 void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {

@@ -5,11 +5,11 @@
 
 namespace netloft::scenes {
 
-/// Half a gear stands for a whole one only if nothing tells port from starboard.
+/// Refuses half a gear if something distinguishes port from starboard.
 void check_symmetry(formats::TableReader& root, const Draft& draft, const WaterReader& water);
 
-/// Whether a scene without errors so far can be solved as it stands: what is held, what passes the gear, what
-/// it rests on, and what begins on the wrong side of the plane of symmetry.
+/// Checks whether a scene without errors so far can be solved: its holds, its current, its ground and bed,
+/// and parts that start on the wrong side of the plane of symmetry.
 void check_scene(formats::TableReader& root, const Draft& draft,
                  const std::vector<const ElementType*>& companions, const WaterReader& water);
 

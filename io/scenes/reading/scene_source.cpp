@@ -25,7 +25,7 @@ namespace {
 /// Reads one scene; members are steps in the order they happen.
 class SceneReader {
  public:
-  /// `plan`: null for a scene without a net plan.
+  /// `plan` is null for a scene without a net plan.
   SceneReader(const formats::Value& root, const gears::NetPlan* plan, gears::Divisions& divisions,
               const std::filesystem::path& folder, Registry& registry, formats::Diagnostics& diagnostics,
               bool& refused)
@@ -38,7 +38,7 @@ class SceneReader {
         meshes_(folder, diagnostics),
         gear_(plan ? std::make_unique<GearParts>(*plan, root_, elements_, draft_, divisions)
                    : std::make_unique<GearSteps>()) {
-    root_.has("catalogue");  // it was read with the parts that name its parts
+    root_.has("catalogue");  // read already, by SceneCatalogue
   }
 
   LoadedScene read() {
@@ -109,13 +109,13 @@ struct PlanInput {
   bool operator==(const PlanInput&) const = default;
 };
 
-/// A plan as it was read and checked, and what is wrong with it.
+/// A plan that was read and checked, and the messages about it.
 struct PlanRead {
   gears::NetPlan plan;
   std::vector<formats::Diagnostic> messages;
 };
 
-/// `said`: diagnostics with the sources of the scene, and no messages.
+/// Reads and checks a plan. `said` has the sources of the scene and no messages.
 std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, formats::Diagnostics said) {
   auto read = std::make_shared<PlanRead>();
   read->plan = gears::read_plan(input.tables, *input.catalogue, said);
@@ -173,7 +173,8 @@ class SceneSource::Memory {
     return root;
   }
 
-  /// After an error a plan is read for its own errors alone, and not kept.
+  /// Reads the plan, or takes a stored one. After an error in the scene, the plan is read only to report its
+  /// own errors, and is not stored.
   std::shared_ptr<const PlanRead> read_plan(PlanInput input, formats::Diagnostics& diagnostics) {
     if (diagnostics.errors())
       return std::make_shared<PlanRead>(

@@ -8,7 +8,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Between two knots of the course: a cubic is 2e-8 of its radius from an arc of that angle.
+/// Largest turn between two knots of the course: a cubic deviates from an arc of that angle by 2e-8 of its
+/// radius.
 constexpr double kArc = 0.05;  // [rad]
 
 gears::ShipMoment between(const gears::ShipMoment& a, const gears::ShipMoment& b, double s) {
@@ -23,14 +24,15 @@ double rate_of_turn(const gears::ShipMoment& a, const gears::ShipMoment& b) {
   return (b.heading - a.heading) / (b.t - a.t);
 }
 
-/// The smaller one where a turn begins, ends or changes: a course has one velocity there, and that of the
-/// block jumps. It is made up for on the side that turns more, where knots are close.
+/// The rate of turn at a moment where the rate jumps: the smaller one, or zero if the sign changes. A course
+/// has only one velocity there, while the velocity of the block jumps. The error is on the side that turns
+/// more, where knots are close.
 double at_corner(double before, double after) {
   if (before * after <= 0) return 0;
   return std::abs(before) < std::abs(after) ? before : after;
 }
 
-/// The moments of a path, as close to each other as (1) is followed, with dψ/dt.
+/// The moments of a path, divided so finely that the course follows (1), each with dψ/dt.
 struct Row {
   std::vector<gears::ShipMoment> moments;
   std::vector<double> turns;

@@ -5,12 +5,13 @@
 
 namespace netloft::scenes {
 
-/// The way of a block that is `from_the_middle` of the ship, or of two of them, to starboard [m], as seen by
-/// who goes on steadily as the ship did at the start, to -x with the speed V₀. With V its speed over the
-/// ground and ψ its heading, to starboard,
+/// The displacement of a block at the distance `from_the_middle` to starboard [m] from the middle of the
+/// ship, or of the pair of ships. It is measured in a frame that moves steadily with the initial velocity of
+/// the ship: towards -x with the speed V₀. With the speed over the ground V and the heading ψ, positive to
+/// starboard,
 ///   way = ∫ (V₀ − V cos ψ, V sin ψ, 0) dt + from_the_middle (sin ψ, cos ψ − 1, 0)          (1)
-/// V and ψ are straight between the moments of the path. Of two ships each has its own path, and its block in
-/// its middle.
+/// V and ψ are linear between the moments of the path. Each of two ships has its own path, and its block is
+/// in its middle.
 Course course_of_block(const gears::Ship& ship, double from_the_middle);
 
 }  // namespace netloft::scenes

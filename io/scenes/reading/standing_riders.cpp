@@ -13,7 +13,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Lets one rider stand; members are steps in the order they happen.
+/// Makes the elements of one rider; members are steps in their order.
 class RiderMaker {
  public:
   RiderMaker(const ElementType& type, formats::TableReader& table, Draft& draft, Part& rider)
@@ -41,8 +41,9 @@ class RiderMaker {
   }
 
  private:
-  /// Triangles whose terms depend on which side is outside, without data of corners that an exchange of two
-  /// corners would mix up. Panels of a net plan are outward already.
+  /// Whether the triangles may be reversed so that their outer face is outside. They may not if they have
+  /// data of corners other than to_aft, which an exchange of two corners would mix up. Panels of a net plan
+  /// are outward already.
   bool bears_pressure() const {
     return type_.element.stencil == NETLOFT_TRIANGLE && !panels_.empty() &&
            std::ranges::all_of(type_.data,
@@ -56,7 +57,7 @@ class RiderMaker {
       names_ = table_.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
   }
 
-  /// `number` pieces shared out, or `each` on every node.
+  /// Distributes `number` pieces over the nodes, or puts `each` pieces on every node.
   void stand_on_nodes() {
     const formats::Range pieces = formats::between(0, 1e6);
     const double number = table_.real(
@@ -95,7 +96,7 @@ class RiderMaker {
       table_.error("on", formats::in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
   }
 
-  /// On its origin, or on one of its points, if the element has a datum for that.
+  /// Puts an element on the origin of a body, or on one of its points if the element has the datum kArm.
   void stand_on_body(const Joiner::Ends& set, bool is_whole, const Mention& at) {
     const auto& body = draft_.geometries[set.part].body;
     if (!body || !(is_whole || declares(type_, datum::kArm)))
@@ -113,7 +114,7 @@ class RiderMaker {
     }
   }
 
-  /// Whether there are as many names as an element has nodes: one element may rest on these points.
+  /// Whether `on` has as many names as an element has nodes: one element may then stand on these points.
   bool is_one_of_corners() const { return names_.size() == static_cast<std::size_t>(type_.nodes()); }
 
   void stand_between_points() {
@@ -126,7 +127,7 @@ class RiderMaker {
 
   bool is_rope(std::size_t part) const { return draft_.types[part]->element.stencil == NETLOFT_BAR; }
 
-  /// Elements on pairs of bars that are not of one rope.
+  /// Makes elements on pairs of bars, one bar from each of two ropes.
   void stand_between_ropes() {
     if (table_.diagnostics().errors()) return;
     if (ropes_.size() != 2)
@@ -149,7 +150,8 @@ class RiderMaker {
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   }
 
-  /// The elements of a part if they are of the rider's kind, or the triangles between its bars.
+  /// Copies the elements of a part if they have the stencil of the rider, or takes the triangles between its
+  /// bars. Returns false if neither is possible.
   bool add_elements(std::size_t part) {
     panels_.push_back(rider_.nodes.size());
     if (draft_.types[part]->element.stencil == type_.element.stencil)
@@ -169,7 +171,7 @@ class RiderMaker {
     return faces;
   }
 
-  /// Data that what it stands on does not give: the same for every element.
+  /// Reads data that the parts below do not give: one value for all elements.
   void read_missing_data() {
     const std::size_t elements = rider_.nodes.size() / static_cast<std::size_t>(type_.nodes());
     for (const auto& datum : type_.data)
@@ -185,9 +187,9 @@ class RiderMaker {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
   std::vector<double> carried_;
-  std::vector<std::size_t> panels_;     // index of the first corner of each part, of whole parts
-  std::vector<std::size_t> ropes_;      // parts, of elements on pairs of bars
-  std::vector<std::uint32_t> corners_;  // nodes of one element, each named
+  std::vector<std::size_t> panels_;     // for whole parts: index of the first corner of each part
+  std::vector<std::size_t> ropes_;      // parts, for elements on pairs of bars
+  std::vector<std::uint32_t> corners_;  // named nodes of one element
 };
 
 }  // namespace

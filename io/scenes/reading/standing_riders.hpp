@@ -4,8 +4,8 @@
 
 namespace netloft::scenes {
 
-/// Lets a part of elements of `type` stand on what `on` names, as nodes or as elements of its kind, and gives
-/// it the data that it needs. Nodes of the scene are numbered.
+/// Makes the elements of a rider, a part of elements of `type`, on the nodes or elements that `on` names, and
+/// reads their data. The nodes of the scene must be numbered.
 void stand_on_others(const ElementType& type, formats::TableReader& table, Draft& draft, Part& rider);
 
 }  // namespace netloft::scenes

@@ -13,8 +13,8 @@ struct ThicknessFault {
   std::string message;
 };
 
-/// Twine as thick as its bars are long leaves no mesh to open, and no rope is as thick as it is long. Empty:
-/// it is neither.
+/// Refuses twine that is as thick as its bars are long, since no mesh could open, and a rope that is as thick
+/// as it is long. Empty if there is no fault.
 std::optional<ThicknessFault> thickness_fault(const Part& part, const Geometry& geometry);
 
 inline constexpr const char* kThicknessCure = "one of the two may be in another unit";

@@ -7,14 +7,14 @@
 
 namespace netloft::scenes {
 
-/// `[tow]`: lets water and ground pass the gear. Without the table both are as they are written elsewhere.
+/// Reads `[tow]`, the velocity at which water and ground pass the gear.
 void read_tow(formats::TableReader tow, Scene& scene);
 
-/// `[bed]`: the bed of the sea, and what it is made of.
+/// Reads `[bed]`: the bed of the sea, and its material.
 SeaBottom read_bed(formats::TableReader bed, Scene& scene);
 
-/// The friction of a part where the ground does not pass: one that remembers where it held (reads_state)
-/// sticks, and any other is none.
+/// The friction of a part on ground that does not pass: it sticks if the element stores where it held
+/// (reads_state); any other element has none.
 enum class StandingFriction { not_asked, none, sticks };
 StandingFriction friction_on_standing_ground(const Scene& scene, const Part& part, const ElementType& type);
 

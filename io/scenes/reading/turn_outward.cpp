@@ -11,7 +11,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Least volume between a panel and the middle that tells inside from outside, over that of a ball around it.
+// Least volume between a panel and the centre at which the inside is clear, as a fraction of the volume of a
+// ball around the centre.
 constexpr double kLeastVolume = 1e-3;
 
 class Triangles {
@@ -21,8 +22,8 @@ class Triangles {
     middle_ = (1.0 / static_cast<double>(rider.nodes.size())) * middle_;
   }
 
-  /// Whether the triangles from `begin` to `end` face the middle: their normals, weighted by area, point to
-  /// it.
+  /// Whether the triangles from `begin` to `end` face the centre: their normals, weighted by area, point
+  /// towards it.
   bool face_inward(std::size_t begin, std::size_t end) const {
     double volume = 0, most = 0;
     for (std::size_t i = begin; i < end; i += 3) {

@@ -8,9 +8,9 @@
 namespace netloft::scenes {
 
 /// Orders the corners of triangles that bear a pressure so that they are counter-clockwise seen from outside,
-/// however the panels were drawn. Inside is the side on which the middle of all triangles lies; a panel on
-/// whose plane it lies stays as it is. `begins`: index in `rider.nodes` at which the corners of each panel
-/// begin. `positions`: those of the scene [m].
+/// however the panels were drawn. The inside is the side of a panel on which the centre of all triangles
+/// lies; a panel whose plane contains this centre stays as it is. `begins`: index in `rider.nodes` at which
+/// the corners of each panel begin. `positions`: those of the scene [m].
 void turn_outward(const std::vector<std::size_t>& begins, const std::vector<double>& positions, Part& rider);
 
 }  // namespace netloft::scenes

@@ -24,7 +24,8 @@ Heights heights_of(const Scene& scene) {
   return gear;
 }
 
-/// Outside its heights a profile is constant, so that one of its values acts on the whole gear.
+/// Warns of a profile that lies above or below the gear. A profile is constant outside its heights, so only
+/// one of its values would act.
 void check_profile(const Scene& scene, formats::TableReader& root) {
   const auto& profile = scene.current.samples;
   if (scene.current.is_uniform() || scene.positions.empty()) return;
@@ -40,7 +41,7 @@ void check_profile(const Scene& scene, formats::TableReader& root) {
       "z points up and is 0 at the surface: a depth of 50 m is z = \"-50 m\"");
 }
 
-/// The speed of the tow as a current beside it: the water passes the gear twice as fast as was meant.
+/// Warns of a current with the velocity of the tow: the water would pass the gear twice as fast as meant.
 void check_tow(const Scene& scene, formats::TableReader& root) {
   constexpr double kAlike = 0.02;  // of the speed of the tow; a tow along a current of its own speed is rare
   const auto& tow = scene.current.tow;

@@ -35,7 +35,7 @@ void WaterReader::check_waves() {
               "kind = \"dynamic\" in [analysis], or leave them out");
 }
 
-/// A ship tows the gear of a net plan.
+/// Takes the speed of the ship, which tows the gear of a net plan.
 void WaterReader::read_ship() {
   if (!root_.has("ship")) return;
   const gears::Ship* ship = gear_.ship();
@@ -50,8 +50,9 @@ void WaterReader::read_ship() {
   out_.scene.current.tow = out_.scene.ground;
 }
 
-/// A model at 1 : s in water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the
-/// gear in water of viscosity ν s^1.5, and where nothing stretches all else is similar (W. Froude).
+/// Sets the viscosity for a model. A model at 1 : s in water of viscosity ν, with velocities smaller by √s,
+/// has the Reynolds numbers of the gear in water of viscosity ν s^1.5; if nothing stretches, everything else
+/// is similar (W. Froude).
 void WaterReader::take_water(const WaterKeys& keys, formats::TableReader& water) {
   out_.scene.water = keys;
   if (keys.model_twine_scale == 0) {

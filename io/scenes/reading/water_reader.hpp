@@ -7,20 +7,21 @@
 
 namespace netloft::scenes {
 
-/// Reads what a gear is towed through and over: `[water]`, `[tow]`, `[bed]`, and the speed of the `[ship]`.
+/// Reads the surroundings of a gear: `[water]`, `[tow]`, `[bed]`, and the speed of the `[ship]`.
 class WaterReader {
  public:
   WaterReader(formats::TableReader& root, Draft& draft, const GearSteps& gear)
       : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out), gear_(gear) {}
 
   void read();
-  /// Waves act on what moves; a static result would be one of still water.
+  /// Refuses waves in a static analysis, where they have no effect.
   void check_waves();
-  /// Forces of an equilibrium are similar by Tauti's rule, masses are not.
+  /// Scales ropes and floats by Tauti's rule. Refuses motions, because the rule makes forces similar but not
+  /// masses.
   void take_model();
-  /// Gives the ground of the bed to all parts that rest on it.
+  /// Gives the factors of `[bed] bottom` to all parts that rest on the bed.
   void lay_bottom();
-  /// The key of the bed that tells port from starboard; null: none does.
+  /// The key of the bed that distinguishes port from starboard; null if none does.
   const char* uneven_key() const;
   bool says_tow() const { return says_tow_; }
 

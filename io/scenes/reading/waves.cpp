@@ -21,7 +21,7 @@ double depth_of(const WaveKeys& keys, const Scene& scene) {
 
 bool is_drawn(const WaveKeys& keys) { return keys.spectrum != 0; }
 
-/// Keys of the other kind of waves would be read and mean nothing.
+/// Refuses the keys of the other kind of waves, which would have no effect.
 void refuse_idle(const WaveKeys& keys, formats::TableReader& waves) {
   if (is_drawn(keys)) {
     if (waves.has("phase"))
@@ -33,7 +33,8 @@ void refuse_idle(const WaveKeys& keys, formats::TableReader& waves) {
       waves.error(key, "belongs to a spectrum, and these waves are regular", "spectrum = \"jonswap\"");
 }
 
-/// The height of one wave, or the significant height at the period of the peak.
+/// Refuses breaking waves: the height of a regular wave, or the significant height at the peak period, is too
+/// large.
 void check_height(const WaveKeys& keys, double k, double depth, formats::TableReader& waves) {
   const double length = 2 * std::numbers::pi / k, highest = highest_wave(k, depth);
   if (keys.height >= highest)

@@ -7,7 +7,8 @@
 
 namespace netloft::scenes {
 
-/// `water.waves` of a scene whose water, current and bed have been read; null if it is absent or wrong.
+/// Reads `water.waves` of a scene whose water, current and bed have been read. Null if the table is absent or
+/// has errors.
 std::shared_ptr<const WaterField> read_waves(formats::TableReader& water, const Scene& scene);
 
 }  // namespace netloft::scenes
