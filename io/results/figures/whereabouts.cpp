@@ -15,9 +15,9 @@ namespace netloft::results {
 
 namespace {
 
-// Separates harmless depths from faults, both measured [m]: netting of the library's gears that does not
-// touch the bed by an element reaches up to 0.31 m below it. A float on a line longer than the water depth is
-// 2 m in the air, and a wrong depth gives more.
+// Separates harmless depths from faults, both measured [m]. In gears of the library, netting without contact
+// elements reaches up to 0.31 m below the bed. A float on a line longer than the water depth is 2 m in the
+// air, and a wrong depth gives more.
 constexpr double kClearly = 0.5;
 
 /// The part that is furthest beyond a limit, and the number of parts that are beyond it.

@@ -7,7 +7,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// The rows of a model in another order.
+/// A model with its rows in another order.
 class Reordered : public Model {
  public:
   Reordered(SceneModel& model, const std::vector<std::size_t>& order) : model_(model), order_(order) {}

@@ -4,29 +4,29 @@
 
 namespace netloft::studies {
 
-/// A calibration that was done, or why not.
+/// A calibration with its fit, or the reason why there is no fit.
 struct Calibration {
   CalibrationFile file;
   std::vector<Measurement> measured;  // in the order of the file, in the units of the figures
   std::vector<std::string> units;
-  Fit fit;                         // its rows: what took part, then what was held back
-  std::vector<std::size_t> order;  // the file's row of each row of `fit`
+  Fit fit;                         // rows: the fitted measurements first, then those held back
+  std::vector<std::size_t> order;  // for each row of `fit`, its row in the file
   bool is_interrupted = false;     // by the user
   int solves = 0;
   double cpu_seconds = 0;
-  std::vector<std::string> unstable;  // scenes whose equilibrium at the end is not stable
-  std::string trouble;                // of the last scene that had no answer, where the fit did not converge
+  std::vector<std::string> unstable;  // scenes with an unstable equilibrium at the fitted parameters
+  std::string trouble;  // fault of the last scene without an answer, if the fit did not converge
 
-  /// Half width of intervals and bands over the deviation.
+  /// Half width of intervals and bands, in standard deviations.
   double width() const;
 };
 
-/// Fits what takes part, and predicts the rest.
+/// Fits the parameters to the measurements that are not held back, and predicts all measurements.
 Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
                       const std::filesystem::path& folder, Registry& registry, const runs::Watch& watch,
                       const OnSolve& on_solve = {});
 
-/// For people, and as one JSON object.
+/// The calibration as a text for people, and as one JSON object.
 std::string calibration_text(const Calibration& calibration);
 std::string calibration_json(const Calibration& calibration);
 

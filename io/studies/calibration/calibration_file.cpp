@@ -15,7 +15,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// Reads one calibration file; members are steps in the order they happen.
+/// Reads one calibration file. The member functions are the steps, in the order of execution.
 class CalibrationReader {
  public:
   CalibrationReader(const formats::Value& root, formats::Diagnostics& diagnostics)
@@ -53,7 +53,7 @@ class CalibrationReader {
       root_.error("scenes", "is empty: something has to be measured", "such as [scenes.slow]");
   }
 
-  /// The scenes that a key names; all of them where it is left out.
+  /// The scenes that a key names; all scenes if the key is missing.
   std::vector<std::size_t> scenes_in(formats::TableReader& table, const std::string& key) {
     std::vector<std::size_t> all(file_.scenes.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
@@ -126,7 +126,7 @@ class CalibrationReader {
       root_.error("measured", "everything is held back, so that there is nothing to fit");
   }
 
-  /// A number as it is written, with or without a unit.
+  /// Reads a number as it is written, with or without a unit.
   std::string quantity(formats::TableReader& row, const std::string& key, const std::string& doc) {
     const auto kind = row.kind(key);
     if (!kind || *kind == formats::Kind::text) return row.text(key, {.doc = doc});
@@ -135,7 +135,7 @@ class CalibrationReader {
 
   formats::TableReader root_;
   CalibrationFile file_;
-  std::vector<std::string> set_;  // of all scenes
+  std::vector<std::string> set_;  // overrides for all scenes
   std::map<std::pair<std::size_t, std::string>, std::string> owners_;
 };
 

@@ -9,27 +9,27 @@
 
 namespace netloft::studies {
 
-/// A scene that something was measured of.
+/// A scene in which something was measured.
 struct CalibrationScene {
   std::string name;
-  std::string file;  // from the folder of the calibration file
+  std::string file;  // path relative to the folder of the calibration file
   formats::Place place;
-  std::vector<std::string> set;  // as `--set` takes them
+  std::vector<std::string> set;  // overrides in the syntax of `--set`
 };
 
-/// An unknown number of the scenes, with its prior.
+/// An unknown input of the scenes, with its prior.
 struct CalibrationVariable {
   Variable variable;
   Distribution distribution;
-  std::vector<std::size_t> scenes;  // that have it
-  /// Whether it is one of all scenes, and not set for one of them.
+  std::vector<std::size_t> scenes;  // indices of the scenes that have it
+  /// Whether the variable belongs to all scenes, and is not set for a single one.
   bool is_shared = true;
   double prior_mean() const;
   double prior_deviation() const;
 };
 
-/// A measured figure of a scene. Value and deviation are texts with units until the unit of the
-/// figure is known.
+/// A measured figure of a scene. Value and deviation stay texts with units until the unit of the figure is
+/// known.
 struct MeasuredFigure {
   std::size_t scene = 0;
   std::string figure;  // "gear/mouth/headline_height", as in a study
@@ -40,14 +40,15 @@ struct MeasuredFigure {
 
 /// A calibration file (CALIBRATION.md).
 struct CalibrationFile {
-  std::string name;         // of the file, without its ending
-  double confidence = 0.9;  // of intervals and bands
+  std::string name;         // name of the file without its extension
+  double confidence = 0.9;  // probability of intervals and bands
   std::vector<CalibrationScene> scenes;
   std::vector<CalibrationVariable> variables;
   std::vector<MeasuredFigure> measured;
 };
 
-/// Reads a calibration file; what is wrong goes to `diagnostics`, and then the result must not be used.
+/// Reads a calibration file. Errors are reported to `diagnostics`; the result must not be used if there are
+/// any.
 CalibrationFile read_calibration_file(const std::filesystem::path& path, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::studies

@@ -15,11 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Out = std::back_insert_iterator<std::string>;
 
-// Two parameters that go together so closely are known by a combination only; one whose deviation is so near
-// to that of its prior is not known by the data.
+// kInseparable: with a larger correlation, only a combination of two parameters is known. kUnknown: with a
+// larger ratio of its deviation to that of the prior, a parameter is not determined by the data.
 constexpr double kInseparable = 0.95, kUnknown = 0.9;
 
-/// The words in which a correlation is a warning.
+/// A warning about a strong correlation.
 std::string pair_text(const Calibration& c, std::size_t j, std::size_t k) {
   return fmt::format("{} and {} cannot be told apart by these measurements: correlation {:.2f}",
                      c.file.variables[j].variable.name, c.file.variables[k].variable.name,
@@ -81,7 +81,7 @@ void variables_text(const Calibration& c, Out out) {
   }
 }
 
-/// Correlations of the variables that all scenes share.
+/// Writes the correlations of the variables that all scenes share.
 void correlations_text(const Calibration& c, Out out) {
   std::vector<std::size_t> shared;
   for (std::size_t j = 0; j < c.fit.parameters.size(); ++j)
@@ -97,7 +97,7 @@ void correlations_text(const Calibration& c, Out out) {
   }
 }
 
-/// Half width of the band in which a new measurement lies.
+/// Half width of the prediction band for a new measurement.
 double band(const Calibration& c, std::size_t row) {
   return c.width() * std::hypot(c.fit.model_deviations[row], c.measured[c.order[row]].deviation);
 }

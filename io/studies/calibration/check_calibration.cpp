@@ -12,7 +12,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// Opens one scene after the other.
+/// Opens one scene after another.
 class CalibrationInspection {
  public:
   CalibrationInspection(const CalibrationFile& file, const std::filesystem::path& folder, Registry& registry,
@@ -34,7 +34,8 @@ class CalibrationInspection {
     return means;
   }
 
-  /// Stops at the first wrong value, because the others are mostly wrong in the same way.
+  /// Tries the interval ends of the variables. Stops at the first wrong value, because the others are mostly
+  /// wrong in the same way.
   void inspect(std::size_t scene) {
     if (!open(scene, means(), true)) return;
     for (std::size_t v = 0; v < file_.variables.size(); ++v) {

@@ -12,8 +12,9 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr int kIterations = 30;  // from the equilibrium before, until it is looked for anew
-constexpr double kStep = 0.1;    // of the prior's deviation: above the noise of solves, below their curvature
+constexpr int kIterations = 30;  // most iterations from the previous equilibrium, before a new search
+constexpr double kStep = 0.1;  // fraction of the prior's deviation: large against the noise of solves, small
+                               // enough that curvature does not matter
 
 double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
   const auto at = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == name; });
@@ -26,7 +27,7 @@ bool all_finite(const std::vector<double>& numbers) {
 
 }  // namespace
 
-/// A scene that has been solved, from which it is solved again.
+/// A solved scene, from which the next solve starts.
 struct SceneModel::Solved {
   std::unique_ptr<runs::PreparedScene> prepared;
   std::vector<double> x;  // over all degrees of freedom [m]
@@ -35,7 +36,7 @@ struct SceneModel::Solved {
 
 namespace {
 
-/// "path=value" for the variables that a scene has.
+/// "path=value" for the variables of a scene.
 std::vector<std::string> values_of(const CalibrationFile& file, std::size_t scene,
                                    const std::vector<double>& parameters) {
   std::vector<std::string> words;
@@ -78,7 +79,7 @@ std::vector<std::string> SceneModel::unstable() const {
   return names;
 }
 
-/// The figures measured of one scene, in the order of the file. `from` is where it was solved before.
+/// The measured figures of one scene, in the order of the file. `from` is its previous solution.
 std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
                                                        const std::vector<double>& parameters, Solved& from,
                                                        bool keep) {

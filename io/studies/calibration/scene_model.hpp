@@ -7,15 +7,15 @@
 
 namespace netloft::studies {
 
-/// Told after every solve of a calibration: how many there were, and the name of the scene.
+/// Called after every solve of a calibration with the number of solves and the name of the scene.
 using OnSolve = std::function<void(std::size_t solves, const std::string& scene)>;
 
-/// The figures that were measured, as the scenes of a calibration predict them: a scene is solved from the
-/// equilibrium found before where that leads on, and anew where it does not. Slopes are differences over a
-/// tenth of the prior's deviation to either side, within the range.
+/// Predicts the measured figures with the scenes of a calibration. A scene is solved from its previous
+/// equilibrium, or by a new search if that fails. Slopes are differences over a tenth of the prior's
+/// deviation to either side, within the range.
 class SceneModel : public Model {
  public:
-  /// `file` has been checked. Scenes are found from `folder`.
+  /// `file` has been checked. Paths of scenes are relative to `folder`.
   SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry, runs::Watch watch,
              OnSolve on_solve);
   ~SceneModel() override;
@@ -27,7 +27,7 @@ class SceneModel : public Model {
   int solves() const { return solves_; }
   /// The fault of the last scene without a result: "slow: not converged; largest residual …".
   const std::string& trouble() const { return trouble_; }
-  /// Scenes whose equilibrium at the last prediction is not stable.
+  /// Names of the scenes with an unstable equilibrium at the last prediction.
   std::vector<std::string> unstable() const;
 
  private:
@@ -41,20 +41,20 @@ class SceneModel : public Model {
   Registry& registry_;
   runs::Watch watch_;
   OnSolve on_solve_;
-  std::vector<runs::CaseSource> sources_;  // of each scene, without variables
-  std::vector<Solved> last_;               // of each scene
+  std::vector<runs::CaseSource> sources_;  // by scene, without variables
+  std::vector<Solved> last_;               // by scene
   int solves_ = 0;
   std::string trouble_;
 };
 
-/// Words for `--set` that give a scene these values of the variables it has.
+/// Arguments of `--set` for the variables of a scene at these values.
 std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t scene,
                                       const std::vector<double>& parameters);
 
 /// Opens every scene at the prior means of the variables, and at both ends of the interval of each variable.
 /// Reports errors in keys, values and figures to `diagnostics`. Returns the measurements in the order of the
-/// file, converted to the units of the figures. `on_budget` receives the processor time that a scene may take
-/// for its figures [s].
+/// file, converted to the units of the figures. `on_budget` receives the processor time allowed for the
+/// figures of a scene [s].
 struct CheckedCalibration {
   std::vector<Measurement> measured;
   std::vector<std::string> units;

@@ -114,8 +114,8 @@ class Comparing {
     return result;
   }
 
-  /// Compares the method's answer at its tightest tolerance with the reference; returns nothing if both are
-  /// the same equilibrium.
+  /// Compares the method's answer at its tightest tolerance with the reference; empty if both are the same
+  /// equilibrium.
   std::optional<OtherEquilibrium> find_other_equilibrium(const MethodResult& result) {
     const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),
                                    [](const Trial& t) { return t.converged(); });
@@ -141,8 +141,8 @@ class Comparing {
       }
   }
 
-  /// Uses the cheapest method that converged at the tightest tolerance, so that the meshes differ by nothing
-  /// but the mesh.
+  /// Solves the meshes by the cheapest method that converged at the tightest tolerance, so that results
+  /// differ by the mesh alone.
   void find_discretisation() {
     const CellList& list = *task_.cells;
     out_.discretisation =

@@ -9,12 +9,12 @@ namespace netloft::studies {
 
 /// The methods, tolerances and meshes that a comparison runs.
 struct ComparisonTask {
-  bool is_of_motions = false;      // methods are integrators
+  bool is_of_motions = false;      // true: the methods are integrators
   std::vector<Method> methods;     // at least one
-  std::vector<double> tolerances;  // decreasing; accuracies, if methods are integrators
-  int repeats = 3;                 // runs of every trial; the cheapest counts
-  std::string reference;  // solver or integrator asked for references; empty: one other than the method
-  std::optional<CellList> cells;  // meshes for the discretisation error
+  std::vector<double> tolerances;  // decreasing; for integrators, accuracies
+  int repeats = 3;                 // runs of every trial, of which the cheapest counts
+  std::string reference;           // solver or integrator for references; empty: one other than the method
+  std::optional<CellList> cells;   // meshes for the discretisation error
   // Integrators among the methods whose plugins are not installed, and a sentence about each.
   std::map<std::string, std::string> absent;
 };
@@ -31,8 +31,9 @@ struct MethodResult {
   Method method;
   std::vector<Trial> trials;
   std::optional<ReferenceAnswer> reference;  // empty: no other solver converged
-  std::optional<OtherEquilibrium> other;     // if set, distances are no errors and the trials have none
-  bool is_absent = false;                    // its one trial says why
+  std::optional<OtherEquilibrium>
+      other;               // if set, the distances are not errors, and the trials have no errors
+  bool is_absent = false;  // true: its only trial gives the reason
 };
 
 /// Speed against error of several methods on one scene.
@@ -45,14 +46,14 @@ struct Comparison {
   double size = 0;  // diagonal of the gear's bounding box [m]
   std::vector<MethodResult> methods;
   std::optional<Discretisation> discretisation;
-  bool is_interrupted = false;  // by the user: methods that had not begun are left out, and what comes after
+  bool is_interrupted = false;  // by the user: the remaining methods and steps are missing
 
   bool any_converged() const;
-  bool any_failed() const;  // the plugin of a method, in a trial
+  bool any_failed() const;  // whether the plugin of a method failed in a trial
 };
 
-/// Runs all trials. The scene must have been opened with every method before, so that it is known to be free
-/// of errors. Throws std::runtime_error if it has errors, std::invalid_argument for divisions that the scene
+/// Runs all trials. The caller must have opened the scene with every method before, to make sure that it has
+/// no errors. Throws std::runtime_error if it has some, std::invalid_argument for divisions that the scene
 /// does not have.
 Comparison compare(const runs::CaseSource& source, Registry& registry, const ComparisonTask& task,
                    const runs::Watch& watch);

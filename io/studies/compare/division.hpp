@@ -14,12 +14,13 @@ struct MeshLevel {
   std::vector<formats::Change> changes;
 };
 
-/// The measure of how finely a scene is divided, by which meshes are compared.
+/// The fineness of a mesh, by which meshes are compared.
 struct MeshSize {
   std::int64_t count = 0;  // cells of the leading part, or nodes of a gear
   double width = 0;        // mesh width in arbitrary units: 1/cells, 1/√nodes
   std::string of;          // what is counted: "cells of net", "nodes of the gear"
-  bool is_similar = true;  // to those of other counts: cells are divided evenly, a gear is triangulated anew
+  bool is_similar = true;  // whether meshes of other counts are similar: cells are divided evenly, whereas a
+                           // gear is triangulated anew
 };
 MeshSize count_mesh(const scenes::LoadedScene& loaded);
 
@@ -32,23 +33,23 @@ struct CellList {
 /// Throws std::invalid_argument with a sentence if `text` is not a list of cells.
 CellList read_cell_list(const std::string& text);
 
-/// The part whose cells a division is named after: the first panel, else the first rope. Throws
-/// std::invalid_argument when nothing in the scene is divided.
+/// The part whose cells name a division: the first panel, else the first rope. Throws std::invalid_argument
+/// if the scene has no divided part.
 const scenes::PartGeometry& leading_part(const scenes::LoadedScene& loaded);
 
-/// The divisions of a list: the leading part has as many cells as the list says, all other parts are divided
-/// in proportion. Throws std::invalid_argument if a part would have no whole number of cells, or if the scene
-/// names a node by its number, which means a different node on another mesh.
+/// The divisions of a list: the leading part gets the listed number of cells, and all other parts are divided
+/// in proportion. Throws std::invalid_argument if the number of cells of a part would not be whole, or if the
+/// scene names a node by its number, which means a different node on another mesh.
 std::vector<MeshLevel> mesh_levels(const scenes::LoadedScene& loaded, const CellList& list);
 
 /// Divisions of a gear into approximately these numbers of nodes; parts outside the gear keep their cells.
 /// Throws std::invalid_argument as above, and if the scene has no gear.
 std::vector<MeshLevel> gear_levels(const scenes::LoadedScene& loaded, const std::vector<std::int64_t>& nodes);
 
-/// Two divisions to compare with the scene's own in order to estimate its mesh error. Preferred are a quarter
-/// and a half of its cells, which cost little; then half and twice as many; then twice as many alone. For a
-/// gear they are half and twice its nodes, or twice and four times as many if half would be too few to
-/// be worth a solve. Throws as above.
+/// Two divisions to compare with the scene's own for an estimate of its mesh error. The first choice is a
+/// quarter and a half of its cells, which cost little; the second is half and twice the cells; the last is
+/// twice the cells alone. For a gear, half and twice its nodes, or twice and four times if half would give
+/// too few nodes for a useful solve. Throws as above.
 std::vector<MeshLevel> levels_around(const scenes::LoadedScene& loaded);
 
 }  // namespace netloft::studies

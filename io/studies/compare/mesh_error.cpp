@@ -12,7 +12,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// Sets the errors of numbers; adds a sentence for every end of a rope where there is none.
+/// Sets the mesh errors of numbers; adds a sentence to the note for every rope end without a limit.
 void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, NumberGroup numbers,
            std::vector<results::NamedScalar>& judged, std::string& note) {
   for (auto& scalar : judged) {
@@ -37,7 +37,7 @@ std::string note_on(const std::vector<NumbersOnMesh>& meshes) {
                          : "the largest of differences and extrapolations");
 }
 
-/// Sorts from the coarsest mesh to the finest; returns the new index of the mesh that was first.
+/// Sorts from the coarsest mesh to the finest; returns the new index of the formerly first mesh.
 std::size_t sort_meshes(std::vector<NumbersOnMesh>& meshes) {
   const std::int64_t own = meshes.front().mesh.count;
   std::sort(meshes.begin(), meshes.end(),

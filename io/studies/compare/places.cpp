@@ -11,13 +11,13 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-/// Converts a fraction to units of 1e-9. Fractions are quotients of small integers; the offset
-/// keeps them away from the edges between two units.
+/// Converts a fraction to units of 1e-9. Fractions are quotients of small integers; the offset keeps them
+/// away from the boundary between two units.
 std::int64_t in_units(double fraction) {
   return static_cast<std::int64_t>(std::floor(fraction * 1e9 + 0.317));
 }
 
-/// Returns the fractions of the width and of the length at which the part's node `own` lies.
+/// Returns the position of the part's node `own` as fractions of the width and of the length.
 std::array<double, 2> fractions_of(const scenes::PartGeometry& part, std::size_t own,
                                    std::array<double, 2> size) {
   if (!part.panel.empty()) return {part.panel[own][0] / size[0], part.panel[own][1] / size[1]};
@@ -34,7 +34,7 @@ std::array<double, 2> size_of(const scenes::PartGeometry& part) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]); }
 
-/// Calls visit(place in a, place in b) for every spot that both have.
+/// Calls visit(spot, position in a, position in b) for every spot in both a and b.
 template <class Visit>
 void for_common(const Places& a, const Places& b, const Visit& visit) {
   for (const auto& [spot, place] : a)

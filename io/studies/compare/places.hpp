@@ -9,27 +9,28 @@
 
 namespace netloft::studies {
 
-/// A spot of a gear that does not depend on the mesh: a part, and the fractions of its width and its length.
+/// A position on a gear that does not depend on the mesh: a part, and the fractions of its width and its
+/// length.
 struct Spot {
   std::uint32_t part;
   std::array<std::int64_t, 2> fraction;  // in units of 1e-9
   auto operator<=>(const Spot&) const = default;
 };
 
-/// Positions of the nodes of a gear by spot [m]. Two meshes of one gear have a spot in common where nodes
-/// coincide in panel coordinates or along a rope.
+/// Positions of the nodes of a gear by spot [m]. Two meshes of one gear share a spot if nodes coincide in
+/// panel coordinates or along a rope.
 using Places = std::map<Spot, std::array<double, 3>>;
 
 /// `positions` are those of all nodes of the scene, 3 per node [m].
 Places places_of(const scenes::LoadedScene& loaded, std::span<const double> positions);
 
-/// Largest distance over the spots that both have [m]; NaN if there are none in common.
+/// Largest distance over the common spots [m]; NaN if there are none.
 double largest_distance(const Places& a, const Places& b);
 
-/// √(mean of squared distances) over the spots of `among` that `a` and `b` have, too.
+/// √(mean of squared distances) over the spots that `a`, `b` and `among` share.
 double mean_distance(const Places& a, const Places& b, const Places& among);
 
-/// a + w (a − b) at the spots that a, b and `among` have.
+/// a + w (a − b) at the spots that `a`, `b` and `among` share.
 Places extrapolate(const Places& a, const Places& b, double w, const Places& among);
 
 }  // namespace netloft::studies

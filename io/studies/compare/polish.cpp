@@ -22,14 +22,14 @@ void measure(StaticProblem& problem, Polished& p) {
   p.load = balance.scale;
 }
 
-/// The rounding unit of the largest coordinate [m]; no position is known better.
+/// The rounding unit of the largest coordinate [m], which bounds the accuracy of positions.
 double last_digit(const std::vector<double>& x) {
   double largest = 0;
   for (const double coordinate : x) largest = std::max(largest, std::abs(coordinate));
   return std::numeric_limits<double>::epsilon() * largest;
 }
 
-/// Takes one Newton step; the result is not evaluated if there is no such step.
+/// Takes one Newton step; the result has `evaluated` = false if the step cannot be found.
 Polished next(StaticProblem& problem, const Polished& from) {
   Polished to;
   std::vector<double> step(from.u.size());
@@ -44,8 +44,8 @@ Polished next(StaticProblem& problem, const Polished& from) {
 
 Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u) {
   StaticProblem problem(fresh.assembler(), make_factorisation, {});
-  // Steps start from the rounded positions plus their low-order part. This needs displacements that are
-  // positions alone, which they are not for bodies.
+  // Steps start from the rounded positions plus their low-order part. This requires that displacements are
+  // positions only, which does not hold for bodies.
   const bool counts_from_there = !fresh.assembler().has_bodies();
   Polished best;
   best.u = u;

@@ -5,28 +5,28 @@
 
 namespace netloft::studies {
 
-/// The answer that errors of a method are measured against: found by another solver and brought to the
-/// round-off floor.
+/// The answer against which errors of a method are measured. Another solver found it, and Newton steps
+/// improved it to the round-off floor.
 struct ReferenceAnswer {
   Method method;
-  bool independent = true;  // found by another solver plugin than the method under test
-  double tolerance = 0;     // the tolerance to which that solver converged by itself
+  bool independent = true;  // found by another solver plugin than that of the tested method
+  double tolerance = 0;     // the tolerance to which that solver converged
   Stability stability = Stability::unknown;
   Polished answer;
-  // of a motion: its path, and whether loss factors count in it; answer.uncertainty is the largest distance
-  // from the path of another integrator at the same accuracy
+  // Of a motion: its path, and whether loss factors count in it; answer.uncertainty is then the largest
+  // distance from the path of another integrator at the same accuracy.
   std::vector<std::vector<double>> path = {};
   bool is_damped = true;
 };
 
-/// Solvers to ask for a reference for `method`, the best first. Those of its own plugin come last, so that no
-/// method is compared with itself while there is another. `available` lists names of plugins; if `wanted` is
-/// not empty, it is the only solver asked.
+/// Candidate solvers for a reference of `method`, the best first. Solvers of its own plugin come last, so
+/// that a method is compared with itself only if there is no other. `available` lists names of plugins; if
+/// `wanted` is not empty, it is the only candidate.
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted);
 
-/// The solver plugin of a method: "newton" for "newton:method=classic"; for a strategy the default solver,
-/// which its stages use.
+/// The solver plugin of a method: "newton" for "newton:method=classic". For a strategy it is the default
+/// solver, which the stages of the strategy use.
 std::string plugin_of(const Method& method);
 
 /// The answers of reference solvers to one scene, each computed on first use.
@@ -36,7 +36,7 @@ class ReferenceAnswers {
                    const runs::Watch& watch)
       : source_(source), registry_(registry), wanted_(std::move(wanted)), watch_(watch) {}
 
-  /// Returns nothing if none of the solvers converges.
+  /// Empty if none of the solvers converges.
   std::optional<ReferenceAnswer> find_for(const Method& method);
 
  private:

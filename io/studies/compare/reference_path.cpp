@@ -11,9 +11,9 @@ namespace netloft::studies {
 
 namespace {
 
-// Accuracies of references over the tightest that is compared.
+// Accuracies of references, relative to the tightest accuracy in the comparison.
 constexpr std::array<double, 2> kFiner{0.1, 1};
-// In decreasing order of trust, by how few hard motions they lose (tests/bench/motions).
+// In decreasing order of trust, that is, by how few hard motions they fail on (tests/bench/motions).
 constexpr std::array<const char*, 3> kTrustedIntegrators{
     "integrator energy-momentum", "integrator generalized-alpha", "integrator newmark"};
 

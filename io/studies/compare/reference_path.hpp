@@ -4,13 +4,13 @@
 
 namespace netloft::studies {
 
-/// The paths that errors of motions are measured against: of an integrator of another plugin than the method
-/// under test, a decade finer than the tightest accuracy that is compared, or as fine as that where it is
-/// lost there. How far two such paths of different integrators are apart is said with them. Methods that
-/// leave the damping of materials out are held against paths without it.
+/// The paths against which errors of motions are measured. A path is that of an integrator from another
+/// plugin than the tested method, with an accuracy ten times finer than the tightest in the comparison, or
+/// equal to it if the motion fails at the finer one. The distance between such paths of two integrators is
+/// reported with them. Methods without damping of materials are compared with paths without it.
 class ReferencePaths {
  public:
-  /// `wanted`: the only integrator asked; empty: the most trusted that there are.
+  /// `wanted`: the only candidate; empty: the most trusted of the installed integrators.
   ReferencePaths(const runs::CaseSource& source, Registry& registry, std::string wanted, double tightest,
                  const runs::Watch& watch)
       : source_(source),
@@ -19,7 +19,7 @@ class ReferencePaths {
         tightest_(tightest),
         watch_(watch) {}
 
-  /// Returns nothing if all of them lose the motion.
+  /// Empty if the motion fails with all of them.
   std::optional<ReferenceAnswer> find_for(const Method& method, bool is_damped);
 
  private:
@@ -33,8 +33,8 @@ class ReferencePaths {
   std::map<std::pair<std::string, bool>, std::optional<ReferenceAnswer>> found_;
 };
 
-/// The largest distance of a node between two paths at equal outputs [m]; infinite where they have not the
-/// same outputs.
+/// The largest distance of a node between two paths at equal outputs [m]; infinite if their outputs differ in
+/// number.
 double path_distance(const Scene& scene, const Numbering& numbering,
                      const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b);
 

@@ -38,7 +38,7 @@ std::string number_cell(double value, const char* format = "{:.6g}") {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-/// A sentence for every end of a rope whose tension has no limit.
+/// One sentence for each rope end whose tension has no limit.
 std::string divergences_text(const Refinement& r, const std::vector<RefinedNumber>& numbers) {
   std::string text;
   for (const auto& n : numbers)

@@ -4,23 +4,23 @@
 
 namespace netloft::studies {
 
-/// The numbers that a scene reports on finer and finer meshes.
+/// The numbers that a scene reports on successively finer meshes.
 struct Refinement {
   std::string scene;
   std::vector<NumbersOnMesh> meshes;  // from the coarsest to the finest
   std::vector<std::string> missing;   // sentences about meshes without an answer
-  bool is_interrupted = false;        // by the user: the mesh at hand and those after it are left out
+  bool is_interrupted = false;        // by the user: the current mesh and the finer ones are missing
 };
 
 /// One number on all meshes, and its limit.
 struct RefinedNumber {
   std::string name, unit;      // "results/lowest_z", "gear/mouth/area", as in result files
   std::vector<double> values;  // one per mesh
-  Trend trend;                 // its error is the one of the finest mesh
+  Trend trend;                 // its error is that of the finest mesh
 
   /// Whether the values differ by more than round-off.
   bool varies() const;
-  /// Whether it is the tension at the end of a rope that has no limit; there is no error then.
+  /// Whether the number is a tension at a rope end that has no limit; it then has no error.
   bool diverges() const;
 };
 
@@ -28,8 +28,8 @@ struct RefinedNumber {
 Refinement refine(const runs::CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
                   const runs::Watch& watch);
 
-/// Named results, then figures of the gear, in the order in which the finest mesh reports them; empty for
-/// fewer than two meshes.
+/// The trends of named results, then of figures of the gear, in the order of the report on the finest mesh;
+/// empty for fewer than two meshes.
 std::vector<RefinedNumber> find_trends(const Refinement& refinement);
 
 /// refinement_text has a line for every number that varies with the mesh, except figures by part;

@@ -13,7 +13,7 @@ namespace {
 /// Errors below this cannot be distinguished from zero.
 double floor_of(const Comparison& c) { return std::numeric_limits<double>::epsilon() * c.size; }
 
-/// Tolerances that end at the same answer become one point, at the least cost.
+/// Adds a point. Tolerances that lead to the same error share one point, at the least cost.
 void add(std::vector<formats::PlotSeries::Point>& points, formats::PlotSeries::Point p) {
   if (!points.empty() && points.back().x == p.x)
     points.back().y = std::min(points.back().y, p.y);
@@ -26,7 +26,7 @@ std::string with_times_signs(std::string text) {
   return text;
 }
 
-/// " (lost at 1e-01, 1e-02)": a motion that did not end has no point.
+/// " (lost at 1e-01, 1e-02)": lists the tolerances at which a motion did not end, since these have no points.
 std::string lost_at(const MethodResult& m) {
   std::string text;
   for (const Trial& t : m.trials)

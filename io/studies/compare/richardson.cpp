@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kNoOrder = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastOrder = 0.5, kMostOrder = 2.5, kSteady = 0.5, kHighestOrder = 20;
-constexpr double kSafety = 1.25;        // of (4)
-constexpr double kSafetyOfScatter = 2;  // of (5)
-// Rope ends at corners of netting change by a tenth and more from mesh to mesh where they are singular, other
+constexpr double kSafety = 1.25;        // factor in (4)
+constexpr double kSafetyOfScatter = 2;  // factor in (5)
+// Singular tensions at rope ends on corners of netting change by a tenth or more from mesh to mesh, other
 // figures that happen to drift by less.
 constexpr double kNoise = 0.1;
 
@@ -21,12 +21,12 @@ double ratio_of(double p, double h3, double h2, double h1) {
   return (std::pow(h3 / h1, p) - std::pow(h2 / h1, p)) / (std::pow(h2 / h1, p) - 1);
 }
 
-/// The limit by (3) out of two meshes.
+/// The limit (3) from two meshes.
 double limit_of(double order, double coarse, double fine, double h2, double h1) {
   return fine + extrapolation_weight(order, h2, h1) * (fine - coarse);
 }
 
-/// e of (5); `limit` is unknown or known already.
+/// e of (5); trend.limit is used if it is finite.
 double bound(const Trend& trend, const std::vector<double>& values, const std::vector<double>& h,
              std::size_t asked, std::size_t first) {
   const std::size_t last = values.size() - 1;
@@ -37,7 +37,7 @@ double bound(const Trend& trend, const std::vector<double>& values, const std::v
   return kSafetyOfScatter * largest;
 }
 
-/// Sets order and limit out of the three finest meshes.
+/// Sets order and limit from the three finest meshes.
 void observe(Trend& trend, const std::vector<double>& values, const std::vector<double>& h) {
   const std::size_t n = values.size();
   const double coarse = values[n - 2] - values[n - 3], fine = values[n - 1] - values[n - 2];

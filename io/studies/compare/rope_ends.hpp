@@ -4,10 +4,9 @@
 
 namespace netloft::studies {
 
-/// At a free corner of netting the tension at the end of the rope is singular: it has no limit on finer
-/// meshes. Such a figure has no error, but the tension a little way inside has one.
-///
-/// Whether `figure` is the tension at the end of a rope, or one made of such tensions.
+/// Whether `figure` is the tension at the end of a rope, or is made of such tensions. At a free corner of
+/// netting this tension is singular: it has no limit under mesh refinement, and therefore no error. The
+/// tension a short distance inside the rope has both.
 bool is_of_rope_end(const std::string& figure);
 
 /// "ropes/headrope/tension_starboard does not converge with the mesh; 1.2 m from that end, twice the longest

@@ -44,7 +44,7 @@ const char* word_for(MarchStatus status) {
   }
 }
 
-/// Positions at every output stay in memory; no file is written.
+/// Runs one motion; positions at every output stay in memory, and no file is written.
 Trial trial_in_time(runs::PreparedScene& fresh, const Method& method, double tolerance,
                     const runs::Watch& watch) {
   Trial t;
@@ -68,7 +68,7 @@ Trial trial_in_time(runs::PreparedScene& fresh, const Method& method, double tol
   return t;
 }
 
-/// One that failed may do so at this tolerance alone, and others go well.
+/// A trial that failed. Trials at other tolerances may still succeed.
 Trial failed_trial(double tolerance, const std::string& why) {
   Trial t;
   t.tolerance = tolerance;

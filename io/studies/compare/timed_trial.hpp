@@ -7,29 +7,30 @@
 
 namespace netloft::studies {
 
-/// The cost and the answer of one method at one tolerance; of a motion that is the accuracy of its path.
+/// The cost and the answer of one method at one tolerance; for a motion, the tolerance is the accuracy of its
+/// path.
 struct Trial {
   double tolerance = 0;
-  bool tried = true;    // false: the method has failed at a looser tolerance already
-  bool failed = false;  // its plugin did, with an error that `reason` says
+  bool tried = true;    // false: the method has already failed at a looser tolerance
+  bool failed = false;  // true: its plugin failed; `reason` has the error
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
   std::string reason;     // a sentence
   std::string of_motion;  // "finished", "lost", "out of time", "out of work" or "interrupted"; empty: it is
                           // an equilibrium
-  // processor time of the solver, the least of all repeats, without the host's final checks
+  // processor time of the solver without the host's final checks, the least of all repeats
   double cpu_seconds = 0;
-  Statistics statistics;          // of the repeat with that time
+  Statistics statistics;          // of the fastest repeat
   double residual = 0, load = 0;  // recomputed by the host [N]
-  // estimate of the error: the next Newton step [m]
+  // error estimate: the next Newton step [m]
   double estimate = std::numeric_limits<double>::quiet_NaN();
-  // largest node distance to the reference, of a motion at any output [m]
+  // largest distance of a node to the reference; for a motion, over all outputs [m]
   double error = std::numeric_limits<double>::quiet_NaN();
   double energy = 0;                      // [J]
   std::vector<double> x, u;               // the answer, as in Solution
   std::vector<std::vector<double>> path;  // of a motion: x at every output
-  std::int64_t steps = 0, rejected = 0;   // of a motion, in time
-  bool is_damped = true;                  // loss factors of materials count in the motion, or no part has one
+  std::int64_t steps = 0, rejected = 0;   // of a motion: steps in time
+  bool is_damped = true;  // whether loss factors of materials count in the motion, or no part has one
 
   std::string outcome() const {
     if (!tried) return "not tried";
@@ -41,27 +42,26 @@ struct Trial {
   }
 };
 
-/// A method that is compared: a solver in the form of `--solver`, or a strategy or an integrator behind that
-/// word.
+/// A compared method: a solver in the syntax of `--solver`, or a strategy or an integrator after its keyword.
 struct Method {
   std::string specification;  // "newton:method=classic", "strategy auto", "integrator newmark"
 
-  /// "solver", "strategy" or "integrator", as the keys of an analysis are called.
+  /// "solver", "strategy" or "integrator", which are also the keys of an analysis.
   std::string kind() const;
-  /// The specification without that word.
+  /// The specification without the keyword.
   std::string name() const;
 };
 
-/// Returns `source` with a method and a tolerance chosen.
+/// Returns `source` with this method and tolerance.
 runs::CaseSource source_for(const runs::CaseSource& source, const Method& method, double tolerance);
 
-/// Solves the scene `repeats` times from its initial guess, each time in a new case; with an integrator, goes
-/// through time, as far as the budget of work of the analysis leads.
+/// Solves the scene `repeats` times from its initial guess, each time in a new case. With an integrator,
+/// marches through time within the work budget of the analysis.
 Trial run_trial(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
                 int repeats, const runs::Watch& watch);
 
-/// Runs all tolerances from the loosest to the tightest; those after a failure are not tried, but for
-/// motions, which shorter steps may save.
+/// Runs all tolerances from the loosest to the tightest. After a failure the tighter ones are skipped, except
+/// for motions, which shorter steps may save.
 std::vector<Trial> run_trials(const runs::CaseSource& source, Registry& registry, const Method& method,
                               const std::vector<double>& tolerances, int repeats, const runs::Watch& watch);
 

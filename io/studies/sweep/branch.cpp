@@ -14,14 +14,15 @@ namespace {
 
 using Values = std::vector<VariableValue>;
 
-// Fraction of a step that a jump leaves after `halvings`. A smooth path leaves 2^-5, a jump all of it.
+// Fraction of a step's change that remains after `halvings` if there is a jump. A smooth path leaves 2^-5, a
+// jump all of it.
 constexpr double kLeftOfAJump = 0.25;
-constexpr double kElsewhere = 4;  // times as far as the way so far leads
+constexpr double kElsewhere = 4;  // a distance this many times the extrapolated change means another branch
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
-/// How far from the last point the next one is, over the way from the one before that; nothing if they do not
-/// lie on a line.
+/// The ratio of the step from the last point to the next over the step before it; empty if the three points
+/// are not on one line.
 std::optional<double> way_on(const Values& before, const Values& last, const Values& next) {
   std::optional<double> ratio;
   for (std::size_t v = 0; v < next.size(); ++v) {
@@ -33,7 +34,7 @@ std::optional<double> way_on(const Values& before, const Values& last, const Val
   return ratio;
 }
 
-/// Whether there are values between two points: only numbers differ.
+/// Whether points in between exist: only numbers differ between both.
 bool can_be_halved(const Values& a, const Values& b) {
   for (std::size_t v = 0; v < a.size(); ++v)
     if (a[v].text != b[v].text && !(a[v].number && b[v].number)) return false;
@@ -45,7 +46,7 @@ struct Move {
   std::uint32_t node = 0;
 };
 
-/// The node that is furthest apart in two states of one topology.
+/// The node with the largest distance between two states of one topology.
 Move largest_move(const runs::PreparedScene& scene, const std::vector<double>& from_x,
                   const std::vector<double>& to_x) {
   const auto from = scene.assembler().node_positions(from_x), to = scene.assembler().node_positions(to_x);
@@ -66,7 +67,7 @@ std::string name_of(const Solved& solved, const Move& move) {
   return solved.scene->assembler().node_name(solved.scene->loaded().scene, move.node);
 }
 
-/// Largest distance between coordinates of a scene as it is sketched [m].
+/// Largest extent of the initial positions of a scene along an axis [m].
 double extent_of(const Scene& scene) {
   double size = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -108,9 +109,10 @@ Reached Branch::reach(std::shared_ptr<runs::PreparedScene> scene, const Values& 
   return reached;
 }
 
-/// The last point, and the one before it if both lead to the next; else one before on the tangent. What the
-/// same variable moved in the row of points before would cost no tangent, and leads worse: on the 83-112 at
-/// sea with 300 nodes, 16 samples, points took 4.9 factorisations on average instead of 4.2 to 4.6.
+/// Returns the last point, and the one before it if both are on a line with the next; else a point before it
+/// on the tangent. Reusing the movement with the same variable in the previous row of points would save the
+/// tangent but predicts worse: on the 83-112 at sea with 300 nodes, 16 samples, points took 4.9
+/// factorisations on average instead of 4.2 to 4.6.
 Branch::Way Branch::known_places(const Values& values) {
   if (trail_.size() == 2)
     if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)
@@ -119,7 +121,7 @@ Branch::Way Branch::known_places(const Values& values) {
   return tangent_way(trail_.back(), values);
 }
 
-/// A point, and before it one on the tangent at it, towards other values; the point alone where there is no
+/// Returns a point on the tangent towards other values, and `from` itself; only `from` if there is no
 /// tangent.
 Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   Way way{{0, from}};
@@ -136,7 +138,8 @@ Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   return way;
 }
 
-/// Goes from the last point to the next, by the whole step or by halves of it. False: the way ends before.
+/// Steps from the last point to the next, by the whole step or by halves of it. False if the branch ends
+/// before.
 bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Values& values, Way& way) {
   const Solved start = way.back().solved;
   const double shortest = std::ldexp(1.0, -options_.halvings);
@@ -159,8 +162,9 @@ bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Value
   return false;
 }
 
-/// Extrapolates the last two places linearly, or returns the last one alone. A parabola through three led the
-/// 83-112 at sea with 300 nodes worse: kinks of slack twines and of the bed are no parabolas.
+/// Extrapolates linearly from the last two places; with one place, returns its positions. A parabola through
+/// three places predicted worse on the 83-112 at sea with 300 nodes, because slack twines and the bed make
+/// kinks.
 std::vector<double> Branch::led_on(const Way& way, double at) {
   const Place& last = way.back();
   std::vector<double> x = last.solved.solution.x;
@@ -191,7 +195,7 @@ bool Branch::is_noticed(double distance, const runs::PreparedScene& of) const {
   return distance > options_.noticed * extent_of(of.loaded().scene);
 }
 
-/// The scene a part t of the way from one point to another, and its values.
+/// Opens the scene at fraction t of the step from one point to another, and sets its values.
 std::shared_ptr<runs::PreparedScene> Branch::open_between(const Solved& from, const Values& to, double t,
                                                           Values& values) const {
   values = from.values;
@@ -234,7 +238,7 @@ void Branch::look_for_fold(const Way& way, const Solved& anew, std::vector<std::
                   spell(end.solved.values, anew.values), name_of(anew, move), move.distance));
 }
 
-/// The values that differ from another point's: "speed 3.125 kn".
+/// Spells the values that differ from those of another point: "speed 3.125 kn".
 std::string Branch::spell(const Values& values, const Values& other) const {
   std::string text;
   for (std::size_t v = 0; v < values.size(); ++v)

@@ -15,51 +15,54 @@ struct Solved {
   std::vector<VariableValue> values;
 };
 
-/// How the next equilibrium was reached.
+/// The next equilibrium, and how it was found.
 struct Reached {
-  Solution solution;                // its cost is that of all that was solved on the way
-  bool was_continued = false;       // else it was found anew
+  Solution solution;                // its cost includes all intermediate solves
+  bool was_continued = false;       // false: found by a new search
   std::vector<std::string> events;  // folds and jumps, as sentences
 };
 
 struct BranchOptions {
-  int iterations = 12;  // of one step, before it is halved
-  int halvings = 5;     // of a step, before the branch is said to end
-  // The part of a step over which residuals are differenced for a tangent. More loses the bed, which yields
-  // by millimetres, less is lost in rounding: on four gears 2^-16 to 2^-20 take the fewest factorisations,
-  // and the 83-112 at sea two to five times as many with 2^-12 and 2^-28.
+  int iterations = 12;  // most iterations of a step, before it is halved
+  int halvings = 5;     // most halvings of a step, before the branch counts as ended
+  // The fraction of a step over which residuals are differenced for a tangent. A larger one overshoots the
+  // bed, which yields by millimetres, a smaller one loses digits to rounding: on four gears 2^-16 to 2^-20
+  // need the fewest factorisations, and the 83-112 at sea needs two to five times as many with 2^-12 and
+  // 2^-28.
   double little = 0x1p-20;
-  // Limit without two places to extrapolate: a step with more iterations may have jumped, and is checked.
-  // Steps of the 83-112 with 600 and 1000 nodes took 1 to 4.
+  // Limit if there are no two places to extrapolate from: a step with more iterations may have jumped, and is
+  // checked. Steps of the 83-112 with 600 and 1000 nodes took 1 to 4.
   int few_iterations = 4;
-  double noticed = 1e-3;  // of the gear's size: what moves less is no event, such as a twine that goes slack
+  // fraction of the gear's size: a smaller move is no event, such as a twine that becomes slack
+  double noticed = 1e-3;
 };
 
-/// Follows an equilibrium while the variables of a path change. From the last equilibrium, led on from the
-/// one before where the next point lies on a line with both, and else along the tangent
-/// (runs::tangent_towards; E. L. Allgower, K. Georg, Introduction to numerical continuation methods, 2003,
-/// ch. 2), the solver of the scene finds the next. Where it does not, the step is halved, and doubled again
-/// where it does; after `halvings` the equilibrium is found anew by the strategy of the scene.
+/// Follows an equilibrium while the variables of a path change. The solver of the scene starts from a
+/// prediction: the extrapolation of the last two equilibria if the next point is on a line with both, else
+/// the tangent (runs::tangent_towards; E. L. Allgower, K. Georg, Introduction to numerical continuation
+/// methods, 2003, ch. 2). If the solver fails, the step is halved; if it succeeds, the step is doubled again.
+/// After `halvings` the strategy of the scene searches anew.
 ///
-/// A fold is where the branch ends: the smallest step does not lead on, and what is found anew is elsewhere,
-/// more than four times as far as the way so far would lead. A jump is where the solver leads to another
-/// branch. After k halvings a step along a smooth branch is about 2^-k of the whole, while a jump stays as it
-/// is: more than a quarter of the whole that is left after `halvings` is one. Both are reported with the
-/// values between which they lie and the node that moves most.
+/// At a fold the branch ends: the smallest step fails, and the new search finds an equilibrium elsewhere,
+/// more than four times as far as the extrapolated change. At a jump the solver converges to another branch.
+/// After k halvings a step along a smooth branch changes about 2^-k of the whole, while a jump keeps its
+/// size: a remainder of more than a quarter after `halvings` is a jump. Both are reported with the values on
+/// either side and the node that moves most.
 class Branch {
  public:
-  /// Makes the scene of the path at some values and opens it; null if it is not ready.
+  /// Makes and opens the scene of the path at some values; null if the scene cannot be read.
   using OpenCase = std::function<std::shared_ptr<runs::PreparedScene>(const std::vector<VariableValue>&)>;
 
   Branch(std::vector<Variable> variables, OpenCase open, const runs::Watch& watch, BranchOptions options = {})
       : variables_(std::move(variables)), open_(std::move(open)), watch_(watch), options_(options) {}
 
-  /// The equilibrium of a scene that is ready, at these values. Where it is a stable one, the branch goes on
-  /// from there, else from nowhere.
+  /// Finds the equilibrium of a scene in state `ready` at these values. If it is stable, the branch continues
+  /// from it; otherwise the next point is searched for anew.
   Reached reach(std::shared_ptr<runs::PreparedScene> scene, const std::vector<VariableValue>& values);
 
  private:
-  /// A solved place on the way from the last point (0) to the next (1); before 0, points before.
+  /// A solved point at a fraction of the step from the last point (0) to the next (1); negative: points
+  /// before the last.
   struct Place {
     double at = 0;
     Solved solved;
@@ -84,8 +87,8 @@ class Branch {
   OpenCase open_;
   const runs::Watch& watch_;
   BranchOptions options_;
-  std::vector<Solved> trail_;  // the last two equilibria, the newest behind
-  Cost spent_;                 // on the way to the next one
+  std::vector<Solved> trail_;  // the last two equilibria, the newest last
+  Cost spent_;                 // cost of the step to the next equilibrium
 };
 
 }  // namespace netloft::studies

@@ -13,7 +13,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// The values at which a variable is tried.
+/// The values at which a variable is checked: all listed ones, or both ends of the interval.
 std::vector<VariableValue> tried(const Variable& variable) {
   if (!variable.interval) return variable.values;
   return {variable.value_of(variable.interval->low), variable.value_of(variable.interval->high)};
@@ -22,7 +22,7 @@ std::vector<VariableValue> tried(const Variable& variable) {
 /// "gear.nodes" of "gear.nodes=500".
 std::string path_of(const std::string& word) { return word.substr(0, word.find('=')); }
 
-/// Opens one scene after the other.
+/// Opens one scene after another.
 class StudyInspection {
  public:
   StudyInspection(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
@@ -46,7 +46,7 @@ class StudyInspection {
     for (const std::size_t v : counts_) {
       const auto values = tried(file_.variables[v].variable);
       for (std::size_t i = 1; i < values.size(); ++i)
-        if (!open({{v, values[i]}})) break;  // what is wrong with one value is mostly wrong with the others
+        if (!open({{v, values[i]}})) break;  // errors of one value mostly recur with the others
     }
     check_figures();
     return std::move(found_);
@@ -72,7 +72,7 @@ class StudyInspection {
     return state == runs::PreparedScene::State::ready;
   }
 
-  /// Leaves out the variables that the last scene blames. False: it blames none.
+  /// Leaves out the variables that caused errors in the last scene. False if no variable did.
   bool leave_out_blamed() {
     const auto is_blamed = [&](std::size_t v) {
       const auto& keys = file_.variables[v].variable.keys;
@@ -116,8 +116,8 @@ class StudyInspection {
   formats::Diagnostics& diagnostics_;
   std::map<std::string, formats::Place> places_;  // of keys
   std::set<std::string> known_;                   // figures
-  std::set<std::size_t> counts_;                  // variables that the scene is tried with
-  std::set<std::string> blamed_;                  // where the last scene has errors
+  std::set<std::size_t> counts_;                  // variables that are set in the scenes
+  std::set<std::string> blamed_;                  // keys with errors in the last scene
   CheckedScenes found_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 // Engines take about a second to start a task; a task of a minute hides that.
 constexpr double kLeastSeconds = 60;
 
-/// A word for bash.
+/// Quotes a word for bash.
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);

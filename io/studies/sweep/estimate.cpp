@@ -19,16 +19,16 @@ namespace netloft::studies {
 
 namespace {
 
-// Kriging takes n³/3 operations: a tenth of a second for each figure. Points further away say little.
+// Kriging takes n³/3 operations: a tenth of a second for each figure. Distant points add little information.
 constexpr std::size_t kMostFittedPoints = 600;
-constexpr double kSolveError = 1e-9;  // relative, of (1)
+constexpr double kSolveError = 1e-9;  // relative, in (1)
 
 using Numbers = std::vector<double>;
 
-/// The values of one figure where all that count are known: a row per point, coordinates from zero to one.
+/// The known values of one figure in the selected rows: a row per point, coordinates scaled to [0, 1].
 struct Known {
   std::vector<Numbers> points;
-  std::vector<Numbers> samples;  // at each; one number, or one for every sample
+  std::vector<Numbers> samples;  // by point: one number, or one for every sample
 };
 
 double squared_distance(const Numbers& a, const Numbers& b) {
@@ -60,7 +60,7 @@ class NumberEstimate {
   }
 
  private:
-  using Group = std::vector<std::size_t>;  // places of points
+  using Group = std::vector<std::size_t>;  // indices of points
 
   double error_without_samples() const {
     const std::size_t sampled = place_.size() - listed_;
@@ -70,7 +70,7 @@ class NumberEstimate {
     return worst;
   }
 
-  /// The two nearest values of a variable that are neither its first nor its last.
+  /// The two values of a variable that are nearest to the place, without its first and last value.
   Numbers inner_levels(std::size_t j) const {
     std::set<double> levels;
     for (const Numbers& point : points_) levels.insert(point[j]);
@@ -107,8 +107,8 @@ class NumberEstimate {
     return group;
   }
 
-  /// The largest residual at the points of the group around the place: as many as a cell of the listed
-  /// variables has corners.
+  /// The largest residual among the points of the group nearest to the place; their number is that of the
+  /// corners of a cell of listed variables.
   double error_without(const Group& group) const {
     const Numbers residuals = kriging_.residuals_without(group);
     std::vector<std::size_t> order(group.size());
@@ -129,7 +129,7 @@ class NumberEstimate {
   Kriging kriging_;
 };
 
-/// Chooses rows and estimates; members are steps in the order they happen.
+/// Chooses rows and estimates. The member functions are the steps, in the order of execution.
 class Estimator {
  public:
   Estimator(const StudyTable& table, const Site& site) : table_(table), site_(site) {
@@ -146,7 +146,7 @@ class Estimator {
   }
 
  private:
-  /// Variables that are asked for between their values; those that are sampled last.
+  /// Finds the variables with a requested value between their listed values; sampled variables come last.
   void find_free() {
     for (const bool sampled : {false, true})
       for (std::size_t v = 0; v < site_.size(); ++v)
@@ -194,7 +194,7 @@ class Estimator {
                     first.point, first.status, first.reason.empty() ? "" : ": " + first.reason));
   }
 
-  /// Whether the row has the values that are asked for where those are listed ones.
+  /// Whether the row has the requested values of the variables that are not interpolated.
   bool counts(const StudyRow& row) const {
     for (std::size_t v = 0; v < site_.size(); ++v) {
       if (!site_[v] || std::find(free_.begin(), free_.end(), v) != free_.end()) continue;
@@ -275,7 +275,7 @@ class Estimator {
     return rows;
   }
 
-  /// Lengths of correlation of the medians over the samples.
+  /// Correlation lengths of the medians over the samples.
   std::optional<KrigingScales> scales_of(const Known& known) const {
     if (free_.empty()) return std::nullopt;
     return Kriging(known.points, medians_of(known)).scales();
@@ -320,7 +320,8 @@ class Estimator {
     return NumberEstimate(known.points, values, place_, listed_, scales).run();
   }
 
-  /// Events on the way to points that are nowhere further from the place than the next value.
+  /// Reports the events at the points around the place, that is, within the neighbouring values in each
+  /// variable.
   void say_events() {
     std::set<std::string> said;
     for (const StudyRow* row : rows_)
@@ -351,9 +352,9 @@ class Estimator {
   const StudyTable& table_;
   const Site& site_;
   std::vector<std::size_t> free_;     // columns
-  std::size_t listed_ = 0;            // of free_, the first ones
-  Numbers lows_, extents_, place_;    // of free_; the place in coordinates from zero to one
-  std::vector<Interval> neighbours_;  // in coordinates, of the listed ones
+  std::size_t listed_ = 0;            // number of listed variables, which come first in free_
+  Numbers lows_, extents_, place_;    // of the variables in free_, scaled to [0, 1]
+  std::vector<Interval> neighbours_;  // of the listed variables, scaled to [0, 1]
   bool is_over_samples_ = false;
   std::vector<const StudyRow*> rows_;
   StudyEstimate result_;

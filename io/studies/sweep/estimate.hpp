@@ -6,30 +6,30 @@
 
 namespace netloft::studies {
 
-/// The place at which figures are estimated.
+/// A request for figures at one place.
 struct EstimateRequest {
-  /// "speed=2.7 kn", or several with commas between: every variable with listed values, and of those that are
-  /// sampled all or none.
+  /// "speed=2.7 kn", or several with commas between them: a value for every variable with listed values, and
+  /// for either all or none of the sampled variables.
   std::vector<std::string> at;
-  std::vector<std::string> figures;  // empty: all but those of single parts
+  std::vector<std::string> figures;  // empty: all except those of single parts
 };
 
-/// A number, and what it may be wrong by.
+/// A number and the bound of its error.
 struct WithError {
   double value = 0, error = 0;
 };
 
-/// A figure at the place asked for.
+/// A figure at the requested place.
 struct EstimatedFigure {
   std::string name, unit;
-  WithError value;                     // over samples: their median
-  std::optional<WithError> low, high;  // over samples: the ends of the band of study_plots.hpp
-  std::size_t points = 0;              // it follows from so many
-  std::size_t samples = 0;             // over so many
-  std::string why_not;                 // there is no estimate
+  WithError value;                     // over samples: the median
+  std::optional<WithError> low, high;  // over samples: the ends of the band in study_plots.hpp
+  std::size_t points = 0;              // number of points used
+  std::size_t samples = 0;             // number of samples used
+  std::string why_not;                 // the reason if there is no estimate
 };
 
-/// A row of the table that would count if it had a stable equilibrium.
+/// A row of the table that is left out because it has no stable equilibrium.
 struct LeftOutRow {
   std::size_t item = 0, point = 0;
   std::string status, reason;
@@ -38,42 +38,42 @@ struct LeftOutRow {
 /// Figures at a place between the points of a table.
 struct StudyEstimate {
   std::vector<std::pair<std::string, std::string>> at;  // variables and their values
-  std::size_t samples = 0;                              // over so many; 0: one place
-  bool is_extrapolated = false;                         // it lies beyond the points that have an equilibrium
+  std::size_t samples = 0;       // number of samples; 0: the estimate is not over samples
+  bool is_extrapolated = false;  // true: the place is outside the points with an equilibrium
   std::vector<EstimatedFigure> figures;
   std::vector<LeftOutRow> left_out;
   std::vector<std::string> events;  // folds and jumps at the points around it
 };
 
-/// Estimates figures between the points of a table by kriging (solvers/fitting/kriging). Of a variable that
-/// is asked for at one of its listed values only rows with that value count; the others are asked for between
-/// their values. The error of an estimate y is
+/// Estimates figures between the points of a table by kriging (solvers/fitting/kriging). If the request names
+/// a listed value of a variable, only rows with this value count; along the other variables kriging
+/// interpolates. The error of an estimate y is
 ///   max(2 s, Σ_v max_G |y_G − y_{−G}|, 10⁻⁹ |y|)                                                    (1)
-/// s the deviation of kriging; y_G the figures of a level G of variable v, and y_{−G} what all other points
-/// say of them, where they are nearest to the place. Levels are the two values of v that are nearest to the
-/// place and neither its first nor its last; of the sampled variables together, the samples nearest to it,
-/// one more than there are variables. Errors along variables add up, as those of a product of interpolations
-/// do. 10⁻⁹ is what solves converge to.
+/// s is the deviation of kriging; y_G are the figures of a group G of points, and y_{−G} their estimates from
+/// all other points, where both are nearest to the place. For a listed variable v, the groups are its two
+/// values nearest to the place, without its first and last; for the sampled variables together, the samples
+/// nearest to the place, one more than there are such variables. Errors along variables are added, as for a
+/// product of interpolations. 10⁻⁹ is the relative tolerance of solves.
 ///
-/// Over samples, each sample is estimated at the place, y_d ± e_d, with the lengths of correlation of the
-/// medians at all points; the median and the ends of the band are quantiles Q of these, so that they are in
-/// order, with the error
+/// Over samples, each sample is estimated at the place, y_d ± e_d, with the correlation lengths of the
+/// medians at all points. The median and the ends of the band are quantiles Q of these estimates, so that
+/// they are in order, with the error
 ///   max(Q(y + e) − Q(y), Q(y) − Q(y − e))                                                         (2)
-/// which is as large as errors of e_d can make it. A sample with fewer than three points along a variable is
-/// left out.
+/// which is the largest that errors within e_d can cause. A sample with fewer than three points along a
+/// variable is left out.
 ///
-/// Faults of the request go to `diagnostics`, and there is no estimate then: variables that are
-/// not there or are missing, wrong units, places beyond the values of a variable or between its only two.
-/// Throws StudyError with a sentence if none of the points that would count has a stable equilibrium.
+/// Reports faults of the request to `diagnostics`, and then returns nothing: unknown or missing variables,
+/// wrong units, places outside the values of a variable or between its only two. Throws StudyError with a
+/// sentence if no selected point has a stable equilibrium.
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
                                       formats::Diagnostics& diagnostics);
 
-/// Places of figures in a table: those that are named, or without names all but those of single parts. Names
-/// that are not there go to the diagnostics.
+/// Indices of figures in a table: the named ones, or without names all except those of single parts. Reports
+/// unknown names to `diagnostics`.
 std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vector<std::string>& wanted,
                                         formats::Diagnostics& diagnostics);
 
-/// For people, and as one JSON object.
+/// The estimate as a text for people, and as one JSON object.
 std::string estimate_text(const std::string& study, const StudyEstimate& estimate);
 std::string estimate_json(const std::string& study, const StudyEstimate& estimate);
 

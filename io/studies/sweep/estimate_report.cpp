@@ -15,14 +15,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Out = std::back_insert_iterator<std::string>;
 
-constexpr std::size_t kMostSentences = 5;  // for people; JSON has all
+constexpr std::size_t kMostSentences = 5;  // most sentences in the text for people; JSON has all
 
 constexpr const char* kExtrapolated =
     "the place lies beyond the points that have a stable equilibrium: what is said is an extrapolation, and "
     "so are its errors";
 constexpr const char* kEvents = "equilibria fold or jump next to the place: figures may jump there, too";
 
-/// Value and error, the error with two figures.
+/// Value and error, the error with two digits.
 std::string number_text(const WithError& number) {
   return fmt::format("{:>12.6g} ± {:<8.2g}", number.value, number.error);
 }
@@ -55,7 +55,7 @@ void figures_text(const StudyEstimate& e, Out out) {
   }
 }
 
-/// Sentences as a list, cut off where there are many.
+/// Writes sentences as a list, cut off after kMostSentences.
 template <class Items, class Text>
 void list_text(const Items& items, const char* head, const Text& text, Out out) {
   if (items.empty()) return;

@@ -18,25 +18,26 @@ namespace netloft::studies {
 
 namespace {
 
-// Every point of the sample takes as many correlations; with more the error is that of the study's steps.
+// The cost is one correlation per point and sample; with more points, the error of the study's steps
+// dominates.
 constexpr std::size_t kMostTablePoints = 500;
-constexpr std::size_t kMostGroups = 10;  // of samples that are left out
+constexpr std::size_t kMostGroups = 10;  // most groups of samples that are left out in turn
 constexpr std::size_t kHullPoints = 128;
 constexpr std::size_t kLeastLevels = 3;
 
 using Numbers = std::vector<double>;
-using Group = std::vector<std::size_t>;  // places of points
+using Group = std::vector<std::size_t>;  // indices of points
 
-/// A column that is a coordinate of points, from zero to one between its ends.
+/// A column that is a coordinate of points, scaled to [0, 1] between its ends.
 struct Coordinate {
   std::size_t column = 0;
   Numbers levels;              // ascending
-  std::optional<double> held;  // else it varies
+  std::optional<double> held;  // the held value; empty: the coordinate varies
   bool is_sampled = false;
 
   double low() const { return levels.front(); }
   double extent() const { return levels.back() > levels.front() ? levels.back() - levels.front() : 1; }
-  /// The coordinate below which a fraction p of all values lies.
+  /// The coordinate below which a fraction p of its distribution lies.
   double at(double p) const {
     if (held) return (*held - low()) / extent();
     return is_sampled ? (quantile_of(levels, p) - low()) / extent() : p;
@@ -61,7 +62,7 @@ struct KnownFigures {
   }
 };
 
-/// Indices of one figure; members are steps in the order they happen.
+/// Finds the indices of one figure. The member functions are the steps, in the order of execution.
 class IndexEstimator {
  public:
   IndexEstimator(const KnownFigures& known, const std::vector<Coordinate>& coordinates)
@@ -73,7 +74,7 @@ class IndexEstimator {
   void run(FigureIndices& figure) {
     SobolIndices found = indices_of(kriging_, {});
     const SobolIndices at_first = indices_of(kriging_, kOneReplicate);
-    std::vector<SobolIndex> lack(found.variables.size());  // of the response, in the errors
+    std::vector<SobolIndex> lack(found.variables.size());  // contributions of the response to the errors
     add_samples(at_first, lack);
     add_levels(at_first, lack);
     for (std::size_t i = 0; i < lack.size(); ++i) {
@@ -103,7 +104,7 @@ class IndexEstimator {
     return sobol_indices(f, varied, sample);
   }
 
-  /// The first part of (1).
+  /// Adds the first part of (1).
   void add_samples(const SobolIndices& all, std::vector<SobolIndex>& lack) {
     const std::set<std::size_t> samples(known_.samples.begin(), known_.samples.end());
     if (std::none_of(coordinates_.begin(), coordinates_.end(), [](const auto& c) { return c.is_sampled; }))
@@ -129,7 +130,7 @@ class IndexEstimator {
     }
   }
 
-  /// The second part of (1).
+  /// Adds the second part of (1).
   void add_levels(const SobolIndices& all, std::vector<SobolIndex>& lack) {
     for (std::size_t c = 0; c < coordinates_.size(); ++c) {
       if (coordinates_[c].is_sampled) continue;
@@ -160,8 +161,8 @@ class IndexEstimator {
     return group;
   }
 
-  /// How far the indices of the response without a group are from those of all; nothing where too few points
-  /// would be left.
+  /// The differences between the indices of the response without a group and those of all points; zeros if
+  /// too few points would remain.
   std::vector<SobolIndex> without(const Group& group, const SobolIndices& all) {
     std::vector<SobolIndex> differences(all.variables.size());
     if (!scales_ || group.empty() || 2 * group.size() > known_.points.size()) return differences;
@@ -182,11 +183,11 @@ class IndexEstimator {
   const std::vector<Coordinate>& coordinates_;
   Kriging kriging_;
   std::optional<KrigingScales> scales_;
-  double squares_ = 0;  // of residuals
+  double squares_ = 0;  // sum over residuals
   std::size_t residuals_ = 0;
 };
 
-/// Chooses coordinates and rows; members are steps in the order they happen.
+/// Chooses coordinates and rows. The member functions are the steps, in the order of execution.
 class Analysis {
  public:
   Analysis(const StudyTable& table, const Site& site, formats::Diagnostics& diagnostics)
@@ -239,7 +240,7 @@ class Analysis {
                        [&](double level) { return is_same_number(level, *site_[v]->number); });
   }
 
-  /// In a list values go together one by one, so that none varies by itself.
+  /// Refuses lists: the values of a list change together, so that no variable varies by itself.
   void refuse_lists() {
     std::set<Numbers> together;
     std::size_t product = 1;
@@ -265,7 +266,7 @@ class Analysis {
                        [&](const auto& c) { return c.column == v; });
   }
 
-  /// Whether the row has the values that are held.
+  /// Whether the row has the held values.
   bool counts(const StudyRow& row) const {
     for (std::size_t v = 0; v < site_.size(); ++v) {
       if (!site_[v] || is_coordinate(v)) continue;
@@ -295,7 +296,7 @@ class Analysis {
     return figure;
   }
 
-  /// All points with a figure, or as many of them as count, at random.
+  /// The points with this figure, at most kMostTablePoints of them, chosen at random.
   KnownFigures known_of(std::size_t f) const {
     std::map<Numbers, std::pair<double, std::size_t>> all;
     for (const StudyRow* row : rows_)

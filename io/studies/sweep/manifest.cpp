@@ -46,8 +46,8 @@ Json head_json(const Study& study) {
           {"points", study.point_count()}};
 }
 
-/// A value by its number if it has one: its text follows from it only where it was sampled, so both are
-/// there.
+/// Writes text and number of a value: the text follows from the number for sampled values only, so the
+/// manifest has both.
 Json value_json(const VariableValue& value) {
   return value.number ? Json::array({value.text, *value.number}) : Json::array({value.text});
 }

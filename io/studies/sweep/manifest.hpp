@@ -12,11 +12,11 @@ class StudyError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The manifest: JSON lines. The first says what the study is, every further one is an item. Equal studies
-/// give equal bytes.
+/// The manifest as JSON lines. The first line describes the study, every further one is an item. Equal
+/// studies give equal bytes.
 std::string manifest_text(const Study& study);
 
-/// Reads a manifest that manifest_text() wrote. Throws StudyError with the line if it is damaged.
+/// Reads a manifest that manifest_text() wrote. Throws StudyError with the line number if it is damaged.
 Study read_manifest(const std::filesystem::path& path);
 
 /// Paths of files in the folder of a study.

@@ -31,7 +31,7 @@ std::vector<Variable> variables_of_path(const Study& study) {
   return variables;
 }
 
-/// One item while it is solved.
+/// Solves one item.
 class PathRun {
  public:
   PathRun(const Study& study, const StudyItem& item, const PathContext& context)
@@ -69,7 +69,7 @@ class PathRun {
     return std::make_shared<runs::PreparedScene>(std::move(source), *context_.registry, make_);
   }
 
-  /// Between points.
+  /// Opens the scene at values between points.
   std::shared_ptr<runs::PreparedScene> open_at(const std::vector<VariableValue>& values) const {
     std::vector<formats::Change> changes;
     std::size_t v = 0;

@@ -9,7 +9,7 @@
 
 namespace netloft::studies {
 
-/// Folder, plugins and threads with which an item is solved.
+/// Folder, plugins and threads for solving an item.
 struct PathContext {
   std::filesystem::path folder;  // of the study
   Registry* registry = nullptr;
@@ -17,19 +17,19 @@ struct PathContext {
   int threads = 1;  // of the assembly
 };
 
-/// Solves the points of an item one after the other, along a branch of equilibria (branch.hpp). All of them
-/// order and analyse their matrices once, if these have one pattern. Nothing if the user interrupts. Throws
-/// StudyError where the item cannot be computed at all, such as when a file has changed since the study was
-/// planned.
+/// Solves the points of an item one after another, along a branch of equilibria (branch.hpp). The points
+/// share one ordering and analysis of their matrices if these have the same pattern. Empty if the user
+/// interrupts. Throws StudyError if the item cannot be computed at all, for example because a file has
+/// changed since the study was planned.
 std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, const PathContext& context);
 
 /// The scene of an item, with the changes of the study and of the item.
 runs::CaseSource source_of(const Study& study, const StudyItem& item, const PathContext& context);
 
-/// The first error of a scene that cannot be read.
+/// The first error in the diagnostics of an unreadable scene.
 std::string first_fault(const formats::Diagnostics& diagnostics);
 
-/// All numbers that a case reports at a solution.
+/// All numbers that a scene reports for a solution.
 std::vector<StudyFigure> figures_of(runs::PreparedScene& scene, const Solution& solution);
 
 }  // namespace netloft::studies

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kMostSamples = 1'000'000;
 
-/// Reads one study file; members are steps in the order they happen.
+/// Reads one study file. The member functions are the steps, in the order of execution.
 class StudyReader {
  public:
   StudyReader(const formats::Value& root, formats::Diagnostics& diagnostics) : root_(root, diagnostics) {}
@@ -56,7 +56,7 @@ class StudyReader {
     refuse_shared_keys();
   }
 
-  /// Names become columns of tables and names in result files.
+  /// Checks a name, because names become columns of tables and names in result files.
   void check_name(const Variable& variable) {
     const bool is_word =
         !variable.name.empty() && std::all_of(variable.name.begin(), variable.name.end(), [](char c) {
@@ -127,7 +127,7 @@ class StudyReader {
     }
   }
 
-  /// Left out, the path goes through all listed numbers.
+  /// Reads the path. Without the key, all variables with listed numbers are in the path.
   void read_path() {
     if (!root_.has("path")) {
       for (DesignVariable& v : study_.variables) v.is_in_path = !v.is_sampled() && v.variable.is_number();
@@ -149,7 +149,7 @@ class StudyReader {
       found->is_in_path = true;
       ordered.push_back(*found);
     }
-    // Those in the path last, in its order: they vary fastest.
+    // Variables in the path go last, in the order of the path, because the last ones vary fastest.
     std::erase_if(study_.variables, [](const auto& v) { return v.is_in_path; });
     study_.variables.insert(study_.variables.end(), ordered.begin(), ordered.end());
   }

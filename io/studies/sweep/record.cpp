@@ -22,7 +22,7 @@ std::string sum_line(std::string_view text) {
   return fmt::format("crc32 {:08x}\n", crc32_z(0, bytes, text.size()));
 }
 
-/// The names of all figures of a record, each once, in the order in which they first occur.
+/// The names of all figures of a record, each once, in the order of first occurrence.
 class FigureNames {
  public:
   explicit FigureNames(const std::vector<PointRecord>& points) {
@@ -32,7 +32,7 @@ class FigureNames {
           all_.push_back({figure.name, figure.unit, std::numeric_limits<double>::quiet_NaN()});
   }
   const std::vector<StudyFigure>& all() const { return all_; }
-  /// The values of a point in this order.
+  /// The values of a point in the order of all(); NaN if a figure is missing.
   std::vector<double> values_of(const PointRecord& point) const {
     std::vector<double> values(all_.size(), std::numeric_limits<double>::quiet_NaN());
     for (const StudyFigure& figure : point.figures) values[places_.at(figure.name)] = figure.value;

@@ -10,21 +10,21 @@ namespace netloft::studies {
 /// A number that a point reports.
 struct StudyFigure {
   std::string name, unit;  // "gear/mouth/area", "results/pull", "held/warp/x"
-  double value = 0;        // NaN: there is none at this point
+  double value = 0;        // NaN: this point does not have the figure
 };
 
 /// The result at one point.
 struct PointRecord {
-  std::string status;               // as in result files; "wrong input": the scene cannot be read so
-  std::string reason;               // sentence
-  std::string start;                // "continued", from the point before; "anew", as the scene says
-  std::vector<std::string> events;  // on the way from the point before: folds, jumps
+  std::string status;  // as in result files; "wrong input": the scene cannot be read at this point
+  std::string reason;  // sentence
+  std::string start;   // "continued" from the point before, or "anew" by the strategy of the scene
+  std::vector<std::string> events;  // folds and jumps between the point before and this one
   std::int64_t iterations = 0, factorisations = 0;
   double work = 0;  // in the units of framework/balance/work.hpp
   std::vector<StudyFigure> figures;
 };
 
-/// The cost of an item. It depends on time and machine, so no table of results has it.
+/// The cost of an item. Tables of results leave it out, because it depends on time and machine.
 struct ItemCost {
   double wall_seconds = 0, cpu_seconds = 0;
   std::string host, started;
@@ -37,14 +37,14 @@ struct ItemRecord {
   ItemCost cost;
 };
 
-/// A record as the content of its file: JSON, and a line with its CRC-32.
+/// A record as the content of its file: JSON, followed by a line with its CRC-32.
 std::string record_text(const ItemRecord& record);
 
-/// Reads a record back. Throws StudyError with a sentence if it is damaged or is not of this item.
+/// Reads a record back. Throws StudyError with a sentence if it is damaged or belongs to another item.
 ItemRecord read_record(const std::string& text, const StudyItem& item);
 
-/// The record of an item in the folder of its study, if there is one that can be used; `fault` says what is
-/// wrong with one that cannot.
+/// The record of an item in the folder of its study; empty if there is none or it cannot be used. In the
+/// latter case `fault` is the reason.
 std::optional<ItemRecord> find_record(const std::filesystem::path& folder, const StudyItem& item,
                                       std::string& fault);
 

@@ -27,7 +27,7 @@ Variable variable_in_metres(const char* name, const char* key) {
   return variable;
 }
 
-/// Names of figures, as the gear of a scene has them.
+/// Names of the figures, which depend on the gear of the scene.
 struct ScopeFigureNames {
   std::string heel, spread;
 };
@@ -68,21 +68,22 @@ bool is_within(const ScopeRequest& request, const ScopePoint& p) {
   return request.heel.contains(p.heel) && (!request.spread || request.spread->contains(p.spread));
 }
 
-/// How far from a within its band the value leaves it on the way to b, as a fraction; 1: it does not.
+/// The fraction of the interval from a to b at which a value that starts within its band leaves it; 1: it
+/// does not leave it.
 double leaves_at(const Interval& band, double a, double b) {
   if (band.contains(b)) return 1;
   return !std::isfinite(b) ? 0 : ((b > a ? band.high : band.low) - a) / (b - a);
 }
 
-/// The length at which the boards leave their bands between a point within and its neighbour.
+/// The length at which the boards leave their bands, between a point within and its neighbour outside.
 double end_between(const ScopeRequest& request, const ScopePoint& in, const ScopePoint& out) {
   double t = leaves_at(request.heel, in.heel, out.heel);
   if (request.spread) t = std::min(t, leaves_at(*request.spread, in.spread, out.spread));
   return in.warp + t * (out.warp - in.warp);
 }
 
-/// Goes at every depth from the shortest length on, which follows that of the depth before: a fold on the way
-/// up is none of the next depth.
+/// Increases the length at every depth from the shortest one, whose equilibrium follows that of the previous
+/// depth, so that a fold at larger lengths does not affect the next depth.
 class ScopeRun {
  public:
   ScopeRun(const runs::CaseSource& source, Registry& registry, const ScopeRequest& request,
@@ -122,7 +123,7 @@ class ScopeRun {
     return std::make_shared<runs::PreparedScene>(std::move(source), registry_, make_);
   }
 
-  /// Null where the scene cannot be read with these values.
+  /// Null if the scene cannot be read with these values.
   std::shared_ptr<runs::PreparedScene> open(const std::vector<VariableValue>& values) const {
     auto scene = make_case(values);
     return scene->prepare() == runs::PreparedScene::State::ready ? scene : nullptr;
@@ -159,7 +160,7 @@ class ScopeRun {
   MakeFactorisation make_;
   std::vector<Variable> variables_ = {variable_in_metres("depth", "bed.depth"),
                                       variable_in_metres("warp", "ship.warp.length")};
-  Branch shortest_;  // over depths, at the shortest length
+  Branch shortest_;  // follows the depths, at the shortest length
 };
 
 }  // namespace

@@ -17,10 +17,10 @@ namespace netloft::studies {
 
 namespace {
 
-// Below this number of values nothing tells whether a figure goes straight from one to the next.
+// With fewer values, the curvature of a figure between values cannot be estimated.
 constexpr std::size_t kLeastLevelsOfSite = 3;
 
-/// "a=1,b=[2, 3]" at the commas that stand in no brackets and no quotes.
+/// Splits "a=1,b=[2, 3]" at the commas outside brackets and quotes.
 std::vector<std::string> split_at_commas(const std::string& words) {
   std::vector<std::string> all(1);
   int depth = 0;
@@ -36,7 +36,7 @@ std::vector<std::string> split_at_commas(const std::string& words) {
   return all;
 }
 
-/// Reads word by word; members are steps in the order they happen.
+/// Reads word by word. The member functions are the steps, in the order of execution.
 class SiteReader {
  public:
   SiteReader(const StudyTable& table, formats::Diagnostics& diagnostics)

@@ -13,7 +13,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// TripleOfValues of one replicate: at rows a, at rows b, and at rows c of each variable.
+/// Function values of one replicate: at rows a, at rows b, and at rows c of each variable.
 struct TripleOfValues {
   Numbers a, b;
   std::vector<Numbers> c;
@@ -35,7 +35,7 @@ TripleOfValues evaluate(const UnitFunction& f, std::size_t d, std::size_t points
   return values;
 }
 
-/// (1) and (2) without errors, and mean and deviation.
+/// (1) and (2) without errors; mean and deviation.
 SobolIndices indices_of(const TripleOfValues& values) {
   Numbers all = values.a;
   all.insert(all.end(), values.b.begin(), values.b.end());

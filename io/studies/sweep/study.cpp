@@ -11,7 +11,7 @@ namespace {
 
 using Chosen = std::vector<const DesignVariable*>;
 
-/// Which value of each variable.
+/// The index of the chosen value of each variable.
 using Choice = std::vector<std::size_t>;
 
 Chosen listed(const StudyFile& file, bool in_path) {
@@ -28,11 +28,11 @@ std::size_t product_of(const Chosen& chosen) {
                          [](std::size_t n, const DesignVariable* v) { return n * count_of(*v); });
 }
 
-/// All combinations, the last variable fastest. `to_and_fro`: a variable runs back where the ones before it
-/// have moved on by one.
+/// All combinations, with the last variable fastest. `to_and_fro`: a variable runs backwards on every other
+/// pass, so that neighbouring combinations differ by one step.
 std::vector<Choice> all_with_all(const Chosen& chosen, bool to_and_fro) {
   std::vector<Choice> all(product_of(chosen), Choice(chosen.size()));
-  std::size_t below = 1;  // combinations of the variables behind
+  std::size_t below = 1;  // number of combinations of the later variables
   for (std::size_t v = chosen.size(); v-- > 0;) {
     const std::size_t n = count_of(*chosen[v]);
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -44,7 +44,7 @@ std::vector<Choice> all_with_all(const Chosen& chosen, bool to_and_fro) {
   return all;
 }
 
-/// The listed values of items, and for each of them those of its points.
+/// A choice of listed values for an item, and one for each of its points.
 struct Combined {
   Choice item;
   std::vector<Choice> points;
@@ -57,7 +57,7 @@ std::vector<Combined> combine_grid(const Chosen& of_items, const Chosen& of_path
   return all;
 }
 
-/// The rows of a list, those with the same values outside the path together, in the order of the file.
+/// The rows of a list in the order of the file, with equal values outside the path in one item.
 std::vector<Combined> combine_list(const Chosen& of_items, const Chosen& of_path) {
   const Chosen& any = of_items.empty() ? of_path : of_items;
   std::vector<Combined> all;
@@ -82,7 +82,7 @@ void put(const Variable& variable, const VariableValue& value, Target& target) {
   target.values.push_back(value);
 }
 
-/// Puts the items together; members are steps in the order they happen.
+/// Assembles the items. The member functions are the steps, in the order of execution.
 class Maker {
  public:
   Maker(const StudyFile& file, Study& study)
@@ -159,7 +159,7 @@ double count_points(const StudyFile& file) {
   for (const DesignVariable& v : file.variables) {
     if (v.is_sampled()) continue;
     points *= static_cast<double>(count_of(v));
-    if (file.combination == Combination::list) break;  // all have as many
+    if (file.combination == Combination::list) break;  // all listed variables have equally many values
   }
   return points;
 }

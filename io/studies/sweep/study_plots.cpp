@@ -13,13 +13,13 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr std::size_t kMostLines = 8;  // markers that can be told apart
+constexpr std::size_t kMostLines = 8;  // number of distinguishable markers
 
 std::string axis_title(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : name + " [" + unit + "]";
 }
 
-/// Chooses and draws; members are steps in the order they happen.
+/// Chooses and draws. The member functions are the steps, in the order of execution.
 class Plotter {
  public:
   Plotter(const StudyTable& table, const PlotRequest& request) : table_(table) {
@@ -72,7 +72,7 @@ class Plotter {
     return values;
   }
 
-  /// The variable of the lines; none, past the last, where there is no other listed one.
+  /// The variable that distinguishes lines; past the last column if there is no other listed one.
   std::size_t choose_lines(const std::string& wanted) const {
     const std::size_t none = table_.columns.size();
     if (!wanted.empty()) {
@@ -115,7 +115,7 @@ class Plotter {
     if (rows_.empty()) throw StudyError("no point that would be drawn has a stable equilibrium");
   }
 
-  /// Without names all that vary, but for those of single parts.
+  /// Chooses the named figures; without names, all figures that vary, except those of single parts.
   void choose_figures(const std::vector<std::string>& wanted) {
     std::vector<std::string> names;
     for (const StudyFigure& figure : table_.figures) names.push_back(figure.name);
@@ -167,7 +167,7 @@ class Plotter {
     return by_ == table_.columns.size() || row.values[by_].text == value;
   }
 
-  /// How many points of one line there are at every x, with an equilibrium or without.
+  /// By x, the number of points of one line, with and without an equilibrium.
   std::map<double, std::size_t> samples_of(const std::string& value) const {
     std::map<double, std::size_t> samples;
     for (const StudyRow& row : table_.rows)
@@ -175,7 +175,7 @@ class Plotter {
     return samples;
   }
 
-  /// Rows of one line.
+  /// The points of one line.
   formats::PlotSeries series(const std::string& value, const std::string& label, std::size_t f) const {
     formats::PlotSeries series{label, {}};
     std::map<double, std::vector<double>> samples;  // by x

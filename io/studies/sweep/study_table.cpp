@@ -12,7 +12,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// The reason that a worker left for an item that it could not compute.
+/// The reason recorded by a worker for an item that it could not compute; empty if there is none.
 std::string failure_of(const std::filesystem::path& folder, const StudyItem& item) {
   try {
     const std::string text = formats::read_whole(failure_path(folder, item)).value_or("");
@@ -22,7 +22,7 @@ std::string failure_of(const std::filesystem::path& folder, const StudyItem& ite
   }
 }
 
-/// Reads item by item; members are steps in the order they happen.
+/// Reads item by item. The member functions are the steps, in the order of execution.
 class Collector {
  public:
   Collector(const Study& study, const std::filesystem::path& folder) : study_(study), folder_(folder) {
@@ -85,8 +85,8 @@ class Collector {
   const Study& study_;
   const std::filesystem::path& folder_;
   StudyTable table_;
-  std::map<std::string, std::size_t> places_;    // of figures
-  std::map<std::string, std::size_t> programs_;  // versions, with their items
+  std::map<std::string, std::size_t> places_;    // indices of figures
+  std::map<std::string, std::size_t> programs_;  // versions of the program, with the number of their items
 };
 
 }  // namespace

@@ -5,26 +5,27 @@
 
 namespace netloft::studies {
 
-/// One row of the table: a point, and what came out.
+/// One row of the table: a point and its results.
 struct StudyRow {
-  std::size_t item = 0, sample = 0, point = 0;  // items and points from 1; sample 0: nothing was sampled
-  std::vector<VariableValue> values;            // of the columns of the study
-  PointRecord record;                           // of a missing item: the status "missing"
-  std::vector<double> figures;                  // in the order of StudyTable::figures; NaN: none
+  std::size_t item = 0, sample = 0,
+              point = 0;              // items and points count from 1; sample 0: nothing was sampled
+  std::vector<VariableValue> values;  // of the columns of the study
+  PointRecord record;                 // for a missing item: the status "missing"
+  std::vector<double> figures;        // in the order of StudyTable::figures; NaN: the point does not have it
 };
 
-/// All points of a study with what came out, in the order of the manifest.
+/// All points of a study with their results, in the order of the manifest.
 struct StudyTable {
   std::vector<StudyColumn> columns;
   std::vector<StudyFigure> figures;  // names and units
   std::vector<StudyRow> rows;
-  std::vector<std::string> sentences;  // what is to be said of items: missing, damaged, of other versions
+  std::vector<std::string> sentences;  // about items: missing, damaged, of other versions
   std::size_t missing_items = 0;
   std::map<std::string, std::size_t> count_by_status() const;
 };
 
-/// Reads the records of all items in the folder of a study. What is missing or damaged becomes rows that say
-/// so.
+/// Reads the records of all items in the folder of a study. Missing or damaged items become rows with that
+/// status.
 StudyTable collect_table(const Study& study, const std::filesystem::path& folder);
 
 /// The table as comma-separated values, a row for every point.

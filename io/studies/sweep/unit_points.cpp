@@ -44,7 +44,7 @@ Points sobol(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   for (std::size_t d = 0; d < dimensions; ++d)
     shift[d] = scenes::Dice("sobol " + std::to_string(d), seed).next();
   Points points(count, std::vector<double>(dimensions));
-  // The engine leaves out the sequence's first point, the origin, which belongs to every power of two.
+  // The engine skips the sequence's first point, the origin, which belongs to every power-of-two set.
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t d = 0; d < dimensions; ++d)
       points[i][d] = in_open_interval((i == 0 ? 0 : engine()) ^ shift[d]);

@@ -6,10 +6,10 @@
 
 namespace netloft::studies {
 
-/// How samples fill the space of their variables.
+/// The method by which samples fill the space of their variables.
 enum class Sampling { latin_hypercube, sobol };
 
-/// Variables for which there are numbers of Sobol's sequence.
+/// Number of dimensions for which Sobol's sequence has direction numbers.
 inline constexpr std::size_t kMostSobolVariables = 3667;
 
 /// `count` points in the open unit cube of `dimensions`, the same on every machine.

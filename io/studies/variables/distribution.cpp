@@ -18,7 +18,7 @@ double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2)
 
 }  // namespace
 
-// From the upper half by symmetry, where 1 − q would lose its digits.
+// The upper half uses symmetry, because 1 − q would otherwise lose digits.
 double normal_quantile(double q) {
   return q <= 0.5 ? -std::numbers::sqrt2 * boost::math::erfc_inv(2 * q)
                   : std::numbers::sqrt2 * boost::math::erfc_inv(2 * (1 - q));

@@ -5,8 +5,8 @@
 
 namespace netloft::studies {
 
-/// How the samples of a variable lie in its interval. With p in (0, 1) for equally likely samples and F the
-/// standard normal distribution,
+/// The distribution of the samples of a variable over its interval. With p in (0, 1) uniformly distributed,
+/// and F the standard normal distribution,
 ///   uniform       low + p (high − low)                                                     (1)
 ///   logarithmic   low (high/low)^p, low > 0                                                (2)
 ///   normal        mean + deviation F⁻¹(q), q from F at the low end to F at the high end    (3)
@@ -14,7 +14,7 @@ namespace netloft::studies {
 struct Distribution {
   enum class Kind { uniform, logarithmic, normal };
   Kind kind = Kind::uniform;
-  double mean = 0, deviation = 1;  // of (3), in the variable's unit
+  double mean = 0, deviation = 1;  // in (3), in the variable's unit
 };
 
 /// F⁻¹ of (3), the quantile of the standard normal distribution; 0 < q < 1.
@@ -23,9 +23,9 @@ double normal_quantile(double q);
 /// The number below which a fraction p of all samples lies.
 double quantile(const Distribution& distribution, const Interval& interval, double p);
 
-/// Reads how the samples of `variable`, which has an interval, lie in it, out of the same table:
+/// Reads the distribution of the samples of `variable`, which has an interval, from the same table:
 ///   distribution = "normal"   or one of the other `kinds`, the first of which is the default
-///   mean, deviation           of a normal one, numbers like those of the range
+///   mean, deviation           for a normal one, numbers in the syntax of the range
 Distribution read_distribution(const Variable& variable, formats::TableReader& table,
                                const std::vector<std::string>& kinds);
 

@@ -15,7 +15,7 @@ constexpr const char* kKeyDoc = "the key of the scene that is varied, as --set t
 constexpr const char* kValuesDoc = "the values that it takes";
 constexpr const char* kRangeDoc = "the least and the largest value";
 
-/// A number as it is written, with its unit; nothing if the value is no number.
+/// Reads a number with its unit as written; empty if the value is not a number.
 std::optional<formats::WrittenQuantity> number_in(const formats::Value& value) {
   if (const auto* integer = value.as<std::int64_t>()) return {{static_cast<double>(*integer), "", "", ""}};
   if (const auto* real = value.as<double>()) return {{*real, "", "", ""}};
@@ -25,7 +25,7 @@ std::optional<formats::WrittenQuantity> number_in(const formats::Value& value) {
   return quantity.ok() ? std::optional(std::move(quantity)) : std::nullopt;
 }
 
-/// Reads one variable; members are steps in the order they happen.
+/// Reads one variable. The member functions are the steps, in the order of execution.
 class VariableReader {
  public:
   VariableReader(const std::string& name, formats::TableReader& table) : table_(table) {
@@ -70,7 +70,7 @@ class VariableReader {
     refuse_repeats(*array);
   }
 
-  /// The unit of all numbers is that of the first.
+  /// Sets the unit of the variable to that of its first number.
   void take_unit(const std::string& unit) {
     if (!has_unit_) variable_.unit = unit;
     has_unit_ = true;

@@ -7,8 +7,8 @@
 
 namespace netloft::studies {
 
-/// Shows what is wrong with a scene that another file sets keys of, in that file: what a key is to blame for
-/// at `keys`, the places of keys by their path; all else, with its place in the scene, at `scene`.
+/// Reports errors of a scene in the file that sets keys of this scene. Errors that a key causes are reported
+/// at its place in `keys` (places by path), all others at `scene`, with their place in the scene.
 void hand_on_faults(const formats::Diagnostics& of_scene, const std::map<std::string, formats::Place>& keys,
                     const formats::Place& scene, formats::Diagnostics& to);
 

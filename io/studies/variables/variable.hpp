@@ -10,36 +10,36 @@ namespace netloft::studies {
 
 /// One value of a variable.
 struct VariableValue {
-  std::string text;              // as `--set` takes it: "2.5 kn", "pe-braided-4mm", "[64, 64]"
-  std::optional<double> number;  // in the unit of the variable; none for names, switches and arrays
+  std::string text;              // in the syntax of `--set`: "2.5 kn", "pe-braided-4mm", "[64, 64]"
+  std::optional<double> number;  // in the unit of the variable; empty for names, switches and arrays
 };
 
 /// A key of a scene that follows a variable: key = offset + factor × variable, in the variable's unit.
 struct FollowingKey {
-  std::string path;  // as `--set` takes it: "tow.speed", "points.towing-point.at[2]"
+  std::string path;  // in the syntax of `--set`: "tow.speed", "points.towing-point.at[2]"
   double factor = 1, offset = 0;
   bool follows_as_it_is() const { return factor == 1 && offset == 0; }
 };
 
-/// The interval in which a number may lie, ends included, in the unit of its variable.
+/// A closed interval for a number, in the unit of its variable.
 struct Interval {
   double low = 0, high = 0;
   bool contains(double number) const { return number >= low && number <= high; }
 };
 
-/// The listed values or the interval of an input of a scene, or of several that go together.
+/// The listed values or the interval of an input of a scene, or of several inputs that change together.
 struct Variable {
   std::string name;      // in tables, plots and messages
-  formats::Place place;  // of its table
+  formats::Place place;  // place of its table
   std::vector<FollowingKey> keys;
-  std::string unit;                   // in which its numbers are written, "kn"; empty: in none
+  std::string unit;                   // unit of its numbers as written, "kn"; empty: without unit
   std::vector<VariableValue> values;  // in the order of the file; empty: an interval
   std::optional<Interval> interval;
 
-  /// Whether there is a number between two of its values: it has an interval, or only numbers are listed.
+  /// Whether numbers between its values are valid: it has an interval, or all listed values are numbers.
   bool is_number() const;
   VariableValue value_of(double number) const;
-  /// "path=value" for every key, as `--set` takes them.
+  /// "path=value" for every key, in the syntax of `--set`.
   std::vector<std::string> overrides(const VariableValue& value) const;
   /// The same as changes of a scene.
   std::vector<formats::Change> changes(const VariableValue& value) const {
