@@ -6,20 +6,20 @@
 
 namespace netloft {
 
-/// How a body is turned, in three angles [rad]. Its axes are x aft, y outward and z up; unturned they are
-/// those of the scene, in which the gear is towed against x. Outward is to starboard (+y) where `side` is 1,
-/// to port where it is -1.
-///   heading   of the nose, outward: the angle of attack of an upright board in water that flows along x
-///   heel      of the top, outward
-///   trim      of the nose, upward
-/// It is turned by the heel about its x axis, then by the trim about y, then by the heading about z:
+/// The rotation of a body, in three angles [rad]. Its axes are x aft, y outward and z up. Without rotation,
+/// they are the axes of the scene, in which the gear is towed against x. Outward is to starboard (+y) if
+/// `side` is 1, and to port if it is -1.
+///   heading   turns the nose outward: the angle of attack of an upright board in water that flows along x
+///   heel      turns the top outward
+///   trim      turns the nose upward
+/// The body is turned by the heel about the x axis, then by the trim about y, then by the heading about z:
 ///   R = R_z(−s heading) R_y(trim) R_x(−s heel),   s = side                                      (1)
-/// Upside down or on its nose (trim of a right angle) heading and heel cannot be told apart.
+/// At a trim of a right angle, heading and heel are the same rotation and cannot be determined separately.
 struct Attitude {
   double heading = 0, heel = 0, trim = 0;
 };
 
-/// The axes of a body that is turned so, (1).
+/// Returns the axes of a body with this rotation: the columns of R in (1).
 inline std::array<Vec3<double>, 3> axes_of(const Attitude& a, double side) {
   const Vec3<double> heel{-side * a.heel, 0, 0}, trim{0, a.trim, 0}, heading{0, 0, -side * a.heading};
   std::array<Vec3<double>, 3> axes{Vec3<double>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -27,7 +27,7 @@ inline std::array<Vec3<double>, 3> axes_of(const Attitude& a, double side) {
   return axes;
 }
 
-/// The angles of (1) by the axes of a body.
+/// Returns the angles of (1) from the axes of a body.
 inline Attitude attitude_of(const std::array<Vec3<double>, 3>& axes, double side) {
   const Vec3<double>& x = axes[0];
   return {side * std::atan2(-x.y, x.x), side * std::atan2(-axes[1].z, axes[2].z),

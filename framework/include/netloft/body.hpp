@@ -7,33 +7,33 @@
 
 namespace netloft {
 
-/// The place of a body: its origin, and its own axes in the axes of the world (columns of R). T is double or
-/// a dual number.
+/// Position and rotation of a body: its origin, and its axes expressed in the axes of the world (columns of
+/// R). T is double or a dual number.
 template <class T>
 struct Pose {
   Vec3<T> x;                    // origin [m]
   std::array<Vec3<T>, 3> axes;  // unit vectors
 
-  /// A vector given in the body's axes, in those of the world.
+  /// Converts a vector from the body's axes to those of the world.
   template <class S>
   Vec3<T> to_world(const Vec3<S>& r) const {
     return r.x * axes[0] + r.y * axes[1] + r.z * axes[2];
   }
-  /// A vector given in the axes of the world, in those of the body.
+  /// Converts a vector from the axes of the world to those of the body.
   Vec3<T> to_body(const Vec3<T>& w) const { return {dot(axes[0], w), dot(axes[1], w), dot(axes[2], w)}; }
-  /// The place of a point r of the body [m].
+  /// Position of a point r of the body [m].
   template <class S>
   Vec3<T> point(const Vec3<S>& r) const {
     return x + to_world(r);
   }
 };
 
-/// A body in motion, in the axes of the world. What the term did not ask for is zero.
+/// A body in motion, in the axes of the world. Inputs that the traits of the term do not request are zero.
 template <class T>
 struct Body : Pose<T> {
   Vec3<T> v, omega;  // velocity of the origin [m/s], spin [rad/s]
   Vec3<T> a, alpha;  // their rates of change
-  Vec3<T> current;   // of the water at the origin [m/s]
+  Vec3<T> current;   // velocity of the water at the origin [m/s]
   Vec3<double> current_dz, ground{};
   Bed bed{};  // below the origin
   Water water{};
@@ -44,7 +44,7 @@ struct Body : Pose<T> {
   Vec3<T> velocity(const Vec3<S>& r) const {
     return v + cross(omega, this->to_world(r));
   }
-  /// Velocity of the water at a point r of the body, straight over depth from the origin on [m/s].
+  /// Velocity of the water at a point r of the body, extrapolated linearly in depth from the origin [m/s].
   template <class S>
   Vec3<T> current_at(const Vec3<S>& r) const {
     const T height = this->to_world(r).z;
@@ -52,21 +52,20 @@ struct Body : Pose<T> {
   }
 };
 
-/// A force and its moment about the body's origin, in the axes of the world: what acts on the body [N], [N
-/// m].
+/// The force [N] that acts on a body, and its moment [N m] about the body's origin, in the axes of the world.
 template <class T>
 struct Wrench {
   Vec3<T> force, moment;
 
-  /// Adds a force at the end of a lever, a vector of the world from the origin on.
+  /// Adds a force that acts at origin + lever; both vectors are in the axes of the world.
   void push(const Vec3<T>& f, const Vec3<T>& lever) {
     force += f;
     moment += cross(lever, f);
   }
 };
 
-/// The nodes of an element in motion, for forces that are differentiated. What the term did not ask for is
-/// zero.
+/// The nodes of an element in motion, for forces that are differentiated. Inputs that the traits of the term
+/// do not request are zero.
 template <class T, int Nodes>
 struct MovingNodes {
   Points<T, Nodes> x, v, a, current;

@@ -5,8 +5,8 @@
 
 namespace netloft {
 
-/// A number with its gradient and, of second order, its Hessian with respect to N variables (forward mode).
-/// It is slow but simple: it derives force and tangent of an element from its energy alone, and serves as the
+/// A number with its gradient and, if Order is 2, its Hessian with respect to N variables (forward mode). It
+/// is slow but simple: it derives force and tangent of an element from its energy alone, and serves as the
 /// reference implementation in tests of faster kernels.
 template <int N, int Order = 2>
 struct Dual {
@@ -23,7 +23,7 @@ struct Dual {
     return d;
   }
 
-  /// f(this) from f, f' and f'' at the value: the chain rule, once for all functions of one argument.
+  /// Applies the chain rule: returns f(this), given f, f' and f'' at the value.
   Dual chain(double f, double f1, double f2) const {
     Dual d(f);
     [[maybe_unused]] std::size_t k = 0;
@@ -61,7 +61,7 @@ struct Dual {
   friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
   friend bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
 
-  /// At zero, where the root has no derivative, it is taken as zero: ‖w‖ w then has the right one.
+  /// At zero the root has no derivative; it is set to zero, which gives ‖w‖ w the correct derivative.
   friend Dual sqrt(const Dual& a) {
     const double s = std::sqrt(a.value);
     return s == 0 ? Dual(0) : a.chain(s, 0.5 / s, -0.25 / (s * a.value));
@@ -89,7 +89,7 @@ struct Dual {
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value * x.value + y.value * y.value;
-    const Dual turn = (x.value * y - y.value * x) / square;  // of the angle from where it is, to second order
+    const Dual turn = (x.value * y - y.value * x) / square;  // proportional to the sine of the change
     const Dual ahead = (x.value * x + y.value * y) / square;
     return std::atan2(y.value, x.value) + atan(turn / ahead);
   }

@@ -2,33 +2,33 @@
 //
 // The header for authors of elements. An element is a struct with the nodes that it connects (`stencil`), its
 // `Parameters` (set by users, one per part of a gear), its `Data` (one per element) and its terms. A term is
-// a struct with one of four functions, from the quickest to write to the fastest to run:
+// a struct with one of four functions, in order from the quickest to write to the fastest to run:
 //
 //   template <class T> static T energy(const Parameters&, const Data&, const Water&, const Points<T, N>& x);
 //   template <class T> static Points<T, N> force(const Parameters&, const Data&, const MovingNodes<T, N>&);
 //   static Status evaluate(const Parameters&, const Data&, const State<N>&, Local<N>&);
 //   static Status tile(const Family<Element>&, netloft_tile&);
 //
-// `energy` and `force` are differentiated; `evaluate` fills one element; `tile` loops over 64. A `force` is
-// the physical one, what pushes the nodes; all others give residuals.
+// `energy` and `force` are differentiated; `evaluate` fills one element; `tile` loops over 64. `force`
+// returns the physical force on the nodes; the other functions return residuals, its opposite.
 //
-// On a rigid body (`stencil = NETLOFT_BODY`) an energy is that of a `Pose<T>`, and a force the `Wrench<T>` of
-// a `Body<T>`: body.hpp. `evaluate` and `tile` see the body as two nodes, the second of which is its rotation
-// vector, as plugin.h says.
+// On a rigid body (`stencil = NETLOFT_BODY`), `energy` takes a `Pose<T>` instead of points, and `force` takes
+// a `Body<T>` and returns a `Wrench<T>`: see body.hpp. `evaluate` and `tile` see the body as two nodes, the
+// second of which is its rotation vector, as plugin.h says.
 //
-// An element that must know all of its part declares `Whole`, which `gather(parameters, data, whole)` makes
-// of every element of the part in turn; `evaluate` and `force` are handed it after the data, outputs as well,
-// and a `check_whole(parameters, whole)` may throw std::invalid_argument. What is read off tables
-// (interpolation.hpp) belongs there, too: it is made once. One whose part shares numbers that are solved for,
-// too (the front of a catch), says how many: `static constexpr int globals = 1`. They are coordinates of one
-// more node, the last: N is one more.
+// If an element needs data of its whole part, it declares a struct `Whole`, which `gather(parameters, data,
+// whole)` fills, called for each element of the part in turn. `evaluate`, `force` and outputs receive it
+// after the data, and `check_whole(parameters, whole)` may throw std::invalid_argument. Curves from tables
+// (interpolation.hpp) belong there, too, because it is filled only once. If the elements of a part share
+// unknowns (the front of a catch), the element declares their number, `static constexpr int globals = 1`.
+// They are the coordinates of an additional last node, so that N is one more.
 //
-// One that bears tension along straight lines declares these members, and solvers may take the tensions for
-// unknowns:
+// If an element bears tension along straight lines, it declares these members, and solvers may treat the
+// tensions as unknowns:
 //
 //   static std::array<Member, N> members(const Parameters&, const Data&, double time);
 //
-// The term that is the force of the members, no more and no less, has the trait `of_members`.
+// The term whose force is exactly that of the members has the trait `of_members`.
 #pragma once
 #include <netloft/ext/pairs.h>
 #include <netloft/ext/shared_unknowns.h>
@@ -96,7 +96,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
       required_.push_back(NETLOFT_EXT_PAIRS);
   }
 
-  /// A number of every element; the unit is part of the promise.
+  /// Declares a number that every element has, and its unit.
   void data(const char* name, double Data::*member, const char* unit, const char* doc) {
     add_datum(name, unit, doc, offset_of(member), 1);
   }
@@ -105,8 +105,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     add_datum(name, unit, doc, offset_of(member), Width);
   }
 
-  /// A term. `needs` names parameters, a space between two, one of which must differ from zero for the term
-  /// to act.
+  /// Declares a term. `needs` names parameters, separated by spaces; the term acts only if one of them
+  /// differs from zero.
   template <class T, std::uint32_t Traits = 0>
   void term(const char* name, const char* doc, const char* needs = nullptr) {
     constexpr std::uint32_t traits =
@@ -125,7 +125,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     list_inputs(traits);
   }
 
-  /// A number reported per element, in physical sign.
+  /// Declares a number that is reported per element, with its physical sign.
   void output(const char* name, const char* unit, const char* doc, Output function,
               OutputRole role = OutputRole::plain) {
     add_output(name, unit, doc, {function, nullptr, nullptr}, role);
@@ -134,12 +134,13 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
                        OutputRole role = OutputRole::plain) {
     add_output(name, unit, doc, {nullptr, function, nullptr}, role);
   }
-  /// The same for 64 elements at once, with the family at hand: what comes out of a law.
+  /// Declares an output that is computed for 64 elements at once from their family, such as the result of a
+  /// law.
   void output_lanes(const char* name, const char* unit, const char* doc, LanesOutput function) {
     add_output(name, unit, doc, {nullptr, nullptr, function}, OutputRole::plain);
   }
 
-  /// A law that users choose by name under this key; `accepts` is a sum of netloft_law_kind.
+  /// Declares a key under which users choose a law by name; `accepts` is a sum of netloft_law_kind.
   void law(const char* name, std::uint32_t accepts, const char* fallback, const char* doc) {
     netloft_law_slot l{};
     l.size = sizeof l;
@@ -150,13 +151,14 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     require(NETLOFT_EXT_LAWS, &detail::take_laws<E>);
     offers_.template rows<netloft_law_slots>(NETLOFT_EXT_LAWS).push_back(l);
   }
-  /// This element is made wherever another one of the plugin is used, on pairs of it: bending on a rope's
-  /// bars.
+  /// Makes the host create this element on each pair of neighbouring elements of another type of the plugin,
+  /// such as bending on the bars of a rope.
   void rides_on(const char* element) {
     offers_.template one<netloft_rider>(NETLOFT_EXT_PAIRS).rides_on = element;
   }
-  /// A number that all elements of a part share: an unknown where the parameter `needs` differs from zero (or
-  /// always, if there is none), else it stands where it starts. They are x, y, z of State::x's last node.
+  /// Declares a number that all elements of a part share. It is an unknown if the parameter `needs` differs
+  /// from zero or `needs` is null; else it keeps its initial value, `start`. These numbers are x, y, z of the
+  /// last node of State::x.
   void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
     netloft_global g{};
     g.size = sizeof g;
@@ -168,13 +170,13 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     offers_.template rows<netloft_globals>(NETLOFT_EXT_SHARED_UNKNOWNS).push_back(g);
     starts_.push_back(start);
   }
-  /// Numbers that each element remembers from one accepted step to the next.
+  /// Declares how many numbers each element remembers from one accepted step to the next.
   void remembers(std::uint32_t width) {
     require(NETLOFT_EXT_MEMORY, nullptr);
     offers_.template one<netloft_memory>(NETLOFT_EXT_MEMORY).width = width;
   }
 
-  /// Identifiers of extensions without which it must not run.
+  /// Identifiers of the extensions without which a host must refuse the element.
   const std::vector<const char*>& required() const { return required_; }
 
   netloft_element descriptor() const {
@@ -208,7 +210,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     return static_cast<std::size_t>(reinterpret_cast<const char*>(&(object.*member)) -
                                     reinterpret_cast<const char*>(&object));
   }
-  /// One of them.
+  /// The function of an output; the other two are null.
   struct OutputFunction {
     Output one;
     OutputWithWhole with_whole;
@@ -223,7 +225,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     members.count = detail::count_members<E>();
     members.write = &detail::write_members<E>;
   }
-  /// Asks for the data of extensions that a term with these traits reads.
+  /// Requests the data of extensions that a term with these traits reads.
   void list_inputs(std::uint32_t traits) {
     if (traits & (NETLOFT_READS_GROUND | NETLOFT_READS_BED))
       list_input(detail::kGroundPlace, NETLOFT_EXT_GROUND);
@@ -234,7 +236,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     inputs_[place] = id;
     lists_inputs_ = true;
   }
-  /// `take` reads at creation what the host gives for the extension; null: nothing.
+  /// Requires an extension. At creation, `take` reads the host's data for it; it is null if there are none.
   void require(const char* id, void (*take)(Family<E>&, netloft_create&)) {
     for (const char* known : required_)
       if (std::strcmp(known, id) == 0) return;
@@ -301,7 +303,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   const char *name_, *doc_;
   std::vector<const char*> required_;
   bool lists_inputs_ = false;
-  // A place whose term there is none gets no data: nobody knows the identifier "".
+  // Places that no term reads have the identifier "", which no host knows, and therefore get no data.
   std::array<const char*, detail::kInputPlaces + 1> inputs_{"", "", "", nullptr};
   std::vector<netloft_term> terms_;
   std::vector<netloft_output> outputs_;

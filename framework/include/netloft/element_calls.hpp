@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the functions of an element to what the host calls. Included by element.hpp; nothing here is for
-// authors.
+// Adapts the functions of an element to the C functions that the host calls. Included by element.hpp; nothing
+// here is for authors.
 #pragma once
 #include <netloft/ext/bodies.h>
 #include <netloft/ext/convex.h>
@@ -29,7 +29,8 @@ consteval int count_globals() {
 }
 template <class E>
 inline constexpr bool is_on_body = E::stencil == NETLOFT_BODY;
-/// Those of the stencil, one for the rotation of a body, and one for what a part shares.
+/// Number of nodes: those of the stencil, one for the rotation of a body, and one for unknowns that a part
+/// shares.
 template <class E>
 inline constexpr int nodes_of = (E::stencil & 0xff) + is_on_body<E> + (count_globals<E>() > 0);
 template <class E>
@@ -95,7 +96,7 @@ inline int say(char* message, std::uint32_t size, const char* text, int status) 
   return status;
 }
 
-/// Runs `body`; no exception leaves the plugin.
+/// Runs `body` and converts exceptions to a status and a message, so that none leaves the plugin.
 template <class F>
 int guarded(char* message, std::uint32_t size, F&& body) noexcept {
   try {
@@ -133,7 +134,7 @@ inline Bed bed_below(const netloft_tile& t, std::size_t node, std::size_t lane) 
           at(5)};
 }
 
-/// Below the nodes of a stencil; what is behind them has no bed.
+/// The bed below the nodes of a stencil; the nodes after those have none.
 template <std::size_t Nodes>
 std::array<Bed, Nodes> beds_below(const netloft_tile& t, std::size_t of_stencil, std::size_t lane) {
   std::array<Bed, Nodes> beds{};
@@ -141,13 +142,13 @@ std::array<Bed, Nodes> beds_below(const netloft_tile& t, std::size_t of_stencil,
   return beds;
 }
 
-/// Velocity of the ground; zero where it is at rest.
+/// Velocity of the ground; zero if it is at rest.
 inline Vec3<double> passing_ground(const netloft_tile& t) {
   const double* g = ground_of(t);
   return g ? Vec3<double>{g[0], g[1], g[2]} : Vec3<double>{};
 }
 
-/// All traits, for outputs, which see what any term of the element reads.
+/// All traits, for outputs: they receive every input that some term of the element reads.
 inline constexpr std::uint32_t kEveryTrait = ~std::uint32_t{0};
 
 /// Reads the data of extensions for a term with these traits.
@@ -197,8 +198,9 @@ void scatter(const Local<Nodes>& local, bool symmetric, std::size_t lane, netlof
       t.tangent[kLanes * entry++ + lane] += local.tangent[r][c];
 }
 
-/// A field [dof][64] of one element as numbers that know their derivatives: each degree of freedom moves with
-/// `factor` times the unknown of its place, also where there is no field and all are zero.
+/// Reads the degrees of freedom of one element from a field [dof][64] as dual numbers. The derivative of each
+/// with respect to the unknown of the same index is `factor`, also if `field` is null and all values are
+/// zero.
 template <class T, int Nodes>
 Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor) {
   Points<T, Nodes> to{};
@@ -210,14 +212,14 @@ Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor)
   return to;
 }
 
-/// The water at the nodes, which changes with their heights.
+/// Reads the velocity of the water at the nodes, with its derivatives with respect to their heights.
 template <class T, int Nodes>
 Points<T, Nodes> read_current(const netloft_tile& t, std::size_t lane, const Points<T, Nodes>& x) {
   const auto velocity = read_dual<double, Nodes>(t.current, lane, 0),
              slope = read_dual<double, Nodes>(t.current_dz, lane, 0);
   Points<T, Nodes> to{};
   for (std::size_t n = 0; n < static_cast<std::size_t>(Nodes); ++n) {
-    T height = x[n].z;  // over where the water is known: zero, but for its derivatives
+    T height = x[n].z;  // relative to the height at which `current` is given: zero, with derivatives
     if constexpr (std::is_same_v<T, double>)
       height = 0;
     else
@@ -262,7 +264,8 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   return m;
 }
 
-/// The residual of a force: minus it; of a moment, minus what does its work on the rotation vector.
+/// Returns the residual of a push: minus the force and, on a body, minus the vector that does the work of the
+/// moment on the rotation vector.
 template <class E, class T>
 Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile& t, std::size_t lane) {
   Points<T, nodes_of<E>> residual{};
@@ -276,8 +279,8 @@ Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile&
   return residual;
 }
 
-/// Force and tangent of a force without an energy, by first-order forward differentiation. A force alone is
-/// the same number, for derivatives change no value.
+/// Force and tangent of a force without an energy, by first-order forward differentiation. Derivatives do not
+/// change values: without them, the force would have the same bits.
 template <class E, class T, std::uint32_t Traits = kEveryTrait>
 void differentiate_force(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                          Local<nodes_of<E>>& local) {
@@ -385,7 +388,7 @@ int write_members(const void* self, double time, std::uint32_t first, std::uint3
   }
 }
 
-/// Data of an extension that the host gives to `create`; null: it has none.
+/// Data of an extension that the host gives to `create`; null if it has none.
 template <class Given>
 const Given* given(const netloft_create& in, const char* id) {
   return in.extension ? static_cast<const Given*>(in.extension(in.host, id)) : nullptr;

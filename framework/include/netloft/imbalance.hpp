@@ -3,9 +3,9 @@
 
 namespace netloft {
 
-/// The least imbalance that matters, over the load, the least stiffness, over the linear one, and the least
-/// strain. All have one reason: drag, stiffness and lengths of netting are known to a hundredth at best, and
-/// a tenth of that tells no gear from another.
+/// The smallest imbalance (as a fraction of the load), stiffness (as a fraction of the linear stiffness) and
+/// strain that matter. Drag, stiffness and lengths of netting are known to a hundredth at best; a tenth of
+/// that makes no difference to a gear.
 inline constexpr double kMatters = 1e-3;
 
 }  // namespace netloft

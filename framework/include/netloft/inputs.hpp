@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Data of extensions for terms that are written as `tile`. Each function returns null where the scene has
-// nothing of the kind or the element has no term with the trait. Included by element.hpp.
+// Data of extensions for terms that are written as `tile`. Each function returns null if the scene has no
+// such data or if no term of the element has the trait. Included by element.hpp.
 #pragma once
 #include <netloft/ext/ground.h>
 #include <netloft/ext/memory.h>
@@ -13,7 +13,7 @@ namespace netloft {
 
 namespace detail {
 
-/// Places of netloft_tile.inputs, the same in every element that lists any.
+/// Indices into netloft_tile.inputs, the same in every element that lists inputs.
 enum InputPlace : std::size_t { kGroundPlace, kWavesPlace, kMemoryPlace, kInputPlaces };
 
 template <class Input>

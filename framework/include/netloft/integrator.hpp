@@ -3,7 +3,7 @@
 // The header for authors of time schemes. An integrator is a struct with `Parameters` and
 //
 //   static Step step(const Parameters&, Motion&);            // fills next_u, next_v, next_a
-//   static double order(const Parameters&);                  // of the error that it puts into `error`
+//   static double order(const Parameters&);                  // order of the estimate in `error`
 //   static double stable_step(const Parameters&, double w);  // longest, at the highest frequency w; 0: any
 //
 // It solves F(t, u, v, a) = 0 over one step in any way: by a sum of accelerations, or by an algebraic problem
@@ -19,7 +19,7 @@
 
 namespace netloft {
 
-/// The end of a step; `shorter` if a solution may exist for a smaller h.
+/// The result of a step; `shorter` if it failed but may succeed with a smaller h.
 enum class Step { found = NETLOFT_OK, shorter = NETLOFT_OUTSIDE_DOMAIN };
 
 /// The equation F(t, u, v, a) = 0 as seen by an integrator, at the start of a step of length h.
@@ -55,7 +55,7 @@ class Motion {
     return checked(m_.solve(m_.host, t, v0.data(), cv, a0.data(), ca, u.data()));
   }
   /// Finds the u at the end of the step for which its mean forces are in balance, with rates v0 + cv u and
-  /// a0 + ca u in the middle; see netloft_motion for what is exact and for the damping of members.
+  /// a0 + ca u in the middle; netloft_motion describes the mean forces and the damping of members.
   Step solve_between(std::span<const double> v0, double cv, std::span<const double> a0, double ca,
                      double damping, double memory, std::span<double> u) {
     return checked(m_.solve_between(m_.host, v0.data(), cv, a0.data(), ca, damping, memory, u.data()));

@@ -3,8 +3,8 @@
 // Smooth curves and surfaces through the samples of a table, for doubles and dual numbers.
 //
 // A curve is a cubic on every interval, with the samples' values and slopes at its ends, so that its first
-// derivative is continuous: a kink in a force would be one that solvers meet. Slopes are the weighted
-// harmonic means of the differences to both sides, zero at an extremum of the samples:
+// derivative is continuous: solvers converge badly at a kink in a force. Slopes are the weighted harmonic
+// means of the differences to both sides, zero at an extremum of the samples:
 //   m = (w₁ + w₂)/(w₁/δ₁ + w₂/δ₂),  w₁ = 2h₂ + h₁, w₂ = h₂ + 2h₁   where δ₁δ₂ > 0, else 0            (1)
 // so that the curve is monotone wherever the samples are, and never above or below them (F. N. Fritsch and
 // J. Butland, SIAM Journal on Scientific and Statistical Computing 5, 1984). A surface over two arguments has
@@ -12,8 +12,8 @@
 //   f = Σ_ij H_i(s) H_j(t) f_ij + …                        bicubic Hermite form, ∂²f/∂x∂y = 0 at samples (2)
 // Its first derivatives are continuous as well, and along the lines of its grid it is the curve.
 //
-// Beyond the samples both keep the value of the edge, and therefore end with slope zero. Nobody extrapolates
-// in silence: ask `covers`, and report what it says (OutputRole::doubt).
+// Beyond the samples, both keep the value at the edge, and therefore their slope at the edge is zero. An
+// element must not extrapolate without notice: it calls `covers` and reports the result (OutputRole::doubt).
 #pragma once
 #include <netloft/plugin.h>
 #include <netloft/dual.hpp>
@@ -51,8 +51,8 @@ inline std::vector<double> sample_slopes(const std::vector<double>& x, const std
   return m;
 }
 
-/// The place of an argument: the interval, how far along it, and how long it is. Beyond the samples at the
-/// edge.
+/// The interval that contains an argument: its index, its length, and the fraction s of it below the
+/// argument. Beyond the samples, the argument is moved to the edge.
 template <class T>
 struct Interval {
   Interval(const std::vector<double>& x, const T& at) {
@@ -76,7 +76,7 @@ struct Interval {
 
 }  // namespace detail
 
-/// One column of a table over its first one.
+/// A curve: one column of a table as a function of the first column.
 class Curve {
  public:
   Curve() = default;
@@ -107,8 +107,8 @@ class Curve {
   std::vector<double> x_, f_, m_;
 };
 
-/// One column of a table over its first two, whose values form a grid: rows ascend by the first, and within
-/// one value of it by the second.
+/// A surface: one column of a table as a function of the first two columns, whose values form a grid. Rows
+/// ascend by the first column, and rows with the same first value by the second column.
 class Surface {
  public:
   Surface() = default;
@@ -128,7 +128,7 @@ class Surface {
   }
 
   bool empty() const { return f_.empty(); }
-  /// The table that it was made of.
+  /// The samples of the surface.
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& y() const { return y_; }
   const std::vector<double>& values() const { return f_; }
@@ -140,7 +140,7 @@ class Surface {
   double last_of_x() const { return x_.back(); }
   double first_of_y() const { return y_.front(); }
   double last_of_y() const { return y_.back(); }
-  /// Whether it is the same at y and -y.
+  /// Whether the samples at y and -y are equal.
   bool is_even_in_y() const {
     for (std::size_t r = 0; r < x_.size(); ++r)
       for (std::size_t c = 0; c < y_.size(); ++c) {

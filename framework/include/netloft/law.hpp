@@ -16,7 +16,7 @@ namespace netloft {
 /// The flow at one twine, or at one piece of netting taken as a screen.
 template <class T>
 struct Flow {
-  Vec3<T> flow;                       // velocity of the water relative to it [m/s]
+  Vec3<T> flow;                       // velocity of the water relative to the twine or netting [m/s]
   Vec3<T> direction;                  // unit vector along the twine, or normal to the screen
   T solidity{};                       // area of the twines over area of the netting; zero for a rope
   double diameter = 0;                // of the twine [m]
@@ -29,7 +29,7 @@ struct FlowLanes {
   double force[3][kLanes], d_flow[9][kLanes], d_direction[9][kLanes], d_solidity[3][kLanes];
 
   /// Calls the law on lanes below `count`. `extent` [kLanes]: metres of twine or square metres of netting
-  /// that each lane stands for, by which reports weigh.
+  /// that each lane represents; reports use them as weights.
   void call(const netloft_bound_law& law, const netloft_tile& t, bool derivatives,
             const double* extent = nullptr) {
     netloft_law_tile f{};
@@ -96,7 +96,7 @@ int evaluate_law(const void* parameters, const netloft_law_tile* flow) noexcept 
 
 }  // namespace detail
 
-/// Quantities of which a law may cover a range only.
+/// Quantities for which a law may be valid in a limited range only.
 enum class Quantity : std::uint32_t {
   reynolds = NETLOFT_REYNOLDS,                      // ‖W‖ D/ν
   reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // of the flow across a twine
@@ -105,11 +105,11 @@ enum class Quantity : std::uint32_t {
   attack = NETLOFT_ATTACK,  // angle between flow and twine or netting [rad]
 };
 
-/// Parameters, by name, that a range depends on. One is given unless it is a real at zero, an empty table or
-/// the first word of a choice.
+/// Names of the parameters on which the validity of a range depends. A parameter counts as given unless it is
+/// a real number equal to zero, an empty table or the first word of a choice.
 struct Condition {
-  const char* where = nullptr;   // the range holds only where this one is given
-  const char* unless = nullptr;  // and not where this one is
+  const char* where = nullptr;   // the range applies only if this parameter is given
+  const char* unless = nullptr;  // the range does not apply if this parameter is given
 };
 
 /// Describes one law to the host.
@@ -121,8 +121,8 @@ class LawTable : public ParameterTable<typename L::Parameters> {
 
   LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
 
-  /// The law was measured where lo ≤ quantity ≤ hi. It has to answer outside, too; reports then say for how
-  /// much of the gear it was asked there.
+  /// States that the law was measured for lo ≤ quantity ≤ hi. It must return forces outside this range, too;
+  /// reports then say for how much of the gear it was used there.
   void valid(Quantity quantity, double lo, double hi, const char* source, Condition condition = {}) {
     netloft_validity v{};
     v.size = sizeof v;

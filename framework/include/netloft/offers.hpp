@@ -11,23 +11,23 @@
 
 namespace netloft::detail {
 
-/// Structs of extensions by identifier. A struct is made when it is first used, so that whoever uses none
-/// needs none of their headers.
+/// Structs of extensions by identifier. A struct is made when it is first used, so that code without
+/// extensions does not need their headers.
 class Offers {
  public:
-  /// A struct that is the whole offer.
+  /// Returns the struct offered under an identifier, which is the complete offer.
   template <class Struct>
   Struct& one(const char* id) {
     auto& offer = of<One<Struct>>(id);
     offer.value.size = sizeof(Struct);
     return offer.value;
   }
-  /// The rows of an offer that is a List {size, count, rows}.
+  /// Returns the rows of an offer that is a List {size, count, rows}.
   template <class List>
   auto& rows(const char* id) {
     return of<Rows<List>>(id).rows;
   }
-  /// Null: nothing is offered under this identifier.
+  /// Returns the offer with this identifier, or null if there is none.
   const void* find(const char* id) const {
     for (const auto& offer : offers_)
       if (std::strcmp(offer->id, id) == 0) return offer->get();
@@ -68,7 +68,7 @@ class Offers {
   std::vector<std::unique_ptr<Offer>> offers_;
 };
 
-/// Adds an identifier to a list of them that ends with null, once.
+/// Adds an identifier to a null-terminated list unless it is already there.
 inline void add_identifier(std::vector<const char*>& list, const char* id) {
   for (const char* known : list)
     if (known && std::strcmp(known, id) == 0) return;

@@ -134,17 +134,17 @@ inline std::uint32_t bytes_of_kind(std::uint32_t kind) {
   return kind == NETLOFT_BOOLEAN ? sizeof(bool) : kind == NETLOFT_TABLE ? sizeof(netloft_table) : 8;
 }
 
-/// The parameters of component C as its functions see them: what the host filled in where a row of the table
-/// declares it, and everywhere else the author's own defaults. The host knows of a struct only what the table
-/// says; the rest it leaves zero, and a struct that is shared with another plugin has members that only that
-/// one declares.
+/// The parameters of component C as its functions receive them: members that the table declares have the
+/// host's values, all others the defaults of the struct. The host knows only the members in the table and
+/// leaves the others zero; a struct that several plugins share has members that only one of their tables
+/// declares.
 template <class C>
 class OwnParameters {
  public:
   using Parameters = typename C::Parameters;
   static_assert(std::is_trivially_copyable_v<Parameters>, "Parameters must be plain numbers");
 
-  /// Called with the whole table, before anything is made.
+  /// Notes the declared members. Must be called with the complete table before any component is created.
   static void declare(const std::vector<netloft_parameter>& rows) {
     std::vector<DeclaredBytes> declared;
     for (const auto& row : rows) declared.push_back({row.offset, bytes_of_kind(row.kind)});
@@ -154,7 +154,7 @@ class OwnParameters {
     declared_ = std::move(declared);
     is_known_ = true;
   }
-  /// Parameters that no table has described are taken as they are: the caller is the author.
+  /// Returns the parameters; unchanged if no table describes them, because then the author calls directly.
   static Parameters from(const void* host) {
     if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};

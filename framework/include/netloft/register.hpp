@@ -46,7 +46,7 @@ class Plugin {
     return add<LawTable<L>>(name, doc);
   }
 
-  /// `extension` must return what `offer` does.
+  /// Completes the description of the plugin. `extension` must return the same as `offer`.
   const netloft_plugin* finish(const char* name, const char* version, const char* doc,
                                const void* (*extension)(const char* id)) {
     for (const auto& table : pending_) table->describe(*this);

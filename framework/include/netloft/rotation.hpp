@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rotations by a vector, and the rates of what turns with them, for doubles and dual numbers.
+// Rotations given by a vector ψ, and their rates, for doubles and dual numbers.
 //   R r = r + a ψ×r + b ψ×(ψ×r),   φ = ‖ψ‖,  a = sin φ/φ,  b = (1 − cos φ)/φ²       rotation by ψ      (1)
 //   ω = T ψ̇ = ψ̇ + b ψ×ψ̇ + c ψ×(ψ×ψ̇),   c = (φ − sin φ)/φ³                         spin, dR/dt = ω× R (2)
 //   α = dω/dt = T ψ̈ + ḃ ψ×ψ̇ + ċ ψ×(ψ×ψ̇) + c ψ̇×(ψ×ψ̇)                                                  (3)
-//   Tᵀm = m − b ψ×m + c ψ×(ψ×m)                             what does the work m·ω on ψ̇                 (4)
+//   Tᵀm = m − b ψ×m + c ψ×(ψ×m)                             its work on ψ̇ is m·ω                        (4)
 // a, b and c are smooth functions of s = φ². ψ and ψ(1 − 2π/φ) are the same rotation; T is singular where φ
 // is a full turn. Source: J. Argyris, An excursion into large rotations, Computer Methods in Applied
 // Mechanics and Engineering 32 (1982), 85-155.
@@ -25,7 +25,7 @@ struct RotationFactors {
   T a, b, c, db, dc;
 };
 
-/// Σ (−s)^k/(2k + n)!, which is a, b, c for n = 1, 2, 3, and its derivative; for s below one.
+/// Computes Σ (−s)^k/(2k + n)!, which is a, b, c for n = 1, 2, 3, and its derivative. Valid for s below one.
 template <class T>
 void sum_rotation_series(const T& s, int n, T& sum, T& slope) {
   constexpr int kTerms = 10;  // 1/21! is beyond double precision
@@ -107,19 +107,19 @@ Vec3<T> moment_on_vector(const Vec3<T>& psi, const Vec3<T>& moment) {
   return moment - f.b * once + f.c * cross(psi, once);
 }
 
-/// T⁻¹ω = ω − ψ×ω/2 + d ψ×(ψ×ω), d = (1 − a/2b)/φ²: the rate at which ψ changes with a spin, and
-/// likewise, transposed by −ψ, the moment m of Tᵀm. φ must be no full turn.
+/// Returns T⁻¹ω = ω − ψ×ω/2 + d ψ×(ψ×ω), d = (1 − a/2b)/φ²: the rate of ψ at the spin ω. With −ψ it returns
+/// the inverse of (4), the moment m from Tᵀm. φ must not be a full turn.
 inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& omega) {
   const double s = dot(psi, psi);
   const auto f = detail::rotation_factors<double>(s);
-  // 2b − a = s/12 − s²/360 + …; one term is exact to rounding where the difference has lost its digits
+  // For small s, 2b − a suffers from cancellation and d is replaced by the first two terms of its series.
   const double d = s < 1e-4 ? 1.0 / 12 + s / 720 : (2 * f.b - f.a) / (2 * f.b * s);
   const Vec3<double> once = cross(psi, omega);
   return omega - 0.5 * once + d * cross(psi, once);
 }
 
-/// ψ of up to half a turn that turns the axes of the world into these, which are orthonormal and
-/// right-handed.
+/// Returns the ψ of at most half a turn that rotates the axes of the world into `axes`, which must be
+/// orthonormal and right-handed.
 inline Vec3<double> rotation_vector(const std::array<Vec3<double>, 3>& axes) {
   const auto R = [&](int row, int column) { return axes[static_cast<std::size_t>(column)][row]; };
   const double trace = R(0, 0) + R(1, 1) + R(2, 2);
@@ -149,7 +149,7 @@ inline Vec3<double> rotation_vector(const std::array<Vec3<double>, 3>& axes) {
   return (phi / sine) * q;
 }
 
-/// The same rotation by a vector of up to half a turn.
+/// Returns the vector of at most half a turn that describes the same rotation as psi.
 inline Vec3<double> shortened(const Vec3<double>& psi) {
   constexpr double kTurn = 6.283185307179586476925286766559;
   const double phi = norm(psi);

@@ -4,9 +4,9 @@
 //
 //   static Outcome solve(const Parameters&, Problem&);
 //
-// that moves `problem.u()` towards r(u) = 0. Once per iteration it reports where u is with `progress`, which
-// says whether to go on; u is the same as before where no step was accepted. The host counts, times and
-// judges; a solver has nothing to say about convergence.
+// that moves `problem.u()` towards r(u) = 0. Once per iteration it passes u to `progress`, which returns
+// whether to continue; u is unchanged if no step was accepted. The host counts, measures time and decides on
+// convergence; a solver does not.
 #pragma once
 #include <netloft/ext/solver.h>
 #include <netloft/parameters.hpp>
@@ -21,7 +21,7 @@
 namespace netloft {
 
 enum class Outcome {
-  stopped = NETLOFT_STOPPED,  // because `progress` said so: it has arrived, or a limit is reached
+  stopped = NETLOFT_STOPPED,  // because `progress` returned false: converged, or a limit is reached
   step_too_short = NETLOFT_STEP_TOO_SHORT,
   linear_solve = NETLOFT_LINEAR_SOLVE,
   left_domain = NETLOFT_LEFT_DOMAIN,
@@ -47,7 +47,7 @@ class Problem {
   bool symmetric() const { return p_.traits & NETLOFT_SYMMETRIC; }
   std::span<double> u() { return {p_.u, size()}; }
 
-  /// Residual [N] and energy [J] (zero if there is none) at u; keeps the matrix asked for.
+  /// Computes residual [N] and energy [J] (zero if there is none) at u, and stores the matrix `keep`.
   Evaluation evaluate(std::span<const double> u, double& energy, std::span<double> residual,
                       Matrix keep = Matrix::none) {
     const std::uint32_t matrix = keep == Matrix::exact    ? std::uint32_t{NETLOFT_WANT_TANGENT}
@@ -60,18 +60,18 @@ class Problem {
   Evaluation evaluate(std::span<const double> u, double& energy) {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY, u.data(), &energy, nullptr));
   }
-  /// Gradient of the energy: the residual without the forces that have none (drag).
+  /// Computes the gradient of the energy: the residual without forces that have no energy, such as drag.
   Evaluation evaluate_gradient(std::span<const double> u, double& energy, std::span<double> gradient) {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | NETLOFT_WANT_GRADIENT,
                                u.data(), &energy, gradient.data()));
   }
-  /// Residual and gradient at once, for little more than the price of one of them: their difference are the
-  /// forces without an energy.
+  /// Computes residual and gradient at once, for little more than the cost of one of them. Their difference
+  /// is the residual of the forces without an energy.
   Evaluation evaluate_both(std::span<const double> u, double& energy, std::span<double> residual,
                            std::span<double> gradient) {
     return checked(p_.evaluate_both(p_.host, u.data(), &energy, residual.data(), gradient.data()));
   }
-  /// A matrix alone.
+  /// Computes and stores the matrix `keep` only.
   Evaluation evaluate(std::span<const double> u, Matrix keep) {
     const std::uint32_t want =
         keep == Matrix::exact ? std::uint32_t{NETLOFT_WANT_TANGENT} : std::uint32_t{NETLOFT_WANT_CONVEX};
@@ -85,15 +85,16 @@ class Problem {
   Factor factorise_indefinite(Matrix matrix, double shift) {
     return checked_factor(p_.factorise(p_.host, static_cast<int>(matrix) | NETLOFT_INDEFINITE, shift));
   }
-  /// Factorises K + blend (K₊ − K) + shift x metric, of the tangent K and its convex part K₊, both kept by
-  /// evaluations at the same point: as much of the convex part as is needed.
+  /// Factorises K + blend (K₊ − K) + shift x metric, with the tangent K and its convex part K₊. Evaluations
+  /// at the same point must have stored both.
   Factor factorise_between(double blend, double shift) {
     return checked_factor(p_.factorise_between(p_.host, blend, shift));
   }
   void solve(std::span<const double> rhs, std::span<double> x) {
     check(p_.solve(p_.host, rhs.data(), x.data()));
   }
-  /// The same with whatever factor there is, perhaps of an earlier problem. False: there is none.
+  /// Solves with the latest factorisation, possibly that of an earlier problem. Returns false if there is
+  /// none.
   bool try_solve(std::span<const double> rhs, std::span<double> x) {
     return p_.solve(p_.host, rhs.data(), x.data()) == NETLOFT_OK;
   }
@@ -107,12 +108,12 @@ class Problem {
   }
   /// Negative eigenvalues of the last matrix given to `factorise_indefinite`; -1 if not known.
   int negative_pivots() { return p_.negative_pivots(p_.host); }
-  /// Counts an accepted point. True: go on. False: return Outcome::stopped.
+  /// Counts an iteration at an accepted point. If it returns false, the solver must return Outcome::stopped.
   bool progress(std::span<const double> u, double energy, std::span<const double> residual,
                 const char* note = "") {
     return p_.progress(p_.host, u.data(), energy, residual.data(), note) == NETLOFT_GO_ON;
   }
-  /// Largest nodal move over the largest element length, of a step.
+  /// Largest displacement of a node in the step du, divided by the largest element length.
   double step_length(std::span<const double> du) { return p_.step_length(p_.host, du.data()); }
 
  private:

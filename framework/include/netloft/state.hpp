@@ -18,7 +18,7 @@ inline constexpr int kLanes = NETLOFT_LANES;
 
 enum class Status { ok = NETLOFT_OK, outside_domain = NETLOFT_OUTSIDE_DOMAIN };
 
-/// Thrown for a state without a force (a bar of no length); the solver then shortens its step.
+/// Thrown if a term has no force at a state, such as a bar of zero length; the solver then shortens its step.
 struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -32,14 +32,15 @@ struct Water {
   double viscosity = 0;  // kinematic [m2/s]
 };
 
-/// The bed of the scene as it is below a place: a paraboloid that touches it there.
+/// The bed of the scene near a place, approximated by a paraboloid with the same height, slopes and
+/// curvatures there.
 struct Bed {
   bool is_there = false;
-  double x = 0, y = 0;                          // of the place [m]
+  double x = 0, y = 0;                          // the place [m]
   double height = 0, slope_x = 0, slope_y = 0;  // z_b [m], its derivatives
   double xx = 0, xy = 0, yy = 0;                // its second derivatives [1/m]
 
-  /// z_b below a point near by [m].
+  /// z_b below a point near the place [m].
   template <class T>
   T below(const Vec3<T>& point) const {
     const T dx = point.x - T(x), dy = point.y - T(y);
@@ -47,12 +48,12 @@ struct Bed {
   }
 };
 
-/// One element's inputs in `evaluate`. Arrays that the term did not ask for are zero.
+/// One element's inputs in `evaluate`. Arrays that the traits of the term do not request are zero.
 template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
   Points<double, Nodes> x_low{};               // low-order part of x [m]; zero if it is not known
-  Vec3<double> ground{};                       // velocity of the ground [m/s]; zero where it stands
+  Vec3<double> ground{};                       // velocity of the ground [m/s]; zero if it is at rest
   std::array<Bed, Nodes> bed{};                // below the nodes
   Points<double, Nodes> water_acceleration{};  // [m/s2]
   std::array<double, Nodes> surface{};         // height of the water's surface over the nodes [m]
@@ -77,7 +78,7 @@ struct Local {
   double tangent[dofs][dofs] = {};
 };
 
-/// All elements of one type in a scene, of several parts one after another.
+/// All elements of one type in a scene, part by part.
 template <class E>
 class Family {
  public:

@@ -4,14 +4,14 @@
 //
 //   static void run(const Parameters&, Search&);
 //
-// that brings a scene to equilibrium with solvers: at once, over easier variants, from coarser meshes, from
-// elsewhere again. It hands every equilibrium of the scene itself to `search.answer`. The host counts the
-// work, judges every stage and chooses among the answers; a strategy has nothing to say about convergence.
-// With
+// that brings a scene to equilibrium with solvers: directly, through easier variants or coarser meshes, or
+// from other initial guesses. It passes every equilibrium of the scene itself to `search.answer`. The host
+// counts the work, assesses every stage and chooses among the answers; a strategy does not decide on
+// convergence. With
 //
 //   static std::string explain(const Parameters&, Search&);
 //
-// it also says, before anything is solved, what it would try in which order and why, a line each.
+// it also describes its plan before anything is solved, one line for each stage with the reason.
 #pragma once
 #include <netloft/ext/strategy.h>
 #include <netloft/imbalance.hpp>
@@ -34,15 +34,15 @@ namespace netloft {
 
 using Displacements = std::vector<double>;  // of the unknowns of a level [m]
 
-/// Every unknown moved by up to `amplitude` [m], which no symmetry survives; the same on every machine,
-/// another one for every `turn`.
+/// Moves every unknown by up to `amplitude` [m], which breaks every symmetry. The result is the same on every
+/// machine and differs for every `turn`.
 inline Displacements perturbed(Displacements u, double amplitude, int turn = 0) {
-  constexpr double kSilver = 0.41421356237309505;  // of the silver ratio, by whose multiples rows differ
+  constexpr double kSilver = 0.41421356237309505;  // shift between turns, from the silver ratio
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += amplitude * scattered(i, kSilver * turn);
   return u;
 }
 
-/// How a scene is made easier; as it is written by default.
+/// An easier variant of a scene; by default, the scene itself.
 struct Variant {
   unsigned level = 0;        // mesh: 0 the scene's own, 1, 2, … coarser
   double stiffness_cap = 0;  // [N]; 0: as written
@@ -52,19 +52,19 @@ struct Variant {
   netloft_variant c() const { return {sizeof(netloft_variant), level, stiffness_cap, compression, current}; }
 };
 
-/// Tolerance of a stage that only gives the next one its start: what does not matter of the easier problem is
-/// less than what that is off the scene.
+/// Tolerance of a stage that only gives the next stage its initial guess: an imbalance that does not matter
+/// in the easier problem is smaller than the difference between that problem and the scene.
 inline constexpr double kOnlyAStart = kMatters;
 
-/// The task of one stage: a variant, who solves it, how well, and what it may cost.
+/// The task of one stage: a variant, its solver, the tolerance and the budget.
 struct Ask {
-  const char* name = "";  // what it is for, in a few words, for the report
+  const char* name = "";  // purpose of the stage in a few words, for the report
   Variant variant{};
-  const char* solver = nullptr;      // null: that of the analysis, with its parameters
+  const char* solver = nullptr;      // null: the solver of the analysis, with its parameters
   const char* parameters = nullptr;  // "method=classic,damping=1"
   double tolerance = 0;              // 0: that of the analysis
-  double work = 0;                   // 0: whatever is left
-  double path = 0;                   // most that nodes may move in all, over the gear's size; 0: any
+  double work = 0;                   // budget; 0: all that is left
+  double path = 0;                   // limit of the path of nodes over the gear's size; 0: none
   unsigned iterations = 0;           // 0: that of the analysis
   bool compensated = false;          // positions keep the digits that double precision rounds off
 };
@@ -97,22 +97,24 @@ struct Stage {
   Ending ending = Ending::not_converged;
   int stability = NETLOFT_STABILITY_UNKNOWN;
   double residual = 0, load = 0, energy = 0;  // largest on a node [N], [N]; [J]; 0 where not `has_forces`
-  double rounding = 0;                        // what rounding of the positions is worth [N]
+  double rounding = 0;                        // force by rounding of the positions [N]
   double spent = 0;                           // work
   unsigned iterations = 0, factorisations = 0;
   Displacements growing = {};                    // a disturbance that grows; empty: not known
-  double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; it swings only where there is a frequency
+  double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; frequency 0: it does not oscillate
 
-  /// Forces were evaluated where it ended, which is a point of the variant that was asked for. False:
-  /// elements are not defined at `u`, or a strategy that was called has solved no stage of that variant, and
-  /// `u` is its start.
+  /// Whether the forces of the requested variant were evaluated at `u`. False if elements are not defined
+  /// there, or if a strategy that was called has solved no stage of that variant; `u` is then its initial
+  /// guess.
   bool has_forces() const { return load > 0; }
-  /// Forces balance, whether or not it is stable.
+  /// Whether forces balance, stable or not.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
   bool has_converged() const { return ending == Ending::converged; }
-  /// Its work was used up, and some was done: what has nothing to solve ends out of work, too.
+  /// Whether the stage used up its budget after some work. A stage with no budget to begin with is not cut
+  /// off.
   bool was_cut_off() const { return ending == Ending::out_of_work && spent > 0; }
-  /// It swings as it grows: followed in time it comes to rest nowhere near.
+  /// Whether the equilibrium has a flutter instability, an oscillation that grows: a motion from there does
+  /// not come to rest nearby.
   bool flutters() const { return ending == Ending::unstable && growth_frequency > 0; }
   /// Largest residual over the largest load.
   double imbalance() const { return has_forces() ? residual / load : residual > 0 ? 1 : 0; }
@@ -151,24 +153,25 @@ class Search {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
   /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work). The
-  /// stage that comes back is its answer, of several the one that the host chose. Without an answer it is the
-  /// point of that variant that came closest to balance, else its start, with the ending of the last stage of
-  /// that variant: out of work where that was cut off, or where all work is used up.
+  /// returned stage is its answer; of several, the one that the host chose. Without an answer, it is the
+  /// point of that variant that came closest to balance, or the initial guess, with the ending of the last
+  /// stage of that variant: out_of_work if that was cut off or if no work is left.
   Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
     return ended(ask, std::move(u),
                  [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });
   }
-  /// Judges `u` without solving anything.
+  /// Assesses `u` without solving anything.
   Stage assess(const Ask& ask, Displacements u) {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.assess(s_.host, &stage); });
   }
-  /// Displacements of one level read off those of another.
+  /// Interpolates displacements from one level to another.
   Displacements transfer(unsigned from, const Displacements& u, unsigned to) {
     Displacements out(size(to));
     check(s_.transfer(s_.host, from, u.data(), to, out.data()));
     return out;
   }
-  /// Calls method(Problem&) on r(u) = 0 of a variant; where that has left u. `assess` tells what it is worth.
+  /// Calls method(Problem&) on the problem r(u) = 0 of a variant and returns its final u. Call `assess` for
+  /// the residual and stability there.
   template <class Method>
   Displacements with_problem(const Ask& ask, Displacements u, Method&& method) {
     u.resize(size(ask.variant.level));
@@ -180,7 +183,8 @@ class Search {
     method(p);
     return u;
   }
-  /// Calls method(netloft_members&, u) on the members of a variant, which moves u; where that has left it.
+  /// Calls method(netloft_members&, u), which changes u, on the members of a variant, and returns its final
+  /// u.
   template <class Method>
   Displacements with_members(const Ask& ask, Displacements u, Method&& method) {
     u.resize(size(ask.variant.level));
@@ -192,12 +196,12 @@ class Search {
     return u;
   }
 
-  /// Says why it solves nothing of the scene, or no more; then return. A user reads it where there is nothing
-  /// else to report: "there is no current".
+  /// States why the strategy does not solve the scene, or does not continue; the strategy must then return.
+  /// The reason is reported to the user if there is nothing else to report: "there is no current".
   void decline(const char* why) { std::snprintf(s_.message, s_.message ? s_.message_size : 0, "%s", why); }
 
   double work_left() { return s_.work_left(s_.host); }
-  /// An equilibrium of the scene itself; may be called again, for another shape.
+  /// Reports an equilibrium of the scene itself. May be called again for another equilibrium.
   void answer(const Displacements& u) {
     if (u.size() != s_.unknowns)
       throw std::invalid_argument("an answer has one number for each unknown of the scene");
@@ -279,9 +283,9 @@ int explain_strategy(const void* parameters, netloft_search* search, char* text,
 
 /// Describes one strategy to the host. `needs` are traits the search must have.
 ///
-/// A text that is said to name a strategy or a solver takes a Specification; the host refuses one that is not
-/// there, or whose parameters are wrong, before anything is solved. To C it is a text whose `unit` is
-/// "strategy" or "solver"; several words are a text with `choices`.
+/// The value of a parameter declared by `strategy` or `solver` is a Specification. If there is no such
+/// strategy or solver, or its parameters are wrong, the host refuses it before anything is solved. In C it is
+/// a text whose `unit` is "strategy" or "solver"; a parameter declared by `several` is a text with `choices`.
 template <class S>
 class StrategyTable : public ParameterTable<typename S::Parameters> {
   using P = typename S::Parameters;
@@ -294,7 +298,7 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
   StrategyTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
   void needs(std::uint32_t traits) { needs_ = traits; }
 
-  /// Empty only where that is the default.
+  /// Declares a parameter that names a strategy. It may be empty only if that is the default.
   void strategy(const char* name, Word member, const char* doc, const char* fallback) {
     this->text(name, member, doc, fallback);
     last_row().unit = "strategy";
@@ -303,7 +307,7 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
     this->text(name, member, doc, fallback);
     last_row().unit = "solver";
   }
-  /// Any number of `words`, with a plus between two; none by default.
+  /// Declares a parameter whose value is any number of `words`, joined by plus signs; none by default.
   void several(const char* name, Word member, const char* doc, std::vector<const char*> words) {
     this->text(name, member, doc, "");
     words.push_back(nullptr);
@@ -329,7 +333,7 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
   }
 
  private:
-  /// A copy of the last row, which takes its place.
+  /// Returns a copy of the last row, which replaces that row in the descriptor.
   netloft_parameter& last_row() {
     return described_.emplace_back(this->rows().size() - 1, this->rows().back()).second;
   }

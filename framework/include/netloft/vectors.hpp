@@ -47,7 +47,7 @@ inline void add_scaled(std::span<const double> x, double a, std::span<const doub
   for (std::size_t i = 0; i < z.size(); ++i) z[i] = x[i] + a * y[i];
 }
 
-/// Fills x with numbers in [−1, 1) that have a component in every direction one meets.
+/// Fills x with the numbers of `scattered`, in [−1, 1).
 inline void scatter(std::span<double> x) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = scattered(i);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Matrices beside the exact tangent that a term can give better than its host, which otherwise projects and
- * bounds the tangent. A host wants them only of terms that have the trait, each alone in a call.
+ * Matrices that approximate the exact tangent. A term can compute them better than its host, which otherwise
+ * projects and bounds the tangent. A host requests them only from terms with the trait, one per call.
  */
 #ifndef NETLOFT_EXT_CONVEX_H
 #define NETLOFT_EXT_CONVEX_H

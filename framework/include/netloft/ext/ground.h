@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The ground below a gear: the bed of the scene, and how fast the ground passes a gear that is towed. An
+ * The ground below a gear: the bed of the scene, and the velocity at which the ground passes a towed gear. An
  * element lists the identifier in its `inputs`.
  */
 #ifndef NETLOFT_EXT_GROUND_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Hydrodynamic laws: pure functions for the force of the water that elements use without knowing them, chosen
- * by users. A plugin offers netloft_laws. An element offers netloft_law_slots and receives netloft_bound_laws
- * in `create`.
+ * Hydrodynamic laws: pure functions for the force of the water. Users choose the law that an element uses. A
+ * plugin offers netloft_laws. An element offers netloft_law_slots and receives netloft_bound_laws in
+ * `create`.
  */
 #ifndef NETLOFT_EXT_LAWS_H
 #define NETLOFT_EXT_LAWS_H
@@ -49,8 +49,8 @@ enum netloft_law_quantity {
   NETLOFT_ATTACK = 4 /* angle between the flow and the twine or the netting, 0 to pi/2 [rad] */
 };
 
-/* A range that a law was measured in. The host compares the flows with it and reports how much of a gear lies
- * outside; the law itself answers everywhere. */
+/* A range in which a law was measured. The host compares the flows with it and reports how much of a gear is
+ * outside; the law itself returns a force everywhere. */
 typedef struct netloft_validity {
   uint32_t size;
   uint32_t quantity;
@@ -60,7 +60,7 @@ typedef struct netloft_validity {
                                  given, no real at zero, no empty table, no first word of a choice; or null */
 } netloft_validity;
 
-/* A pure function that elements use without knowing it: "hydro/morison". */
+/* A law, such as "hydro/morison". */
 typedef struct netloft_law {
   uint32_t size;
   uint32_t kind;
@@ -81,7 +81,7 @@ typedef struct netloft_laws {
   const netloft_law* rows;
 } netloft_laws;
 
-/* A place in an element for a law: the user names one under this key. */
+/* A key of an element under which the user names a law. */
 typedef struct netloft_law_slot {
   uint32_t size;
   uint32_t accepts;       /* sum of netloft_law_kind */

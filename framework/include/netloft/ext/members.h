@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Straight lines in an element that bear tension: the bar of a rope, or all bars of one direction of a
- * triangle of netting. Solvers may take their tensions for unknowns, and time schemes conserve their energy.
+ * triangle of netting. Solvers may treat their tensions as unknowns, and time schemes conserve their energy.
  */
 #ifndef NETLOFT_EXT_MEMBERS_H
 #define NETLOFT_EXT_MEMBERS_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Numbers that each element remembers from one accepted step to the next, such as where it last stuck to the
- * ground. The element offers netloft_memory, lists the identifier in its `inputs` and receives
+ * Numbers that each element remembers from one accepted step to the next, such as the point at which it last
+ * stuck to the ground. The element offers netloft_memory, lists the identifier in its `inputs` and receives
  * netloft_remembered with a tile.
  */
 #ifndef NETLOFT_EXT_MEMORY_H

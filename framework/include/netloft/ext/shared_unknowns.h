@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Numbers that all elements of a part share and that are solved for together with the positions, such as
- * where a catch ends. There are three at most: they are x, y and z of one more node, the last of every
+ * Unknowns that all elements of a part share and that are solved for together with the positions, such as
+ * the front of a catch. There are three at most: they are x, y and z of one more node, the last of every
  * element's nodes in a tile. The host treats them as coordinates and the rows of the residual in their place
  * as forces: choose a unit in which a step of 1 means as much as one of 1 m, and scale the equation of each
  * to newtons.

@@ -13,8 +13,8 @@ extern "C" {
 
 #define NETLOFT_EXT_STRATEGY "netloft.strategy/1"
 
-/* How a scene is made easier. Values, not code: whoever chooses them need not know any element. The host
- * knows by the roles of parameters which of them each value touches. */
+/* An easier variant of a scene, described by values that need no knowledge of elements. The host uses the
+ * roles of parameters to find those that each value changes. */
 typedef struct netloft_variant {
   uint32_t size;
   uint32_t level; /* mesh: 0 the scene's own, 1, 2, … each with about half as many cells along a side */
@@ -56,8 +56,8 @@ enum netloft_stage_flag {
                              rounding alone keeps from balance */
 };
 
-/* One solve of one variant: what is asked, and what came of it. The work that one factorisation of the
- * scene's own tangent costs, with the evaluation and the solution that go with it, is the unit of work. */
+/* One solve of one variant: its task and its result. The unit of work is one factorisation of the tangent of
+ * the scene itself, with one evaluation and one solution. */
 typedef struct netloft_stage {
   uint32_t size;
   uint32_t flags; /* netloft_stage_flag */
@@ -84,9 +84,9 @@ typedef struct netloft_stage {
   double growth_frequency; /* with which it swings as it grows [rad/s] */
 } netloft_stage;
 
-/* The members of a variant and all its other forces apart, for methods in which the tension of a member is an
- * unknown of its own. Vectors over all degrees of freedom have the unknowns first, then the held ones, whose
- * residuals are reactions. */
+/* The members of a variant, separate from all its other forces, for methods in which the tension of a member
+ * is an unknown. Vectors over all degrees of freedom have the unknowns first, then the held degrees of
+ * freedom, whose residuals are reactions. */
 typedef struct netloft_members {
   uint32_t size;
   uint32_t count;               /* members */
@@ -120,7 +120,7 @@ typedef struct netloft_members {
 } netloft_members;
 
 /* A scene as a strategy sees it, with its easier variants, solved stage by stage within a budget of work. The
- * host counts, judges and keeps the statistics; a strategy never says of itself that it has converged.
+ * host counts, assesses and keeps the statistics; a strategy does not decide that it has converged.
  * Functions take `host` first and return NETLOFT_OK, or NETLOFT_ERROR with a sentence in `message`. */
 typedef struct netloft_search {
   uint32_t size;
@@ -143,20 +143,21 @@ typedef struct netloft_search {
   int (*solve)(void* host, netloft_stage* stage);
   /* The same by another strategy: the variant is its scene, stage.work its budget. */
   int (*call)(void* host, const char* strategy, const char* parameters, netloft_stage* stage);
-  /* Reads displacements of one level off those of another. */
+  /* Interpolates displacements from one level to another. */
   int (*transfer)(void* host, uint32_t from, const double* u, uint32_t to, double* out);
-  /* Judges stage.u without solving anything. */
+  /* Assesses stage.u without solving anything. */
   int (*assess)(void* host, netloft_stage* stage);
-  /* r(u) = 0 of a variant, with stage.u as its u and within stage.work, for a strategy with a method of its
-   * own. `problem->size` says how much room there is, and afterwards how much of it the host has filled. Ends
-   * with the next call of another function of the search; then `assess` tells what it is worth. */
+  /* Gives r(u) = 0 of a variant, with stage.u as its u and the budget stage.work, to a strategy with a method
+   * of its own. The caller sets `problem->size` to the size of its struct, and the host to the size that it
+   * filled. The problem is valid until the next call of another function of the search; then call `assess`.
+   */
   int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
   /* Likewise, where the search has NETLOFT_SEARCH_MEMBERS. */
   int (*members)(void* host, netloft_stage* stage, netloft_members* members);
-  /* Budget that is left; never negative. Zero, also where the user interrupts: return. */
+  /* Budget that is left; never negative. If it is zero, also after an interruption by the user, return. */
   double (*work_left)(void* host);
-  /* An equilibrium of the scene itself. May be called again, for another shape; the host judges each and
-   * chooses: converged before anything else, then the least energy where forces have one, then the first. */
+  /* Reports an equilibrium of the scene itself. May be called again for another one. The host assesses each
+   * and chooses a converged one if there is any, then the least energy if forces have one, then the first. */
   int (*answer)(void* host, const double* u);
 } netloft_search;
 
@@ -169,7 +170,7 @@ typedef struct netloft_strategy {
   const netloft_parameter* parameters;
   /* Returns NETLOFT_OK, whether or not there is an answer, or NETLOFT_ERROR with a sentence. */
   int (*run)(const void* parameters, netloft_search* search);
-  /* Writes what it would try, in which order and why, a line each, without solving anything. May be null. */
+  /* Writes the plan, one line for each stage with the reason, without solving anything. May be null. */
   int (*explain)(const void* parameters, netloft_search* search, char* text, uint32_t text_size);
 } netloft_strategy;
 

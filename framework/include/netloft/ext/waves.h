@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Water that swings. The velocity of waves is part of netloft_tile.current; this extension adds their
- * acceleration and the surface. An element lists the identifier in its `inputs`; the place in a tile is null
- * without waves.
+ * Waves. Their velocity is part of netloft_tile.current; this extension adds the acceleration of the water
+ * and the surface. An element lists the identifier in its `inputs`; the place in a tile is null without
+ * waves.
  */
 #ifndef NETLOFT_EXT_WAVES_H
 #define NETLOFT_EXT_WAVES_H
