@@ -10,14 +10,14 @@ namespace netloft {
 
 namespace {
 
-// Ratio of step lengths between the march used for comparison and this one; longer unless stability bounds
-// the steps.
+// Step lengths of the march for comparison, divided by those of this march. The steps are longer unless
+// stability bounds them.
 constexpr double kLonger = 2, kShorter = 0.5;
 // Least relative difference of the mean steps of both marches. Marches with similar steps give no error
 // estimate.
 constexpr double kLeastDifference = 0.1;
-// Displacement of a disturbed start, over the longest element: far above the tolerance to which steps are
-// solved, far below what can be measured on a gear.
+// Displacement of a disturbed start, divided by the length of the longest element: far above the tolerance to
+// which steps are solved, far below what can be measured on a gear.
 constexpr double kDisturbance = 1e-7;
 
 double distance(const std::vector<double>& here, const std::vector<double>& there, std::size_t first) {

@@ -14,18 +14,18 @@
 namespace netloft {
 
 /// Achieved accuracy of a march, relative to the longest element: the estimated errors of single steps, if
-/// steps are adaptive, and the error of the path, if it was requested. The errors of single steps do not
+/// steps are adaptive, and the error of the path, if the user requested it. The errors of single steps do not
 /// bound the error of a motion that amplifies them, and fixed steps have no estimate. Therefore the host can
 /// integrate a second time with steps r times as long (2, or ½ if stability bounds them). Its estimate of the
 /// error of the path is
 ///   the largest distance of a node between both at an output / min(1, |r − 1|)                  (1)
 /// with r the ratio of the mean steps. Outputs at which r differs from 1 by less than a tenth are ignored; if
 /// all are, the error is unknown. The estimate is an upper bound if the error is at least proportional to the
-/// step.
-/// In a chaotic motion, such as the fall of a slack chain or what follows a snap, any error grows until it is
-/// as large as the motion, whatever the steps. The host therefore compares the second march with a third one,
-/// with the same steps and a start displaced by 1e-7 of the longest element. From the time at which those two
-/// differ by more than the accuracy, the path cannot be predicted, and (1) is no longer updated.
+/// step. In a chaotic motion, such as the fall of a slack chain or the motion after a snap, any error grows
+/// until it is as large as the motion, no matter how short the steps are. The host therefore compares the
+/// second march with a third one, with the same steps and a start displaced by 1e-7 of the longest element.
+/// From the time at which those two differ by more than the accuracy, the path cannot be predicted, and (1)
+/// is no longer updated.
 struct AchievedAccuracy {
   double asked = 0;    // accuracy of the path
   double element = 0;  // extent of the longest element along one axis [m]
@@ -62,8 +62,8 @@ void disturb(MarchState& start, double element);
 void note_step_error(const StepControl& control, const Numbering& numbering, std::span<const double> error,
                      double t, MarchState& state);
 
-/// Stores (1) if it exceeds the previous values, for node positions of two marches at time t. The steps of
-/// the other march are `longer` times as long.
+/// Evaluates (1) for the node positions of two marches at time t, and stores it if it exceeds the previous
+/// values. `longer` is r: the steps of the other march are r times as long.
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state);
 

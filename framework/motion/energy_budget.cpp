@@ -99,8 +99,8 @@ bool EnergyBudget::add_winches(const MeanStep* mean) {
   return true;
 }
 
-/// ∂E/∂t at a moment, by the one-sided difference that is exact for a quadratic; `h` [s] points into the
-/// step.
+/// Evaluates ∂E/∂t at a moment by the one-sided difference that is exact for a quadratic. The sign of `h` [s]
+/// points into the step.
 bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   const double tau = kPartOfStep * h;
   double here = 0, near = 0, far = 0;
@@ -141,8 +141,8 @@ bool EnergyBudget::add_ends() {
   return true;
 }
 
-/// Adds (8). The rates of guided degrees of freedom are their displacements over the step length, because
-/// nothing is missing between them and the guide.
+/// Adds (8). The rates of guided degrees of freedom are replaced by their displacements divided by the step
+/// length.
 bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   state_.set(mean.t, mean.u, mean.v, mean.a);
   middle_ = state_.x();
@@ -167,8 +167,8 @@ bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   return true;
 }
 
-/// q contains displacements of unknowns and positions of held degrees of freedom, of which only guided ones
-/// change.
+/// Sets `to`. Its q contains displacements of unknowns and positions of held degrees of freedom; among the
+/// latter, only guided ones change.
 void EnergyBudget::place(double t, std::span<const double> u, std::span<const double> v,
                          std::span<const double> a, Moment& to) {
   const auto put = [](std::span<const double> own, std::vector<double>& all) {
@@ -235,7 +235,7 @@ bool EnergyBudget::restate(double t, std::span<const double> u, std::span<const 
   return find_forces(now_);
 }
 
-/// r_M(0, v) at the moment m, at which state_ has been set.
+/// Evaluates r_M(0, v) at the moment m; state_ must have been set to m.
 bool EnergyBudget::find_turning(Moment& m) {
   m.turning.clear();
   if (!assembler_.has_bodies()) return true;
@@ -245,7 +245,7 @@ bool EnergyBudget::find_turning(Moment& m) {
   return sum_force(inertia_, m.x, {.time = m.t, .v = all_v.data(), .a = all_a.data()}, m.turning);
 }
 
-/// Forces at the moment m, at which state_ has been set.
+/// Evaluates the forces at the moment m; state_ must have been set to m.
 bool EnergyBudget::find_forces(Moment& m) {
   const Kinematics motion = state_.motion();
   for (std::size_t k = 0; k < work_.size(); ++k)
@@ -290,7 +290,8 @@ bool EnergyBudget::sum_force(const Account& account, const std::vector<double>& 
   return true;
 }
 
-/// Work between now_ and next_ by the trapezoidal rule, of the degrees of freedom from index `from` on.
+/// Work of forces `before` and `after` between now_ and next_ by the trapezoidal rule, summed over the
+/// degrees of freedom from index `from` on.
 double EnergyBudget::done(const std::vector<double>& before, const std::vector<double>& after,
                           std::size_t from) const {
   double sum = 0;

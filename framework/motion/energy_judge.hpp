@@ -7,13 +7,14 @@
 
 namespace netloft {
 
-/// Decides whether a motion contains energy that nothing supplied. Single steps are examined, each of which
-/// represents n steps; Δ is the change over an examined step, sums are over those, and maxima over time.
+/// Decides whether a motion contains energy that nothing supplied. It examines single steps, each of which
+/// represents n steps. Δ is the change over an examined step; sums run over the examined steps, maxima over
+/// time.
 ///   made = −Σ n Δnumerical                                                                (1)
 ///   given = K₀ + max(E₀ − E) + Σ_k max(Σ n Δgiven_k)     E stored, k holds, winches, forces  (2)
 ///   lost: made > ½ given + W, ten times in a row, or at the last examination                (3)
-/// W [J] is a negligible work. Ten, because a stable scheme may overshoot in its first steps if they are far
-/// longer than the periods of the fast modes, and takes that energy back in the following steps. In
+/// W [J] is a negligible work. Ten times, because a stable scheme may overshoot in its first steps if they
+/// are far longer than the periods of the fast modes; it takes that energy back in the following steps. In
 /// gear-library/scenes/dynamics, with all schemes and accuracies, motions whose path is accurate to 2 % have
 /// made ≤ 0.15 given; motions that reach ½ continue to 0.8 to 3·10⁸, with path errors of 4 % of the extent or
 /// more.

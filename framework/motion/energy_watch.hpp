@@ -11,9 +11,10 @@ namespace netloft {
 /// sees a snap of a rope only through the forces at the points that it evaluates. Therefore each step must
 /// also satisfy, with given and W of energy_judge.hpp at its end,
 ///   |Δnumerical| ≤ accuracy (given + W)                                                     (1)
-/// The energy that a snap takes or creates falls with h, whereas the error of a step falls with h³: with the
-/// error of a step as the only control, a chain was integrated in steps of 1e-7 s at an accuracy of 5e-5, and
-/// failed nevertheless. Without a budget, every 16th step is examined if stability makes steps short.
+/// The energy that a snap takes or creates is proportional to h, whereas the error of a step is proportional
+/// to h³. When the error of a step was the only control, a chain was integrated in steps of 1e-7 s at an
+/// accuracy of 5e-5, and failed nevertheless. Without a budget, every 16th step is examined if stability
+/// makes steps short.
 class EnergyWatch {
  public:
   /// `makes_short_steps`: whether stability requires short steps.
@@ -24,15 +25,16 @@ class EnergyWatch {
   /// Whether the energy of the next step will be examined.
   bool watches_step_after(const MarchState& state) const;
   /// Examines an attempted step, from one state to another at time t. Raises `error`, which is relative to
-  /// the tolerance, to that of (1). Returns false if an element failed, see Assembler::fault.
+  /// the tolerance, to the ratio of both sides of (1) if that is larger. Returns false if an element failed,
+  /// see Assembler::fault.
   bool examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
                double& error);
   /// Accepts the examined step.
   void accept() { judge_ = tried_; }
-  /// Sets the same state again, with rotations expressed in a different way.
+  /// Sets the same state again after its rotation vectors were replaced by others of the same rotations.
   bool restate(const MarchState& state);
-  /// Stores the data from which a march continues; `refreshes`: elements have stored the state in their
-  /// memory.
+  /// Stores the data from which a march continues. `refreshes`: elements have stored the state in their
+  /// memory, so that their forces are evaluated again.
   void keep_in(MarchState& state, bool refreshes);
 
   /// Whether the motion contains energy that nothing supplied.

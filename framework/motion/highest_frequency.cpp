@@ -18,8 +18,9 @@ constexpr int kMostLanczosSteps = 60;
 /// and has to grow before it is visible; with fewer steps, the residual could be small before that.
 constexpr int kLeastSteps = 12;
 constexpr double kPartOfOthers = 0.1, kResidual = 0.05;
-/// Relative to the largest α: β at or below this is rounding error, because the vectors span all modes of the
-/// first one. Further steps would give copies of modes, for which the QR algorithm may not converge.
+/// If β is at most this fraction of the largest α, it is rounding error: the vectors then span all modes that
+/// the first vector contains. Further steps would give copies of modes, for which the QR algorithm may not
+/// converge.
 constexpr double kExhausted = 1e-10;
 
 /// Pseudo-random numbers in [−1, 1), always the same (Knuth's MMIX generator).
@@ -33,8 +34,8 @@ std::vector<double> noise(std::size_t size) {
   return x;
 }
 
-/// The Lanczos iteration (1). Stores M q beside q, which (1) provides as well, so that a step needs one
-/// division by M.
+/// The Lanczos iteration (1). Stores M q beside q. (1) provides both, so that a step needs only one division
+/// by M.
 class Lanczos {
  public:
   Lanczos(const Pencil& pencil, std::vector<double> start)
@@ -68,7 +69,7 @@ class Lanczos {
 
   struct Ritz {
     double value = 0, residual = 0;
-    Eigen::VectorXd vector;  // in the vectors of the steps
+    Eigen::VectorXd vector;  // coefficients of the vectors q of the steps
   };
   Ritz largest() const {
     const auto count = static_cast<Eigen::Index>(alpha_.size());

@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// K and M of K q = ω² M q as functions of a vector: y = K x, y = M x, y = M⁻¹ x. Both are symmetric, M is
-/// definite.
+/// The matrices of K q = ω² M q as functions of a vector: y = K x, y = M x, y = M⁻¹ x. K and M are symmetric,
+/// M is positive definite.
 struct Pencil {
   using Apply = std::function<void(std::span<const double> x, std::span<double> y)>;
   std::size_t size = 0;
@@ -17,7 +17,7 @@ struct Pencil {
 
 /// The mode of the highest frequency, of length 1 in the inner product of M.
 struct HighestMode {
-  double omega = 0;  // [rad/s], an upper bound but for rounding
+  double omega = 0;  // [rad/s], an upper bound except for rounding
   std::vector<double> shape;
 };
 

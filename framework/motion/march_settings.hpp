@@ -7,7 +7,7 @@ namespace netloft {
 /// Settings of the integration in time.
 struct MarchSettings {
   double duration = 0;  // [s]
-  double step = 0;      // length of the first or only step [s]; 0: chosen by the host
+  double step = 0;      // length of the first step, or of all if not adaptive [s]; 0: the host chooses
   bool adaptive = true;
   // Accuracy of the path, relative to the longest element; errors of single steps follow from (2) of
   // step_control.hpp.
@@ -15,7 +15,7 @@ struct MarchSettings {
   double longest_step = std::numeric_limits<double>::infinity();  // [s]
   double shortest_step = 1e-9;                                    // [s]
   double output_interval = 0;  // [s]; 0: outputs at the beginning and the end
-  bool dense = false;          // outputs lie between steps; otherwise steps end at outputs
+  bool dense = false;          // outputs may lie between the ends of steps; otherwise steps end at outputs
   bool budget = true;          // keep the energy budget
   bool judged = true;          // fail if the motion contains energy that nothing supplied
   bool check = false;          // compare with another march, with steps `pace` times as long

@@ -10,7 +10,8 @@ namespace netloft {
 
 class Assembler;
 
-/// The state from which the rest of a march follows bit by bit; it is stored in order to continue later.
+/// The state that determines the rest of a march bit by bit. It is stored so that the march can continue
+/// later.
 struct MarchState {
   double t = 0, h = 0;                      // current time, and length of the next step [s]
   std::vector<double> u, v, a;              // of the unknowns [m], [m/s], [m/s²]

@@ -11,8 +11,8 @@ namespace netloft {
 
 namespace {
 
-// Least inertia about an axis relative to the largest, for a body whose masses are points on that axis: less
-// is rounding error.
+// An inertia about an axis below this fraction of the largest counts as rounding error: the masses of the
+// body are points on that axis.
 constexpr double kLeastInertia = 1e-12;
 
 using Block3 = Eigen::Matrix3d;

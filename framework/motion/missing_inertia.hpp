@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// A degree of freedom without inertia: it can move, but would be accelerated without bound in a motion.
+/// A degree of freedom without inertia. It can move, but nothing would bound its acceleration in a motion.
 struct MissingInertia {
   std::uint32_t node = 0;                // the origin, if it is a body
   std::optional<std::size_t> body = {};  // index in the scene
@@ -14,11 +14,11 @@ struct MissingInertia {
   bool is_on(const Part& part) const;    // whether one of its elements has the node
 };
 
-/// Finds bodies that can turn and whose own elements give no inertia about some axis. The elements joined to
-/// their points give a little inertia, with which the body would turn at any speed. Massless nodes are found
-/// only `with_nodes`: explicit schemes divide by their masses, whereas implicit schemes assume them to be in
-/// equilibrium. Masses are those at the start. Returns none if they cannot be evaluated there, see
-/// Assembler::fault.
+/// Finds bodies whose own elements give them no mass, or no inertia about some axis about which they can
+/// turn. The elements joined to the points of a body add so little inertia that the body would turn at any
+/// speed. Massless nodes are found only `with_nodes`: explicit schemes divide by their masses, whereas
+/// implicit schemes assume them to be in equilibrium. Masses are those at the start. Returns none if they
+/// cannot be evaluated there, see Assembler::fault.
 std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const ScenePlan& plan,
                                                  Assembler& assembler, bool with_nodes);
 

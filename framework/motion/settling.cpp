@@ -18,7 +18,7 @@ bool report_residual(netloft_problem& problem, std::span<const double> u, std::v
   return problem.progress(problem.host, u.data(), energy, residual.data(), "in motion") != NETLOFT_GO_ON;
 }
 
-/// Reason for a march that reached one of its limits.
+/// The sentence about a march that reached one of its limits without coming to rest.
 std::string why_not_at_rest(const MarchResult& r) {
   return r.reason +
          " without coming to rest: use a scheme that damps fast motions, such as generalized-alpha, or "

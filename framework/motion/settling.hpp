@@ -4,16 +4,15 @@
 
 namespace netloft {
 
-/// A static equilibrium by dynamics: an integrator with the artificial damping −c M v, until the residual is
-/// within the tolerance. The host calls it as a solver, so that statistics and verdict are those of any
-/// solver.
+/// Finds a static equilibrium by dynamics: integrates with the artificial damping −c M v until the residual
+/// is within the tolerance. The host calls it like any solver, with the same statistics and verdict.
 struct Settling {
   AssembledScene scene;
   StepMethods methods;
   Limits limits;  // of the problem of one step
   MarchSettings march;
   std::int64_t steps_per_check = 20;  // steps between evaluations of the static residual
-  /// The descriptor of this as a solver; its parameters are `this`.
+  /// Describes this object as a solver whose parameters are `this`.
   SolverType as_solver() const;
 };
 

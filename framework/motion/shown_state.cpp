@@ -18,7 +18,7 @@ void ShownState::show_between(const MarchState& begin, const MarchState& end, do
   Course course;
   course.knots = {{begin.t, {}, {}}, {end.t, {}, {}}};
   Course::Knot &from = course.knots[0], &to = course.knots[1];
-  for (std::size_t i = 0; i < v.size(); i += 3) {  // each three unknowns form one vector of the course
+  for (std::size_t i = 0; i < v.size(); i += 3) {  // three unknowns at a time form one vector of the cubic
     const std::size_t some = std::min<std::size_t>(3, v.size() - i);
     std::copy_n(&begin.u[i], some, from.d.begin());
     std::copy_n(&begin.v[i], some, from.v.begin());

@@ -12,7 +12,7 @@ namespace netloft {
 /// is
 ///   h ← h · 0.9 (accuracy/error)^(1/order), within [1/5, 2] h                              (1)
 /// If the error of a step is O(h^p), the sum of errors over a path is proportional to the power (p − 1)/p of
-/// the error allowed for a step. The path shall be as accurate as requested, so that below a = 1e-2
+/// the error allowed for a step. Accuracies below a = 1e-2 therefore need
 ///   allowed = a (accuracy/a)^(p/(p − 1)),  p = 2 with members that go slack and taut     (2)
 /// (tolerance proportionality: M. Calvo, D. J. Higham, J. I. Montijano, L. Rández, "Stepsize selection for
 /// tolerance proportionality in explicit Runge-Kutta codes", Adv. Comput. Math. 7, 1997).
@@ -29,14 +29,15 @@ class StepControl {
   double element_size() const { return element_size_; }
   double error_over_tolerated(std::span<const double> error) const;
 
-  /// The given step; otherwise the time in which the acceleration a moves a node by the allowed error.
+  /// The step length of the settings. If they give none, the time in which the acceleration a moves a node by
+  /// the allowed error.
   double first_step(std::span<const double> a) const;
   /// Length of the next step by (1), after a step h with this error relative to the tolerance.
   double next_step(double h, double error) const;
   /// Length of the next attempt by (1), after a rejected step h.
   double shorter_step(double h, double error) const;
-  /// Determines the longest stable step, by the stiffness with all members taut and by the tangent, which
-  /// includes stiffnesses that the members do not bound.
+  /// Determines the longest stable step from two matrices: the stiffness with all members taut, and the
+  /// tangent, which includes stiffnesses that the former does not bound.
   void find_limit(TransientProblem& problem, MarchState& state);
   /// Updates the limit by the tangent, every kStepsPerTangent steps.
   void follow_tangent(TransientProblem& problem, MarchState& state);

@@ -113,7 +113,7 @@ class March {
 
   bool has_companion() const { return settings_.check || settings_.disturb; }
 
-  /// Continues the march for comparison from its last state; its first step follows later.
+  /// Makes the march for comparison, at the start or at its last stored state. It makes no step yet.
   bool begin_other() {
     if (!has_companion()) return true;
     other_settings_ = settings_.check ? settings_of_comparison(settings_, scheme_.has_limit())
@@ -165,8 +165,8 @@ class March {
     result_.start = {b.residual, b.scale, assembler_.node_name(scene_, b.worst)};
   }
 
-  /// Shortens rotation vectors between two steps, after the last step was reported; positions and velocities
-  /// do not change.
+  /// Shortens rotation vectors between two steps, after the report of the last step. Positions and velocities
+  /// do not change. Returns false if an element failed.
   bool shorten_rotations() {
     if (!assembler_.shorten_rotations(state_.u, state_.v, state_.a)) return true;
     return energy_.restate(state_) || fail_at_fault();
@@ -201,7 +201,7 @@ class March {
           !energy_.examine(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
-      if (status != NETLOFT_OK && has_ended()) return false;  // a limit and not the step is the reason
+      if (status != NETLOFT_OK && has_ended()) return false;  // the reason is a limit, not the step
       if (status < 0) return fail_in_step();
       ++state_.rejected;
       if (!settings_.adaptive) return fail_at("the step " + seconds_text(h) + " is too long: " + trouble());
@@ -212,10 +212,10 @@ class March {
     }
   }
 
-  /// Tries a step, again and again until the speeds of winches that hold a tension agree with their tensions.
+  /// Tries a step, and repeats it until the speeds of winches that hold a tension agree with their tensions.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
-    // The metric of the ropes as they are at the beginning of this step, also in a march that was resumed.
+    // The metric then belongs to the rope lengths at the beginning of this step, also in a resumed march.
     problem_.algebra().forget_metric();
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);
@@ -245,7 +245,7 @@ class March {
     const int status = scheme_.step(m);
     if (status != NETLOFT_OK) return status;
     for (std::size_t i = 0; i < error_.size(); ++i)
-      if (is_shared(assembler_, i)) error_[i] = 0;  // has another unit and no memory
+      if (is_shared(assembler_, i)) error_[i] = 0;  // a shared unknown has another unit and no memory
     double sum = 0;
     for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
     return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
@@ -277,7 +277,8 @@ class March {
     return true;
   }
 
-  /// Mean forces of the last step for outputs within it, before elements store its end in their memory.
+  /// Computes the mean forces of the last step for outputs within it. Elements must not have stored the end
+  /// of the step in their memory yet. Returns false if an element failed.
   bool find_mean_forces() {
     has_means_ = problem_.is_between() && times_.output(state_.outputs) <= state_.t;
     return !has_means_ || problem_.find_step_forces(state_.t, state_.u, state_.v, state_.a, mean_forces_);

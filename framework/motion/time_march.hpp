@@ -23,7 +23,7 @@ struct StepMethods {
 /// Forces at the end of a step. They are not evaluated at outputs between two ends: interpolated positions
 /// are smooth but not in balance, and a stiff twine turns their smallest error into a force. If a scheme uses
 /// mean forces, the reactions are means, too: they explain the change of momentum in the step, whereas forces
-/// at its end oscillate from step to step with modes that are too fast for it.
+/// at its end oscillate from step to step with modes that are too fast for the scheme.
 struct ForceMoment {
   double t;                             // [s]
   std::span<const double> x, residual;  // over all dofs: positions [m], reactions of held ones [N]
@@ -51,7 +51,7 @@ struct StepRecord {
 /// Imbalance of forces at rest at the beginning of a march.
 struct StartBalance {
   double residual = 0, load = 0;  // largest nodal residual, largest nodal load [N]
-  std::string node;               // of the residual; empty: unknown, the march continues from a file
+  std::string node;  // node of the residual; empty: not known, because the march continues from a file
 };
 
 struct MarchResult {
@@ -76,8 +76,8 @@ struct MarchWatch {
 /// Integrates in time from `from`, or from the start at rest if that is null. Steps end at outputs, unless
 /// outputs are dense, and at the corners of guides, currents and tables in time. step_control.hpp determines
 /// their lengths, energy_watch.hpp examines their energy. With `check`, the host integrates a second time to
-/// estimate the error of the path by (1) of achieved_accuracy.hpp; this costs half as much again if the
-/// second march has steps twice as long. A march with energy that nothing supplied (energy_judge.hpp) fails.
+/// estimate the error of the path by (1) of achieved_accuracy.hpp; this adds half of the cost if the second
+/// march has steps twice as long. A march with energy that nothing supplied (energy_judge.hpp) fails.
 /// `limits.work` bounds the work of all steps together, if there is a model of it.
 MarchResult march(const AssembledScene& scene, const StepMethods& methods, const Limits& limits,
                   const MarchSettings& settings, const MarchWatch& watch, const MarchState* from = nullptr);

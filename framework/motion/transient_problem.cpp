@@ -27,10 +27,10 @@ const char* trouble_of(netloft_outcome outcome, Stop stop) {
   }
 }
 
-/// The value of a shared unknown at the end of a step whose equation holds in its middle. Twice the middle
-/// minus the beginning would oscillate from step to step without decay. With a quarter of a step beyond the
-/// middle, errors decay by √½ per step, λ² + λ/2 + 1/2 = 0, and a value with a constant rate lags a quarter
-/// of a step behind.
+/// Extrapolates a shared unknown, whose equation holds in the middle of a step, to the end of the step. Twice
+/// the middle minus the beginning would oscillate from step to step without decay. With a quarter of a step
+/// beyond the middle, errors decay by √½ per step, λ² + λ/2 + 1/2 = 0, and a value with a constant rate lags
+/// a quarter of a step behind.
 double end_of_shared(double middle, double h, double v) { return middle + 0.25 * h * v; }
 
 }  // namespace
@@ -78,7 +78,7 @@ int TransientProblem::evaluate() {
   if (!assembler_.evaluate(state_.x(), {.residual = residual_.data(), .motion = state_.motion()}))
     return assembler_.fault().status;
   double sum = 0;
-  for (const double r : residual_) sum += r - r;  // zero unless something is infinite or no number
+  for (const double r : residual_) sum += r - r;  // zero unless a number is infinite or NaN
   return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
 }
 
@@ -116,7 +116,8 @@ int TransientProblem::solve(double t, const double* v0, double cv, const double*
   return solve_step({t, {v0, size()}, {a0, size()}, cv, ca, {}, &state_, least_load_}, u);
 }
 
-/// Solves for the middle m of the step. Its end is 2 m − u, and the rates are expressed by m.
+/// Solves for the displacements m in the middle of the step. At its end they are 2 m − u, and the rates are
+/// expressed by m.
 int TransientProblem::solve_between(const double* v0, double cv, const double* a0, double ca, double damping,
                                     double memory, double* u) {
   const netloft_motion& m = interface_;

@@ -26,7 +26,7 @@ class TransientProblem {
   Statistics statistics() const;
   const char* message() const { return message_; }
   void keep_message(const char* text);
-  /// The reason for which the problem of the last step was not solved, if so.
+  /// The reason for which a step could not be solved, for the last such step; empty if there was none.
   const std::string& trouble() const { return trouble_; }
 
   /// Accelerations at a state; zero for nodes without mass. Returns OK, OUTSIDE_DOMAIN or ERROR.
@@ -35,13 +35,13 @@ class TransientProblem {
   Balance balance() { return algebra_.balance(state_.x(), residual_); }
   /// Highest angular frequency of the linear stiffness and the masses at the start [rad/s].
   double highest_frequency();
-  /// Highest angular frequency of the tangent at rest at displacements u, which other states may exceed
-  /// [rad/s]. It starts from the mode of highest_frequency(), which has to be called before, so that the
-  /// result does not depend on the past of the march.
+  /// Highest angular frequency of the tangent at rest at displacements u [rad/s]; other states may have
+  /// higher ones. The iteration starts from the mode of highest_frequency(), so that the result does not
+  /// depend on the past of the march. highest_frequency() must have been called. Zero if an element failed.
   double highest_frequency_at(std::span<const double> u);
   /// The reason for which explicit schemes cannot be used; empty if they can.
   std::string obstacle_to_explicit(const Scene& scene);
-  /// Raises the load to which tolerances are relative to the loads in `residual`, over all dofs [N].
+  /// Raises the load that tolerances refer to if a load in `residual`, over all dofs, is larger [N].
   void note_loads(std::span<const double> residual);
   /// The mean step that ends at displacements u, before it is accepted. Null if the step did not use mean
   /// forces, or if an element failed (Assembler::fault).

@@ -10,10 +10,11 @@ namespace netloft {
 namespace {
 
 constexpr double kSettled = 1e-3;  // speed error relative to the largest speed, a thousandth of the band
-constexpr int kMostTries = 12;  // with one S, without those that measure it; half of them are rarely needed
-constexpr double kMeasured = 0.02;   // change of speed to measure S, relative to the largest speed
-constexpr int kSweeps = 30;          // over the winches, for (2) and (3); only the gear couples them, weakly
-constexpr double kLeastLeft = 0.05;  // of the rope; with less, its bars are too stiff for any step
+constexpr int kMostTries = 12;  // attempts per step besides measurements of S; half-way, S is measured again
+constexpr double kMeasured = 0.02;  // change of speed to measure S, relative to the largest speed
+constexpr int kSweeps = 30;  // over the winches to solve (2) and (3); the gear couples them only weakly
+constexpr double kLeastLeft =
+    0.05;  // least fraction of a rope; with less, its bars are too stiff for any step
 
 double straight_between(const std::vector<std::array<double, 2>>& rows, double t) {
   const auto next = std::upper_bound(rows.begin(), rows.end(), t,
@@ -167,7 +168,7 @@ void Winches::take(std::span<const double> tensions) {
 /// Broyden's update of S, by the change from the previous attempt to this one.
 void Winches::improve_slopes(std::span<const double> tensions) {
   if (slopes_.empty() || last_w_.empty()) return;
-  double square = 0, largest = 0;  // change of speeds, and what it does to a tension over its doubt
+  double square = 0, largest = 0;  // squared change of speeds; largest change of a tension over its error
   for (const std::size_t j : holding_) {
     const double change = ropes_[j].w - last_w_[j];
     square += change * change;
@@ -181,8 +182,8 @@ void Winches::improve_slopes(std::span<const double> tensions) {
   }
 }
 
-/// Measures S: each winch in turn runs a little faster than in the first attempt. At the end, all speeds
-/// follow from (2) and (3).
+/// Measures S: in each attempt, another winch runs a little faster than in the first attempt. After the last
+/// one, (2) and (3) give all speeds.
 Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
   const std::size_t n = ropes_.size(), done = measured_.size() / n;
   if (measured_.empty())
@@ -219,11 +220,11 @@ void Winches::solve_all() {
   for (const std::size_t k : holding_) ropes_[k].w = w[k];
 }
 
-/// Solves (2) for one winch, whose tension has been changed by the others.
+/// Solves (2) for one winch. `others` is the change of its tension by the other winches [N].
 double Winches::solve_one(std::size_t k, double others) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double S = std::min(slope(k, k), 0.0);
-  const double e = ropes_[k].T + others - S * last_w_[k] - ropes_[k].wanted;  // at rest
+  const double e = ropes_[k].T + others - S * last_w_[k] - ropes_[k].wanted;  // at w = 0
   const double beyond = std::max(std::abs(e) - stage.dead_band, 0.0), v = stage.max_speed;
   return std::copysign(std::min(v * beyond / (stage.band - v * S), v), e);
 }

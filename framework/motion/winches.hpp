@@ -11,7 +11,7 @@ namespace netloft {
 /// State of a winch at an output.
 struct WinchMoment {
   std::string rope;
-  double length = 0;   // of the rope paid out, unstretched [m]
+  double length = 0;   // unstretched length of the rope paid out [m]
   double speed = 0;    // of the last step, positive when paying out [m/s]
   double tension = 0;  // if the winch holds a tension: mean over the last step, at the block [N]
 };
@@ -19,17 +19,17 @@ struct WinchMoment {
 /// The winches of a moving scene. In a step of length h from t₀, at the speed w at which a winch pays out,
 /// all lengths of its rope are multiplied by
 ///   σ(t) = σ₀ + (t − t₀) w/L                                                                      (1)
-/// A winch that follows speeds or lengths pays out by its table. The speed of a winch that holds a tension is
-/// the solution of
+/// with σ₀ the factor at t₀ and L the length of the rope at σ = 1. A winch that follows speeds or lengths
+/// pays out by its table. The speed of a winch that holds a tension is the solution of
 ///   w = v clamp(sign(e) max(|e| − D, 0)/B, −1, 1),   e = T̄(w) − T*                                (2)
 /// with T̄ the mean tension at the block in the step, T* the required tension in its middle, D the dead band,
 /// B the band and v the largest speed. This is the curve of a pressure-controlled drive: it stops while the
 /// tension is nearly right, and runs faster the larger the error. The drum has no mass. (2) has one solution
-/// if paying out reduces the tension. It is found by
+/// if paying out reduces the tension. It is found with
 ///   T̄(w + s) = T̄(w) + S s                                                                         (3)
-/// over the winches that hold a tension. S is measured once by differences, and then updated after C. G.
-/// Broyden (Math. Comput. 19, 1965) from attempt to attempt and from step to step; each attempt solves the
-/// step again. Steps end at the beginning of a stage.
+/// for all winches that hold a tension together, with a matrix S. It is measured once by differences, and
+/// then updated after C. G. Broyden (Math. Comput. 19, 1965) from attempt to attempt and from step to step;
+/// each attempt solves the step again. Steps end at the beginning of a stage.
 class Winches {
  public:
   enum class Verdict { settled, again, lost };
