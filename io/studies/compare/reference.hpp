@@ -13,7 +13,7 @@ struct ReferenceAnswer {
   double tolerance = 0;     // the tolerance to which that solver converged
   Stability stability = Stability::unknown;
   Polished answer;
-  // Of a motion: its path, and whether loss factors count in it; answer.uncertainty is then the largest
+  // Path of a motion, and whether loss factors count in it; answer.uncertainty is then the largest
   // distance from the path of another integrator at the same accuracy.
   std::vector<std::vector<double>> path = {};
   bool is_damped = true;

@@ -167,7 +167,7 @@ class Plotter {
     return by_ == table_.columns.size() || row.values[by_].text == value;
   }
 
-  /// By x, the number of points of one line, with and without an equilibrium.
+  /// The number of points of one line at each x, with and without an equilibrium.
   std::map<double, std::size_t> samples_of(const std::string& value) const {
     std::map<double, std::size_t> samples;
     for (const StudyRow& row : table_.rows)
