@@ -10,17 +10,17 @@
 
 namespace netloft::scenes {
 
-/// A node of a table.
+/// A node in a table of nodes and bars.
 struct TableNode {
   std::string name;
   formats::Place place;
   std::array<double, 3> at{}, force{};  // [m], [N]
   std::string hold;                     // axes along which it is held: "", "z", "xyz"
-  double mass = 0, buoyancy = 0;        // [kg]; net upward force in water, instead of the mass [N]
+  double mass = 0, buoyancy = 0;        // [kg]; net upward force in water, given instead of the mass [N]
   double volume = 0, drag_area = 0;     // displaced [m³]; drag coefficient times area [m²]
 };
 
-/// Bars of one name, in the order of their rows: a rope.
+/// A rope: the bars of one name, in the order of their rows.
 struct TableRope {
   struct Bar {
     std::array<std::uint32_t, 2> nodes{};
@@ -31,7 +31,7 @@ struct TableRope {
   double diameter = 0, EA = 0, density = 0, EI = 0;  // [m], [N], [kg/m³], [N m²]
   std::optional<double> EA_compression;              // [N]
   std::optional<double> normal, tangential;          // drag coefficients
-  double bed = 0;  // stiffness of the seabed under it; 0: it meets none [N/m²]
+  double bed = 0;  // stiffness of the seabed under the rope [N/m²]; 0: no seabed
   std::vector<Bar> bars;
 };
 
@@ -45,14 +45,16 @@ struct BarTable {
   std::vector<TableNode> nodes;
   std::vector<TableRope> ropes;
   std::vector<TableResult> results = {};
-  double density = 1025, gravity = kStandardGravity, depth = 0;  // of the water [kg/m³], [m/s²], [m]
+  double density = 1025, gravity = kStandardGravity,
+         depth = 0;  // density and depth of the water [kg/m³], [m]; [m/s²]
 };
 
 /// Reads a table (TABLE.md). Errors are located in source `file`; after an error the result contains whatever
 /// could be read.
 BarTable read_bar_table(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
-/// The table as a scene and the mesh of its parts; `head` is a comment of one or more lines.
+/// A table written as a scene and the mesh of its parts. `head`: lines of the comment at the beginning of the
+/// scene.
 struct BarTableScene {
   std::string scene;
   formats::InputMesh mesh;

@@ -81,9 +81,9 @@ class TableScene {
 
   /// The bed under a node.
   struct BedUnder {
-    double least = 0, most = 0;      // stiffness under the ropes that meet there [N/m²]
-    double product = 0, metres = 0;  // sums over halves of bars: of stiffness times length, of length
-    bool is_of_two = false;          // ropes with different beds meet there
+    double least = 0, most = 0;      // smallest and largest stiffness under ropes that meet here [N/m²]
+    double product = 0, metres = 0;  // sums over half bars of stiffness times length, and of length
+    bool is_of_two = false;          // whether ropes with different beds meet here
     void add(double stiffness, double length) {
       is_of_two = is_of_two || (stiffness > 0 && most > 0 && stiffness != most);
       least = metres > 0 ? std::min(least, stiffness) : stiffness;
@@ -91,12 +91,12 @@ class TableScene {
       product += stiffness * length;
       metres += length;
     }
-    /// For each metre of rope that the node carries [N/m²].
+    /// Stiffness of the bed under the node, averaged over the length of rope that it carries [N/m²].
     double stiffness() const { return least == most ? most : product / metres; }
   };
 
-  /// Writes one bed for all ropes with the same stiffness of the bed. Where ropes with different beds meet,
-  /// their node would rest on both; beds are therefore written for sets of nodes.
+  /// Writes one bed for all ropes with the same stiffness of the bed. A node where ropes with different beds
+  /// meet would rest on both beds; if there is one, beds are written for sets of nodes instead.
   void write_beds() {
     std::vector<BedUnder> under(table_.nodes.size());
     std::map<double, std::vector<std::string>> on;

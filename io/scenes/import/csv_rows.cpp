@@ -6,7 +6,7 @@
 namespace netloft::scenes {
 
 CsvRows::CsvRows(std::string_view text, int file) : text_(text), file_(file) {
-  if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // of UTF-8
+  if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // byte order mark of UTF-8
   for (std::size_t line = 0; line < text_.size();) {
     const std::size_t end = std::min(text_.find_first_of("\r\n", line), text_.size());
     const auto separator = text_.substr(line, end - line).find_first_of(",;\t");

@@ -14,11 +14,12 @@ struct CsvCell {
   formats::Place place;
 };
 
-/// Cuts a text into rows and cells (RFC 4180): cells with a separator, a quote or a line
-/// end are in quotes, and a quote in them is doubled. Lines end with LF, CR LF or CR.
+/// Splits a text into rows and cells (RFC 4180): cells with a separator, a quote or a line end are in quotes,
+/// and a quote within them is doubled. Lines end with LF, CR LF or CR.
 class CsvRows {
  public:
-  /// `text` must live as long as this. Cells are separated by the first comma, semicolon or tab of the text.
+  /// `text` must outlive this object. The separator of cells is the first comma, semicolon or tab of the
+  /// text.
   CsvRows(std::string_view text, int file);
 
   /// The next row that is not blank; empty at the end. Lines that begin with # are skipped.

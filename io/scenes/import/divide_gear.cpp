@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A mesh for a gear that has none. Panels are filled as FEMNET fills them: with knots of a coarser net, whose
-// mesh side is the meshing step. Nodes are those of FEMNET's own mesher; of the two diagonals of a square of
-// the lattice, which are alike for it, it may take the other one.
+// Divides a gear without a mesh. Panels are filled with knots of a coarser net, as in FEMNET; the mesh side
+// of this net is the meshing step. Nodes agree with those of FEMNET's mesher; where both diagonals of a
+// square of the lattice are equally good, FEMNET may choose the other one.
 //   u = U + V,  v = V − U                 a panel in mesh sides along its twines                      (1)
 //   parts of a side = max(|Δu|, |Δv|) l₀/step, rounded, at least one                                  (2)
 //   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
-// l₀ [m] mesh side; step [m]. Nodes are connected by Delaunay's triangles in the plane x = U l₀,
-// y = √3 V l₀, in which meshes are opened by one half and (3) is a lattice of equilateral triangles.
+// l₀ [m] mesh side; step [m]. A Delaunay triangulation connects the nodes in the plane x = U l₀, y = √3 V
+// l₀, in which meshes are opened by one half and (3) is a lattice of equilateral triangles.
 #include "io/formats/mesh/mesh.hpp"
 #include "io/gears/meshing/border_sides.hpp"
 #include "io/gears/meshing/triangulation.hpp"
@@ -26,11 +26,12 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-constexpr double kMostParts = 1e5;    // of a panel from one end to the other
+constexpr double kMostParts = 1e5;    // largest number of parts from one end of a panel to the other
 constexpr double kLongestSide = 100;  // mesh side [m]
-// Inner nodes keep this part of a step from the border, so that no triangle is flat; FEMNET has some at 0.24.
+// Least distance of inner nodes from the border, as a fraction of the step, so that no triangle is flat;
+// FEMNET has some nodes at 0.24.
 constexpr double kNearest = 0.2;
-constexpr double kFlat = 1e-9;  // twice the area of a triangle without netting [meshes²]
+constexpr double kFlat = 1e-9;  // twice the area below which a triangle has no netting [meshes²]
 
 Triple between(const Triple& a, const Triple& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
@@ -42,18 +43,19 @@ double along(const Triple& a, const Triple& b, const Triple& c, const Triple& d)
   return sum;
 }
 
-/// A line between two points of the gear, divided once for all panels and cables that are sewn there.
+/// A line between two points of the gear, which is divided once for all panels and cables that are sewn
+/// there.
 struct Line {
-  std::vector<std::uint32_t> nodes;  // with its ends
-  Triple from{}, to{};               // in the drawing
+  std::vector<std::uint32_t> nodes;  // from end to end
+  Triple from{}, to{};               // positions of its ends in the drawing
 };
 
-/// A place of a panel in meshes.
+/// A point of a panel, in meshes.
 struct Meshes {
   double U = 0, V = 0;
 };
 
-/// The netting of one panel in the plane in which it is filled.
+/// The netting of one panel in the plane in which it is triangulated.
 class PanelPlane {
  public:
   explicit PanelPlane(const Panel& p) : panel_(p), step_(p.step / p.side) {}
@@ -73,7 +75,7 @@ class PanelPlane {
     return !(u * v < 2 * most_nodes && std::max(u, v) < kMostParts);
   }
 
-  /// (3): U and V in mesh sides here are u and v.
+  /// The inner nodes (3). U and V of `low` and `high`, and of the lattice, mean u and v in mesh sides.
   std::vector<Meshes> inside(const std::vector<gears::PlanePoint>& border) const {
     const auto [low, high] = extent();
     const gears::BorderSides sides(border, kNearest * panel_.step);
@@ -89,7 +91,7 @@ class PanelPlane {
  private:
   static constexpr double kOpen = std::numbers::sqrt3;
 
-  /// The least and the largest u and v.
+  /// The smallest and the largest u and v.
   std::pair<Meshes, Meshes> extent() const {
     Meshes low{1e300, 1e300}, high{-1e300, -1e300};
     for (const auto& c : panel_.corners) {
@@ -107,11 +109,11 @@ double twice_area(const Meshes& a, const Meshes& b, const Meshes& c) {
   return (b.U - a.U) * (c.V - a.V) - (b.V - a.V) * (c.U - a.U);
 }
 
-/// Initial positions of inner nodes of a panel, interpolated in its drawing between the corners, triangle by
-/// triangle.
+/// Initial positions of inner nodes of a panel: the corners of its drawing are triangulated, and positions
+/// interpolated in each triangle.
 class DrawnPanel {
  public:
-  /// `corners` counter-clockwise.
+  /// `corners` must be counter-clockwise.
   DrawnPanel(std::vector<Corner> corners, const PanelPlane& plane) : corners_(std::move(corners)) {
     std::vector<gears::PlanePoint> border;
     for (const auto& c : corners_) border.push_back(plane.plane({c.U, c.V}));
@@ -142,7 +144,7 @@ class DrawnPanel {
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
-/// Divides one gear; members are steps in the order they happen.
+/// Divides one gear; members are steps in their order.
 class Divider {
  public:
   Divider(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes)
@@ -165,7 +167,7 @@ class Divider {
     diagnostics_.error(place, message, hint);
   }
 
-  /// All panels and cables, those first that the file orders.
+  /// All panels and cables: first those that the file lists in its meshing order, then the others.
   std::vector<LinkPoint> order() const {
     std::vector<LinkPoint> all;
     std::vector<bool> has_panel(gear_.panels.size()), has_cable(gear_.cables.size());
@@ -196,7 +198,7 @@ class Divider {
     return static_cast<std::uint32_t>(mesh_.nodes.size() - 1);
   }
 
-  /// The node of a corner or end: that of the object which is divided first.
+  /// The node of a corner or end. The object that is divided first determines its type.
   std::uint32_t node_of(const LinkPoint& point, const Triple& at, int type, const formats::Place& place) {
     const auto [known, is_new] = node_of_point_.try_emplace(links_.point(point), 0);
     if (is_new) known->second = add_node(at, type, place);
@@ -210,7 +212,7 @@ class Divider {
     return known->second;
   }
 
-  /// The nodes from one node to another, with both: a line that is there already, or a new one.
+  /// The nodes from `a` to `b`, including both: those of an existing line between them, or of a new line.
   std::vector<std::uint32_t> line(std::uint32_t a, std::uint32_t b, const Triple& from, const Triple& to,
                                   double parts, int type, const formats::Place& place) {
     const auto [known, is_new] = lines_.try_emplace(std::minmax({a, b}));
@@ -331,7 +333,7 @@ class Divider {
     return border;
   }
 
-  /// Behind those of the border.
+  /// Adds the inner nodes of a panel after the nodes of its border.
   void add_inner_nodes(const Panel& p, const PanelPlane& plane, const std::vector<Meshes>& inner,
                        Border& all) {
     auto corners = p.corners;
@@ -343,7 +345,8 @@ class Divider {
     }
   }
 
-  /// A triangle between two sides that are sewn to one another has two nodes only, and no extent in space.
+  /// Adds the triangles of a panel. A triangle between two sides that are sewn together has only two distinct
+  /// nodes and no extent in space; it is omitted, with a warning.
   void add_triangles(int number, const gears::PlaneMesh& filled, const Border& all) {
     double lost = 0;
     for (const auto& t : filled.triangles) {
@@ -385,7 +388,7 @@ class Divider {
   int errors_before_;
   GearLinks links_;
   std::map<std::size_t, std::uint32_t> node_of_point_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Line> lines_;  // by their ends
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Line> lines_;  // by the nodes at their ends
   MeshFile mesh_;
 };
 

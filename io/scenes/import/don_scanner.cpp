@@ -18,7 +18,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\v' |
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// With one character, LF, at the end of every line.
+/// The text with LF at the end of every line, and without a byte order mark.
 std::string with_plain_ends(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -26,7 +26,7 @@ std::string with_plain_ends(const std::string& text) {
       out += text[i];
     else if (i + 1 >= text.size() || text[i + 1] != '\n')
       out += '\n';
-  if (out.starts_with("\xEF\xBB\xBF")) out.erase(0, 3);  // of UTF-8
+  if (out.starts_with("\xEF\xBB\xBF")) out.erase(0, 3);  // byte order mark of UTF-8
   return out;
 }
 
@@ -68,7 +68,8 @@ bool DonScanner::begins_a_number() const {
   return is_digit(here(sign + point));
 }
 
-/// The characters of a number; `whole`: up to its first character that is no digit.
+/// Reads the characters of a number. With `whole`, stops at the first character that is no digit. Returns
+/// nothing if no number begins here.
 std::optional<std::string> DonScanner::take_number(bool whole) {
   if (!begins_a_number() || (whole && !is_digit(here(here() == '+' || here() == '-' ? 1 : 0)))) return {};
   std::string digits;

@@ -8,9 +8,9 @@
 
 namespace netloft::scenes::femnet {
 
-/// Reads the text of a .don as FEMNET does: the first part consists of values after colons, whatever the
-/// words before them; the second part consists of words. After an error in the first part it reads nothing
-/// more, because all later values would be taken from wrong places.
+/// Reads the text of a .don as FEMNET does: the first part consists of values after colons, and the words
+/// before the colons do not matter; the second part consists of words. After an error in the first part it
+/// reads nothing more, because all later values would be read from wrong positions.
 class DonScanner {
  public:
   DonScanner(std::string text, int file, formats::Diagnostics& diagnostics);
@@ -21,7 +21,7 @@ class DonScanner {
   /// The number after the next colon. If there is none, the result is 0, with a warning.
   double real(const char* what);
   int integer(const char* what);
-  /// The same for the number of values that follow: required, and at least 0.
+  /// The number of values that follow: required, and at least 0.
   int count(const char* what);
   /// A required number at this place, in a row or as argument of a keyword.
   double next_real(const char* what);
@@ -54,7 +54,7 @@ class DonScanner {
     column_ = to.column;
   }
 
-  formats::Place place() const;  // here
+  formats::Place place() const;  // of the next character
   formats::Place place_of_word() const { return word_place_; }
   void fail(const formats::Place& place, const std::string& message, const std::string& hint = {});
 

@@ -53,7 +53,7 @@ class Curve {
   std::vector<double> times_, values_;
 };
 
-/// A cable that drums haul, its bars in the order of the file.
+/// A cable that drums haul, with its bars in the order of the file.
 struct Hauled {
   std::vector<std::size_t> bars;
   std::vector<double> lengths;
@@ -73,7 +73,7 @@ Hauled cable_of(const GearFile& gear, const MeshFile& file, int cable) {
   return out;
 }
 
-/// Interval of the table in which a time lies; none outside.
+/// Index of the interval of the table that contains a time; nothing outside the table.
 std::optional<std::size_t> interval_at(const Drum& drum, double time) {
   for (std::size_t i = 0; i + 1 < drum.times.size(); ++i)
     if (time >= drum.times[i] && time <= drum.times[i + 1] && drum.times[i + 1] > drum.times[i]) return i;
@@ -97,7 +97,7 @@ void step(const Drum& drum, double time, double dt, std::vector<double>& lengths
   }
 }
 
-/// Place of each bar along its cable.
+/// The position of each bar along its cable, from 0.
 std::vector<std::size_t> places(const Hauled& cable, const MeshFile& file) {
   std::vector<std::size_t> order(cable.bars.size()), place(cable.bars.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

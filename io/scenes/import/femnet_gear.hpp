@@ -10,7 +10,7 @@
 
 namespace netloft::scenes::femnet {
 
-/// Gravity of FEMNET [m/s²]: its answers to the same files are found with it.
+/// Gravity in FEMNET [m/s²]: its results for the same files use this value.
 inline constexpr double kGravity = 9.81;
 
 using Triple = std::array<double, 3>;
@@ -22,20 +22,21 @@ struct Corner {
   int type = 0, side_type = 0;
 };
 
-/// A piece of diamond netting; numbers in the precision in which FEMNET keeps them.
+/// A piece of diamond netting. Its numbers have single precision, as in FEMNET.
 struct Panel {
   formats::Place place;
   std::vector<Corner> corners;
   double EA = 0, EA_compression = 0, opening = 0, side = 0, density = 0, diameter = 0, knot = 0, cd = 0,
          friction = 0;  // `side` is half a mesh [m]; `friction` is a fraction of cd
-  double step = 0;      // wanted sides of elements [m]
+  double step = 0;      // requested side of elements [m]
   int inner_type = 0, mesh_type = 0;
-  // set by keywords of the tail:
+  // Set by keywords of the tail:
   double knot_size = 0, EI = 0, neutral_angle = 0;
-  double twines = 0, bars = 0;  // netting2ropes: twines of a bar, bars to as many mesh sides; 0: triangles
+  // netting2ropes: `bars` bars replace `twines` mesh sides in a row, each for `twines` twines; 0: triangles
+  double twines = 0, bars = 0;
 };
 
-/// A rope, numbers as they are after all keywords.
+/// A rope; its numbers include the effects of all keywords.
 struct Cable {
   struct End {
     Triple at{};
@@ -47,7 +48,7 @@ struct Cable {
   int bars = 0, inner_type = 0;
   double EI = 0;
   double constant_tension = 0;
-  std::string floats;  // what was smeared on it, in words
+  std::string floats;  // the floats that were spread over it, as text
 };
 
 /// The properties of all nodes of a type.
@@ -56,14 +57,14 @@ struct NodeType {
   Triple mass{}, added_mass{}, box{}, drag{}, force{}, fixed{}, limit{}, sense{}, symmetry{};
 };
 
-/// A point of a link: corner of a panel or end of a cable, counted from 0.
+/// A point of a link: a corner of a panel, or an end of a cable. Both are counted from 0.
 struct LinkPoint {
   bool is_panel = false;
   int object = 0, corner = 0;
   formats::Place place = {};
 };
 
-/// Nodes strictly within a box of the drawing get a type, counted from 0.
+/// A box in the drawing; the nodes strictly within it get a type, counted from 0.
 struct TypeBox {
   formats::Place place;
   Triple low{}, high{};
@@ -74,20 +75,19 @@ struct TypeBox {
 struct Clamp {
   formats::Place place;
   int first = 0, second = 0;  // cables, counted from 0
-  double angle = 180;         // [degrees], 180 in line
+  double angle = 180;         // [degrees]; 180: in line
 };
 
-/// A drum at one end of a cable: it hauls at a speed that is straight between the times, and pays out below
-/// zero.
+/// A drum at one end of a cable. Its hauling speed is linear between the times; a negative speed pays out.
 struct Drum {
   formats::Place place;
   int cable = 0;                      // counted from 0
-  double shortest = 0, longest = 0;   // lengths of bars that it leaves behind [m]
+  double shortest = 0, longest = 0;   // limits of the length of a bar [m]
   std::vector<double> times, speeds;  // [s], [m/s]
-  std::vector<int> ends;              // of the cable, 1 or 2, where it is from each time on
+  std::vector<int> ends;              // end of the cable, 1 or 2, at which the drum is from each time on
 };
 
-/// Nodes of a type that move at velocities that are straight between the times, and stand still after them.
+/// The motion of the nodes of a type. Velocities are linear between the times, and zero after the last time.
 struct NodeMotion {
   formats::Place place;
   int type = 0;  // counted from 0
@@ -99,21 +99,21 @@ struct NodeMotion {
 struct Wanted {
   enum class Kind { distance, force, tension, position } kind = Kind::position;
   std::string text;
-  int first = 0, second = 0;  // nodes, or cable and node; or node and axis, as in the file
+  int first = 0, second = 0;  // two nodes, cable and node, or node and axis, numbered as in the file
 };
 
 struct Environment {
   double direction = 0, speed = 0, depth = 0;                        // [degrees], [m/s], [m]
   double wave_period = 0, wave_height = 0, wave_direction = 0;       // [s], [m], [degrees]
-  double time_step = 0, record_step = 0, record_begin = 0, end = 0;  // of motion [s]
+  double time_step = 0, record_step = 0, record_begin = 0, end = 0;  // of the motion [s]
   double catch_volume = 0, catch_accuracy = 0, catch_coefficient = 0;
   double bed_friction = 0, bed_stiffness = 0;  // stiffness of every limit [N/m]
   double tolerance = 0;                        // [N]
   double water_density = 1025;
   bool bed_moves = false;
   int drag_type = 1;
-  int wave_model = 1;    // 1 of first order, 2 and 3 of higher
-  formats::Place waves;  // where they are described
+  int wave_model = 1;    // 1: first order; 2 and 3: higher orders
+  formats::Place waves;  // place in the file
 };
 
 /// Something in the file that the import changes or leaves out.
@@ -131,21 +131,21 @@ struct GearFile {
   std::vector<Cable> cables;
   std::vector<NodeType> types;
   std::vector<std::vector<LinkPoint>> links;
-  std::vector<LinkPoint> order;  // of meshing; `corner` is not used
+  std::vector<LinkPoint> order;  // order of meshing; `corner` is not used
   std::vector<Clamp> clamps;
   std::vector<Wanted> wanted;
   std::vector<Drum> drums;
   std::vector<NodeMotion> motions;
   Environment environment;
-  double link_distance = 0;  // corners nearer than this in the drawing are one [m]
+  double link_distance = 0;  // corners that are nearer in the drawing are one point [m]
   int plane = 3;             // axis normal to the drawing
   std::vector<TypeBox> type_boxes;
-  std::vector<Finding> of_mesher;  // keywords that change nothing where there is a mesh
-  std::vector<Finding> of_motion;  // keywords that change nothing at rest
+  std::vector<Finding> of_mesher;  // keywords that have no effect if there is a mesh
+  std::vector<Finding> of_motion;  // keywords that have no effect at rest
   std::vector<Finding> findings;
 };
 
-/// The contents of a .mdg file; everything counted from 0.
+/// The contents of a .mdg file; all indices count from 0.
 struct MeshFile {
   struct Node {
     Triple at{};
@@ -154,7 +154,7 @@ struct MeshFile {
   struct Bar {
     std::array<std::uint32_t, 2> nodes{};
     std::array<double, 2> shares{};
-    int cable = 0;  // of the file: k > 0 rope, -p twines of a panel
+    int cable = 0;  // k > 0: cable k; -p: twines of panel p, as in the file
   };
   struct Triangle {
     std::array<std::uint32_t, 3> nodes{};
@@ -164,24 +164,24 @@ struct MeshFile {
   std::vector<Node> nodes;
   std::vector<Bar> bars;
   std::vector<Triangle> triangles;
-  bool is_of_another_gear = false;  // rows speak of what the .don has not: the mesh is older
+  bool is_of_another_gear = false;  // whether rows refer to parts that the .don does not have
 };
 
-/// The features of FEMNET that a gear uses, in words, for a table of many gears.
+/// The features of FEMNET that a gear uses, as words for a table of many gears.
 std::vector<std::string> features_of(const GearFile& gear);
 
 /// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are located in source `file`; after an
 /// error the result contains whatever could be read.
 GearFile read_gear(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
-/// Reads the .mdg of a gear, whose numbers of types, cables and panels its rows must keep to.
+/// Reads the .mdg of a gear. Types, cables and panels in its rows must exist in the gear.
 MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear,
                         formats::Diagnostics& diagnostics);
 
-/// Divides a gear that has no mesh: panels into triangles on a lattice of their meshing step, as FEMNET does,
-/// cables into bars; linked corners and ends are connected. Netting for which FEMNET would use bars becomes
-/// triangles, too. Errors have the place of the panel, cable or link; more than `most_nodes` nodes are an
-/// error.
+/// Divides a gear without a mesh: panels into triangles on a lattice of their meshing step, as in FEMNET, and
+/// cables into bars; linked corners and ends become one node. Panels for which FEMNET would use bars are
+/// divided into triangles, too. Errors refer to the place of the panel, cable or link; a gear with more than
+/// `most_nodes` nodes is an error.
 MeshFile divide_gear(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes = 1e6);
 
 }  // namespace netloft::scenes::femnet

@@ -5,53 +5,56 @@
 
 namespace netloft::scenes::femnet {
 
-/// Names of files in the scene that is made.
+/// The names of the files of an import.
 struct Names {
-  std::string gear, mesh;  // read: "b1.don", "b1.mdg"; the second is empty if the gear was divided here
-  std::string own_mesh;    // written beside the scene: "b1.mesh"
+  std::string gear,
+      mesh;  // files that were read, "b1.don" and "b1.mdg"; `mesh` is empty if the import divided the gear
+  std::string own_mesh;  // mesh file that is written beside the scene, "b1.mesh"
 };
 
-/// A gear file and its mesh as a scene and a mesh of ours.
+/// The scene and the mesh made from a gear file and its mesh.
 struct Imported {
   std::string scene;
   formats::InputMesh mesh;
-  std::vector<Finding> findings;  // those of the gear, and what could not be carried over
+  std::vector<Finding> findings;  // findings of the gear, and features that the scene lacks
 };
 
-/// The equilibrium or the motion: FEMNET has a solver for each, with the same file.
+/// The kind of analysis. FEMNET has a solver for the equilibrium and one for the motion, both with the same
+/// file.
 enum class Sought { rest, motion };
 
-/// Numbers that a scene would not accept are errors at their place in the gear file.
+/// Converts a gear. Numbers that a scene does not accept are errors at their place in the gear file.
 Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names,
                      formats::Diagnostics& diagnostics, Sought sought = Sought::rest);
 
 /// The mesh of a gear: a region for each panel and cable that has elements, sets of nodes by type, for the
-/// types that are held or loaded. Corners of triangles are turned round, because FEMNET counts them
-/// clockwise as seen from outside. Bars that drums haul have regions of their own.
+/// types that are held or loaded. The order of the corners of triangles is reversed, because in FEMNET it is
+/// clockwise seen from outside. Each bar that a drum hauls has its own region.
 formats::InputMesh make_mesh(const GearFile& gear, const MeshFile& file,
                              const std::vector<HauledBar>& hauled = {});
 
-/// "panel-3", "cable-12", "type-4", from numbers that begin with 0.
+/// The names of parts, such as "panel-3", "cable-12" and "type-4", for indices from 0.
 std::string panel_name(std::size_t panel);
 std::string cable_name(std::size_t cable);
-/// "cable-12-bar-3": one that a drum hauls, by its place along the cable.
+/// The name of a bar that a drum hauls, such as "cable-12-bar-3", by its position along the cable.
 std::string bar_name(std::size_t cable, std::size_t number);
 std::string type_name(std::size_t type);
-/// "plane-y": nodes of cables that bend, in the plane of symmetry across an axis.
+/// The name, such as "plane-y", of the set of nodes of bending cables in the plane of symmetry normal to an
+/// axis.
 std::string plane_name(std::size_t axis);
 
 /// Whether nodes of the type are held, loaded or limited.
 bool is_special(const NodeType& type);
 
-/// Length of a bar of netting2ropes, and its mesh sides [m]; stiffness of all its twines [N]. In the
-/// precision in which FEMNET keeps them.
+/// A bar of netting2ropes: its length [m], its number of mesh sides, and the stiffness of all its twines [N].
+/// The numbers have single precision, as in FEMNET.
 struct TwineBar {
   explicit TwineBar(const Panel& panel);
   double length, sides, EA, EA_compression;
 };
 
-/// For each connected piece of the gear that the file does not hold along some axes: a node that is held
-/// there.
+/// A connected piece of the gear that the file does not hold along some axes: a node that the scene holds
+/// along them.
 struct Loose {
   std::uint32_t node;
   std::array<bool, 3> axes;

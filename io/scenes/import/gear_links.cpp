@@ -57,7 +57,7 @@ void GearLinks::connect(std::size_t a, std::size_t b) {
   leader_[high] = low;
 }
 
-/// Looks at points in the order of x, so that few are compared.
+/// Connects points that are close. Sorting them by x keeps the number of comparisons small.
 void GearLinks::connect_near() {
   const double reach = gear_.link_distance;
   std::vector<std::size_t> order(drawn_.size());

@@ -4,14 +4,14 @@
 
 namespace netloft::scenes::femnet {
 
-/// Corners of panels and ends of cables. Those that a link names are one point of the gear, and so are those
-/// that are closer in the drawing than its link distance.
+/// Groups corners of panels and ends of cables that are one point of the gear: those that a link names
+/// together, and those that are closer in the drawing than the link distance.
 class GearLinks {
  public:
-  /// Links to missing corners or ends are errors at their place.
+  /// Links to missing corners or ends are errors at the place of the link.
   GearLinks(const GearFile& gear, formats::Diagnostics& diagnostics);
 
-  /// The point of a corner or end; linked ones have the same number.
+  /// The number of the point of a corner or end; linked ones have the same number.
   std::size_t point(const LinkPoint& at) { return leader(index(at)); }
 
  private:

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::uintmax_t kLargestFile = 256u << 20;  // [bytes]
 
-/// The text of a file; nothing, and an error, if it cannot be read.
+/// The text of a file. If it cannot be read, reports an error and returns nothing.
 std::optional<std::string> read_text(const fs::path& path, formats::Diagnostics& diagnostics) {
   std::error_code fault;
   if (!fs::is_regular_file(path, fault)) {
@@ -36,7 +36,8 @@ std::optional<std::string> read_text(const fs::path& path, formats::Diagnostics&
   return in ? std::optional(std::move(text).str()) : std::nullopt;
 }
 
-/// The mesh of a gear: the file that was named, or the one beside it, whatever the letters of its ending.
+/// The path of the mesh of a gear: the requested file, or the file beside the gear with the ending .mdg or
+/// .MDG.
 fs::path mesh_of(const ImportRequest& request) {
   if (!request.mesh.empty()) return request.mesh;
   fs::path beside = request.gear;
@@ -54,14 +55,15 @@ void report(const std::vector<femnet::Finding>& findings, formats::Diagnostics& 
   }
 }
 
-/// A mesh and its origin.
+/// A mesh and the file from which it was read.
 struct FoundMesh {
   femnet::MeshFile mesh;
-  std::string name;  // of the file; empty: the gear was divided here
+  std::string name;  // name of the file; empty if the import divided the gear
 };
 
-/// Divides the gear into elements. Node numbers of the file belong to another mesh and are dropped; bars of
-/// several twines are replaced by triangles, because only FEMNET's mesher places them.
+/// Divides the gear into elements. Requested results that name nodes are dropped, because node numbers of the
+/// file refer to another mesh. Bars of several twines are replaced by triangles, because only FEMNET's mesher
+/// places them.
 FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagnostics& diagnostics) {
   using femnet::Finding, femnet::Wanted;
   gear.findings.push_back(
@@ -103,7 +105,7 @@ FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, format
   return {tried, path.filename().string()};
 }
 
-/// Reads and converts; the findings in full.
+/// Reads and converts a gear; returns all findings.
 std::vector<femnet::Finding> convert(const ImportRequest& request, formats::Diagnostics& diagnostics,
                                      ImportedGear& out) {
   const auto text = read_text(request.gear, diagnostics);

@@ -18,7 +18,7 @@ double number_of_waves(const Environment& e) {
   return wave_number(2 * std::numbers::pi / e.wave_period, kGravity, e.depth);
 }
 
-/// A direction in degrees, in radians from -π to π.
+/// Converts a direction in degrees to radians from -π to π.
 double wrapped_radians(double degrees) { return formats::in_radians(std::remainder(degrees, 360)); }
 
 }  // namespace

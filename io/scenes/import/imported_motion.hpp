@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The motion of a FEMNET gear: waves, and the keys of [analysis].
+// Converts the motion of a FEMNET gear: its waves, and the keys of [analysis].
 #pragma once
 #include "io/scenes/import/femnet_gear.hpp"
 
@@ -9,10 +9,10 @@ namespace netloft::scenes::femnet {
 /// The reason why linear waves cannot represent those of a file; empty if they can.
 std::string fault_of_waves(const Environment& e);
 
-/// The key `waves` of [water]: Airy's waves, as in FEMNET's first model.
+/// The key `waves` of [water]: Airy waves, as in FEMNET's first wave model.
 std::string waves_text(const Environment& e);
 
-/// Height of second-order crests above linear ones [m], in still water:
+/// Elevation of second-order crests above linear crests in still water [m]:
 ///   a² k (3 − tanh² k h)/(4 tanh³ k h)
 double rise_of_second_order(const Environment& e);
 

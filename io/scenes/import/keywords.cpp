@@ -13,9 +13,10 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-constexpr int kMostTableRows = 10000;  // of a table: more is not meant
+constexpr int kMostTableRows = 10000;  // largest table; a larger number of rows is taken for an error
 
-/// Keywords without effect on these results; a name that ends with * is a prefix.
+/// Keywords without effect on the results of an import. A * at the beginning or the end of a name stands for
+/// any letters.
 constexpr const char* kIdle[] = {"Auto_convergence",
                                  "convergence_parameters",
                                  "link_*",
@@ -34,7 +35,7 @@ constexpr const char* kOfMesher[] = {"type_noeud_*", "rope_X",       "add_*",   
                                      "homothety",    "translation*", "symmetr*"};
 /// Keywords of motion, which have no effect at rest.
 constexpr const char* kOfMotion[] = {"hauling_*", "speed_type_node*", "wave_*", "winch_*", "time_*"};
-/// Keywords that change the answer and have no counterpart.
+/// Keywords that change the results and have no counterpart in a scene.
 constexpr const char* kMissing[] = {"catch_gravity",
                                     "catch2_volume",
                                     "catch",
@@ -64,7 +65,7 @@ bool is_one_of(std::string_view name, const char* const (&patterns)[N]) {
                      [&](const char* p) { return is_like(name, p); });
 }
 
-/// Reads the tail; one member for each keyword.
+/// Reads the tail; each keyword has its own member.
 class KeywordReader {
  public:
   KeywordReader(DonScanner& in, GearFile& gear, formats::Diagnostics& diagnostics)
@@ -137,7 +138,7 @@ class KeywordReader {
 
   double number() { return in_.next_real(("an argument of " + name_).c_str()); }
 
-  /// One of the panels, cables or types, by its number.
+  /// A panel, cable or type by the number that follows in the text; null after an error.
   template <class T>
   T* one_of(std::vector<T>& all, const char* what) {
     const int number = in_.next_integer(("an argument of " + name_).c_str());
@@ -156,7 +157,8 @@ class KeywordReader {
   void wave_model() { gear_.environment.wave_model = in_.next_integer("an argument of wave_model"); }
   void link() { gear_.link_distance = number(); }
 
-  /// 13 x1 x2 y1 y2 z1 z2 type; other codes mean half-spaces.
+  /// Reads the arguments 13 x1 x2 y1 y2 z1 z2 type. Other codes mean half-spaces, which are left to the
+  /// mesher.
   void type_box() {
     const int code = in_.next_integer("a code of type_noeud_XYZ_SUPINF");
     if (code != 13 || gear_.plane != 3) return leave_to_mesher();
@@ -172,7 +174,7 @@ class KeywordReader {
     gear_.type_boxes.push_back(box);
   }
 
-  /// So many numbers as follow; times among them ascend.
+  /// Reads `count` numbers.
   std::vector<double> numbers(std::size_t count) {
     std::vector<double> all;
     while (all.size() < count && !in_.has_failed()) all.push_back(number());
@@ -192,7 +194,7 @@ class KeywordReader {
     return all;
   }
 
-  /// cable, shortest and longest bar, n, n times, n speeds, n ends.
+  /// Reads the arguments of a drum: cable, shortest and longest bar, n, n times, n speeds, n ends.
   void drum() {
     const Cable* c = cable();
     if (!c) return;
@@ -216,7 +218,7 @@ class KeywordReader {
     gear_.drums.push_back(std::move(d));
   }
 
-  /// type, n, n times, n velocities along x, y and z.
+  /// Reads the arguments of a motion: type, n, n times, n velocities along x, y and z.
   void node_motion() {
     const NodeType* type = one_of(gear_.types, "type");
     if (!type) return;
@@ -243,7 +245,7 @@ class KeywordReader {
     if (c) smear_floats(*c, 0);
   }
 
-  /// n spheres of diameter D and net buoyancy F, spread over the cable:
+  /// Spreads n spheres of diameter D and net buoyancy F over a cable:
   ///   V = π D³/6,  m = V ρ_w − F/g,  V_c = L π d²/4
   ///   ρ′ = (V_c ρ + n m)/(V_c + n V),  d′ = √(4 (V_c + n V)/(π L)),  C′ = (0.6 n π D²/4 + C L d)/(L d′)
   void smear_floats(Cable& c, double length) {
@@ -309,7 +311,7 @@ class KeywordReader {
     if (Cable* c = cable()) c->constant_tension = number();
   }
 
-  /// The force of a foil in the current, as that of a type: q (c_d, c_l, c_z), q = ρ S c²/2.
+  /// Sets the force of a type to that of a foil in the current: q (c_d, c_l, c_z), q = ρ S c²/2.
   void foil() {
     NodeType* type = one_of(gear_.types, "type");
     const double S = number(), cd = number(), cl = number(), cz = number();

@@ -51,7 +51,7 @@ void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, f
   mesh.regions.push_back(std::move(region));
 }
 
-/// Nodes of cables that bend, by the plane of symmetry that they lie in.
+/// Adds a set for each plane of symmetry: the nodes of bending cables that lie in it.
 void add_planes(const GearFile& gear, const MeshFile& file, formats::InputMesh& mesh) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     formats::MeshSet plane{plane_name(axis)};
@@ -82,7 +82,7 @@ void add_sets(const GearFile& gear, const MeshFile& file, formats::InputMesh& me
     mesh.sets.push_back({"loose-" + std::to_string(i + 1), {loose[i].node}});
 }
 
-/// Nodes that elements connect have the same leader.
+/// Groups the nodes of a mesh into connected pieces: nodes that elements connect have the same leader.
 class Pieces {
  public:
   explicit Pieces(const MeshFile& file) : leader_(file.nodes.size()), is_used_(file.nodes.size()) {

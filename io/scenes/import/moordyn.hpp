@@ -4,11 +4,11 @@
 
 namespace netloft::scenes {
 
-/// A mooring of MoorDyn as nodes and bars, with what could not be carried over.
+/// A mooring of MoorDyn as nodes and bars, and the features that the import changes or leaves out.
 struct MooringFile {
   struct Finding {
     formats::Place place;
-    bool is_left_out = false;  // the answer changes
+    bool is_left_out = false;  // whether the results change
     std::string text;
   };
   BarTable table;
@@ -16,8 +16,8 @@ struct MooringFile {
 };
 
 /// Reads an input file of MoorDyn, version 1 or 2 (https://moordyn.readthedocs.io, "Input Files";
-/// BSD-3-Clause): points, and lines in as many bars as they have segments there. Errors are located in source
-/// `file`; after an error the result contains whatever could be read.
+/// BSD-3-Clause): points, and lines with one bar per segment. Errors are located in source `file`; after an
+/// error the result contains whatever could be read.
 MooringFile read_moordyn(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::scenes

@@ -5,7 +5,7 @@
 
 namespace netloft::scenes {
 
-/// Words of MoorDyn are compared in capitals.
+/// Converts to capitals, in which words of MoorDyn are compared.
 std::string in_capitals(std::string_view text);
 
 /// Sections of an input file of MoorDyn.
@@ -22,7 +22,7 @@ enum class MoordynSection {
   other
 };
 
-/// The section that a title in capitals begins.
+/// The section that begins with this title, which is in capitals.
 MoordynSection section_named(const std::string& title);
 
 /// The effect in MoorDyn of an option that a scene cannot represent; nothing for an unknown option. `name` is
@@ -32,7 +32,7 @@ std::optional<std::string> meaning_of_option(const std::string& name);
 /// Whether an option, in capitals, selects waves or currents.
 bool is_option_of_water(const std::string& name);
 
-/// The line at whose end an output is the tension, and which end: FairTen3, Line3TenB, AnchTen3, Line3TenA.
+/// An end of a line. An output such as FairTen3, Line3TenB, AnchTen3 or Line3TenA is the tension at this end.
 struct EndTension {
   std::string line;
   bool is_at_start = false;

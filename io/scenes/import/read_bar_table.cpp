@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostRows = 4000000;
 constexpr int kMostErrors = 50;
 
-/// A possible column of a table. Without a unit it contains words.
+/// A possible column of a table. A column without a unit contains words.
 struct Column {
   const char *name, *unit, *doc;
   double lo = 0, hi = 0;
@@ -68,7 +68,7 @@ bool may_stand_in_a_name(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
 }
 
-/// Reads one table; members are steps in the order they happen.
+/// Reads one table; members are steps in their order.
 class TableOfBars {
  public:
   TableOfBars(const std::string& text, int file, formats::Diagnostics& diagnostics)
@@ -113,7 +113,7 @@ class TableOfBars {
       head_ == kNodeColumns ? read_node(row) : read_bar(row);
   }
 
-  /// Reads the order of the columns: `EA` or `EA [N]`.
+  /// Reads the line of column names, `EA` or `EA [N]`, and with it the order of the columns.
   template <std::size_t N>
   void read_head(const Row& row, const Column (&columns)[N]) {
     head_ = columns;
@@ -247,7 +247,7 @@ class TableOfBars {
         {{static_cast<std::uint32_t>(*from), static_cast<std::uint32_t>(*to)}, length.value_or(drawn)});
   }
 
-  /// The rope that has this name and these numbers.
+  /// Returns the rope of this name, or adds it. Other numbers than in its first row are an error.
   TableRope& rope_of(const TableRope& rope) {
     const auto [known, is_new] = rope_named_.try_emplace(rope.name, table_.ropes.size());
     if (is_new) table_.ropes.push_back(rope);
@@ -274,7 +274,8 @@ class TableOfBars {
     return {};
   }
 
-  /// Checks that a bar ends at every node: holds and loads act through bars, and a truncated file lacks bars.
+  /// Checks that at least one bar ends at every node. Holds and loads act through bars, and a truncated file
+  /// lacks bars.
   void check_ends() {
     std::vector<bool> is_used(table_.nodes.size());
     for (const auto& rope : table_.ropes)
@@ -296,11 +297,11 @@ class TableOfBars {
   formats::Diagnostics& diagnostics_;
   int errors_before_;
   BarTable table_;
-  const Column* head_ = nullptr;  // of the rows that are being read
+  const Column* head_ = nullptr;  // columns of the rows that are being read
   bool has_no_head_ = false;
   std::size_t width_ = 0;
-  std::vector<std::size_t> where_;  // by column
-  std::vector<bool> is_known_;      // by column
+  std::vector<std::size_t> where_;  // position in a row, by column
+  std::vector<bool> is_known_;      // whether the table has it, by column
   std::map<std::string, std::size_t> node_named_, rope_named_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The first part of a .don: values behind colons, in a fixed order.
+// Reads the first part of a .don: values after colons, in a fixed order.
 #include "io/scenes/import/don_scanner.hpp"
 #include "io/scenes/import/femnet_gear.hpp"
 #include "io/scenes/import/keywords.hpp"
@@ -12,10 +12,10 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// FEMNET keeps numbers of panels so.
+/// Rounds to single precision, in which FEMNET stores the numbers of panels.
 double in_single(double value) { return static_cast<double>(static_cast<float>(value)); }
 
-/// Reads one file; members are steps in the order they happen.
+/// Reads one file; members are steps in their order.
 class GearReader {
  public:
   GearReader(const std::string& text, int file, formats::Diagnostics& diagnostics)
@@ -152,7 +152,7 @@ class GearReader {
     gear_.links.push_back(std::move(link));
   }
 
-  /// Entries as long as they look like entries, because their number is not always right.
+  /// Reads entries as long as they look like entries, because their announced number is not always correct.
   void read_order() {
     in_.skip_colon("the meshing order");
     if (in_.try_word('a')) return;

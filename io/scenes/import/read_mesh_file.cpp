@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A .mdg: blocks of rows, each behind a title, a number and another title.
+// Reads a .mdg: blocks of rows, each after a title, the number of rows and another title.
 #include "io/formats/mesh/mesh.hpp"
 #include "io/formats/mesh/text_rows.hpp"
 #include "io/scenes/import/femnet_gear.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kMostMeshRows = 4000000;
 constexpr double kShareRounding = 1e-6;
 
-/// Reads one file; members are steps in the order they happen.
+/// Reads one file; members are steps in their order.
 class MeshFileReader {
  public:
   MeshFileReader(const std::string& text, int file, const GearFile& gear, formats::Diagnostics& diagnostics)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An input file of MoorDyn: sections that a line of dashes with a title begins; all but the options have two
-// lines with the names of their columns and units, which MoorDyn does not read.
-//   density of a line   ρ = m/(π d²/4)                  m [kg/m] mass, d [m] diameter (1) tangential drag C_t
-//   = π C_dAx                   MoorDyn's is on the surface π d, here it is on d     (2) bed under a line k =
-//   k_bot d                     k_bot [Pa/m]; a segment of length s meets k s        (3)
+// Reads an input file of MoorDyn. A line of dashes with a title begins each section. All sections but
+// options and outputs continue with two lines for the names and units of their columns, which MoorDyn does
+// not read.
+//   density of a line  ρ = m/(π d²/4)   m [kg/m] mass, d [m] diameter                             (1)
+//   tangential drag    C_t = π C_dAx    C_dAx refers to the surface π d, C_t to d                 (2)
+//   bed under a line   k = k_bot d      k_bot [Pa/m]; a segment of length s has stiffness k s     (3)
 #include "framework/scene/standard_gravity.hpp"
 #include "io/formats/mesh/mesh.hpp"
 #include "io/formats/mesh/text_rows.hpp"
@@ -33,7 +34,7 @@ struct LineType {
   double diameter = 0, mass = 0, EA = 0, EI = 0, cd = 0, cd_axial = 0;
 };
 
-/// Reads one file; members are steps in the order they happen.
+/// Reads one file; members are steps in their order.
 class MooringReader {
  public:
   MooringReader(const std::string& text, int file, formats::Diagnostics& diagnostics)
@@ -124,8 +125,9 @@ class MooringReader {
     }
   }
 
-  /// Version 1 has the length of a line before its ends; its columns are known by this name alone. Its number
-  /// of rows may stand before the names: "2 NTypes".
+  /// Reads a line with names of columns. Version 1 has the length of a line before its ends; only the name of
+  /// this column distinguishes it from version 2. In version 1 a number of rows may come before the names: "2
+  /// NTypes".
   void read_names(const Row& row) {
     if (names_ == 2 && formats::integer_in(row[0].text)) return;
     --names_;
@@ -172,7 +174,7 @@ class MooringReader {
       error(row[0].place, "there is a line type " + shown(row[0]) + " already");
   }
 
-  /// A body that does not move carries its points; others would need a rigid body.
+  /// Reads a body. The import supports points on bodies that do not move; others would need a rigid body.
   void read_body(const Row& row) {
     if (!has_columns(row, 8, "number, attachment, X0 Y0 Z0, r0 p0 y0")) return;
     Body body{{}, in_capitals(row[1].text)};
@@ -285,7 +287,8 @@ class MooringReader {
     out_.table.ropes.push_back(std::move(rope));
   }
 
-  /// On a parabola that is about as long as the line, for a start: length = d + 8 s²/(3 d), with its sag s.
+  /// Adds a node of a line at its initial position, on a parabola about as long as the line: length = d + 8
+  /// s²/(3 d), with the sag s.
   std::uint32_t add_node(const std::string& line, int number, std::array<std::uint32_t, 2> ends, double t,
                          double length) {
     const auto &a = out_.table.nodes[ends[0]].at, &b = out_.table.nodes[ends[1]].at;
@@ -345,8 +348,8 @@ class MooringReader {
     }
   }
 
-  /// The force on the end of a line that is held, and at whose point no other line ends: the net force on the
-  /// node there, as MoorDyn gives it.
+  /// Adds results for the tensions at ends of lines: the net force on the node at the end, as in MoorDyn. The
+  /// end must be held, and no other line may end at its point.
   void add_tensions() {
     std::map<std::uint32_t, int> lines_at;
     for (const auto& rope : out_.table.ropes)
@@ -396,13 +399,13 @@ class MooringReader {
   int errors_before_;
   MooringFile out_;
   Section section_ = Section::none, section_before_ = Section::none;
-  int names_ = 0;  // lines with names of columns that still follow
+  int names_ = 0;  // number of lines with names and units still to come
   std::size_t length_column_ = 4;
   std::map<std::string, LineType> line_types_;
   std::map<std::string, Body> bodies_;
   std::map<std::string, std::size_t> point_named_;
-  std::vector<std::uint32_t> lower_;  // nodes within lines
-  std::vector<Wanted> wanted_;        // outputs
+  std::vector<std::uint32_t> lower_;  // inner nodes of lines
+  std::vector<Wanted> wanted_;        // requested outputs
   std::optional<double> depth_;       // [m]
   double bed_stiffness_ = kBedStiffness;
 };

@@ -6,10 +6,10 @@
 namespace netloft::scenes::femnet {
 
 inline constexpr const char* kAxis[] = {"x", "y", "z"};
-inline constexpr double kMostMass = 1e6;  // that a node may have, as scenes accept it [kg]
+inline constexpr double kMostMass = 1e6;  // largest mass of a node that a scene accepts [kg]
 
-/// A scene that is being written: its gear, and the text so far. The writer of each part reports what a scene
-/// cannot represent.
+/// A scene that is being written: its gear, and the text so far. Functions that write parts report features
+/// that a scene cannot represent.
 class SceneDraft {
  public:
   SceneDraft(const GearFile& of, const MeshFile& its_mesh, const Names& own_names,
@@ -26,7 +26,7 @@ class SceneDraft {
   const MeshFile& file;
   const Names& names;
   bool moves;
-  std::vector<HauledBar> hauled;  // bars that drums haul, where it moves
+  std::vector<HauledBar> hauled;  // bars that drums haul; only in a motion
   Imported out;
   SceneText body;
 
@@ -34,13 +34,13 @@ class SceneDraft {
   bool has_current() const { return environment().speed != 0; }
   /// Whether the file has waves that a scene can represent.
   bool has_waves() const;
-  /// Whether water moves relative to the gear at any time.
+  /// Whether water may move relative to the gear: there is a current or a motion.
   bool has_flow() const { return has_current() || moves; }
-  /// Whether water and bed move together, and nodes rest on the bed.
+  /// Whether water and bed move together, and the mesh has nodes that rest on the bed.
   bool is_towed() const;
-  /// Direction to which the water flows [rad].
+  /// Direction in which the water flows [rad].
   double flow_angle() const;
-  /// The same from -180 to 180 degrees [rad].
+  /// The same direction, between -180 and 180 degrees [rad].
   double heading() const;
   /// Whether the mesh has nodes of a type.
   bool has_nodes(std::size_t type) const;
@@ -68,23 +68,24 @@ class SceneDraft {
   formats::Diagnostics& diagnostics_;
 };
 
-/// "[0, 1.5]", to nine decimals: times are sums of steps.
+/// Writes a list such as "[0, 1.5]" with nine decimals, because times are sums of steps.
 std::string list_of(const std::vector<double>& numbers);
 
-/// Lengths over time of bars that drums haul. They are parts of their own, and bend against no other.
+/// Finds the lengths over time of bars that drums haul. Each of these bars is its own part, without bending
+/// stiffness towards its neighbours.
 void find_hauled(SceneDraft& to);
 
 void write_netting(SceneDraft& to);
 void write_cables(SceneDraft& to);
-/// Clamps between cables.
+/// Writes the clamps between cables.
 void write_clamps(SceneDraft& to);
-/// Masses, boxes, forces and beds at nodes, by their types.
+/// Writes masses, boxes, forces and beds at nodes, by the types of the nodes.
 void write_loads(SceneDraft& to);
 void write_catch(SceneDraft& to);
 void write_holds(SceneDraft& to);
-/// Holds the pieces that the file does not hold.
+/// Holds the connected pieces of the gear that the file does not hold.
 void hold_what_is_loose(SceneDraft& to);
-/// The numbers that the file requests as output.
+/// Writes the results that the file requests.
 void write_results(SceneDraft& to);
 
 }  // namespace netloft::scenes::femnet

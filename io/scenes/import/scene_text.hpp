@@ -5,15 +5,15 @@
 
 namespace netloft::scenes {
 
-/// Letters that are no ASCII may be of any encoding: each of their bytes becomes a question mark.
+/// Replaces every byte that is not ASCII by a question mark, because its encoding is unknown.
 std::string in_ascii(const std::string& text);
 
-/// "\"text\"", for texts without quotes.
+/// Writes "\"text\""; the text must not contain quotes.
 std::string quoted(const std::string& text);
-/// "[\"a\", \"b\"]"
+/// Writes "[\"a\", \"b\"]".
 std::string quoted_list(const std::vector<std::string>& texts);
 
-/// "{ a = 1, b = 2 }" of the pairs that are added.
+/// Writes the added pairs as "{ a = 1, b = 2 }".
 class InlineTable {
  public:
   InlineTable& add(const char* key, double value);
@@ -25,14 +25,14 @@ class InlineTable {
   std::string text_;
 };
 
-/// The tables of a scene that is written, in the order in which they are begun.
+/// The text of a scene; its tables have the order in which they are begun.
 class SceneText {
  public:
   void begin_part(const std::string& name, const std::string& type, const std::string& comment = {});
   void line(const std::string& key, const std::string& value) { text_ += key + " = " + value + "\n"; }
   void line(const std::string& key, double value);
   void comment(const std::string& text) { text_ += "# " + text + "\n"; }
-  /// `axes`, "xyz" for all.
+  /// Writes a hold; `axes` is "xyz" for all axes.
   void hold(const std::string& on, const std::string& name, const std::string& axes);
   void add(const std::string& text) { text_ += text; }
   const std::string& text() const { return text_; }

@@ -9,7 +9,7 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// The names that the requested outputs give to the cable, and its floats, for a comment.
+/// A comment for a cable: the names of its requested outputs, and its floats.
 std::string called(const SceneDraft& from, std::size_t cable) {
   std::string names;
   for (const auto& w : from.gear.wanted)
@@ -19,7 +19,7 @@ std::string called(const SceneDraft& from, std::size_t cable) {
   return names + (names.empty() || floats.empty() ? "" : "; ") + floats;
 }
 
-/// Writes the bars of a cable: all that no drum hauls, or the one that is hauled.
+/// Writes the bars of a cable that no drum hauls, or with `hauled` one bar that a drum hauls.
 void write_bars(SceneDraft& to, const Cable& c, const std::string& name, const std::string& comment,
                 const HauledBar* hauled) {
   to.begin_part(name, "rope/bar", comment);
@@ -42,7 +42,8 @@ void write_bars(SceneDraft& to, const Cable& c, const std::string& name, const s
   to.write_drag(c.cd, c.friction, c.place);
 }
 
-/// How far the bars that have one end in a plane reach to one side of it [m]; zero if there are none.
+/// The extent along `axis` of bars that have exactly one end in a plane, positive or negative by the side on
+/// which they lie [m]; zero if there are none.
 double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& bars,
                     const std::vector<std::uint32_t>& plane, std::size_t axis) {
   const auto is_there = [&](auto n) { return std::find(plane.begin(), plane.end(), n) != plane.end(); };
@@ -54,7 +55,7 @@ double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& ba
   return side;
 }
 
-/// Bars that end in a plane of symmetry bend against their mirror images.
+/// Lets bars that end in a plane of symmetry bend against their mirror images.
 void write_mirrors(SceneDraft& to, const Cable& c, std::size_t number) {
   const formats::MeshRegion* region = to.out.mesh.find(cable_name(number));
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -115,7 +116,8 @@ void write_cables(SceneDraft& to) {
   for (std::size_t c = 0; c < to.gear.cables.size(); ++c) write_cable(to, c);
 }
 
-/// Clamps are as stiff as the weaker cable, and act where the first bends.
+/// Writes clamps with the bending stiffness of the weaker cable. A clamp of cables that do not meet or do not
+/// bend is left out, with a note.
 void write_clamps(SceneDraft& to) {
   for (std::size_t i = 0; i < to.gear.clamps.size(); ++i) {
     const Clamp& clamp = to.gear.clamps[i];

@@ -8,7 +8,8 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Fraction of the load of a node that belongs to this half of the gear: one half for each plane of symmetry.
+/// Fraction of the load of a node that belongs to the modelled half of the gear: each plane of symmetry
+/// through the node halves it.
 double share_of(const NodeType& t) {
   double share = 1;
   for (const double plane : t.symmetry) share *= plane != 0 ? 0.5 : 1;
@@ -23,7 +24,7 @@ void begin_load(SceneDraft& to, const std::string& name, const std::string& type
                            (share == 1 ? "" : "  # of each, what is on this side of the plane of symmetry"));
 }
 
-/// Added mass is the same along all axes here.
+/// The mean added mass over the axes: a scene has one added mass for all axes.
 double added_mass_of(const NodeType& t) { return (t.added_mass[0] + t.added_mass[1] + t.added_mass[2]) / 3; }
 
 void write_box(SceneDraft& to, std::size_t number, bool has_mass) {
@@ -86,8 +87,8 @@ void write_loads(SceneDraft& to, std::size_t number) {
   write_limits(to, number);
 }
 
-/// Writes the velocity of a hold. The nodes rest one step after the last time, and one step before the first
-/// if they are held.
+/// Writes the velocity of a hold. It ends at zero one time step after the last time. If the motion begins
+/// after time zero, it is zero until one time step before the first time.
 void write_velocity(SceneDraft& to, const NodeMotion& m, bool is_held) {
   const double dt = to.environment().time_step > 0 ? to.environment().time_step : 0.01;
   const auto with_rests = [&](std::vector<double> all, double before, double after) {

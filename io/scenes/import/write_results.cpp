@@ -8,7 +8,7 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// "Warp tension (N)" as warp-tension-n.
+/// Converts a text such as "Warp tension (N)" to a name such as "warp-tension-n".
 std::string word_of(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -22,7 +22,8 @@ std::string word_of(const std::string& text) {
   return out.substr(0, 60);
 }
 
-/// "cable-3.node-5": a node of the mesh as the first part that has it knows it.
+/// The name of a node of the mesh in the first part that has it, such as "cable-3.node-5"; empty if no part
+/// has it.
 std::string node_name(const SceneDraft& from, int number) {
   for (const auto& region : from.out.mesh.regions) {
     const std::set<std::uint32_t> own(region.nodes.begin(), region.nodes.end());
@@ -41,7 +42,8 @@ bool is_held(const SceneDraft& from, int node, int axis) {
   return from.gear.types[type].fixed[a] != 0 || from.gear.types[type].symmetry[a] != 0;
 }
 
-/// The bars of a cable that nothing hauls, else the first.
+/// The name of the part with the bars of a cable that no drum hauls, or else of the first hauled bar; empty
+/// if there is neither.
 std::string part_of_cable(const SceneDraft& from, std::size_t cable) {
   for (const auto& region : from.out.mesh.regions)
     if (region.name == cable_name(cable) || region.name.starts_with(cable_name(cable) + "-bar-"))

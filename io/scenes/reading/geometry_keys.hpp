@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The keys with which parts say where they stand, and how they are read. For the readers of geometry alone.
+// The keys that describe the position and shape of parts, and functions that read them. Only the readers of
+// geometry include this file.
 #pragma once
 #include "io/scenes/reading/geometry.hpp"
 

@@ -14,7 +14,7 @@ double wave_number(double omega, double gravity, double depth);
 /// en profondeur constante ou décroissante", Annales des Ponts et Chaussées, 1944).
 double highest_wave(double k, double depth);
 
-/// Whether waves are too long for linear ones: k d < π/10 (R. G. Dean and R. A. Dalrymple, Water Wave
+/// Whether waves are too long for linear theory: k d < π/10 (R. G. Dean and R. A. Dalrymple, Water Wave
 /// Mechanics for Engineers and Scientists, 1991, section 3.5).
 bool is_shallow(double k, double depth);
 
@@ -25,12 +25,13 @@ bool is_shallow(double k, double depth);
 ///   u′ = Σ a ω² C sin θ,  w′ = −Σ a ω² S cos θ                                                     (3)
 ///   C = cosh k(ζ+d)/sinh kd,  S = sinh k(ζ+d)/sinh kd                                              (4)
 ///   ζ = d (z − η)/(d + η)                          Wheeler's stretching; ζ = z without it          (5)
-/// a [m] amplitudes, ω [rad/s], ε [rad]; d [m] depth, infinite in deep water; s [m] along the direction of
-/// travel, of the place relative to water that tow and drift carry past; u along that direction, w upwards.
-/// Above the surface the water moves as at it. (5): J. D. Wheeler, "Method for calculating forces produced by
-/// irregular waves", J. Petroleum Technology 22, 1970: the surface moves as linear theory has it at z = 0.
-/// Its own change with time is left out of (3), as is the water's own advection, both of second order. From
-/// time zero waves grow over `ramp` [s] by r = 3 q² − 2 q³, q = t/ramp, with r′ in (3).
+/// a [m] amplitudes, ω [rad/s], ε [rad]; d [m] depth, infinite in deep water; s [m] coordinate along the
+/// direction of travel, in a frame that moves with the tow and the drift of the water; u velocity along that
+/// direction, w upwards. Above the surface the motion is that of the surface. (5) is from J. D. Wheeler,
+/// "Method for calculating forces produced by irregular waves", J. Petroleum Technology 22, 1970: the motion
+/// of linear theory at z = 0 is applied at the surface. (3) omits the change of ζ with time and the advection
+/// of the water, both of second order. From time zero, waves grow over `ramp` [s] by the factor r = 3 q² − 2
+/// q³, q = t/ramp; (3) includes r′.
 class AiryWaves : public WaterField {
  public:
   struct Component {
@@ -38,13 +39,13 @@ class AiryWaves : public WaterField {
   };
   struct Sea {
     std::vector<Component> components;
-    double direction = 0;                                    // of travel, from x towards y [rad]
+    double direction = 0;                                    // direction of travel, from x towards y [rad]
     double depth = std::numeric_limits<double>::infinity();  // [m]
     double ramp = 0;                                         // [s]
     bool is_stretched = true;
   };
 
-  /// `current` carries the waves along by its tow and its drift.
+  /// The tow and the drift of `current` carry the waves along.
   AiryWaves(Sea sea, double gravity, Current current);
   WaterMotion at(const std::array<double, 3>& place, double time) const override;
   double height(const std::array<double, 3>& place, double time) const;
@@ -54,7 +55,8 @@ class AiryWaves : public WaterField {
   struct Train {
     double amplitude, omega, k, phase;
   };
-  /// Velocity, acceleration along the direction and upwards, and the slopes of the velocities over z.
+  /// Velocity and acceleration along the direction of travel and upwards, and the derivatives of the
+  /// velocities with respect to z.
   struct Plane {
     double u = 0, w = 0, u_rate = 0, w_rate = 0, u_dz = 0, w_dz = 0;
   };

@@ -31,7 +31,7 @@ bool ascend(const std::vector<double>& t, formats::TableReader& table) {
   return true;
 }
 
-/// Columns over time instead of height: the same current everywhere.
+/// Reads columns over time instead of height: a current that is the same at all heights.
 Current read_drift(formats::TableReader table) {
   Current current;
   const auto t = table.reals("t", kTimes);

@@ -5,8 +5,8 @@
 
 namespace netloft::scenes {
 
-/// `water.current`: one velocity [vx, vy, vz], or a profile { z = […], x = […], y = […] } over height.
-/// Absent: still.
+/// Reads `water.current`: one velocity [vx, vy, vz], or a profile { z = […], x = […], y = […] } over height.
+/// Without the key the water is still.
 Current read_current(formats::TableReader& water);
 
 }  // namespace netloft::scenes

@@ -10,10 +10,10 @@ namespace netloft::scenes {
 
 namespace {
 
-constexpr double kLowest = 0.4, kHighest = 5;  // of f/f_p
-constexpr std::size_t kSamples = 20001;        // of the integral: bands end right to 1e-6 of them
+constexpr double kLowest = 0.4, kHighest = 5;  // bounds of f/f_p
+constexpr std::size_t kSamples = 20001;  // samples of the integral: limits of bands are accurate to 1e-6
 
-/// Energy below each of the samples of f/f_p, by the trapezoidal rule, over that of all.
+/// The energy below each sample of f/f_p by the trapezoidal rule, as a fraction of the total energy.
 std::vector<double> energy_below(double peakedness) {
   const double step = (kHighest - kLowest) / static_cast<double>(kSamples - 1);
   std::vector<double> sums(kSamples);
@@ -27,7 +27,7 @@ std::vector<double> energy_below(double peakedness) {
   return sums;
 }
 
-/// f/f_p below which a fraction of the energy is.
+/// The ratio f/f_p below which the given fraction of the energy lies.
 double ratio_of(const std::vector<double>& sums, double fraction) {
   const auto after = std::upper_bound(sums.begin() + 1, sums.end() - 1, fraction);
   const double place =
