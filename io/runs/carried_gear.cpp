@@ -13,7 +13,7 @@ namespace {
 using Place = std::array<double, 2>;    // (u, v) of netting
 using Weights = std::array<double, 3>;  // of the corners of a triangle; they add up to one
 
-/// The triangles of a panel in twine coordinates, with a grid of cells that lists those in each.
+/// The triangles of a panel in twine coordinates, with a grid of cells that lists the triangles near each.
 class Netting {
  public:
   explicit Netting(const Part& part)
@@ -23,7 +23,7 @@ class Netting {
   Place corner(std::size_t triangle, std::size_t k) const {
     return {u_[3 * triangle + k], v_[3 * triangle + k]};
   }
-  /// λ_k with Σ λ_k p_k = p, Σ λ_k = 1.
+  /// Barycentric weights λ_k of p: Σ λ_k p_k = p, Σ λ_k = 1.
   Weights weights(std::size_t triangle, const Place& p) const {
     const Place a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
     const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
@@ -31,7 +31,7 @@ class Netting {
     const double l2 = ((b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1])) / twice;
     return {1 - l1 - l2, l1, l2};
   }
-  /// The first triangle that contains the place, or the one that it is least outside of.
+  /// The first triangle that contains the place; if none does, the triangle with the least distance outside.
   std::size_t triangle_at(const Place& p) const {
     for (const std::uint32_t t : cells_[cell(p)])
       if (depth(t, p) >= 0) return t;
@@ -42,7 +42,7 @@ class Netting {
   }
   std::uint32_t node(std::size_t triangle, std::size_t k) const { return part_.nodes[3 * triangle + k]; }
 
-  /// Fills the grid before places are looked up.
+  /// Fills the grid. Must be called before triangle_at().
   void make_grid() {
     for (const std::size_t k : {0u, 1u}) {
       const auto [low, high] = std::minmax_element((k ? v_ : u_).begin(), (k ? v_ : u_).end());
@@ -85,7 +85,7 @@ class Netting {
 
 std::size_t at(std::uint32_t node) { return 3 * std::size_t{node}; }
 
-/// Fraction of the length of a rope at the end of every bar, from zero.
+/// The fraction of a rope's length at each node, beginning with zero.
 std::vector<double> shares_of(const Part& rope) {
   std::vector<double> shares{0};
   for (const double length : rope.data.at(datum::kRestLength.name)) shares.push_back(shares.back() + length);
@@ -93,7 +93,7 @@ std::vector<double> shares_of(const Part& rope) {
   return shares;
 }
 
-/// Nodes from start to end.
+/// The nodes of a rope from start to end.
 std::vector<std::uint32_t> row_of(const Part& rope) {
   std::vector<std::uint32_t> row;
   for (std::size_t i = 0; i < rope.nodes.size(); i += 2) row.push_back(rope.nodes[i]);

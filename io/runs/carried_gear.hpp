@@ -6,14 +6,14 @@
 
 namespace netloft::runs {
 
-/// Moves the nodes of a panel of triangles, `to`, to the positions that the same places of the netting have
-/// on another division, `from` with positions `x` [m]. A place lies within the triangle that has the twine
-/// coordinates of the node, or is extrapolated from the nearest triangle. `positions` are of the scene of
-/// `to`.
+/// Moves the nodes of panel `to` to the positions of the same places of the netting on panel `from`, another
+/// division of it into triangles with node positions `x` [m]. The position is interpolated in the triangle
+/// that contains the node's twine coordinates, or extrapolated from the nearest triangle. `positions` belong
+/// to the scene of `to`.
 void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
                  std::vector<double>& positions);
 
-/// The same for a rope in bars, by the fraction of its unstretched length.
+/// The same for a rope of bars; a place is a fraction of its unstretched length.
 void carry_rope(const Part& from, const std::vector<double>& x, const Part& to,
                 std::vector<double>& positions);
 

@@ -17,7 +17,8 @@ bool is_divided(const scenes::PartGeometry& part) { return !part.cells.empty(); 
 
 int half_of(int cells) { return (cells + 1) / 2; }
 
-/// A node that is called by its number would be another place.
+/// Whether a part may get half its cells. A part with a node that something refers to by its number may not,
+/// because the number would then mean another place.
 bool can_halve(const scenes::PartGeometry& part, Halved which) {
   if (part.is_numbered) return false;
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
@@ -33,7 +34,7 @@ formats::Change halve(const scenes::PartGeometry& part) {
                               part.cells.size() == 1 ? cells.items[0] : formats::Value{{}, cells});
 }
 
-/// Nodes at the corners of the cells of a part, and those in the middles of them, which come behind.
+/// Number of nodes at corners of the cells of a part. The nodes in the middles of cells have higher numbers.
 std::size_t corners_of(const scenes::PartGeometry& part) {
   std::size_t nodes = 1;
   for (const int cells : part.cells) nodes *= static_cast<std::size_t>(cells) + 1;
@@ -49,7 +50,7 @@ bool has_middles(const scenes::PartGeometry& part) {
   return middles_of(part) > 0 && part.nodes.size() == corners_of(part) + middles_of(part);
 }
 
-/// Own nodes of a part where another division of it has been brought to.
+/// The shape of a part in another division of it, at positions x.
 class Shape {
  public:
   Shape(const scenes::PartGeometry& part, const std::vector<double>& x) : part_(part), x_(x) {}
@@ -58,12 +59,12 @@ class Shape {
     const std::size_t at = 3 * std::size_t{part_.nodes[own]};
     return {x_[at], x_[at + 1], x_[at + 2]};
   }
-  /// A share s of the way along a rope.
+  /// The position at fraction s of a rope.
   Point on_rope(double s) const {
     const auto [cell, t] = locate(s, part_.cells[0]);
     return mix({{{cell, 1 - t}, {cell + 1, t}, {cell, 0.0}}});
   }
-  /// Shares s across and t along a panel: within the triangle there.
+  /// The position at fractions s across and t along a panel, interpolated in the triangle there.
   Point on_panel(double s, double t) const {
     const auto [i, a] = locate(s, part_.cells[0]);
     const auto [j, b] = locate(t, part_.cells[1]);
@@ -78,7 +79,7 @@ class Shape {
   std::size_t corner(std::size_t i, std::size_t j) const {
     return j * (static_cast<std::size_t>(part_.cells[0]) + 1) + i;
   }
-  /// Two triangles, whose diagonal changes from cell to cell.
+  /// Interpolates in a cell of two triangles, whose diagonal alternates from cell to cell.
   Point in_cell(std::size_t i, std::size_t j, double a, double b) const {
     const auto p00 = corner(i, j), p10 = corner(i + 1, j), p01 = corner(i, j + 1), p11 = corner(i + 1, j + 1);
     if ((i + j) % 2 == 0)
@@ -87,7 +88,7 @@ class Shape {
     return a + b <= 1 ? mix({{{p00, 1 - a - b}, {p10, a}, {p01, b}}})
                       : mix({{{p11, a + b - 1}, {p10, 1 - b}, {p01, 1 - a}}});
   }
-  /// Four triangles about the node in the middle: at the fore edge, aft, on the left and on the right.
+  /// Interpolates in a cell of four triangles around its middle node: fore, aft, left and right.
   Point in_crossed_cell(std::size_t i, std::size_t j, double a, double b) const {
     const auto p00 = corner(i, j), p10 = corner(i + 1, j), p01 = corner(i, j + 1), p11 = corner(i + 1, j + 1);
     const auto middle = corners_of(part_) + j * static_cast<std::size_t>(part_.cells[0]) + i;
@@ -116,7 +117,7 @@ bool is_structured(const scenes::PartGeometry& part) {
   return part.nodes.size() == corners_of(part) || has_middles(part);
 }
 
-/// Own node -> shares of the way along a rope, or across and along a panel.
+/// The fraction along a rope, or the fractions across and along a panel, at node `own` of the part.
 std::array<double, 2> shares_of(const scenes::PartGeometry& part, std::size_t own) {
   if (part.cells.size() == 1) return {static_cast<double>(own) / part.cells[0], 0};
   const bool is_middle = own >= corners_of(part);
@@ -138,7 +139,7 @@ bool is_numbered(const scenes::GearInScene& gear, const std::vector<scenes::Part
   return std::ranges::any_of(gear.panels, numbered) || std::ranges::any_of(gear.ropes, numbered);
 }
 
-/// Sides twice as long: a quarter of the nodes.
+/// Doubles the side of elements, which leaves a quarter of the nodes.
 std::vector<formats::Change> coarser_gear(const scenes::GearInScene& gear, const scenes::LoadedScene& fine) {
   const std::size_t nodes = fine.scene.node_count();
   if (nodes / 4 < kFewestNodes || is_numbered(gear, fine.parts)) return {};
@@ -146,7 +147,7 @@ std::vector<formats::Change> coarser_gear(const scenes::GearInScene& gear, const
   return {formats::make_change({"gear", "nodes"}, {{}, static_cast<std::int64_t>(gear.nodes / 4)})};
 }
 
-/// Origins and points of rigid bodies; whoever turns bodies turns them alike (Sites::transfer).
+/// Copies the origins and points of rigid bodies. Sites::transfer copies their rotations.
 void carry_bodies(const Scene& from, const std::vector<double>& x, const Scene& to,
                   std::vector<double>& positions) {
   const auto copy = [&](std::uint32_t source, std::uint32_t target) {

@@ -21,9 +21,10 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// Fraction of the largest tension in the gear below which tension, or compression, counts as none.
+// Fractions of the largest tension in the gear. Tension below kNone and compression below kCounts count as
+// none.
 constexpr double kNone = 1e-6, kCounts = 1e-3;
-// Neighbours that turn back by more than this are folded [rad].
+// Neighbouring elements that turn by more than this are folded [rad].
 constexpr double kFolded = std::numbers::pi * 5 / 6;
 
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -31,13 +32,13 @@ Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Least and largest tension in a part, and the number of its elements in compression.
+/// Least and largest tension in a part, and the tensions of its elements.
 struct Tensions {
   double least = std::numeric_limits<double>::infinity(), largest = -least;
-  std::vector<double> of_elements;  // the least of each [N]
+  std::vector<double> of_elements;  // least tension of each element [N]
 };
 
-/// Makes the diagnosis; each member finds one kind of sentences.
+/// Makes the diagnosis. Each member function finds one kind of sentence.
 class Diagnosis {
  public:
   Diagnosis(const Scene& scene, Assembler& assembler, const Solution& solution)
@@ -115,7 +116,7 @@ class Diagnosis {
     }
   }
 
-  /// Finds neighbouring bars of a part that fold back.
+  /// Counts neighbouring bars of a part that fold back.
   void count_folds_of_ropes(const ElementFamily& family, std::map<std::uint32_t, int>& folds) const {
     for (std::size_t e = 0; e + 1 < family.size(); ++e)
       if (family.part(e) == family.part(e + 1) && family.node(e, 1) == family.node(e + 1, 0)) {
@@ -125,7 +126,7 @@ class Diagnosis {
       }
   }
 
-  /// Finds triangles with a common side and opposite normals.
+  /// Counts triangles with a common side and opposite normals.
   void count_folds_of_netting(const ElementFamily& family, std::map<std::uint32_t, int>& folds) const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> first;
     for (std::size_t e = 0; e < family.size(); ++e)

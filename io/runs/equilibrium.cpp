@@ -14,9 +14,9 @@ namespace netloft::runs {
 
 namespace {
 
-constexpr int kFromElsewhere = 100;  // iterations from a point that a user names
+constexpr int kFromElsewhere = 100;  // most iterations from a point that a user gives
 
-/// Announces the time that a search may take, and at its end that there is no limit any more.
+/// Announces the time allowed for a search, and at the end of its lifetime that there is no limit any more.
 class AllowedTime {
  public:
   AllowedTime(const Watch& watch, double seconds) : watch_(watch) { announce(seconds); }
@@ -52,7 +52,7 @@ StrategyUse strategy_of(PreparedScene& scene) {
 }
 
 /// Rejects equilibria in which the half gear has crossed its own plane of symmetry, since the whole gear has
-/// none there. Nodes that are held beyond the plane were put there on purpose.
+/// none there. Nodes held beyond the plane do not count, because the user put them there.
 void reject_crossed_halves(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   if (!is_stationary(s) || !loaded.gear || loaded.gear->times != 2) return;
   for (const scenes::Crossing& crossing : scenes::find_crossings(loaded, assembler.node_positions(s.x)))
@@ -83,7 +83,7 @@ Solution find_equilibrium(PreparedScene& scene, const Watch& watch, const std::v
   return s;
 }
 
-// A settling motion begins at `u`, at rest.
+// For an analysis by settling motion, `u` is its initial state, at rest.
 Solution continue_equilibrium(PreparedScene& scene, const std::vector<double>& u, int iterations,
                               const Watch& watch) {
   const scenes::Analysis& analysis = scene.loaded().analysis;

@@ -9,7 +9,8 @@ namespace netloft::runs {
 
 namespace {
 
-/// A parameter and a reason ("rope.damping", "the analysis is static"), with the parts they apply to.
+/// A parameter without effect, the reason ("rope.damping", "the analysis is static"), and the parts
+/// concerned.
 struct IdleChoice {
   std::string what, reason;
   std::vector<std::string> parts;
@@ -20,9 +21,9 @@ bool needs(const netloft_term& term, const std::string& parameter) {
   return std::find(names.begin(), names.end(), parameter) != names.end();
 }
 
-/// The reason why all terms that need the parameter are left out; empty if one acts, or none needs it.
-/// Parameters of drag, such as a diameter, have other uses, too. If forces have no energy, damping matters
-/// for the motion of a small disturbance.
+/// The reason why all terms that need the parameter are left out; empty if one of them acts, or if none needs
+/// it. Parameters of drag, such as a diameter, have other uses, too. If forces have no energy, damping
+/// matters for the motion after a small disturbance.
 std::string why_idle(const FamilyPlan& family, const std::string& parameter, bool motion_is_asked_for) {
   std::string reason;
   for (std::size_t t = 0; t < family.terms.size(); ++t) {

@@ -6,9 +6,8 @@
 
 namespace netloft::runs {
 
-/// Warns of parameters that a scene sets for terms which the plan leaves out, and of laws in still water,
-/// because they have no effect. There is one warning for all parts with the same reason, located at the
-/// first.
+/// Warns of settings without effect: parameters for terms that the plan leaves out, and laws of flow in still
+/// water. All parts with the same reason share one warning, located at the first.
 void warn_of_idle_choices(const scenes::LoadedScene& loaded, const ScenePlan& plan,
                           formats::Diagnostics& diagnostics);
 

@@ -21,7 +21,7 @@ bool is_zero(const Part& part, const netloft_parameter& p) {
   return number_or(0, part.parameters, p.name) == 0;
 }
 
-/// Names of parameters that are zero and should not be: "body.inertia_x, body.inertia_y".
+/// Names of parameters that are zero but must be positive: "body.inertia_x, body.inertia_y".
 std::string keys_of(const Scene& scene, Registry& registry, const MissingInertia& missing) {
   std::string keys;
   std::set<std::string> named;
@@ -48,7 +48,7 @@ std::string sentence(const Scene& scene, Registry& registry, const MissingInerti
 std::vector<SceneFault> find_missing_inertia(const Scene& scene, const ScenePlan& plan, Registry& registry,
                                              Assembler& assembler, bool is_explicit) {
   std::vector<SceneFault> faults;
-  std::set<std::string> parts;  // of nodes, one of each part is enough
+  std::set<std::string> parts;  // one node of each part is enough
   for (const MissingInertia& missing : netloft::find_missing_inertia(scene, plan, assembler, is_explicit)) {
     const std::string& part = scene.parts[scene.labels[missing.node].part].name;
     if (missing.body || parts.insert(part).second)

@@ -7,12 +7,12 @@
 
 namespace netloft::runs {
 
-/// Goes through time by the analysis of the scene, from `from`, or from the start of the scene if that is
-/// null. `work` bounds all steps together (step_methods.hpp has the unit).
+/// Marches through time by the analysis of the scene, from the state `from`, or from the start of the scene
+/// if that is null. `work` bounds the sum over all steps (unit: step_methods.hpp).
 MarchResult march(PreparedScene& scene, const MarchWatch& outputs, const Watch& watch = {},
                   const MarchState* from = nullptr, double work = std::numeric_limits<double>::infinity());
 
-/// Makes elements remember displacements `u` as the last accepted state.
+/// Makes elements store displacements `u` as the last accepted state.
 void remember(PreparedScene& scene, std::span<const double> u);
 
 }  // namespace netloft::runs

@@ -13,7 +13,7 @@ namespace netloft::runs {
 
 namespace {
 
-// An element that takes a loss factor has these three in one table: `rope.loss_factor`,
+// Names of the three parameters that an element with a loss factor has in one table: `rope.loss_factor`,
 // `rope.loss_frequency`, `rope.damping`.
 constexpr const char *kLoss = ".loss_factor", *kFrequency = ".loss_frequency", *kOwn = ".damping";
 
@@ -33,7 +33,7 @@ double value_of(const Part& part, const std::string& name, Registry& registry) {
   return at == known.end() ? 0 : number_or(at->fallback, part.parameters, name);
 }
 
-/// The reason why no loss factor counts; empty if they do.
+/// The reason why loss factors are not used; empty if they are.
 std::string why_off(const scenes::Analysis& analysis, Registry& registry) {
   if (analysis.settles) return "the analysis is static";
   const scenes::Dynamics& d = analysis.dynamics;

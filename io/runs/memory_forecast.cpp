@@ -18,16 +18,16 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-// Matrices and vectors that are held at a time: of a problem and of the judge of its stability
-// (framework/balance: StaticProblem, find_growth). tests/bench/memory.py compares with what processes took.
+// Numbers of matrices and vectors held at the same time by a problem and by the check of its stability
+// (framework/balance: StaticProblem, find_growth). tests/bench/memory.py compares them with measured memory.
 constexpr double kMatrices = 4, kVectors = 40;
-// Sum over meshes with a quarter of the nodes of the one before, as strategies keep them.
+// Sum of a geometric series: strategies keep meshes that each have a quarter of the nodes of the finer one.
 constexpr double kWithCoarser = 4.0 / 3;
-// Vectors of positions and velocities of the Krylov space that judges stability
+// Vectors of positions and velocities in the Krylov space of the stability check
 // (framework/judging/growth.cpp).
 constexpr double kKrylov = 2 * 49;
 
-/// Pages of this process [bytes]: all its addresses, and those in memory.
+/// Memory of this process [bytes]: its address space, and the part in memory.
 struct Pages {
   double addressed = 0, resident = 0;
 };
@@ -40,8 +40,8 @@ Pages pages() {
   return {found.addressed * size, found.resident * size};
 }
 
-/// Whether the strategy may take the tensions of members for unknowns, which is a problem with a factor of
-/// its own, kept beside that of the scene.
+/// Whether the strategy may use the tensions of members as unknowns. That problem has its own factor, kept
+/// beside that of the scene.
 bool may_ask_for_tensions(PreparedScene& scene) {
   return !scene.loaded().analysis.strategy.empty() &&
          std::ranges::any_of(scene.assembler().families(), [](const auto& family) {
@@ -50,7 +50,7 @@ bool may_ask_for_tensions(PreparedScene& scene) {
          });
 }
 
-/// A line "name: number kB" of /proc/meminfo [bytes]; infinite if there is none.
+/// A line "name: number kB" of /proc/meminfo [bytes]; infinite if it is missing.
 double memory_of_machine(const std::string& name) {
   std::ifstream in("/proc/meminfo");
   for (std::string line; std::getline(in, line);)
@@ -89,7 +89,7 @@ MemoryForecast foresee_memory(PreparedScene& scene) {
       scene.factorisations()(pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   const double factor = factor_bytes_of(*factorisation), size = static_cast<double>(pattern.size);
-  // A scene with an energy is judged by the factor of its tangent, and needs no other unknowns.
+  // The stability of a scene with an energy follows from the factor of its tangent, without other unknowns.
   const bool is_judged_by_motion =
       !pattern.symmetric && scene.loaded().analysis.kind == AnalysisKind::statics;
   MemoryForecast forecast;

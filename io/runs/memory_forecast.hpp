@@ -4,23 +4,24 @@
 
 namespace netloft::runs {
 
-/// Memory that solving a scene will take, foreseen from its pattern before anything is factorised [bytes].
+/// Forecast of the memory for solving a scene, from its pattern before any factorisation [bytes].
 struct MemoryForecast {
-  double taken = 0;      // by the program now: plugins, scene, mesh, pattern, and the order of elimination
-  double factor = 0;     // of the tangent, and of the equations of a strategy that has other unknowns beside
-  double stability = 0;  // beside it, once the equilibrium is found: what its stability is judged by
+  double taken = 0;      // memory in use now: plugins, scene, mesh, pattern, elimination order
+  double factor = 0;     // factor of the tangent, and of the system of a strategy with other unknowns
+  double stability = 0;  // additional memory for the stability check of the equilibrium
   double numbers = 0;    // values of matrices, and vectors over the unknowns
   double total() const { return taken + factor + stability + numbers; }
 };
 
-/// Analyses the pattern of the scene as the first factorisation will, on the mesh of the scene. The forecast
-/// has the factor of the scene, that of a strategy with tensions as unknowns, and that of the judge of
-/// stability with its Krylov space. It has neither the coarser meshes of a strategy nor a second
-/// factorisation to which the first one hands a matrix over. tests/bench/memory.py compares it with runs.
+/// Analyses the pattern of the scene, on its own mesh, as the first factorisation will. The forecast includes
+/// the factor of the scene, that of a strategy with tensions as unknowns, and that of the stability check
+/// with its Krylov space. It excludes the coarser meshes of a strategy and a second factorisation that
+/// replaces a failed first one. tests/bench/memory.py compares it with runs.
 MemoryForecast foresee_memory(PreparedScene& scene);
 
-/// Memory that this process may have in all [bytes]: its own, and what the machine, its group (memory.max of
-/// cgroup 2) and its limit of addresses (ulimit -v) leave. Infinite if none of these is known.
+/// Total memory available to this process [bytes]: its present memory, plus what the machine, its control
+/// group (memory.max of cgroup 2) and its address limit (ulimit -v) allow. Infinite if none of these is
+/// known.
 double memory_within_reach();
 
 }  // namespace netloft::runs

@@ -9,11 +9,11 @@ namespace netloft::runs {
 
 namespace {
 
-// Cells are counted by int: no mesh can be halved more often.
+// Cells are counted by int, so no mesh can be halved more often.
 constexpr unsigned kMostLevels = 32;
 
-/// Lets free nodes start on the finer mesh. Held nodes stay where they are held. False if the two scenes are
-/// no divisions of the same parts.
+/// Moves free nodes of the coarse scene to their positions on the finer mesh. Held nodes do not move. False
+/// if the scenes are not divisions of the same parts.
 bool start_like(const scenes::LoadedScene& finer, scenes::LoadedScene& coarse) {
   const auto positions = carried_over(finer, finer.scene.positions, coarse);
   if (!positions) return false;
@@ -44,7 +44,7 @@ const scenes::LoadedScene* Meshes::loaded(unsigned level) {
   return coarser_[level - 1].get();
 }
 
-/// If parts do not fit with half of all cells, parts with odd numbers keep theirs.
+/// Halves all cells; if the parts do not fit then, leaves odd numbers of cells as they are.
 std::unique_ptr<scenes::LoadedScene> Meshes::read_coarser(const scenes::LoadedScene& finer) {
   for (const Halved which : {Halved::all, Halved::even_only})
     if (auto coarse = read_halved(finer, halved_cells(finer, which))) return coarse;

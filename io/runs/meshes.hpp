@@ -7,8 +7,8 @@
 
 namespace netloft::runs {
 
-/// Coarser meshes of a case: each has half as many cells along a side as the one before, where cells can be
-/// halved (coarser.hpp). They are read when they are first asked for.
+/// Coarser meshes of a case: each has half as many cells along a side as the previous one, where cells can be
+/// halved (coarser.hpp). A mesh is read on first use.
 class Meshes : public Levels {
  public:
   Meshes(const CaseSource& source, const scenes::LoadedScene& finest, Registry& registry);
@@ -23,7 +23,7 @@ class Meshes : public Levels {
   std::unique_ptr<scenes::LoadedScene> read_halved(const scenes::LoadedScene& finer,
                                                    const std::vector<formats::Change>& halved);
 
-  CaseSource source_;  // of the coarsest one that has been read
+  CaseSource source_;  // source of the coarsest mesh read so far
   const scenes::LoadedScene& finest_;
   Registry& registry_;
   unsigned most_;

@@ -19,7 +19,7 @@ bool moves(const scenes::Analysis& analysis) {
   return analysis.kind == AnalysisKind::dynamics || analysis.settles;
 }
 
-/// Throws SceneError for what a motion cannot move.
+/// Throws SceneError for bodies and nodes without the inertia that a motion needs.
 void require_inertia(const scenes::LoadedScene& loaded, const ScenePlan& plan, Registry& registry,
                      Assembler& assembler) {
   const bool is_explicit = registry.integrator(loaded.analysis.dynamics.integrator).is_explicit();
@@ -66,7 +66,7 @@ PreparedScene::State PreparedScene::assemble() {
   return State::ready;
 }
 
-/// The plan of the analysis, after the damping that it counts has been set.
+/// Plans the terms of the analysis, after setting the damping that it uses.
 void PreparedScene::plan_terms() {
   const scenes::Analysis& analysis = loaded_.analysis;
   const scenes::Dynamics& dynamics = analysis.dynamics;
@@ -106,7 +106,7 @@ void PreparedScene::adopt(const Solution& s) {
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
 }
 
-/// The bill of materials lists the length of rope that was found.
+/// Sets the length of a rope in the bill of materials to the value found.
 void PreparedScene::set_length_in_bill(const Setting& setting) {
   if (!loaded_.gear) return;
   for (scenes::BillItem& item : loaded_.gear->bill)

@@ -17,16 +17,15 @@ namespace netloft::runs {
 
 class Meshes;
 
-/// The scene of a case, its changes, and the threads that work on it. Copies share what was read of the
-/// scene.
+/// The scene of a case, its changes, and the number of threads. Copies share the data read from the scene.
 struct CaseSource {
-  /// `set`: "path=value", as `--set` takes them.
+  /// `set`: "path=value", in the syntax of `--set`.
   CaseSource(std::filesystem::path file, const std::vector<std::string>& set = {}, int thread_count = 1)
       : scene(std::move(file)), changes(formats::read_changes(set)), threads(thread_count) {}
 
   scenes::SceneSource scene;
   std::vector<formats::Change> changes;
-  int threads;  // of the assembly and of large factorisations
+  int threads;  // threads of the assembly and of large factorisations
 };
 
 /// A scene that is ready to be evaluated: read, checked, planned and assembled. equilibrium.hpp and march.hpp
@@ -38,14 +37,14 @@ class PreparedScene {
     double reading = 0, setup = 0;
   };
 
-  /// `make` makes matrices' factorisations. Scenes that share one (keep_analyses) order and analyse a common
-  /// pattern once.
+  /// `make` creates factorisations of matrices. Scenes with the same `make` (keep_analyses) order and analyse
+  /// a common pattern only once.
   PreparedScene(CaseSource source, Registry& registry, MakeFactorisation make = {});
   ~PreparedScene();
   PreparedScene(const PreparedScene&) = delete;
   PreparedScene& operator=(const PreparedScene&) = delete;
 
-  /// Reads, checks and assembles. `change` may alter the scene between reading and planning, such as its
+  /// Reads, checks and assembles. `change` may alter the scene between reading and planning, for example its
   /// start or its water. If the state is not `ready`, diagnostics() has the reasons.
   State prepare(const std::function<void(scenes::LoadedScene&)>& change = {});
   const formats::Diagnostics& diagnostics() const { return diagnostics_; }
@@ -64,8 +63,8 @@ class PreparedScene {
 
   /// The scene and its coarser meshes, for a search.
   VariantSource variants();
-  /// Takes over what a search found for the quantities that the scene leaves open (Scene::settings). Their
-  /// values change, and the assembler is made anew.
+  /// Adopts the values that a search found for the open quantities of the scene (Scene::settings), and makes
+  /// a new assembler for them.
   void adopt(const Solution& solution);
 
  private:
@@ -87,8 +86,8 @@ class PreparedScene {
   Seconds seconds_;
 };
 
-/// The changes of analysis.solver and analysis.newton.method for `--solver newton:method=classic`, and the
-/// same for a strategy or an integrator. `key` is "solver", "strategy" or "integrator". Throws
+/// The changes of analysis.solver and analysis.newton.method for `--solver newton:method=classic`; likewise
+/// for a strategy or an integrator. `key` is "solver", "strategy" or "integrator". Throws
 /// std::invalid_argument with a sentence if the specification cannot be read.
 std::vector<formats::Change> choose_method(const std::string& key, const std::string& specification);
 

@@ -5,8 +5,8 @@
 
 namespace netloft::runs {
 
-/// Finds the equilibrium at which the motion of the scene's integrator comes to rest, from displacements
-/// `from` (empty: the start of the scene).
+/// Finds the equilibrium in which the motion of the scene's integrator settles, starting from displacements
+/// `from` (empty: the initial positions of the scene).
 Solution settle(PreparedScene& scene, const Watch& watch, const std::vector<double>& from);
 
 }  // namespace netloft::runs

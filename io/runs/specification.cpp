@@ -12,7 +12,7 @@ namespace netloft::runs {
 
 namespace {
 
-/// Letters, digits, '_' and '-', and between them one slash.
+/// Whether a name consists of letters, digits, '_' and '-', with at most one slash between them.
 bool is_component_name(const std::string& name) {
   const auto is_word = [](std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {

@@ -7,11 +7,11 @@
 
 namespace netloft::runs {
 
-/// The integrator of an analysis and a solver for its implicit steps, with their parameters in the form that
-/// plugins read.
+/// The integrator of an analysis and a solver for its implicit steps, with their parameters in the layout
+/// that plugins read.
 class ChosenStepMethods {
  public:
-  /// Throws std::invalid_argument for parameters that a plugin does not take; those of a scene were checked.
+  /// Throws std::invalid_argument for parameters that a plugin rejects; those of a scene were checked before.
   ChosenStepMethods(const scenes::Dynamics& dynamics, const std::string& solver, const Values& parameters,
                     Registry& registry);
 
@@ -25,8 +25,8 @@ class ChosenStepMethods {
   ParameterBlock integrator_parameters_, solver_parameters_;
 };
 
-/// Counts the work of steps in Newton iterations of the scene, or of one with 1000 nodes if that is larger,
-/// because the steps of small scenes are many and cheap.
+/// Measures the work of steps in Newton iterations of the scene, or of a scene with 1000 nodes if that is
+/// larger, because small scenes take many cheap steps.
 WorkModel work_of_steps(const Assembler& assembler, const MakeFactorisation& make);
 
 }  // namespace netloft::runs

@@ -5,11 +5,11 @@
 
 namespace netloft::runs {
 
-/// The part of Rayleigh's damping that is proportional to stiffness, C = β K: of everything that has an axial
-/// stiffness EA and a damping η of its stretch (tension per strain rate), by the roles of its parameters,
+/// The stiffness-proportional part of Rayleigh damping, C = β K, for all elements with an axial stiffness EA
+/// and a damping η of their stretch (tension per strain rate), found by the roles of their parameters:
 ///   η = β EA                                                                               (1)
-/// where the scene does not give η. It acts along the stretch alone, so that what moves as a whole is not
-/// damped, as it would be by K itself, which holds the tension as well. β [s]
+/// unless the scene gives η. The damping acts along the stretch only, so that rigid motions are not damped. K
+/// itself would damp them, because it contains the tension. β [s]
 void damp_stretch(Scene& scene, Registry& registry, double beta);
 
 }  // namespace netloft::runs

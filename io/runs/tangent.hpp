@@ -7,14 +7,15 @@
 
 namespace netloft::runs {
 
-/// Whether displacements of one scene can be used in the other: the same unknowns, numbered alike.
+/// Whether displacements of one scene are valid for the other: both have the same unknowns, numbered alike.
 bool have_same_topology(const PreparedScene& a, const PreparedScene& b);
 
-/// First-order motion of the equilibrium x of `scene` while the scene becomes `near`, whose values differ by
-/// a little and whose topology is the same:
+/// First-order change of the equilibrium x of `scene` when the scene becomes `near`, which has slightly
+/// different values and the same topology:
 ///   K(x) dx = −(r_near(x) − r(x))                                                      (1)
-/// over all dofs, those of holds included. Nothing if K has no factor, if x cannot be evaluated in one of the
-/// scenes, or if the scene leaves quantities open (Scene::settings), which would have to move as well.
+/// over all dofs, those of holds included. Empty if K cannot be factorised, if x cannot be evaluated in one
+/// of the scenes, or if the scene leaves quantities open (Scene::settings), which would have to change as
+/// well.
 std::optional<std::vector<double>> tangent_towards(PreparedScene& scene, PreparedScene& near,
                                                    const std::vector<double>& x, Statistics& spent);
 

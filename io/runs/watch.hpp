@@ -10,15 +10,15 @@
 
 namespace netloft::runs {
 
-/// Callbacks of a search or a motion, and the flag that interrupts it. All of them may be empty.
+/// Callbacks of a search or a motion, and the flag that interrupts it. Each may be empty.
 struct Watch {
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const IterationRecord&)> on_iteration = {};
-  KeptPoint* kept = nullptr;  // receives the best point so far
+  KeptPoint* kept = nullptr;  // receives the best point found so far
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};  // after every stage
-  /// After every step in time, with the name of the run.
+  /// Called after every step in time with the name of the run.
   std::function<void(const StepRecord&, const std::string& run)> on_step = {};
-  /// Receives the processor time that is allowed from now on [s]; infinite at the end of the search.
+  /// Receives the processor time allowed from now on [s]; infinite at the end of the search.
   std::function<void(double)> on_budget = {};
 };
 
