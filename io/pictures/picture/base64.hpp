@@ -12,10 +12,10 @@ inline Bytes bytes_of(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
-/// base64 with padding (RFC 4648).
+/// Encodes bytes in base64 with padding (RFC 4648).
 std::string base64(Bytes bytes);
 
-/// zlib's format at a level that is quick to write. Throws std::runtime_error if there is no memory.
+/// Compresses bytes in zlib's format at a fast level. Throws std::runtime_error if there is no memory.
 std::string deflated(Bytes bytes);
 
 }  // namespace netloft::pictures

@@ -18,17 +18,17 @@ struct Image {
   Colour at(std::size_t x, std::size_t y) const;
 };
 
-/// Collects what lies behind every pixel, translucent or not, with its depth; nothing has to be drawn in
-/// order. A pixel is sampled once; pictures are drawn several times with the samples moved and averaged.
+/// Collects the fragments of every pixel, translucent or opaque, with their depths, so that the drawing order
+/// does not matter. Each pixel has one sample; the painter averages several drawings with shifted samples.
 class Canvas {
  public:
   Canvas(std::size_t width, std::size_t height);
 
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
-  /// Adds colour over a pixel; `depth` grows towards the eye. What is behind something opaque is dropped.
+  /// Adds colour to a pixel; `depth` increases towards the eye. Fragments behind an opaque one are dropped.
   void add(std::size_t x, std::size_t y, double depth, const Colour& colour, double alpha);
-  /// The colour of a pixel, everything laid over the ground from back to front.
+  /// The colour of a pixel, with its fragments composited over the ground from back to front.
   Colour resolve(std::size_t x, std::size_t y, const Colour& ground) const;
   void clear();
 

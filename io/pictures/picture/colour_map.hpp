@@ -9,23 +9,24 @@ namespace netloft::pictures {
 /// Red, green and blue from 0 to 1.
 using Colour = std::array<float, 3>;
 
-/// Viridis (S. van der Walt and N. Smith, matplotlib, CC0) from 0 to 1: its brightness rises evenly, so that
-/// it survives colour blindness and grey printing.
+/// Viridis (S. van der Walt and N. Smith, matplotlib, CC0) from 0 to 1. Its brightness rises evenly, so that
+/// colour-blind readers and grey prints can use it.
 Colour colour_at(double place);
-/// The colours between which it is interpolated, evenly spaced. Pages are handed these.
+/// The evenly spaced colours between which colour_at() interpolates. Pages receive them as data.
 const std::array<Colour, 9>& colour_stops();
 
-/// One of eight colours that colour-blind readers tell apart (M. Okabe and K. Ito, 2008); then they repeat.
+/// One of eight colours that colour-blind readers can distinguish (M. Okabe and K. Ito, 2008); the colours
+/// repeat after eight parts.
 Colour colour_of_part(std::uint32_t part);
 const std::array<Colour, 8>& part_colours();
 
 // Colours without a value of the shown field: netting and ropes; elements on single nodes, such as floats,
-// which are orange as most floats are; the catch, boards and the ship.
+// which are usually orange; the catch; boards; the ship.
 inline constexpr Colour kNoValue = {0.55f, 0.55f, 0.55f}, kFloatColour = {0.93f, 0.53f, 0.18f},
                         kCatchColour = {0.66f, 0.71f, 0.76f}, kBodyColour = {0.36f, 0.45f, 0.54f},
                         kShipColour = {0.72f, 0.33f, 0.27f};
 
-/// "#21908d"
+/// The colour as hexadecimal text, "#21908d".
 std::string hex(const Colour& colour);
 
 }  // namespace netloft::pictures

@@ -27,7 +27,7 @@ const stbtt_fontinfo& font() {
 /// Pixels per unit of the font.
 float scale_of(double size) { return stbtt_ScaleForMappingEmToPixels(&font(), static_cast<float>(size)); }
 
-/// The characters of a UTF-8 text; U+FFFD for bytes that are none.
+/// The characters of a UTF-8 text; U+FFFD for invalid bytes.
 std::vector<int> characters(const std::string& text) {
   std::vector<int> all;
   for (std::size_t i = 0; i < text.size();) {
@@ -48,7 +48,7 @@ float advance_of(int character, float scale) {
   return scale * static_cast<float>(advance);
 }
 
-/// Lays a colour over a pixel with an opacity.
+/// Blends a colour into a pixel.
 void blend(Image& image, long x, long y, const Colour& colour, float opacity) {
   if (x < 0 || y < 0 || x >= static_cast<long>(image.width) || y >= static_cast<long>(image.height)) return;
   const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
@@ -57,7 +57,7 @@ void blend(Image& image, long x, long y, const Colour& colour, float opacity) {
   image.set(column, row, mixed);
 }
 
-/// One letter at (x, y); its coverage is found to a fraction of a pixel along the line.
+/// Writes one letter at (x, y), with its coverage computed at subpixel position along the line.
 void write_letter(Image& image, double x, double y, int character, float scale, const Colour& colour) {
   const double whole = std::floor(x);
   const auto shift = static_cast<float>(x - whole);

@@ -6,11 +6,11 @@
 
 namespace netloft::pictures {
 
-/// Width of a text that write_text() writes [pixels]; `size` is that of the letters, as in CSS.
+/// Width of a text that write_text() writes [pixels]; `size` is the font size, as in CSS.
 double text_width(const std::string& text, double size);
 
-/// Writes a text in Noto Sans (letters/), its base line beginning at (x, y): for pictures in pixels, which
-/// have no fonts. Characters that it has not become the sign of a missing one.
+/// Writes a text in Noto Sans (letters/) into a pixel image, with its base line beginning at (x, y).
+/// Characters that the font lacks appear as its symbol for a missing one.
 void write_text(Image& image, double x, double y, const std::string& text, double size, const Colour& colour);
 
 }  // namespace netloft::pictures

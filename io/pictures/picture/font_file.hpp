@@ -3,7 +3,7 @@
 
 namespace netloft::pictures {
 
-/// The bytes of letters/noto-sans-subset.ttf, put into the program by CMakeLists.txt.
+/// The bytes of letters/noto-sans-subset.ttf, which CMakeLists.txt embeds in the program.
 extern const unsigned char kFontFile[];
 
 }  // namespace netloft::pictures

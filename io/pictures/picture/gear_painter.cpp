@@ -11,13 +11,15 @@ namespace netloft::pictures {
 
 namespace {
 
-constexpr double kCloseness = 5;  // pixels between twines, at least; else every second, fourth … is drawn
-constexpr double kLeastTwine = 0.5;  // half of the width in pixels
+constexpr double kCloseness =
+    5;  // least distance of twines [pixels]; closer ones are thinned to every second, fourth …
+constexpr double kLeastTwine = 0.5;  // least half width [pixels]
 constexpr double kLeastRope = 1.3;
 constexpr double kLeastBall = 3.2;
-constexpr double kFill = 0.32;    // opacity of netting between the twines that are drawn
-constexpr double kNearer = 0.05;  // ropes and floats lie on the netting: this much nearer to the eye [m]
-constexpr double kInside = 0.02;  // the catch lies this much behind the netting [m]
+constexpr double kFill = 0.32;  // opacity of netting between the drawn twines
+constexpr double kNearer =
+    0.05;  // ropes and floats are drawn this much nearer to the eye than the netting [m]
+constexpr double kInside = 0.02;  // the catch is drawn this much behind the netting [m]
 
 Colour scaled(const Colour& colour, double by) {
   const auto f = static_cast<float>(by);
@@ -26,7 +28,7 @@ Colour scaled(const Colour& colour, double by) {
 
 Vec3<double> vector(const Point3& p) { return {p[0], p[1], p[2]}; }
 
-/// A linear function on the picture, given by its values at three corners.
+/// A linear function on the picture, defined by its values at three corners.
 struct Plane {
   double at_first, dx, dy;
   Plane(const std::array<Point3, 3>& p, double f0, double f1, double f2) : at_first(f0) {
@@ -39,8 +41,9 @@ struct Plane {
   double slope() const { return std::hypot(dx, dy); }
 };
 
-/// How much of a pixel the twines on which `u` is a whole number cover; `slope` is that of u over pixels.
-/// If they would be too close, every second, fourth … is drawn, and the twines that are left out next fade.
+/// The fraction of a pixel that is covered by twines at whole numbers of `u`; `slope` is that of u per pixel.
+/// If twines are too close, only every second, fourth … is drawn, and the twines that will be omitted next
+/// fade out.
 double twine_cover(double u, double slope, double half_width) {
   const double per_pixel = std::max(slope, 1e-9), level = std::max(0.0, std::log2(per_pixel * kCloseness));
   const double spacing = std::exp2(std::floor(level)), n = std::round(u / spacing);
@@ -48,13 +51,13 @@ double twine_cover(double u, double slope, double half_width) {
   return fade * std::clamp(half_width + 0.5 - std::abs(u - spacing * n) / per_pixel, 0.0, 1.0);
 }
 
-/// A side of a triangle that no other triangle of its part has.
+/// A boundary side of a part, which belongs to only one of its triangles.
 struct Side {
   std::array<std::uint32_t, 2> nodes;
   std::uint32_t cell;
 };
 
-/// The outlines of the panels. They are seen even where netting is gathered to nothing.
+/// The outlines of the panels, which stay visible even where gathered netting has no area.
 std::vector<Side> outline_of(const results::StoredMesh& mesh) {
   std::map<std::array<std::uint32_t, 3>, std::pair<Side, int>> sides;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -69,7 +72,7 @@ std::vector<Side> outline_of(const results::StoredMesh& mesh) {
   return outline;
 }
 
-/// Paints one gear, with samples that lie (dx, dy) off the corners of the pixels.
+/// Paints one gear, with samples offset by (dx, dy) from the corners of the pixels.
 class GearPainter {
  public:
   GearPainter(const GearShape& shape, const Projection& projection, Canvas& canvas)
@@ -125,8 +128,8 @@ class GearPainter {
     return std::max(least, std::isfinite(diameter) ? diameter / 2 * projection_.pixels_per_metre : 0);
   }
 
-  /// Calls visit(column, row, b, c, rx, ry) for every sample within a triangle: weights of its second and
-  /// third corner, and the sample's place from the first [pixels].
+  /// Calls visit(column, row, b, c, rx, ry) for every sample within a triangle: b and c are the weights of
+  /// its second and third corner, and (rx, ry) is the sample's offset from the first corner [pixels].
   template <class Visit>
   void for_inside(const std::array<Point3, 3>& p, Visit&& visit) const {
     const Plane second(p, 0, 1, 0), third(p, 0, 0, 1);
@@ -166,7 +169,7 @@ class GearPainter {
              1e-9);
   }
 
-  /// More on what faces the eye.
+  /// The brightness of a surface, which is larger if it faces the eye.
   double light_on(const Plane& depth) const {
     const double steepness = depth.slope() * projection_.pixels_per_metre;
     return light_at(1 / std::sqrt(1 + steepness * steepness));
@@ -174,8 +177,8 @@ class GearPainter {
 
   static double light_at(double towards_the_eye) { return 0.62 + 0.38 * towards_the_eye; }
 
-  /// The catch as a body within the netting; its front is closed to the middle of its rim, and lit as a
-  /// plane, for the rim follows the sides of triangles, up and down.
+  /// Paints the catch as a body within the netting. Its front is closed by triangles to the middle of the
+  /// rim, and lit like a plane, because the rim follows the sides of netting triangles in a zigzag.
   void paint_catch() {
     const Solid catch_body{kCatchColour, kInside, {}};
     for (const auto t : shape_.fish.triangles) paint_solid(corners_of(t), catch_body);
@@ -195,7 +198,7 @@ class GearPainter {
     return middle;
   }
 
-  /// The mean of the normals of its triangles, which do not all go round in the same sense.
+  /// The mean normal of the triangles of the front, whose orientations may differ.
   Vec3<double> normal_of_front(const Point3& middle) const {
     const Vec3<double> m = vector(middle);
     Vec3<double> sum;
@@ -207,7 +210,7 @@ class GearPainter {
     return norm(sum) > 0 ? (1 / norm(sum)) * sum : sum;
   }
 
-  /// Boards, and the ship.
+  /// Paints boards and the ship.
   void paint_solids(double sign) {
     for (const auto& plate : shape_.plates)
       paint_triangles(plate.triangles, sign, shape_.colour_of_plate(plate));
@@ -229,8 +232,8 @@ class GearPainter {
 
   struct Solid {
     Colour colour;
-    double behind;                // how much farther from the eye it is taken to be [m]
-    std::optional<double> light;  // on what is no plane of its own
+    double behind;                // distance by which it is moved away from the eye [m]
+    std::optional<double> light;  // brightness of a body that is not lit as a plane
   };
 
   void paint_solid(const std::array<Point3, 3>& p, const Solid& solid) {
@@ -242,7 +245,7 @@ class GearPainter {
     });
   }
 
-  /// Twine coordinates over the picture; none where it is not known how twines lie.
+  /// Twine coordinates as functions on the picture; empty if the directions of twines are not known.
   std::vector<Plane> twines_of(std::size_t t, const std::array<Point3, 3>& p) const {
     const auto& axes = part(mesh_.triangle_cells[t]).twine_axes;
     const auto& uv = mesh_.corners[t];
@@ -261,7 +264,7 @@ class GearPainter {
                half_pixels(cell, kLeastRope));
   }
 
-  /// `w`: half of its width in pixels.
+  /// Paints a line; `w` is half of its width in pixels.
   void paint_line(std::uint32_t from, std::uint32_t to, const Colour& colour, double w) {
     const Point3 &a = at_[from], &b = at_[to];
     const double dx = b[0] - a[0], dy = b[1] - a[1];
@@ -301,7 +304,7 @@ class GearPainter {
   double dx_ = 0, dy_ = 0;
 };
 
-/// Puts what one sampling sees into the sums of all.
+/// Adds the colours of one sampling to the sums over all samplings.
 void add_samples(const Canvas& canvas, const Colour& ground, std::vector<Colour>& sums) {
   for (std::size_t y = 0; y < canvas.height(); ++y)
     for (std::size_t x = 0; x < canvas.width(); ++x) {
@@ -314,7 +317,7 @@ void add_samples(const Canvas& canvas, const Colour& ground, std::vector<Colour>
 
 Image paint(const GearShape& shape, const Projection& projection, std::size_t width, std::size_t height,
             const Colour& ground) {
-  // eight rooks: no two samples of a pixel share a row or a column
+  // positions of eight non-attacking rooks: no two samples of a pixel share a row or a column
   constexpr std::array<std::array<double, 2>, 8> kSamples = {{{0.0625, 0.4375},
                                                               {0.1875, 0.8125},
                                                               {0.3125, 0.1875},

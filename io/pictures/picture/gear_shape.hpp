@@ -17,46 +17,47 @@ namespace netloft::pictures {
 struct GearShape {
   const results::StoredShape* stored = nullptr;
   std::vector<Point3> nodes;
-  std::optional<results::StoredField> field;  // what is coloured; nothing: the part
+  std::optional<results::StoredField> field;  // the field that is coloured; empty: colours show the parts
   results::FieldScales scales;
   std::vector<double> values;                     // by cell
-  std::vector<std::array<double, 3>> at_corners;  // by triangle; of netting these are shown
+  std::vector<std::array<double, 3>> at_corners;  // by triangle, for netting
   results::CatchBody fish;
   std::vector<results::BodyPlate> plates;
   std::vector<Point3> hulls;  // of ships: corners of triangles
 
-  /// The colour of a value on some kind of cell; that of a part where no field is shown.
+  /// The colour of a value on a kind of cell; without a field, the colour of the cell's part.
   Colour colour(results::CellKind kind, std::uint32_t cell, double value) const;
   Colour colour_of_cell(results::CellKind kind, std::uint32_t cell) const {
     return colour(kind, cell, value_of(cell));
   }
   /// The colour of a rigid body.
   Colour colour_of_plate(const results::BodyPlate& plate) const;
-  /// Whether single nodes that only touch the bed are shown: where nothing else has the field.
+  /// Whether single nodes in contact with the bed are shown, which is so if no other cell has the field.
   bool shows_contacts() const;
 
  private:
   double value_of(std::uint32_t cell) const;
 };
 
-/// How values become colours.
+/// The mapping from values to colours.
 struct Colouring {
-  std::string field;  // a name of result.fields, "part", or empty for the first that there is
+  std::string field;  // a name in result.fields, "part", or empty for the first field
   bool is_logarithmic = false;
-  bool by_element = false;  // netting in the values of its triangles, not in means at their corners
+  bool by_element = false;  // whether netting shows the values of its triangles, not means at corners
 };
 
-/// Throws std::invalid_argument with a sentence for a field that the result has not.
+/// Throws std::invalid_argument with a sentence for a field that the result does not have.
 GearShape shape_of(const results::StoredShape& stored, std::size_t state, const Colouring& colouring);
 
-/// The parts for which a picture has room: netting alone; boards and other bodies, too; bridles, warps and
-/// ship, too.
+/// The parts that a picture is sized for: netting only; also boards and other bodies; also bridles, warps and
+/// ship.
 enum class Framing { netting, boards, all };
 
-/// "netting", "boards", "all"; nothing for other names.
+/// The framing "netting", "boards" or "all"; empty for other names.
 std::optional<Framing> framing_called(const std::string& name);
 
-/// Points that a picture has to hold, of a half model mirrored, too; everything if there is no netting.
+/// The points that must fit in the picture, mirrored ones of a half model included; all points if there is no
+/// netting.
 std::vector<Point3> extent_of(const GearShape& shape, Framing framing);
 
 }  // namespace netloft::pictures

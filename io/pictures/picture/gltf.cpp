@@ -17,16 +17,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers of glTF 2.0 (and of OpenGL).
+// Codes of glTF 2.0 (and of OpenGL).
 enum Mode { kPoints = 0, kLines = 1, kTriangles = 4 };
-constexpr double kLeastTextureTwine = 0.03;  // half width in a texture, in meshes: thinner ones are not seen
+constexpr double kLeastTextureTwine =
+    0.03;  // least half width of twines in a texture [meshes]; thinner ones are invisible
 constexpr int kFloat = 5126, kArrayBuffer = 34962, kLinear = 9729, kLinearMipmapLinear = 9987;
 
-/// Colours of vertices are linear in glTF, ours are those of screens (IEC 61966-2-1).
+/// Converts a colour component from sRGB (IEC 61966-2-1) to linear, which glTF uses for vertices.
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
-/// One part in one of the three modes: positions and colours of its vertices, and for netting their places on
-/// the panel in meshes, so that the file is a mesh for scenes (io/formats/mesh).
+/// One part in one of the three modes: positions and colours of its vertices, and for netting the panel
+/// coordinates in meshes, so that scenes can read the file as a mesh (io/formats/mesh).
 struct Vertices {
   std::vector<float> positions, colours, meshes;
   bool has_meshes = true;
@@ -44,7 +45,7 @@ struct Vertices {
 
 using Primitives = std::map<std::pair<std::uint32_t, Mode>, Vertices>;
 
-/// The number after those of the parts: a ship is not a part of the gear.
+/// The index of the ship, which follows those of the parts because a ship is not a part of the gear.
 std::uint32_t ship_of(const GearShape& shape) {
   return static_cast<std::uint32_t>(shape.stored->parts.size());
 }
@@ -79,7 +80,7 @@ std::string name_of(const GearShape& shape, std::uint32_t part) {
   return part == ship_of(shape) ? "ship" : shape.stored->parts[part].name;
 }
 
-/// Writes a file piece by piece: the document, and the numbers that it refers to.
+/// Writes a file in pieces: the JSON document, and the binary data that it refers to.
 class GltfWriter {
  public:
   explicit GltfWriter(const GearShape& shape) : shape_(shape) {}
@@ -97,7 +98,7 @@ class GltfWriter {
     };
     group(shape_.stored->result.is_half() ? "starboard" : "gear", 1);
     if (shape_.stored->result.is_half()) add_mirrored(children.size(), nodes, halves);
-    // z up becomes y up
+    // rotates z up to y up
     nodes.push_back({{"name", shape_.stored->result.title},
                      {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}},
                      {"children", halves}});
@@ -105,7 +106,7 @@ class GltfWriter {
   }
 
  private:
-  /// A node has one parent only, so that the mirrored half has nodes of its own on the same meshes.
+  /// Adds separate nodes for the mirrored half with the same meshes, because a node may have only one parent.
   static void add_mirrored(std::size_t parts, Json& nodes, Json& halves) {
     Json children = Json::array();
     for (std::size_t i = 0; i < parts; ++i) {
@@ -133,8 +134,8 @@ class GltfWriter {
             {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}};
   }
 
-  /// The material with the twines of a part's netting; the plain one where it is not known how they lie.
-  /// Parts of the same netting share one.
+  /// The material that shows the twines of a part's netting; the plain one if their directions are not known.
+  /// Parts of the same netting share a material.
   std::size_t material_of_netting(std::uint32_t part) {
     const results::StoredPart& p = shape_.stored->parts[part];
     const double half_width = std::isfinite(p.diameter / p.bar) ? p.diameter / p.bar / 2 : 0;
@@ -154,7 +155,8 @@ class GltfWriter {
     images_.push_back({{"bufferView", views_.size()}, {"mimeType", "image/png"}});
     views_.push_back({{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes.size()}});
     binary_ += bytes;
-    binary_.append((4 - binary_.size() % 4) % 4, '\0');  // numbers that follow begin at a multiple of four
+    binary_.append((4 - binary_.size() % 4) % 4,
+                   '\0');  // aligns the following numbers to a multiple of four bytes
   }
 
   std::size_t add_accessor(const std::vector<float>& values, std::size_t components, bool with_box) {

@@ -6,15 +6,15 @@
 
 namespace netloft::pictures {
 
-/// A line on the sheet, and how long the words are that belong beside it [pixels].
+/// A line on the sheet, and the length of its label [pixels].
 struct LabelledLine {
-  Point3 from{}, to{};  // of which x and y count
+  Point3 from{}, to{};  // only x and y are used
   double words = 0;
 };
 
-/// Frames of the words beside lines, `size` high, in the order of the lines. Words are tried at seven places
-/// along their line and on both sides of it, and moved into `picture` where they would run off it; the first
-/// place is taken that is free of all words before it, else the one that shares least with them.
+/// Frames of the labels beside lines, `size` high, in the order of the lines. Each label is tried at seven
+/// positions along its line, on both sides, and is moved into `picture` if it would cross the edge. It gets
+/// the first position that overlaps no earlier label, else the one with the least overlap.
 std::vector<Frame> place_labels(const std::vector<LabelledLine>& lines, double size, const Frame& picture);
 
 }  // namespace netloft::pictures

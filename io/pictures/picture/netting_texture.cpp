@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t kSide = 64;  // pixels
 constexpr float kTwine = 0.35f;    // brightness of twines
 
-/// How far `u` is from the nearest integer.
+/// The distance of `u` from the nearest integer.
 double from_integer(double u) { return std::abs(u - std::round(u)); }
 
-constexpr double kRoundOff = 1e-9;  // of computed axes
+constexpr double kRoundOff = 1e-9;  // rounding error of computed axes
 
 bool repeats(const std::array<double, 4>& axes) {
   return std::all_of(axes.begin(), axes.end(), [](double a) { return from_integer(a) < kRoundOff; });

@@ -12,7 +12,7 @@ namespace {
 using Rgb = Palette::Rgb;
 constexpr std::size_t kMostColours = 256;
 
-/// A colour of the picture, and how many pixels have it.
+/// A colour of the picture, and the number of pixels with this colour.
 struct Counted {
   Rgb colour;
   std::size_t pixels;
@@ -35,7 +35,7 @@ std::size_t pixels_in(Box box) {
   return sum;
 }
 
-/// The axis of colour along which a box is longest, and that length.
+/// The colour axis along which a box is longest, and its length there.
 std::pair<std::size_t, int> longest_side(Box box) {
   std::pair<std::size_t, int> longest{0, -1};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -48,7 +48,7 @@ std::pair<std::size_t, int> longest_side(Box box) {
   return longest;
 }
 
-/// The place to cut: half of the pixels lie on either side, and no side is empty.
+/// The index at which to cut a box: about half of the pixels are on either side, and neither side is empty.
 std::size_t median_of(Box box) {
   const std::size_t half = pixels_in(box) / 2;
   std::size_t sum = 0, at = 0;
@@ -56,7 +56,7 @@ std::size_t median_of(Box box) {
   return std::max<std::size_t>(at, 1);
 }
 
-/// How much is gained by dividing a box.
+/// The benefit of dividing a box.
 double worth(Box box) {
   return box.size() < 2 ? 0 : longest_side(box).second * static_cast<double>(pixels_in(box));
 }

@@ -8,15 +8,15 @@
 
 namespace netloft::pictures {
 
-/// A picture in 256 colours at most.
+/// A picture with at most 256 colours.
 struct Palette {
   using Rgb = std::array<std::uint8_t, 3>;
   std::vector<Rgb> colours;
-  std::vector<std::uint8_t> pixels;  // the number of a colour, row by row
+  std::vector<std::uint8_t> pixels;  // the index of a colour, row by row
 };
 
-/// The picture in colours that are near its own: boxes of colours are halved at the median of their longest
-/// side (P. Heckbert, Color image quantization for frame buffer display, SIGGRAPH 1982).
+/// Reduces a picture to similar colours: boxes of colours are halved at the median of their longest side (P.
+/// Heckbert, Color image quantization for frame buffer display, SIGGRAPH 1982).
 Palette palette_of(const Image& image);
 
 }  // namespace netloft::pictures

@@ -16,10 +16,10 @@ namespace {
 constexpr double kTall = 420, kSketchMargin = 20, kNames = 150;  // pixels; room for names to the right
 constexpr const char *kInk = "#222", *kPale = "#555";
 
-using Grid = std::array<long, 2>;  // a place in tenths of millimetres, so that equal corners compare equal
+using Grid = std::array<long, 2>;  // a position in tenths of millimetres, so that equal corners compare equal
 using GridSide = std::array<Grid, 2>;
 
-/// The sides of a panel's triangles, with the number of triangles that have them.
+/// The sides of a panel's triangles, with the number of triangles at each.
 using GridSides = std::map<GridSide, int>;
 
 Grid grid_of(const scenes::SheetPlace& s, double U, double V) {
@@ -46,7 +46,7 @@ std::map<std::uint32_t, GridSides> sides_of(const results::StoredShape& stored) 
   return all;
 }
 
-/// The box around everything on the sheet.
+/// The bounding box of the sheet's content.
 struct SketchBox {
   long left = 1L << 60, right = -(1L << 60), top = 1L << 60, bottom = -(1L << 60);
   void take(const Grid& p) {

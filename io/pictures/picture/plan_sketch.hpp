@@ -6,8 +6,8 @@
 
 namespace netloft::pictures {
 
-/// The outlines and names of the panels as they lie on the plan, as SVG; of a half model that half. Empty if
-/// the result does not say where panels lie.
+/// The outlines and names of the panels in their places on the plan, as SVG; only the modelled half of a half
+/// model. Empty if the result has no places of panels.
 std::string plan_sketch(const results::StoredShape& stored);
 
 }  // namespace netloft::pictures

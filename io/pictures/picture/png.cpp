@@ -15,7 +15,7 @@ std::string big_endian(std::uint32_t value) {
           static_cast<char>(value)};
 }
 
-/// Length, name, data and checksum of a chunk.
+/// A chunk: length, name, data and checksum.
 std::string chunk(const std::string& name, const std::string& data) {
   const std::string body = name + data;
   const auto sum = crc32(0, bytes_of(body).data(), static_cast<uInt>(body.size()));
@@ -40,7 +40,7 @@ std::string png(const Image& image) {
   std::string rows;
   rows.reserve((3 * image.width + 1) * image.height);
   for (std::size_t y = 0; y < image.height; ++y) {
-    rows += '\1';  // every byte as its difference from the pixel to the left
+    rows += '\1';  // filter 1: each byte is its difference from the pixel to the left
     const std::uint8_t* row = image.bytes.data() + 3 * image.width * y;
     for (std::size_t i = 0; i < 3 * image.width; ++i)
       rows += static_cast<char>(row[i] - (i < 3 ? 0 : row[i - 3]));
@@ -53,7 +53,7 @@ std::string small_png(const Image& image) {
   std::string colours, rows;
   for (const auto& colour : palette.colours) colours.append(colour.begin(), colour.end());
   for (std::size_t y = 0; y < image.height; ++y) {
-    rows += '\0';  // bytes as they are
+    rows += '\0';  // filter 0: bytes are unchanged
     const auto row = palette.pixels.begin() + static_cast<std::ptrdiff_t>(y * image.width);
     rows.append(row, row + static_cast<std::ptrdiff_t>(image.width));
   }

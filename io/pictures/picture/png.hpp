@@ -6,11 +6,11 @@
 
 namespace netloft::pictures {
 
-/// The bytes of a PNG file (ISO/IEC 15948), eight bits a colour.
+/// The bytes of a PNG file (ISO/IEC 15948) with eight bits per colour.
 std::string png(const Image& image);
 
-/// The same in 256 colours (palette.hpp), a third as large: for pictures of nets, whose every pixel differs
-/// from the next.
+/// The same with 256 colours (palette.hpp), a third as large: for pictures of nets, in which neighbouring
+/// pixels always differ.
 std::string small_png(const Image& image);
 
 }  // namespace netloft::pictures

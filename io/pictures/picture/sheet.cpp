@@ -17,9 +17,11 @@ namespace netloft::pictures {
 
 namespace {
 
-constexpr double kNarrow = 760;  // below, the legends stand under the title
+// on narrower sheets, the legends are below the title
+constexpr double kNarrow = 760;
 constexpr double kMargin = 16, kHead = 46, kFoot = 40, kTitleSize = 18;
-constexpr double kLeastHeight = 0.16, kGreatestHeight = 0.64;  // of the picture, relative to its width
+// of the picture, relative to its width
+constexpr double kLeastHeight = 0.16, kGreatestHeight = 0.64;
 
 struct Sheet {
   double width = 0, height = 0, picture_top = 0;
@@ -27,7 +29,7 @@ struct Sheet {
   SheetLayout layout;
 };
 
-/// A long title is cut, with a mark that it was.
+/// Shortens a long title and adds an ellipsis.
 std::string shortened(std::string text, std::size_t most) {
   if (text.size() <= most) return text;
   std::size_t end = most - 3;
@@ -59,7 +61,7 @@ void add_title(const results::StoredShape& stored, std::size_t state, SheetLayou
          13});
 }
 
-/// In views along the level: the bed under the gear, from edge to edge of the picture.
+/// Adds the line of the bed under the gear, from edge to edge, in the side and front views.
 void add_bed(const GearShape& shape, const Projection& projection, View view, Sheet& sheet) {
   constexpr int kPieces = 64;
   constexpr Colour kBed = {0.55f, 0.46f, 0.3f};
@@ -88,7 +90,7 @@ SheetLayout empty_layout(bool is_dark) {
   return layout;
 }
 
-/// Height of the picture that the points fill in a view, within reason [pixels].
+/// Height of the picture that the points fill in a view, within limits [pixels].
 double picture_height(View view, const std::vector<Point3>& points, double width) {
   const Projection projection = fit(view, points, {kMargin, 0, width - 2 * kMargin, 1e9});
   double low = INFINITY, high = -INFINITY;
@@ -138,7 +140,7 @@ std::string svg_of(const SheetLayout::Words& words, const SheetLayout& layout) {
       words.x, words.y, words.size, hex(layout.ink), anchor, halo, formats::escape_markup(words.text));
 }
 
-/// A line with soft edges: every pixel by its distance from it.
+/// Draws a line with soft edges: the opacity of a pixel follows from its distance to the line.
 void draw_line(const SheetLayout::Line& line, Image& image) {
   const double dx = line.x1 - line.x0, dy = line.y1 - line.y0, square = dx * dx + dy * dy;
   const auto pixel = [](double x, std::size_t most) {

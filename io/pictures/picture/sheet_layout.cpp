@@ -16,9 +16,10 @@ namespace netloft::pictures {
 namespace {
 
 constexpr double kBarWidth = 260, kBarHeight = 11, kRow = 38;
-constexpr double kLeastDimension = 24;  // pixels: shorter ones are seen from their end
+// pixels; shorter ones are nearly parallel to the line of sight
+constexpr double kLeastDimension = 24;
 
-/// Three digits, and those before the point of a larger number.
+/// Formats three significant digits, or all digits before the point of a larger number.
 std::string three_digits(double value) {
   const double size = std::abs(value);
   return size >= 1000 && size < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
@@ -50,7 +51,7 @@ void add_ticks(const results::Scale& scale, double left, double top, SheetLayout
     layout.boxes.push_back({x - 0.5, top + kBarHeight, 1, 3, layout.ink});
     layout.words.push_back({x, top + kBarHeight + 15, three_digits(tick), 12, SheetLayout::Align::middle});
   }
-  // beyond the ends there are values, too
+  // Values also exist beyond the ends of the scale.
   if (scale.is_cut_below)
     layout.words.push_back({left - 4, top + kBarHeight, "<", 12, SheetLayout::Align::right});
   if (scale.is_cut_above) layout.words.push_back({left + kBarWidth + 4, top + kBarHeight, ">", 12});
@@ -95,7 +96,7 @@ void add_scale_bar(double pixels_per_metre, double x, double y, double longest, 
 
 namespace {
 
-/// A line with an arrow at either end.
+/// Adds a line with an arrow at either end.
 void add_arrow(const Point3& a, const Point3& b, SheetLayout& layout) {
   constexpr double kHead = 9, kOpen = 0.32;
   const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
@@ -116,7 +117,7 @@ bool is_inside(const Point3& p, const Frame& frame) {
 
 void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
                     SheetLayout& layout) {
-  constexpr double kWords = 13;  // their size [pixels]
+  constexpr double kWords = 13;  // font size [pixels]
   std::vector<double> points;
   for (const auto& node : shape.nodes) points.insert(points.end(), node.begin(), node.end());
   std::vector<LabelledLine> lines;

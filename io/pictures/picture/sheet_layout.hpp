@@ -20,11 +20,11 @@ struct SheetLayout {
     Colour colour;
   };
   struct Words {
-    double x, y;  // where the base line begins, has its middle, or ends
+    double x, y;  // start, middle or end of the base line, by `align`
     std::string text;
     double size;
     Align align = Align::left;
-    bool has_halo = false;  // a rim in the colour of the ground, over a picture
+    bool has_halo = false;  // an outline in the background colour, for text over a picture
   };
 
   Colour ground, ink;
@@ -33,17 +33,17 @@ struct SheetLayout {
   std::vector<Words> words;
 };
 
-/// Height of the legends of a shape [pixels]; none has a height of zero.
+/// Height of the legends of a shape [pixels]; zero if there are none.
 double legend_height(const GearShape& shape);
-/// A bar of colours with round values for netting, ropes and single nodes that have the field; its upper
-/// right corner is at (right, top).
+/// Adds a colour bar with round values for each of netting, ropes and single nodes that has the field. The
+/// upper right corner is at (right, top).
 void add_legends(const GearShape& shape, double right, double top, SheetLayout& layout);
 
-/// A scale of a round number of metres with its left end at (x, y), not longer than `longest` [pixels].
+/// Adds a scale bar of a round number of metres with its left end at (x, y), at most `longest` long [pixels].
 void add_scale_bar(double pixels_per_metre, double x, double y, double longest, SheetLayout& layout);
 
-/// Height and spreads as lines with their lengths: those whose ends are both in the picture, which takes
-/// the frame `picture` of the sheet.
+/// Adds height and spreads as lines with their lengths, if both ends are inside the frame `picture` of the
+/// sheet.
 void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
                     SheetLayout& layout);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The one place that compiles the library, which is a header alone.
+// Compiles the library, which consists of a header only. No other file does.
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_truetype.h>

@@ -7,14 +7,15 @@
 
 namespace netloft::pictures {
 
-/// The direction from which a gear is seen: from port, from above, from ahead, from above and ahead on the
-/// port side.
+/// The direction from which a gear is viewed: from port, from above, from ahead, or obliquely from above,
+/// ahead and port.
 enum class View { side, top, front, oblique };
 
-/// "side", "top", "front", "oblique"; nothing for other names.
+/// The view "side", "top", "front" or "oblique"; empty for other names.
 std::optional<View> view_of(const std::string& name);
 
-/// The direction of the eye of a view: azimuth about z from x towards y, elevation above the level [degrees].
+/// The direction towards the eye of a view: azimuth about z from x towards y, elevation above the horizontal
+/// [degrees].
 struct ViewAngles {
   double azimuth, elevation;
 };
@@ -22,7 +23,7 @@ ViewAngles angles_of(View view);
 
 using Point3 = std::array<double, 3>;
 
-/// Parallel projection onto a picture, x to the right and y downwards in pixels.
+/// Parallel projection onto a picture with x to the right and y downwards, in pixels.
 struct Projection {
   Point3 right, up, eye;  // unit vectors
   double pixels_per_metre = 1, x = 0, y = 0;
@@ -36,7 +37,7 @@ struct Frame {
   double left, top, width, height;
 };
 
-/// The projection that puts the points into the frame, as large as it may be.
+/// The projection that fits the points into the frame at the largest scale.
 Projection fit(View view, const std::vector<Point3>& points, const Frame& frame);
 
 }  // namespace netloft::pictures

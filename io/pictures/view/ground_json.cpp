@@ -21,7 +21,7 @@ struct Stretch {
   double size() const { return last - first; }
 };
 
-/// Around all nodes of the last state: as large again on every side.
+/// The region around all nodes of the last state, extended on every side by its own size.
 std::array<Stretch, 2> region_of(const results::StoredShape& stored) {
   std::array<Stretch, 2> region;
   const auto points = stored.points(stored.times.size() - 1);

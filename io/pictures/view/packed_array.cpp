@@ -11,7 +11,8 @@ namespace netloft::pictures {
 
 namespace {
 
-/// All first bytes of the numbers, then all second ones …: neighbours are alike, so that they deflate well.
+/// Reorders bytes: the first bytes of all numbers, then all second ones … Neighbouring bytes are then similar
+/// and compress well.
 template <class Number>
 std::vector<unsigned char> shuffled(std::span<const Number> numbers) {
   std::vector<unsigned char> bytes(numbers.size_bytes());

@@ -32,9 +32,10 @@ std::string name_of_file(const results::Result& result) {
   return std::filesystem::path(result.path).filename().string();
 }
 
-constexpr std::size_t kPictureWidth = 800;  // pixels: pages of any gear stay below 2 MB
+// pixels, so that pages of any gear stay below 2 MB
+constexpr std::size_t kPictureWidth = 800;
 
-/// Says above everything else that a shape is no answer.
+/// A warning at the top of a page that the shape is not an equilibrium.
 std::string unfinished_html(const results::Result& result) {
   return "<p><strong>" +
          in_html(name_of_file(result) + ": " +
@@ -50,7 +51,8 @@ std::string picture_html(const results::StoredShape& shape, View view, const std
   return "<figure>" + svg_sheet(shape, options) + "<figcaption>" + words + "</figcaption></figure>\n";
 }
 
-/// Views from the side, the top and the front, and the plan, for readers without scripts and for paper.
+/// Views from the side, from above and from the front, and the plan, for readers without scripts and for
+/// print.
 std::string pictures_html(const results::StoredShape& shape) {
   std::string html = "<section id=\"pictures\" aria-label=\"Pictures\">\n";
   for (const auto& [view, words] :

@@ -8,11 +8,11 @@
 
 namespace netloft::pictures {
 
-/// A page with the viewer, in one file without a network: report and pictures are static, and
-/// scripts put the viewer above them. Two results are laid over one another; three and more are a sweep.
+/// A page with the viewer, in one file that needs no network: report and pictures are static, and scripts put
+/// the viewer above them. Two results are superimposed; three or more form a sweep.
 std::string view_page(const std::vector<const results::StoredShape*>& shapes, std::size_t most_states);
 
-/// A page with the report alone: no scripts.
+/// A page with the report only, without scripts.
 std::string report_page(const results::StoredShape& shape);
 
 }  // namespace netloft::pictures

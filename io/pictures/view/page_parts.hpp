@@ -10,6 +10,6 @@ extern const char* const kPageStyle;
 extern const char* const kPageBody;  // the elements of the viewer
 extern const char* const
     kPagePolicy;  // the Content-Security-Policy: these two scripts and this style, no network
-extern const char* const kPageQuietPolicy;  // that of a page without scripts
+extern const char* const kPageQuietPolicy;  // the policy of a page without scripts
 
 }  // namespace netloft::pictures

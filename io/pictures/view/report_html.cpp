@@ -17,7 +17,7 @@ namespace netloft::pictures {
 
 namespace {
 
-/// Five digits, and those before the point of a larger number.
+/// Formats five significant digits, or all digits before the point of a larger number.
 std::string number(double value) {
   if (!std::isfinite(value)) return "–";
   return std::abs(value) >= 1e5 && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value)
@@ -30,7 +30,7 @@ std::string number(double value, const char* format) {
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// A table that is written row by row. Texts are escaped here and nowhere else.
+/// A table that is written row by row. It escapes all texts, so that callers must not.
 class HtmlTable {
  public:
   explicit HtmlTable(const std::vector<std::string>& columns) : html_("<table>\n<tr>") {
@@ -50,7 +50,7 @@ class HtmlTable {
     html_ += "<td class=\"number\">" + in_html(text) + "</td>";
     return *this;
   }
-  /// A part of a whole, as a bar with its per cent beside it; `of` is what has it.
+  /// A fraction as a bar with its percentage; `of` is the name of the loaded item.
   HtmlTable& share(double share, const std::string& of) {
     if (!std::isfinite(share)) return value("–");
     const std::string percent = number(100 * share, "{:.0f}");
@@ -102,7 +102,7 @@ std::string figures_html(const results::Result& result) {
   return heading("Figures") + rows + paragraph(results::errors_text(result) + ".");
 }
 
-/// The tables of a report, the same as in its text.
+/// The tables of a report, identical to those of its text.
 std::string tables_html(const std::vector<results::FigureTable>& tables) {
   std::string html;
   for (const auto& one : tables) {

@@ -6,19 +6,19 @@
 
 namespace netloft::pictures {
 
-// The report of a result as elements of a page. All texts of the result are escaped.
+// Functions for the report of a result as HTML elements. All texts of the result are escaped.
 
 /// Outcome, notes and warnings.
 std::string summary_html(const results::Result& result);
 /// The bill of materials, with loads against breaking loads; empty if there is none.
 std::string materials_table(const results::Result& result);
-/// All figures with their errors, tables by part, convergence, where it comes from.
+/// All figures with their errors, tables by part, convergence, and the origins of the result.
 std::string details_html(const results::Result& result);
 
 /// The changes between two results as a table.
 std::string diff_html(const results::ResultDiff& diff);
 
-/// Text with its special characters escaped for a page.
+/// Escapes the special characters of a text for HTML.
 std::string in_html(const std::string& text);
 
 }  // namespace netloft::pictures

@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinities and no NaN: null.
+/// Writes a number; infinities and NaN become null, because JSON has neither.
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 template <class Numbers>
@@ -34,7 +34,7 @@ Json numbers(const Numbers& values) {
   return all;
 }
 
-/// All or nothing: null unless every number is known.
+/// The numbers as an array; null unless all of them are known.
 template <class Numbers>
 Json known_numbers(const Numbers& values) {
   const bool known = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> flat(const std::vector<std::array<std::uint32_t, n>>&
   return all;
 }
 
-/// The part of each of some cells.
+/// The part of each of these cells.
 Json parts_of(const results::StoredMesh& mesh, const std::vector<std::uint32_t>& cells) {
   std::vector<std::uint32_t> parts;
   for (const auto cell : cells) parts.push_back(mesh.cell_part[cell]);
@@ -92,8 +92,8 @@ void put_mesh(const results::StoredMesh& mesh, Json& json) {
 
 using Origin = std::array<double, 3>;
 
-/// Positions from the origin, in multiples of a power of two below a millionth of the gear's size: digits
-/// beyond those do not deflate.
+/// Positions relative to the origin, rounded to a power of two below a millionth of the gear's size, because
+/// further digits do not compress.
 std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
   double size = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -105,7 +105,8 @@ std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
   return points;
 }
 
-/// The middle of the box around the last state's nodes; of a half on its plane of symmetry.
+/// The centre of the bounding box of the last state's nodes; for a half gear, moved onto its plane of
+/// symmetry.
 Origin origin_of(const results::StoredShape& stored) {
   const auto points = stored.points(stored.times.size() - 1);
   Origin origin{};
@@ -129,7 +130,7 @@ Json packed_corners(const Corners& corners, const Origin& origin) {
   return packed(shifted(std::move(numbers), origin));
 }
 
-/// Boards as they are turned, and the ship.
+/// Puts the triangles of boards, at their orientation, and of the ship.
 void put_solids(const results::StoredShape& stored, std::size_t state, const Origin& origin, Json& json) {
   Corners plates, hulls;
   for (const auto& plate : results::plates_of(stored, state))
@@ -142,7 +143,7 @@ void put_solids(const results::StoredShape& stored, std::size_t state, const Ori
   json["hulls"] = packed_corners(hulls, origin);
 }
 
-/// Which single node each triangle of the plates belongs to.
+/// The single node to which each triangle of the plates belongs.
 Json plate_dots(const results::StoredShape& stored) {
   std::vector<std::uint32_t> dots;
   for (const auto& plate : results::plates_of(stored, stored.times.size() - 1))
@@ -203,7 +204,7 @@ Json catch_json(const results::StoredShape& stored) {
   return {{"triangles", packed(body.triangles)}, {"rim", packed(flat(body.rim))}};
 }
 
-/// An end is a node, and whether it is the mirrored one; null: the bed below the other end.
+/// An end as its node and whether it is mirrored; null for the bed below the other end.
 Json end_json(const results::DimensionEnd& end) {
   if (end.where == results::DimensionEnd::Where::bed) return nullptr;
   return {{"node", end.node}, {"mirrored", end.where == results::DimensionEnd::Where::mirrored}};
@@ -216,7 +217,7 @@ Json dimensions_json(const results::StoredShape& stored) {
   return all;
 }
 
-/// Colours and views, which pages share with pictures.
+/// Colours and views, which are the same on pages and in pictures.
 Json style_json() {
   Json views = Json::object();
   for (const auto& [name, view] : {std::pair{"side", View::side},
@@ -283,7 +284,7 @@ Json result_json(const results::StoredShape& stored, std::size_t most_states) {
   return json;
 }
 
-/// The setting of a sweep; two results are no sweep.
+/// The setting that varies in a sweep; two results are not a sweep.
 Varied varied_among(const std::vector<const results::StoredShape*>& results) {
   std::vector<SweepInput> inputs;
   for (const auto* stored : results) {

@@ -19,7 +19,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// The options --set: "gear.nodes" and "500".
+/// Reads the options --set: "gear.nodes" and "500".
 Settings settings_of_command(const SweepInput& result) {
   Settings settings;
   const auto& words = result.command;
@@ -33,8 +33,8 @@ Settings settings_of_command(const SweepInput& result) {
   return settings;
 }
 
-/// Values on lines of their own in the scene, by table and key. Others are not looked for: this
-/// serves to name what was varied, not to read scenes.
+/// Reads values on lines of their own in the scene, by table and key. Other values are ignored, because the
+/// purpose is to name the varied setting, not to read scenes.
 Settings settings_of_scene(const SweepInput& result) {
   Settings settings;
   std::istringstream text(result.scene);
@@ -50,7 +50,7 @@ Settings settings_of_scene(const SweepInput& result) {
   return settings;
 }
 
-/// The number that "2.5 kn" or 12 begins with, and the unit after it.
+/// The leading number of "2.5 kn" or 12, and the unit after it.
 struct Quantity {
   double number = NAN;
   std::string unit = {};
