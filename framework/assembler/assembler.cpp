@@ -19,8 +19,8 @@ bool is_idle(const Scene& scene, const FamilyPlan& family) {
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
 }
 
-/// Makes the families that have active terms, in the order of the plan. Nodes for their shared unknowns are
-/// numbered after those of the scene and the rotations of its bodies.
+/// Makes the families that have active terms, in the order of the plan. The nodes of their shared unknowns
+/// are numbered after the nodes of the scene and of its bodies' rotations.
 std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const ScenePlan& plan) {
   std::vector<std::unique_ptr<ElementFamily>> families;
   std::size_t nodes = scene.node_count() + scene.bodies.size();
@@ -32,8 +32,8 @@ std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, co
   return families;
 }
 
-/// The nodes of the scene, without its parts, followed by the rotations of its bodies and by those of the
-/// families' shared unknowns.
+/// Returns a scene without parts that has all nodes: those of `scene`, one for the rotation of each body, and
+/// those of the families' shared unknowns.
 Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<ElementFamily>> families) {
   Scene all;
   all.positions = scene.positions;
@@ -71,7 +71,7 @@ struct Assembler::Elements {
   NodeBlocks blocks;
 };
 
-/// The steps of an evaluation.
+/// The objects that make the steps of an evaluation.
 struct Assembler::Parts {
   Parts(const Scene& scene, const ScenePlan& plan, int threads, ElementTiles made, std::size_t dofs,
         Bodies& bodies, const Frames& frames)

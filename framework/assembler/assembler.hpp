@@ -13,8 +13,8 @@ namespace netloft {
 
 class ElementReports;
 
-/// The sum over all elements of a scene: energy, residual and matrix. Vectors over all dofs are in the order
-/// of `numbering()`. Evaluation allocates nothing.
+/// Sums the energy, the residual and the matrix of all elements of a scene. Vectors over all dofs are in the
+/// order of `numbering()`. Evaluation allocates nothing.
 class Assembler : public Placement {
  public:
   Assembler(const Scene& scene, const ScenePlan& plan, int threads);
@@ -23,7 +23,8 @@ class Assembler : public Placement {
   Assembler& operator=(const Assembler&) = delete;
 
   const SparsePattern& pattern() const { return pattern_; }
-  /// Numbers of a matrix, which are more than the entries of its pattern.
+  /// Length of the array of matrix values. It stores whole 3 x 3 blocks, so that it is longer than the
+  /// pattern.
   std::size_t value_slots() const;
   std::span<const std::unique_ptr<ElementFamily>> families() const { return families_; }
   /// Threads among which an evaluation is divided; 1 if the scene is too small to gain from more.
@@ -32,7 +33,7 @@ class Assembler : public Placement {
   /// Evaluates at positions x (over all dofs). Returns false if an element could not be evaluated: see
   /// fault().
   bool evaluate(std::span<const double> x, const Request& request);
-  /// Evaluations of single terms and elements.
+  /// Evaluates single terms and elements for reports.
   ElementReports& reports();
   const ElementFault& fault() const;
   /// The name of the element at fault: "net element 17".
@@ -42,20 +43,22 @@ class Assembler : public Placement {
   std::string node_name(const Scene& scene, std::uint32_t node) const;
 
   /// Makes every element remember positions x as the last accepted step. Evaluations do not change this
-  /// memory. At first the elements remember the start. If it returns false, nothing has changed: see fault().
+  /// memory. At first the elements remember the start. Returns false and changes nothing if an element could
+  /// not be evaluated: see fault().
   bool remember(std::span<const double> x, const Kinematics& motion = {});
   /// The memory of all elements, one after another, so that it can be saved and restored.
   std::vector<double> memory() const;
   void set_memory(std::span<const double> kept);
-  /// Makes members remember how fast they were stretched in an accepted step that ends at `time` [s], (3) of
-  /// mean_of_members.hpp with ν = `memory`. Returns false if an element does not tell its members.
+  /// Updates the rates of stretch that members remember after an accepted step that ends at `time` [s], by
+  /// (3) of mean_of_members.hpp with ν = `memory`. Returns false if an element fails to write its members.
   bool remember_stretch(const StepEnds& ends, double memory, double time);
 
-  /// Masses of the nodes along their own axes: nine numbers each, row by row [kg], followed for each body by
-  /// nine numbers between its origin and its rotation. `coupled` is the largest entry between other nodes;
-  /// these blocks leave such entries out. Returns false on failure: see fault().
+  /// Writes the 3 x 3 mass block of each node along its own axes, row by row [kg], and then, for each body,
+  /// the block that couples its origin and its rotation. `coupled` receives the largest entry between other
+  /// pairs of nodes; no block contains such entries. Returns false if an element could not be evaluated: see
+  /// fault().
   bool masses(std::span<const double> x, std::span<double> blocks, double& coupled);
-  /// Numbers in `blocks` of masses().
+  /// Length of `blocks` in masses().
   std::size_t mass_numbers() const { return 3 * numbering_.dofs() + 9 * bodies_.pairs().size(); }
 
  private:

@@ -13,12 +13,12 @@ std::array<std::size_t, 3> places_of(const Numbering& numbering, std::uint32_t n
   return {numbering.dof(node, 0).at(), numbering.dof(node, 1).at(), numbering.dof(node, 2).at()};
 }
 
-/// Three entries of a vector over all dofs, over a length.
+/// Three entries of a vector over all dofs, divided by the length `over`.
 Vec3<double> read(std::span<const double> x, const std::array<std::size_t, 3>& at, double over = 1) {
   return {x[at[0]] / over, x[at[1]] / over, x[at[2]] / over};
 }
 
-/// The same as functions of variables `first` to `first` + 2, which are the entries.
+/// The same quotients as dual numbers, with the entries as variables `first` to `first` + 2.
 template <class T>
 Vec3<T> read_variables(std::span<const double> x, const std::array<std::size_t, 3>& at, double over,
                        int first) {
@@ -34,7 +34,7 @@ Vec3<T> constant(const std::array<double, 3>& r) {
 
 using Matrix3 = std::array<double, 9>;
 
-/// Derivatives with respect to variables `first` to `first` + 2.
+/// Derivatives of f with respect to variables `first` to `first` + 2.
 template <class T>
 Matrix3 slope(const Vec3<T>& f, std::size_t first) {
   Matrix3 slope{};
@@ -88,7 +88,8 @@ Bodies::Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks&
         add_products(blocks, 9 * b, blocks.row_node[b], column, symmetric);
 }
 
-/// A lower block off the diagonal represents its transpose, too; a diagonal block is symmetric and complete.
+/// In a symmetric matrix, a lower block off the diagonal also represents its transpose; a diagonal block
+/// represents itself alone.
 void Bodies::add_products(const NodeBlocks& blocks, std::size_t from, std::uint32_t row, std::uint32_t column,
                           bool symmetric) {
   const bool on_diagonal = row == column;
@@ -238,7 +239,7 @@ void Bodies::hand_on_masses(std::span<const double> x, std::span<double> blocks,
 bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                      std::span<double> a) const {
   constexpr double kLongest =
-      4.71238898038469;  // ¾ of a turn: half-way from the shortest to where T is singular
+      4.71238898038469;  // ¾ of a turn: half-way from half a turn to a whole turn, where T is singular
   bool some = false;
   for (const Body& body : bodies_) {
     const auto is_free = [&](std::size_t place) { return place < static_cast<std::size_t>(unknowns_); };
@@ -255,7 +256,7 @@ bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::sp
       const auto second = a.empty() ? Vec3<double>{} : read(a, body.rotation, body.arm);
       const auto new_rate = rate_of_spin(shorter, spin_of(psi, rate));
       put(v, new_rate);
-      // α is linear in ψ̈: what the rates alone give is taken away first.
+      // α is linear in ψ̈, so that the part of α from the rates alone is subtracted first.
       put(a, rate_of_spin(shorter, spin_rate_of(psi, rate, second) - spin_rate_of(shorter, new_rate, {})));
     }
     put(u, shorter - (1 / body.arm) * read(start, body.rotation));

@@ -10,19 +10,20 @@ struct BodyMotion {
   double cu = 1, cv = 0, ca = 0;
 };
 
-/// Matrix values of one evaluation. `damping` and `mass` are the values for cv = 1 alone and for ca = 1
-/// alone, with all elements at carried nodes; null at rest.
+/// Matrix values of one evaluation. `damping` has the values for cv = 1 alone, `mass` those for ca = 1 alone,
+/// both summed over all elements at carried nodes. If they are null, (4) is left out.
 struct BodyMatrices {
   double* values = nullptr;
   const double *damping = nullptr, *mass = nullptr;
 };
 
-/// Nodes carried by rigid bodies. Elements treat them like any other node; their forces and matrices are
-/// passed on to the body. ψ is the rotation vector of the body, ℓ its arm, q = ℓψ the unknowns of the
+/// Nodes that rigid bodies carry. Elements treat a carried node like any other; its forces and matrix values
+/// are passed on to its body. ψ is the rotation vector of the body, ℓ its arm, q = ℓψ the unknowns of the
 /// rotation, and r a node in the body's own axes:
 ///   x = X + R(ψ) r,   ẋ = Ẋ + G q̇,   ẍ = Ẍ + G q̈ + Ġ q̇,   G = ∂x/∂q                                     (1)
-///   f_X += f,   f_q += Gᵀ f (2) K ← [I G]ᵀ K [I G],   K_qq += cu Σ_i f_i ∂²x_i/∂q²   the geometric term (3)
-///   K_·q += [I G]ᵀ (C V + M (cv A_v + cu A)),  V = cu ∂ẋ/∂q,  A_v = ∂ẍ/∂q̇,  A = ∂ẍ/∂q    if it moves     (4)
+///   f_X += f,   f_q += Gᵀ f                                                                             (2)
+///   K ← [I G]ᵀ K [I G],   K_qq += cu Σ_i f_i ∂²x_i/∂q²    (the geometric term)                          (3)
+///   K_·q += [I G]ᵀ (C V + M (cv A_v + cu A)),  V = cu ∂ẋ/∂q,  A_v = ∂ẍ/∂q̇,  A = ∂ẍ/∂q    (in motion)    (4)
 /// where K = cu ∂f/∂x + cv C + ca M. All derivatives are exact (dual numbers). f_q is a force: the moment
 /// that does work on ψ, divided by the arm.
 class Bodies {
@@ -43,16 +44,17 @@ class Bodies {
   void place(std::span<double> x) const;
   /// Rates of carried nodes, (1).
   void move(std::span<const double> x, std::span<double> v, std::span<double> a) const;
-  /// Forces on carried nodes are passed on to their bodies, (2). Matrix values of an evaluation at x are
-  /// passed on as well, with (4), and with the geometric term of (3) if `exact`; `residual` and the values
-  /// may be null.
+  /// Passes the forces on carried nodes on to their bodies by (2), and the matrix values of an evaluation at
+  /// x by (3) and (4). The geometric term of (3) is added only if `exact`. `residual` and the values may be
+  /// null.
   void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
                const BodyMatrices& matrices, bool exact);
-  /// In a metric, which is passed on by (3), the rotation block A of each body becomes
+  /// Replaces the rotation block A of each body by (5), in a metric that has been passed on by (3). A is
+  /// singular if all points of the body are on one line: nothing resists a rotation about that line.
   ///   tr(A) I ≥ A                                                                           (5)
-  /// A is singular if all points of the body are on one line, about which it turns freely.
   void resist_turning(double* metric) const;
-  /// Masses, blocks of nodes, are passed on, (3); `between` has a block per body, origin x rotation.
+  /// Adds the mass blocks of carried nodes to those of their bodies by (3). `between` has one block per body,
+  /// origin x rotation.
   void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
   /// Replaces rotation vectors of more than ¾ of a turn by the shorter vectors of the same rotation, and
   /// their rates by those of the same spin, in displacements u of the unknowns from `start` and their rates,
@@ -67,7 +69,7 @@ class Bodies {
   struct Body {
     Place origin, rotation;
     double arm;
-    std::size_t rotation_block;  // of its rotation with itself; unset if it cannot turn
+    std::size_t rotation_block;  // diagonal block of its rotation; kNoBlock if it cannot turn
   };
   struct Point {
     std::uint32_t node;
@@ -75,7 +77,7 @@ class Bodies {
     std::array<double, 3> r;
     std::size_t body;
   };
-  /// Derivatives of the place of a point.
+  /// Derivatives of the position and the rates of a point.
   struct Slopes {
     Matrix3 G;
     std::array<Matrix3, 3> second;           // ∂²x_i/∂q²
@@ -86,7 +88,7 @@ class Bodies {
   /// required.
   struct Product {
     std::size_t from, to;
-    int left, right;     // points whose G is the factor, -1: the identity
+    int left, right;     // points whose G is the factor; -1: the factor is the identity
     bool from_diagonal;  // only the lower triangle of the source is filled
     bool transposed, both;
   };
@@ -98,7 +100,7 @@ class Bodies {
 
   struct Target {
     std::uint32_t node;
-    int point;  // the point whose G is used, -1: the identity
+    int point;  // the point whose G is used; -1: the identity is used
   };
   std::int32_t unknowns_ = 0;
   std::vector<Body> bodies_;

@@ -34,8 +34,9 @@ void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums
   }
 }
 
-/// Calls a term for a matrix other than its exact tangent: the convex part or the metric, which the term
-/// offers or the host makes from the exact tangent, or the symmetric part of a full square.
+/// Adds a matrix of a term that is not its exact tangent. The convex part or the metric is evaluated by the
+/// term or, if the term does not offer it, made from the exact tangent. If the exact matrix is symmetric and
+/// the tangent is not, its symmetric part is added.
 int call_matrix_term(const ElementFamily& f, const netloft_term& term, netloft_tile& t, MatrixKind kind,
                      TileSums& sums) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;

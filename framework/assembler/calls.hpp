@@ -13,9 +13,9 @@ class TermCalls {
   /// `symmetric`: the matrix holds its lower triangle only.
   TermCalls(TangentChoice tangent, bool symmetric) : tangent_(tangent), symmetric_(symmetric) {}
 
-  /// Calls the terms with an energy, or those without. The former are called first, so that the gradient of
-  /// the energy has the same bits whether or not the others follow. Returns the first status other than
-  /// NETLOFT_OK.
+  /// Calls the terms with an energy if `with_energy`, otherwise those without. A caller evaluates the former
+  /// first, so that the gradient of the energy has the same bits whether or not the latter follow. Returns
+  /// the first status other than NETLOFT_OK.
   int call(const ElementFamily& family, bool with_energy, netloft_tile& tile, const Request& request,
            TileSums& sums) const;
 

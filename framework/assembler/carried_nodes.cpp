@@ -3,8 +3,8 @@
 
 namespace netloft {
 
-/// The geometric term of a body needs forces, so they are evaluated even if the request wants none.
-/// To keep those of the last evaluation at the same x instead would save less than 0.2 % of a search for an
+/// The geometric term of a body needs forces, so that they are evaluated even if the request has none.
+/// Reusing the forces of the last evaluation at the same x would save less than 0.2 % of a search for an
 /// equilibrium with otter boards (83-112-at-sea-66m, with 2000 and 8000 nodes) and 1.4 % of a motion with
 /// them (dynamics/83-112-in-motion).
 bool CarriedNodes::pass_on(std::span<const double> x, const Request& request) {
@@ -29,7 +29,7 @@ bool CarriedNodes::pass_on(std::span<const double> x, const Request& request) {
   return true;
 }
 
-/// C and M of (4): rotations turn the velocities and accelerations of carried nodes, too.
+/// Evaluates C and M of (4), because velocities and accelerations of carried nodes depend on the rotation.
 bool CarriedNodes::find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices) {
   request.residual = nullptr;
   request.matrix = MatrixKind::exact;

@@ -11,14 +11,16 @@ namespace netloft {
 
 class TileEvaluator;
 
-/// The memory of each family. On a ground that passes, elements that slide on it have no past.
+/// Makes the memory of each family. If `ground_passes`, the ground moves under the gear, and terms that read
+/// the ground need no memory.
 std::vector<Memory> make_memories(const ElementTiles& tiles, bool ground_passes);
 
 /// Makes all elements remember positions x (over all dofs) as the last accepted step. Returns false if an
 /// element could not be evaluated; then nothing has changed.
 bool remember(TileEvaluator& elements, std::span<const double> x, const Kinematics& motion);
 
-/// All numbers that elements remember, rates of stretch included, one family after another.
+/// All numbers that elements remember: first the states of all families, then the rates of stretch of all
+/// families.
 std::vector<double> read_memory(TileEvaluator& elements);
 void write_memory(TileEvaluator& elements, std::span<const double> numbers);
 

@@ -14,7 +14,7 @@ struct ElementTiles {
   std::vector<FamilyGroup> groups;
   std::size_t count = 0;   // tiles of all groups
   bool symmetric = true;   // matrices hold their lower triangle only
-  std::size_t values = 0;  // numbers of a matrix, with spare blocks for held nodes
+  std::size_t values = 0;  // length of the array of matrix values, with spare blocks for held nodes
 
   const FamilyGroup& group_of(std::size_t family) const;
   /// Degrees of freedom of the widest element.

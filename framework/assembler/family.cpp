@@ -68,10 +68,10 @@ void ElementFamily::gather_parameters(const Scene& scene) {
 }
 
 void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
-  law_parameters_.reserve(plan.laws.size());  // watches point there
+  law_parameters_.reserve(plan.laws.size());  // so that no reallocation moves what law watches point to
   for (const auto& law : plan.laws) {
     if (!law.type) {
-      laws_.push_back({});  // still water: no term reads it
+      laws_.push_back({});  // the water is still: no term reads a law
       continue;
     }
     std::vector<std::string> wrong;
@@ -105,7 +105,7 @@ void ElementFamily::gather_nodes(const Scene& scene, std::uint32_t first_global_
   }
 }
 
-/// Adds the rotation of a body after its origin.
+/// Adds the rotation node of a body to the nodes of an element, after the origin of the body.
 void ElementFamily::add_body_of(const Scene& scene, std::uint32_t origin, const Part& part) {
   const auto body = scene.body_at(origin);
   if (!body) throw SceneError({{part.name, type_->type + " stands on rigid bodies, and this is none"}});
@@ -169,7 +169,8 @@ void ElementFamily::create(const Scene& scene) {
         type_->type + " element " + std::to_string(e - part_begin_[part_[e]]) + " is refused: " + message}});
 }
 
-/// Coordinates that are not used by a shared unknown are held, and so are those with a given value.
+/// Makes the nodes of the shared unknowns. Coordinates that no unknown uses are held, as are those with a
+/// given value.
 void ElementFamily::gather_globals(const Scene& scene, std::uint32_t first_node) {
   const auto& globals = type_->globals;
   for (std::uint32_t p = 0; p < parts_.size() && !globals.empty(); ++p) {

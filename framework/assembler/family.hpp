@@ -10,7 +10,7 @@
 
 namespace netloft {
 
-/// Rotations of bodies are kept in nodes of their own, which follow those of the scene.
+/// The node whose coordinates are the rotation of a body. Such nodes follow those of the scene.
 inline std::uint32_t rotation_node(const Scene& scene, std::size_t body) {
   return static_cast<std::uint32_t>(scene.node_count() + body);
 }
@@ -40,7 +40,7 @@ class ElementFamily {
   /// The scene part to which an element belongs.
   std::uint32_t part(std::size_t element) const { return parts_[part_[element]]; }
   const std::vector<std::uint32_t>& parts() const { return parts_; }
-  /// Viscosity of the water at its parts, divided by the viscosity of the scene's water.
+  /// Viscosity of the water at the parts of the family, divided by the viscosity of the scene's water.
   double viscosity_ratio() const { return viscosity_ratio_; }
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
@@ -50,7 +50,8 @@ class ElementFamily {
     assert(element < arms_.size());
     return arms_[element];
   }
-  /// Calls one of the element's terms, or its outputs; plugin_call.hpp then names the element.
+  /// Evaluates a term or the outputs on a tile, and attributes the call to the element type
+  /// (plugin_call.hpp).
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
 
@@ -68,11 +69,11 @@ class ElementFamily {
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
-  /// Terms that a static analysis leaves out, but that are part of its matrices with rates.
+  /// Terms that a static analysis evaluates only for matrices with derivatives by rates.
   const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
   /// One per law slot in use.
   const std::vector<std::unique_ptr<LawWatch>>& law_watches() const { return watches_; }
-  /// Whether some active term needs this input from the host.
+  /// Whether some active term has this trait, and so needs an input from the host.
   bool reads(std::uint32_t trait) const {
     for (const auto& term : terms_)
       if (term.traits & trait) return true;

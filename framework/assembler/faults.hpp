@@ -19,13 +19,13 @@ std::string place_of(const ElementFault& fault, const ElementFamily& family, con
 /// "net element 17 (priour/triangle): it has no area"
 std::string sentence_of(const ElementFault& fault, const ElementFamily& family, const Scene& scene);
 
-/// The fault with the lowest element number among the tiles of one thread. The lowest of all threads is
-/// therefore the same for any number of threads.
+/// The fault with the lowest element number among the tiles of one thread. The lowest of these over all
+/// threads does not depend on the number of threads.
 class FaultNote {
  public:
   /// Lets the elements of a tile write a message.
   void begin(netloft_tile& tile);
-  /// Keeps the fault of a tile unless that of an earlier element is kept.
+  /// Stores the fault of a tile, unless the fault of an earlier element is stored.
   void keep(std::size_t family, const netloft_tile& tile, int status);
   void clear() { *this = {}; }
 

@@ -18,7 +18,7 @@ void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, d
     for (std::size_t lane = 0; lane < count; ++lane) to[lane] = from[map[lane]];
 }
 
-/// Elements see the rotation of a body in radians, where the unknowns are lengths.
+/// Converts rotations of bodies from lengths, which are the unknowns, to radians, which elements read.
 void divide_rotations(const Tiling& tiling, std::size_t tile, double* rows) {
   for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane)
     for (std::size_t d = 3; d < 6; ++d)
@@ -106,7 +106,7 @@ netloft_tile Gatherer::make_tile(const ElementFamily& f, std::size_t tile, const
 }
 
 /// Computes the velocity of the water at the nodes of a tile, whose positions have been gathered. A uniform
-/// current is filled in already.
+/// current without waves is computed once for all tiles.
 void Gatherer::gather_current(const Tiling& tiling, std::size_t tile, double time, TileInputs& w) const {
   if (current_.is_uniform() && !waves_) return fill_current(time, w);
   std::array<double, 3> velocity, dz;
@@ -120,9 +120,9 @@ void Gatherer::gather_current(const Tiling& tiling, std::size_t tile, double tim
     }
 }
 
-/// Adds the waves to the current at the nodes of a tile, which has been gathered. How waves change from place
-/// to place at the same height is left out of the tangent, as `current_dz` has no room for it: over a step it
-/// is the drag's slope times k a omega h, small against inertia.
+/// Adds the waves to the gathered current at the nodes of a tile. The tangent leaves out how waves change in
+/// horizontal directions, because `current_dz` has no room for it. Over a step of length h, the missing part
+/// is the slope of the drag times k a omega h, which is small compared with inertia.
 void Gatherer::gather_waves(const Tiling& tiling, std::size_t tile, double time, TileInputs& w) const {
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
@@ -137,7 +137,7 @@ void Gatherer::gather_waves(const Tiling& tiling, std::size_t tile, double time,
     }
 }
 
-/// The bed below the nodes of a tile, whose positions have been gathered.
+/// Evaluates the bed below the nodes of a tile, whose positions have been gathered.
 void Gatherer::gather_bed(const Tiling& tiling, std::size_t tile, TileInputs& w) const {
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {

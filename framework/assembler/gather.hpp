@@ -13,22 +13,23 @@
 
 namespace netloft {
 
-/// The inputs of the elements of one tile, in rows of 64 numbers. Inputs that a scene has not are empty.
+/// The inputs of the elements of one tile, in rows of 64 numbers. Inputs that the scene does not have are
+/// empty.
 struct TileInputs {
   std::vector<double> x, x_low;                     // positions [m] and their low-order part
   std::vector<double> v, a;                         // [m/s], [m/s²]; empty if everything is at rest
   std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
   std::vector<double> bed;                          // six numbers per node
-  ExtensionInputs extensions;                       // of the tile that a family receives
+  ExtensionInputs extensions;  // data of extensions for the family that receives the tile
   // time of the uniform current that is filled in [s]
   double current_time = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Positions of the nodes of a tile [dof][64] out of a vector over all dofs; rotations of bodies in radians.
+/// Copies the positions of a tile's nodes, [dof][64], from a vector over all dofs. Rotations become radians.
 void gather_positions(const Tiling& tiling, std::size_t tile, const double* x, double* to);
 
-/// Gathers the inputs of the elements of a tile: positions and rates out of vectors over all dofs, and the
+/// Gathers the inputs of the elements of a tile: positions and rates from vectors over all dofs, and the
 /// water and the seabed at the nodes.
 class Gatherer {
  public:
@@ -36,11 +37,11 @@ class Gatherer {
 
   /// Room for tiles of elements of up to `dofs` degrees of freedom.
   TileInputs make_inputs(std::size_t dofs) const;
-  /// Gathers what some family of a group reads.
+  /// Gathers all inputs that some family of a group reads.
   void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,
               TileInputs& inputs) const;
-  /// A gathered tile as one family of its group receives it, without memory and message. Data of extensions
-  /// are filled in and not handed to the tile yet.
+  /// Makes the tile that one family of the group receives, without memory and message. Data of extensions are
+  /// filled in, but not yet attached to the tile.
   netloft_tile make_tile(const ElementFamily& family, std::size_t tile, const Kinematics& motion,
                          TileInputs& inputs) const;
   bool ground_passes() const { return ground_passes_; }
@@ -53,7 +54,7 @@ class Gatherer {
 
   SceneWater water_;
   Current current_;
-  std::shared_ptr<const WaterField> waves_;  // null in statics, too
+  std::shared_ptr<const WaterField> waves_;  // null in statics and without waves
   std::array<double, 3> ground_;             // [m/s]
   SeaBed bed_;
   bool ground_passes_, has_rates_;

@@ -89,7 +89,7 @@ LawUse LawWatch::end() {
 
 int LawWatch::pass_on(const void* watch, const netloft_law_tile* flow) {
   const LawWatch& self = *static_cast<const LawWatch*>(watch);
-  if (self.watches_) const_cast<LawWatch&>(self).note(*flow);  // the boundary hands on what is constant
+  if (self.watches_) const_cast<LawWatch&>(self).note(*flow);  // the C interface passes a pointer to const
   return self.law_.law.evaluate(self.parameters_, flow);
 }
 

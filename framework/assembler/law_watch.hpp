@@ -7,29 +7,29 @@
 
 namespace netloft {
 
-/// How much a law was used inside and outside one of the ranges that it was measured in. Weights are metres
-/// of twine or square metres of netting as given by the elements; elements that give none weigh one per call.
+/// Use of a law inside and outside one of the ranges in which it was measured. Each call counts with the
+/// metres of twine or square metres of netting that the element gives, or with 1 if it gives none.
 struct RangeUse {
   const netloft_validity* range = nullptr;
   double inside = 0, outside = 0;
-  double least = std::numeric_limits<double>::infinity(), most = -least;  // of the quantity
+  double least = std::numeric_limits<double>::infinity(), most = -least;  // values of the quantity
 
-  /// The fraction of all weights, 0 to 1.
+  /// Fraction of the use that is outside the range, 0 to 1.
   double fraction_outside() const { return outside > 0 ? outside / (inside + outside) : 0; }
 };
 
-/// How the parts of a family use a law.
+/// Use of a law by the parts of a family.
 struct LawUse {
   const LawType* law = nullptr;
   std::vector<std::uint32_t> parts;  // of the scene
   std::vector<RangeUse> ranges;
 };
 
-/// Passes the calls of elements on to a law. While it watches, it adds up for each range of the law how much
-/// of the gear is outside. Watching is serial.
+/// Passes the calls of elements on to a law. While it watches, it sums for each range of the law how much of
+/// the gear is inside and outside. Only one thread may then call it.
 class LawWatch {
  public:
-  /// `parameters` have to outlive this object, and have no errors.
+  /// `parameters` must be valid and outlive this object.
   LawWatch(const LawType& law, const ParameterBlock& parameters);
 
   /// The law that elements call: the plain one if it has no range to watch.

@@ -22,8 +22,8 @@ double largest_lane(std::span<const double> lanes) {
   return largest;
 }
 
-/// The unknown of a row of an element on a body, divided by the coordinate of the element: the arm for
-/// rotations, otherwise 1.
+/// Ratio of the unknown to the element's coordinate in a row of an element on a body: the arm for rotations,
+/// otherwise 1.
 double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row) {
   return row / 3 == 1 ? f.arm(element) : 1;
 }
@@ -35,7 +35,7 @@ std::size_t body_at(std::span<const std::array<std::uint32_t, 2>> bodies, std::u
   return static_cast<std::size_t>(found - bodies.begin());
 }
 
-/// Adds the masses of elements on bodies, whose rows are those of the origin, of the rotation and of shared
+/// Adds entry (r, c) of elements on bodies. Their rows belong to the origin, then the rotation, then shared
 /// unknowns.
 void add_on_bodies(const ElementFamily& f, const netloft_tile& t, std::size_t r, std::size_t c,
                    const double* lanes, std::span<const std::array<std::uint32_t, 2>> bodies,

@@ -6,16 +6,16 @@
 
 namespace netloft {
 
-/// The nodal blocks of ∂r/∂a, by which explicit schemes divide, summed from the tangents of the elements
-/// without a sparse matrix.
+/// The nodal blocks of ∂r/∂a, summed from the tangents of the elements without a sparse matrix. Explicit
+/// schemes divide by these blocks.
 struct MassBlocks {
   std::span<double> nodes;    // per node 3 x 3, row by row [kg]
   std::span<double> between;  // per body 3 x 3, origin x rotation [kg]
-  double coupled = 0;         // the largest entry between other nodes, which no block holds [kg]
+  double coupled = 0;         // largest entry between other nodes; no block contains it [kg]
 };
 
-/// Adds all elements at x. `bodies` are the nodes of each body, its origin and its rotation. Returns false if
-/// an element could not be evaluated: see elements.fault().
+/// Adds the masses of all elements at x. `bodies` has two nodes per body, its origin and its rotation.
+/// Returns false if an element could not be evaluated: see elements.fault().
 bool add_masses(TileEvaluator& elements, std::span<const std::array<std::uint32_t, 2>> bodies,
                 std::span<const double> x, MassBlocks& masses);
 

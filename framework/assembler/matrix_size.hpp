@@ -4,11 +4,12 @@
 
 namespace netloft {
 
-/// Values that a matrix may have: its indices have 32 bits, those of its factors 64.
+/// Largest number of values of a matrix, because its indices have 32 bits. Indices of its factors have 64
+/// bits.
 inline constexpr std::size_t kMostValues = 0x7fffffff;
 
-/// Throws std::length_error with a sentence where so many pairs of nodes have more values than that, nine
-/// each.
+/// Throws std::length_error with a sentence if this number of node pairs, with nine values each, exceeds
+/// kMostValues.
 void require_indices(std::size_t blocks);
 
 }  // namespace netloft

@@ -12,18 +12,18 @@ namespace netloft {
 /// which members were stretched.
 class MeanForces {
  public:
-  /// `are_used`: some integrator asks for mean forces. Without it nothing is kept.
+  /// `are_used`: the integrator uses mean forces. Otherwise no memory is allocated.
   MeanForces(const ElementTiles& tiles, bool are_used);
 
   StepTile make_step_tile() const;
   /// Gathers the positions at the ends of a step.
   void gather(const Tiling& tiling, std::size_t tile, const StepEnds& ends, StepTile& step) const;
-  /// Corrects what terms with an energy have added at the middle of a step: their forces become mean forces
-  /// and their tangents the slopes of these. Returns the first status other than NETLOFT_OK.
+  /// Corrects the sums of terms with an energy at the middle of a step: forces become mean forces, tangents
+  /// become the derivatives of mean forces. Returns the first status other than NETLOFT_OK.
   int add(std::size_t family, const netloft_tile& tile, const Request& request, TileSums& sums,
           StepTile& step) const;
-  /// Updates the rates of stretch after a step that is accepted, (3) of mean_of_members.hpp. Returns false
-  /// if an element does not tell its members.
+  /// Updates the rates of stretch after a step that is accepted, (3) of mean_of_members.hpp. Returns false if
+  /// an element fails to write its members.
   bool remember(const StepEnds& ends, double memory, double time);
   /// Rates of stretch of the members of each family [m/s]; empty for families without members.
   std::vector<Memory>& rates() { return rates_; }

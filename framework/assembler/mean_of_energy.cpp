@@ -10,10 +10,11 @@ namespace netloft {
 
 namespace {
 
-/// Rounding of the energies of both ends is worth this many units of them.
+/// A difference of energies below this fraction of their magnitudes counts as rounding error.
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
-/// Removes the rigid-body motion of an element from the moves of its nodes, [3 nodes] at x.
+/// Removes the rigid-body motion of an element at positions x from the displacements `moves` of its nodes;
+/// both have three numbers per node.
 void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   using Nodes = Eigen::Matrix<double, 3, Eigen::Dynamic>;
   const Eigen::Map<const Nodes> places(x, 3, static_cast<Eigen::Index>(nodes));
@@ -35,7 +36,7 @@ void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   }
 }
 
-/// A term in one lane; without a correction μ is zero.
+/// A term in one lane. μ is zero if no correction is needed.
 struct Lane {
   double way[12] = {}, force[12] = {}, later[12] = {}, g[12] = {};  // Δ, ∇E(x), ∇E(x₁), P Δ
   double work = 0, square = 0, mu = 0;                              // ∇E·Δ, g·g, μ
@@ -69,7 +70,7 @@ Lane read_lane(const ElementFamily& f, const netloft_term& term, std::size_t lan
   return m;
 }
 
-/// Adds (2), with K in the scratch rows.
+/// Adds (2) without K; the scratch rows contain K.
 void add_slope_of_lane(const TileOfStep& of, const Lane& m, std::size_t lane) {
   const std::size_t dofs = of.dofs();
   double* slope = of.open_slope();
@@ -87,7 +88,8 @@ void add_slope_of_lane(const TileOfStep& of, const Lane& m, std::size_t lane) {
         slope[(packed(r) + c) * kTileLanes + lane] += 0.5 * (entry(r, c) + entry(c, r));
 }
 
-/// Evaluates a term at positions x for the energy and the force number `which`, and its tangent.
+/// Evaluates a term at positions x. The energy and the force are stored in the step at index `which`, the
+/// tangent in the scratch rows.
 int call(const TileOfStep& of, const netloft_term& term, const double* x, std::size_t which,
          std::uint32_t want) {
   netloft_tile at = of.tile;

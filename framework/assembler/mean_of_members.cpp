@@ -19,7 +19,7 @@ struct PositionsOfTile {
   const double *before, *after, *middle;
 };
 
-/// A member in one lane: chords at both ends of the step and in the middle of what was evaluated.
+/// A member in one lane: its chords at both ends of the step and at the positions of the evaluation.
 struct Chord {
   Chord(const netloft_member& m, const PositionsOfTile& tile, std::size_t nodes, std::size_t lane) {
     for (std::size_t p = 0; p < nodes; ++p)
@@ -46,7 +46,7 @@ struct MemberOfStep {
   bool grows() const { return before.rest_length != after.rest_length; }
 };
 
-/// T̄ and k, and the stretch s, with its derivative with l₁.
+/// T̄, k, and the stretch s with its derivative by l₁.
 struct MeanOfMember {
   MeanTension tension;
   MeanStiffness stiffness;
@@ -54,7 +54,8 @@ struct MeanOfMember {
 };
 
 /// If the rest length changes, (4) replaces (1) of mean_tension.hpp. With the rest length of the middle
-/// alone, rope would be slack at the beginning of a step that pays out more than the rope is stretched.
+/// alone, a rope would count as slack at the beginning of a step that pays out more than the rope is
+/// stretched.
 MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   if (!m.grows())
     return {mean_tension(m.middle, before, after), mean_stiffness(m.middle, before, after), after - before,
@@ -68,7 +69,7 @@ MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   return {{mean.T, mean.slope / L1}, {stiff.k / L, stiff.slope / (L * L1)}, L * (late - early), L / L1};
 }
 
-/// The correction of the force and of the tangent that a member has in the middle.
+/// Mean force and tangent of a member minus its force and tangent at the middle of the step.
 struct Correction {
   SpaceVector force;
   Eigen::Matrix3d slope;
@@ -92,7 +93,7 @@ Correction correct(const MemberOfStep& step, const Chord& w, const StepEnds& end
   return c;
 }
 
-/// Adds a block of an element's slope to whichever tangent is kept.
+/// Adds a block of an element's slope to the square or to the packed tangent; the other one is null.
 void add_slope(std::size_t p, std::size_t q, std::size_t dofs, std::size_t lane, const Eigen::Matrix3d& block,
                double* square, double* triangle) {
   for (std::size_t r = 0; r < 3; ++r)

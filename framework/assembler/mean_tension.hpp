@@ -6,17 +6,17 @@ namespace netloft {
 
 /// Tension of a member whose energy is ψ(l), l [m] its length, over a step from l₀ to l₁:
 ///   T̄ = (ψ(l₁) − ψ(l₀))/(l₁ − l₀)                                                               (1)
-/// A member is linear on either side of its rest length, where it is slack or taut.
-/// J. C. Simo and N. Tarnow, "The discrete energy-momentum method", ZAMP 43, 1992.
+/// The tension is linear in l on either side of the rest length, below which the member is slack. J. C. Simo
+/// and N. Tarnow, "The discrete energy-momentum method", ZAMP 43, 1992.
 struct MeanTension {
-  double T, slope;  // T̄ [N], its derivative with l₁ [N/m]
+  double T, slope;  // T̄ [N], its derivative by l₁ [N/m]
 };
 MeanTension mean_tension(const netloft_member& member, double before, double after);
 
 /// Stiffness of a member over the same step:
 ///   k = (T(l₁) − T(l₀))/(l₁ − l₀)                                                               (2)
 struct MeanStiffness {
-  double k, slope;  // k [N/m], its derivative with l₁ [N/m²]
+  double k, slope;  // k [N/m], its derivative by l₁ [N/m²]
 };
 MeanStiffness mean_stiffness(const netloft_member& member, double before, double after);
 

@@ -8,9 +8,9 @@
 
 namespace netloft {
 
-/// The state that the elements of one family remember from the last accepted step, and the state they would
-/// remember next: [tile][width][64], so that a tile can be passed its part without copying. All zeros mean
-/// that there is no past step.
+/// The state that the elements of one family remember from the last accepted step, and their next state. The
+/// layout is [tile][width][64], so that a tile receives its part without a copy. All zeros mean that there is
+/// no past step.
 class Memory {
  public:
   Memory(std::size_t tiles, std::size_t width)
@@ -19,7 +19,7 @@ class Memory {
   bool empty() const { return kept_.empty(); }
   const double* kept(std::size_t tile) const { return empty() ? nullptr : &kept_[place_of(tile)]; }
   double* mutable_kept(std::size_t tile) { return &kept_[place_of(tile)]; }
-  /// The place where a tile writes its next state; it contains the current state at first.
+  /// The array to which a tile writes its next state. It contains the current state at first.
   double* next(std::size_t tile) { return &next_[place_of(tile)]; }
   void begin() { next_ = kept_; }
   void accept() { kept_.swap(next_); }

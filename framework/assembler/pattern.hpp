@@ -9,17 +9,17 @@
 
 namespace netloft {
 
-/// The positions of the 3 x 3 blocks of pairs of nodes among the matrix values. The nine values of a block
+/// The positions of the 3 x 3 blocks of node pairs in the array of matrix values. The nine values of a block
 /// are contiguous, row by row, so that an element adds whole blocks: one look-up for nine values (half the
-/// time of the scatter, compared with one look-up per value). Rows and columns of held axes are in a block
-/// but in no entry of the pattern.
+/// time of the scatter, compared with one look-up per value). Blocks include rows and columns of held axes,
+/// which are not in the pattern.
 struct NodeBlocks {
   std::vector<std::size_t> column_start;  // per node, +1
   std::vector<std::uint32_t> row_node;    // ascending in a column
 
   std::size_t count() const { return row_node.size(); }
-  /// Index of the first of the nine values. row >= column if the matrix is symmetric; some element has both
-  /// nodes, and both have unknowns.
+  /// Index of the first of the nine values of a block, which must exist; row >= column if the matrix is
+  /// symmetric.
   std::size_t base(std::uint32_t row, std::uint32_t column) const;
 };
 

@@ -10,21 +10,22 @@
 
 namespace netloft {
 
-/// Kinematics between unknowns and nodes: positions and rates of the nodes of a scene with holds, guides,
-/// frames of their own and bodies that carry them. Elements see nodes only. Vectors over all dofs are in the
+/// Computes positions and rates of nodes from those of the unknowns. A node may be held, guided, carried by a
+/// body, or have axes of its own; elements see positions and rates only. Vectors over all dofs are in the
 /// order of `numbering()`.
 class Placement {
  public:
-  /// `nodes` are those of the scene and all that behave like nodes; `blocks` the pairs of them that share
-  /// matrix values.
+  /// `nodes` has the nodes of the scene followed by those of rotations and shared unknowns; `blocks` has the
+  /// node pairs with matrix values.
   Placement(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, bool symmetric);
 
   const Numbering& numbering() const { return numbering_; }
 
-  /// Positions over all dofs at displacements u of the unknowns [m]; guides are where they are at `time` [s].
+  /// Positions over all dofs at displacements u of the unknowns [m]; guided nodes are at their positions at
+  /// `time` [s].
   void place(std::span<const double> u, std::span<double> x, double time = 0) const;
-  /// Positions at displacements u from positions `base`, as their double-precision values and the low-order
-  /// part that these round off [m]. No node may be carried by a body.
+  /// Positions at displacements u from positions `base` [m]: x in double precision, and in x_low the part
+  /// that rounding removes from x. No node may be carried by a body.
   void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                   std::span<double> x_low) const;
   bool has_bodies() const { return !bodies_.empty(); }
@@ -33,20 +34,23 @@ class Placement {
   /// Rates over all dofs at positions x from the rates of the unknowns and of the guides.
   void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
             std::span<double> all_v, std::span<double> all_a) const;
-  /// Replaces rotation vectors of bodies by more than ¾ of a turn by the shorter vectors of the same
-  /// rotations, in displacements u of the unknowns and their rates, which may be empty. Only between two
-  /// solutions: a solver's differences of displacements lose their meaning. Returns whether any was replaced.
+  /// Replaces rotation vectors of more than ¾ of a turn by the shorter vectors of the same rotations, in
+  /// displacements u of the unknowns and in their rates, which may be empty. Must be called between two
+  /// solutions only, because a solver compares displacements with earlier ones. Returns whether any vector
+  /// was replaced.
   bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;
   /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
   /// the scene [m].
   std::vector<double> displacements(std::span<const double> positions) const;
-  /// Displacements of the unknowns that bring all of them to where `x` has them, a vector over all degrees of
-  /// freedom of an assembler with as many, numbered alike.
+  /// Displacements at which all unknowns have their values in `x`, a vector over all degrees of freedom of an
+  /// assembler with the same numbering.
   std::vector<double> displacements_to(std::span<const double> x) const;
-  /// Copies to displacements u the rotations of the bodies of another mesh of the same gear at x.
+  /// Sets the rotations of bodies in displacements u to those of another mesh `from` of the same gear at
+  /// positions x.
   void take_rotations(const Placement& from, std::span<const double> x, std::span<double> u) const;
-  /// Positions of the nodes of the scene, three of each, out of a vector x over all degrees of freedom [m];
-  /// velocities or displacements likewise. Shared unknowns of elements have no position and are left out.
+  /// Extracts the positions of the scene's nodes, 3 per node, from a vector x over all degrees of freedom
+  /// [m]. x may also be velocities or displacements. Shared unknowns of elements have no position and are
+  /// left out.
   std::vector<double> node_positions(std::span<const double> x) const;
   std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
   /// Whether an entry of a vector over all dofs is a coordinate of a node of the scene [m].

@@ -7,12 +7,12 @@ namespace netloft {
 // Convex parts and metrics made from exact tangents, for terms that do not offer their own. A term with
 // HAS_CONVEX or HAS_METRIC does not use these functions.
 
-/// The nearest positive semi-definite matrix to the symmetric part: negative eigenvalues are set to zero.
-/// `tangent` is that of one element, full, row by row, `dofs` x `dofs`, changed in place. Slow.
+/// Replaces the tangent of one element by the positive semi-definite matrix nearest to its symmetric part:
+/// negative eigenvalues become zero. `tangent` has `dofs` x `dofs` entries, row by row. Slow.
 void project_convex(double* tangent, int dofs);
 
-/// Adds to packed tangents diagonals that bound their symmetric parts from above (Gershgorin), for the first
-/// `count` lanes of a tile. The input tangents are packed if symmetric, otherwise full.
+/// Adds to `packed_tangent` diagonal matrices that bound the symmetric parts of `tangent` from above
+/// (Gershgorin), for the first `count` lanes of a tile. `tangent` is packed if `symmetric`, otherwise full.
 void add_bounds(const double* tangent, bool symmetric, std::size_t dofs, std::size_t count,
                 double* packed_tangent);
 

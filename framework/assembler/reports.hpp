@@ -10,9 +10,9 @@
 namespace netloft {
 
 /// Evaluations for reports: forces and energies of single terms, outputs of elements, and the use of laws
-/// outside their ranges. Serial. `x` are positions over all dofs, `family` counts the families of the
-/// assembler and `term` the active terms of a family. A false result means that an element could not be
-/// evaluated: see Assembler::fault().
+/// outside their ranges. Serial. `x` are positions over all dofs, `family` is an index among the families of
+/// the assembler, and `term` an index among the active terms of the family. A false result means that an
+/// element could not be evaluated: see Assembler::fault().
 class ElementReports {
  public:
   /// The objects have to outlive this one.
@@ -28,8 +28,8 @@ class ElementReports {
   /// Force of one term summed per part of the family, +dE/dx [N]: 3 numbers per part.
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
                 const Kinematics& motion = {});
-  /// The same for forces on groups of nodes: `groups` holds the number of a group per node of the scene,
-  /// or a negative number for none. 3 numbers per part and group.
+  /// Force of one term summed per part and group of nodes [N]: 3 numbers per part and group. `groups` has the
+  /// index of the group of each node of the scene; it is negative for nodes without a group.
   bool sum_term_at(std::span<const double> x, std::size_t family, std::size_t term,
                    std::span<const std::int32_t> groups, std::size_t group_count, std::span<double> sums,
                    const Kinematics& motion = {});
@@ -37,8 +37,8 @@ class ElementReports {
   /// false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
                const Kinematics& motion = {});
-  /// How much each law is used at x inside and outside the ranges that it was measured in: one entry per
-  /// family and law that has a range.
+  /// Use of each law at x inside and outside the ranges in which it was measured: one entry per family and
+  /// law that has a range.
   std::vector<LawUse> find_law_use(std::span<const double> x, const Kinematics& motion = {});
 
  private:

@@ -15,25 +15,25 @@ struct Kinematics {
   const double* x_low = nullptr;  // over all dofs: low-order part of the positions [m]
 };
 
-/// The ends of a step over which mean forces are taken (netloft_motion::solve_between). Positions are over
-/// all degrees of freedom [m].
+/// The ends of a step over which forces are averaged (netloft_motion::solve_between). Positions are over all
+/// degrees of freedom [m].
 struct StepEnds {
   const double *before = nullptr, *after = nullptr;
   double length = 0;   // h of the step [s]
   double damping = 0;  // χ of (3) in mean_of_members.hpp
 };
 
-/// The sums that an evaluation computes. Null or none: not wanted, not computed.
+/// The sums that an evaluation computes. A sum that is null or `none` is not computed.
 struct Request {
   double* energy = nullptr;        // one number [J]
-  bool conservative_only = false;  // leave out forces that have no energy: the residual is its gradient
+  bool conservative_only = false;  // leave out forces without an energy; the residual is then the gradient
   std::uint32_t without = 0;       // terms with any of these traits are left out
   double* residual = nullptr;      // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
-  double* gradient = nullptr;      // beside the residual: its part from forces that have an energy [N]
+  double* gradient = nullptr;      // in addition to the residual: its part from forces with an energy [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
   Kinematics motion = {};
-  const StepEnds* between = nullptr;  // mean forces of this step; its middle is the positions
+  const StepEnds* between = nullptr;  // if not null, compute mean forces of this step; x is its middle
 };
 
 }  // namespace netloft

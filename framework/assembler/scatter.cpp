@@ -49,7 +49,7 @@ using Two = wide::Two::V;
 using Four = wide::Four::V;
 
 /// The nine entries of a block, row by row, each for all lanes. Loads name their type, and registers are
-/// handed on by value: deduced types lose the attribute for unaligned access, and so do references, with
+/// passed by value, because deduced types lose the attribute for unaligned access, as do references with
 /// clang.
 struct Entries {
   std::array<const double*, 9> at;
@@ -192,7 +192,7 @@ NETLOFT_AVX2 void add_blocks_widely(std::size_t dofs, const std::int32_t* to, st
   add_all_blocks<true>(dofs, to, count, tangents, values);
 }
 
-/// Both ways give bit-identical results.
+/// Returns the fastest kernel for this processor. All kernels give bit-identical results.
 AddBlocks best_way_to_add_blocks() {
   return wide::those_here<AddBlocks>(add_blocks_plainly, add_blocks_widely, add_blocks_widely).back();
 }
@@ -212,8 +212,8 @@ void with_nodes(std::size_t dofs, const Add& add) {
   }
 }
 
-/// Moments of elements on bodies, and what belongs to rotations in their tangents, over the arms that count
-/// rotations.
+/// Divides the moments of elements on bodies, and the rows and columns of rotations in their tangents, by the
+/// arms.
 void divide_moments(const Tiling& tiling, std::size_t tile, double* force, double* triangle, double* square) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   std::array<double, kTileLanes> inverse;
@@ -242,7 +242,8 @@ void add_rows(const Tiling& tiling, std::size_t tile, const double* rows, double
       sums[map[d * kTileLanes + lane]] += rows[d * kTileLanes + lane];
 }
 
-/// Many tiles add nothing, such as netting without bending or limits that are not reached; they are skipped.
+/// Skips tiles that add nothing. There are many of them, such as netting without bending or limits that are
+/// not reached.
 void scatter_matrix(const Tiling& tiling, std::size_t tile, bool is_symmetric, double* values,
                     TileSums& sums) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());

@@ -6,13 +6,13 @@
 namespace netloft {
 
 // Adds the sums of a tile to those of the scene: forces to vectors over all dofs [N], tangents to the values
-// of a matrix [N/m]. Moments on bodies are divided by the arm that counts their rotations as lengths.
+// of a matrix [N/m]. Moments on bodies are divided by the arm, because the unknowns of rotations are lengths.
 
-/// Adds the forces, to which terms may still add afterwards.
+/// Adds the forces of the tile without changing them, so that further terms can add to them.
 void scatter_gradient(const Tiling& tiling, std::size_t tile, TileSums& sums, double* gradient);
 
-/// Adds forces and tangents, which the tile no longer needs. Null: not wanted. `is_symmetric`: the matrix
-/// holds its lower triangle only.
+/// Adds forces and tangents, and may overwrite those of the tile. A null argument is left out.
+/// `is_symmetric`: the matrix holds its lower triangle only.
 void scatter(const Tiling& tiling, std::size_t tile, bool is_symmetric, TileSums& sums, double* residual,
              double* values);
 

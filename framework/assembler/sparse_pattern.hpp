@@ -14,8 +14,8 @@ struct SparsePattern {
   std::vector<std::int32_t> row;           // one per entry
   std::vector<std::int32_t> node;          // unknown -> node, for orderings of the node graph; size long
   bool symmetric = true;
-  std::vector<std::int32_t> slot;  // entry -> index of its value; empty: entry k at k
-  std::size_t slots = 0;           // values there are, when `slot` is not empty
+  std::vector<std::int32_t> slot;  // entry -> index of its value; empty: entry k has index k
+  std::size_t slots = 0;           // length of the array of values if `slot` is not empty
 
   std::size_t entries() const { return row.size(); }
   std::size_t slot_of(std::size_t entry) const {

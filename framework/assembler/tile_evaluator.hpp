@@ -14,9 +14,9 @@
 namespace netloft {
 
 /// Evaluates the elements of a scene tile by tile: gathers their inputs (gather.hpp), calls the terms of all
-/// families on the same nodes (calls.hpp), corrects them to mean forces of a step (mean_forces.hpp) and adds
-/// them to the sums (scatter.hpp). Forces are in the world frame, and on the nodes that elements see.
-/// Allocates nothing after construction.
+/// families on the same nodes (calls.hpp), corrects their forces to mean forces of a step (mean_forces.hpp)
+/// and adds the forces to the sums (scatter.hpp). Forces are in the world frame, and on the nodes that
+/// elements see. Allocates nothing after construction.
 class TileEvaluator {
  public:
   /// `tiles` have to outlive this object.
@@ -25,12 +25,12 @@ class TileEvaluator {
   /// Adds all elements at positions x (over all dofs) to the forces and the matrix of a request. Returns
   /// false if an element could not be evaluated: see fault().
   bool run(std::span<const double> x, const Request& request);
-  /// The energy that the last run found, if it was wanted [J].
+  /// Energy of the last run whose request had one [J].
   double energy() const;
   /// Adds only the tiles that have nodes on bodies.
   bool run_carried(std::span<const double> x, const Request& request);
-  /// Calls evaluate(tile, t, sums) for each tile of one family, with rows for forces, and after each
-  /// visit(tile, t, sums). Serial. Returns false if a status is not NETLOFT_OK: see fault().
+  /// For each tile of one family, calls evaluate(tile, t, sums), with rows for forces, and then visit(tile,
+  /// t, sums). Serial. Returns false if a status is not NETLOFT_OK: see fault().
   template <class Evaluate, class Visit>
   bool visit(std::span<const double> x, const Kinematics& motion, std::size_t family,
              const Evaluate& evaluate, const Visit& visit);
@@ -47,7 +47,7 @@ class TileEvaluator {
   MeanForces& mean_forces() { return mean_forces_; }
 
  private:
-  /// One thread's tile.
+  /// The working memory of one thread.
   struct Work {
     TileInputs inputs;
     TileSums sums;

@@ -33,7 +33,7 @@ struct TileSums {
   double energy[kTileLanes] = {};  // [J]
   TileRows force;                  // [N]
   TileRows packed_tangent, square_tangent;
-  std::vector<double> scratch;  // rows of a tangent that is not added as it is
+  std::vector<double> scratch;  // rows of a tangent that is converted before it is added
   std::vector<double> element;  // the tangent of one element, row by row
 };
 

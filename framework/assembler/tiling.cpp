@@ -56,7 +56,8 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
           numbering.dof(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3)).place;
 }
 
-/// Finds where the block of corners (P, Q) of an element is added.
+/// Position of the block of corners (P, Q) of an element among the matrix values: `spare` if a node is held,
+/// ~position if the transpose is added.
 std::int32_t find_block(const ElementFamily& family, const Scene& scene, const NodeBlocks& blocks,
                         bool symmetric, std::size_t e, int P, int Q, std::size_t spare) {
   const std::uint32_t row = family.node(e, P), column = family.node(e, Q);

@@ -60,12 +60,12 @@ class Workers {
   static constexpr std::uint64_t kBits = 24, kMask = (1u << kBits) - 1;
   static std::size_t count_of(std::uint64_t ticket) { return ticket >> kBits & kMask; }
   static std::size_t index_of(std::uint64_t ticket) { return ticket & kMask; }
-  // Pauses that together take about as long as the system needs to wake a thread. A thread that waits as long
-  // as that before it sleeps never takes more than twice the time of the best choice (A. Karlin, M. Manasse,
-  // L. McGeoch and S. Owicki, Competitive randomized algorithms for nonuniform problems, 1990). Measured on
-  // two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes 21 us after its call (median of 2000;
-  // 18 us for the first tenth), which 900 pauses make up. Other processors differ. No bench prints these
-  // figures.
+  // The number of pauses that take about as long as the system needs to wake a thread. A thread that waits
+  // that long before it sleeps never takes more than twice the time of the best choice (A. Karlin, M.
+  // Manasse, L. McGeoch and S. Owicki, Competitive randomized algorithms for nonuniform problems, 1990).
+  // Measured on two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes 21 us after its call
+  // (median of 2000; 18 us for the first tenth), which 900 pauses make up. Other processors differ. No bench
+  // prints these figures.
   static constexpr int kSpins = 1000;
 
   static void pause() {

@@ -2,9 +2,9 @@
 #pragma once
 #include <vector>
 
-// Macros for loops that are compiled once for each instruction set. The functions they call must be inlined
-// to be compiled for that set, too. Registers are passed as `Register::V`, never as a deduced type, because
-// deduced types lose the attribute for unaligned access.
+// Macros for loops that are compiled once for each instruction set. Functions that such a loop calls must be
+// inlined, so that they are compiled for the same set. Registers are passed as `Register::V`, never as a
+// deduced type, because deduced types lose the attribute for unaligned access.
 #define NETLOFT_INLINE [[gnu::always_inline]] inline
 #define NETLOFT_INLINED __attribute__((always_inline))  // for lambdas
 
@@ -32,7 +32,7 @@ struct Eight {
   static constexpr int kLanes = 8;
 };
 
-/// Sums in pairs, pairs of pairs and so on, so that additions do not wait for each other.
+/// Sums of all lanes. They are formed in pairs, so that additions do not wait for each other.
 NETLOFT_INLINE double sum_of(const Two::V& v) { return v[0] + v[1]; }
 NETLOFT_INLINE double sum_of(const Four::V& v) {
   return sum_of(__builtin_shufflevector(v, v, 0, 1) + __builtin_shufflevector(v, v, 2, 3));
@@ -41,7 +41,7 @@ NETLOFT_INLINE double sum_of(const Eight::V& v) {
   return sum_of(__builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7));
 }
 
-/// The kernels whose instruction sets this processor has, the fastest last.
+/// Returns the kernels whose instruction sets this processor has, the fastest last.
 template <class Kernels>
 std::vector<Kernels> those_here(const Kernels& plain, [[maybe_unused]] const Kernels& avx2,
                                 [[maybe_unused]] const Kernels& avx512) {
