@@ -15,7 +15,7 @@ struct StepProblem {
   double t;
   std::span<const double> v0, a0;
   double cv, ca;
-  std::span<const double> mass;  // of each unknown [kg]; ca times mass is a stiffness that rounding acts on
+  std::span<const double> mass;  // of each unknown [kg]; ca times mass is its stiffness by inertia
   MovingState* state;            // receives positions and rates
   double least_load;             // lower bound of the load to which tolerances are relative [N]
   /// The step of which F is the mean force (netloft_motion::solve_between). Then u is the midpoint of the
@@ -30,8 +30,8 @@ struct StepProblem {
 
 /// Positions and rates of the nodes at displacements u of the unknowns. There are three cases: at rest,
 /// displaced from the start; in a step in time (1), with rates that follow from u; and displaced from
-/// positions near the equilibrium. In the third case, differences of positions have the digits that positions
-/// round off.
+/// positions near the equilibrium. In the third case, x_low has the digits that rounding removes from
+/// positions, so that differences of positions are more accurate.
 class Configuration {
  public:
   explicit Configuration(Assembler& assembler) : assembler_(assembler), x_(assembler.start()) {}
@@ -59,8 +59,8 @@ class Configuration {
   double stiffness_of_inertia(std::size_t unknown) const {
     return is_in_time() ? step_.ca * step_.mass[unknown] : 0;
   }
-  /// Length whose last digit is the rounding error of an unknown with the coordinate x [m]: the coordinate
-  /// itself, or a difference of two coordinates if positions have a low-order part.
+  /// Length to which the rounding error of the coordinate x of an unknown is relative [m]: |x|, or the extent
+  /// of an element if positions have a low-order part.
   double rounded_length(double x) const { return base_.empty() ? std::abs(x) : base_extent_; }
 
  private:

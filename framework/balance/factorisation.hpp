@@ -14,16 +14,16 @@
 
 namespace netloft {
 
-/// Properties of a matrix that are known before it is factorised. For the first two classes, the lower
-/// triangle is given.
+/// Properties of a matrix that are known before it is factorised. For the first two classes, the values are
+/// those of the lower triangle.
 enum class MatrixClass { positive_definite, symmetric, unsymmetric };
 
 enum class FactorStatus { ok, not_positive_definite, singular, out_of_memory, failed };
 
 struct FactorResult {
   FactorStatus status = FactorStatus::ok;
-  std::int32_t column = -1;           // unknown at which it stopped, in the caller's numbering; -1: unknown
-  std::int32_t negative_pivots = -1;  // number of negative eigenvalues of a symmetric matrix; -1: unknown
+  std::int32_t column = -1;           // column at which it stopped, in the caller's numbering; -1: not known
+  std::int32_t negative_pivots = -1;  // number of negative eigenvalues of a symmetric matrix; -1: not known
 };
 
 /// The status as the C interface encodes it.

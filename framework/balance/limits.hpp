@@ -27,13 +27,15 @@ struct Limits {
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  // Largest sum of the lengths of all steps over the gear's size; a gear that exceeds it has no rest.
+  // Largest sum of the lengths of all steps, divided by the gear's size. A gear that exceeds it does not come
+  // to rest.
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // null: work is not limited
   double work = std::numeric_limits<double>::infinity();  // budget, in units of the model
   Judging judging = {};                                   // for the final point
 
-  /// The limit that is reached after so many iterations and seconds, and `spent` operations.
+  /// The limit that has been reached by these iterations and seconds and by the operations in `spent`; none
+  /// if no limit has been reached.
   Stop reached(int iterations_done, double seconds_spent, const Statistics& spent) const {
     if (interrupt && interrupt->load()) return Stop::interrupted;
     if (iterations_done >= iterations) return Stop::iterations;

@@ -8,9 +8,9 @@
 
 namespace netloft {
 
-/// The matrices of a problem, over the entries of its pattern: the tangent K and its convex part K₊, each of
-/// the last evaluation that computed it, and the metric M, the linear stiffness, which is evaluated at the
-/// start of the scene at its first use. Solvers use sums of them:
+/// The matrices of a problem, over the entries of its pattern: the tangent K, its convex part K₊ and the
+/// metric M. K and K₊ are those of the last evaluation that computed them. M is the linear stiffness at the
+/// start of the scene, evaluated at its first use. Solvers use sums of these matrices:
 ///   A + σ M,   A = K, K₊ or 0                                                            (1)
 ///   K + θ (K₊ − K) + σ M                                                                 (2)
 class Matrices {

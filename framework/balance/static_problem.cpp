@@ -22,7 +22,7 @@ MatrixKind kind_of(std::uint32_t want) {
 
 bool all_finite(std::span<const double> v) {
   double sum = 0;
-  for (const double a : v) sum += a - a;  // zero unless something is infinite or no number
+  for (const double a : v) sum += a - a;  // zero unless a number is infinite or NaN
   return sum == 0;
 }
 
@@ -151,7 +151,7 @@ int StaticProblem::find_forces(const Request& asked, const double* u, double* re
   all.resize(configuration_.x().size());
   request.residual = residual ? all.data() : nullptr;
   const bool has_reactions = residual && !request.conservative_only;
-  if (has_reactions) reactions_of_.clear();  // an evaluation that fails leaves parts of other sums
+  if (has_reactions) reactions_of_.clear();  // a failed evaluation leaves incomplete sums
   if (gradient) {
     gradient_.resize(all.size());
     request.gradient = gradient_.data();
@@ -193,7 +193,7 @@ int StaticProblem::row_sums(int matrix, double shift, double* y) {
   return matrices_.row_sums(matrix, shift, y) ? NETLOFT_OK : NETLOFT_ERROR;
 }
 
-/// Computes the reactions at u unless the last evaluation was there: tolerances are relative to them.
+/// Computes the reactions, to which tolerances are relative, unless the last evaluation was at u.
 void StaticProblem::find_reactions(const double* u, const double* residual) {
   if (!std::equal(u, u + size(), reactions_of_.begin(), reactions_of_.end())) {
     gradient_.resize(configuration_.x().size());
@@ -255,11 +255,12 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
             });
   const Convergence c = convergence_of(imbalance_of(b), limits_.tolerance);
   b.at_round_off = c == Convergence::at_round_off;
-  b.balanced = c != Convergence::none && !has_run_away(x);  // far away, rounding would excuse any residual
+  b.balanced = c != Convergence::none && !has_run_away(x);  // far away, rounding hides any residual
   return b;
 }
 
-/// Determines what drives the gear only if it matters, which is when the load is no more than rounding error.
+/// Determines whether an external force acts only if the load is no more than rounding error, because only
+/// then (4) of convergence.hpp can apply.
 Imbalance StaticProblem::imbalance_of(const Balance& b) {
   return {b.residual, b.scale, b.floor, b.scale > b.floor || scales_.is_driven(configuration_.x()),
           configuration_.is_in_time()};

@@ -52,9 +52,9 @@ class PathLength {
   double sum_ = 0;            // [m]
 };
 
-/// r(u) = 0 of a static scene or of a step in time, behind the C interface that a solver sees. Counts and
-/// times every call, and decides on convergence. Its members `Configuration`, `Scales`, `Matrices` and
-/// `Factors` hold positions, scales, matrices and their factors.
+/// The problem r(u) = 0 of a static scene or of a step in time, with the C interface that a solver calls.
+/// Counts and times every call, and decides on convergence. Its members `Configuration`, `Scales`, `Matrices`
+/// and `Factors` hold positions, scales, matrices and their factors.
 class StaticProblem {
  public:
   StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits, Observer observer = {});

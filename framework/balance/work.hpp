@@ -20,7 +20,7 @@ struct WorkModel {
 
   double of_iteration() const { return factorisation + solution + matrix + residual; }
   /// (2). Factorisations that end early count in full, because most of their work was done. An energy costs
-  /// as much as a residual, and nothing in addition to one.
+  /// as much as a residual, but nothing if a residual is evaluated as well.
   double of(const Statistics& statistics) const {
     const int evaluations = std::max(statistics.residuals, statistics.energies);
     return (statistics.factorisations * factorisation + statistics.solves * solution +
@@ -34,11 +34,11 @@ struct WorkModel {
 /// terms × (degrees of freedom)² measures the elements.
 ///   factorisation = F + (a or b) N                                                          (3)
 ///   solution = a N,   residual = c S,   matrix = d S                                        (4)
-/// The four constants are times, in operations of a large factorisation, which makes 20 of them per
-/// nanosecond. A solution has 4 N operations but waits for memory. So does a factorisation: its constant is b
-/// for Cholesky's factor (CHOLMOD) and a for L U (multifrontal). tests/bench/work_model.cpp prints the times
-/// of this model and the measured ones: for panels and a trawl of 216 to 100 000 unknowns, they agree to a
-/// factor of 1.7 for iterations and factorisations, and 4.5 for the other operations.
+/// The constants a to d are times, expressed in operations of a large factorisation, which makes 20
+/// operations per nanosecond. A solution has 4 N operations but waits for memory. So does a factorisation:
+/// its constant is b for Cholesky's factor (CHOLMOD) and a for L U (multifrontal). tests/bench/work_model.cpp
+/// prints the times of this model and the measured ones: for panels and a trawl of 216 to 100 000 unknowns,
+/// they agree to a factor of 1.7 for iterations and factorisations, and 4.5 for the other operations.
 ///
 /// `unit` is (1) of the scene itself. If the factorisation does not report F before its first use, F and N
 /// are those of nested dissection of a square grid of n nodes with three unknowns each: 31/4 n log₂ n and
