@@ -28,9 +28,10 @@ class Arnoldi {
   void begin(const Eigen::VectorXd& z);
   /// Extends the space to `steps` steps in total.
   void extend(Eigen::Index steps);
-  /// The Ritz pair to judge by. If some pairs are known and lie beyond the unit circle by more than `beyond`,
-  /// this is one that diverges, else the outermost of them; otherwise it is the outermost of all pairs. Pairs
-  /// that are slow for A are ignored. NaN if A or its eigenvalues could not be computed.
+  /// The Ritz pair that decides the verdict. Candidates are the pairs that are known and lie beyond the unit
+  /// circle by more than `beyond`: those with |Im s| ≤ Re s precede the others, and the outermost is
+  /// returned. Without candidates, the outermost of all pairs is returned. Pairs that are slow for A are
+  /// ignored. NaN if A or its eigenvalues could not be computed.
   RitzPair outermost(double beyond) const;
 
  private:

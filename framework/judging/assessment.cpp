@@ -12,8 +12,8 @@ namespace netloft {
 
 namespace {
 
-/// A direction is neutral if the rounding error of a matrix, as a multiple of the linear stiffness, makes it
-/// stable.
+/// Determines the stability from the tangent at u. A point is neutral if its tangent becomes positive
+/// definite by the addition of a rounding error, which is a multiple of the linear stiffness.
 Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
   const netloft_factor shifted = problem.factorise_at(u, kRoundingOfMatrix);
@@ -26,10 +26,10 @@ bool is_convex_at(StaticProblem& problem, std::span<const double> u) {
   return stability == Stability::stable || stability == Stability::neutral;
 }
 
-/// Whether a solver that found no step to the balance is right. The place is convex, but the full Newton step
-/// increases the residual because members change between slack and taut, and the energy that it would gain,
-///   g = ½ r·K⁻¹ r,                                                                        (1)
-/// is negligible (convergence.hpp).
+/// Whether a point is accepted at which a solver has found no step that helps. The tangent must be positive
+/// definite; the full Newton step must increase the residual, because members change between slack and taut;
+/// and the energy (1) that it would gain must be negligible (convergence.hpp):
+///   g = ½ r·K⁻¹ r                                                                         (1)
 bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<double> u) {
   if (!problem.conservative() || !has_nothing_to_gain(problem.imbalance_of(a.balance), 0, 1) ||
       !is_convex_at(problem, u))
@@ -89,7 +89,7 @@ Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, dou
   return growth;
 }
 
-/// Stability if forces have no energy.
+/// Determines the stability if forces have no energy.
 void find_growing_motion(Assessment& a, const AssembledScene& scene, double gear_size) {
   Growth growth = find_growth_at_rest(scene, a, gear_size);
   a.stability = stability_of(growth.verdict);
@@ -120,7 +120,7 @@ void copy_stability(Assessment& a, const Assessment& of) {
   a.growing = of.growing;
 }
 
-/// Assessment of a point at which forces are undefined or not finite.
+/// Completes the assessment of a point at which forces are undefined or not finite.
 void judge_without_forces(Assessment& a, const StaticProblem& problem, const AssembledScene& of) {
   const auto& [scene, assembler, make] = of;
   if (!problem.met_bad_numbers()) {

@@ -8,10 +8,10 @@ namespace netloft {
 
 enum class SolveStatus { converged, unstable, not_converged, interrupted };
 
-/// Whether a small disturbance of an equilibrium decays: by the tangent if forces have an energy, else by
-/// growth.hpp, and then `stable` means that no growing disturbance was found. `swinging` means that the
-/// motion that grows most oscillates, as an empty cod-end flaps (Growth::swings): the gear comes to rest
-/// nowhere near, but its motion may remain small.
+/// Whether a small disturbance of an equilibrium decays. The tangent decides if forces have an energy.
+/// Otherwise growth.hpp decides, and `stable` means that it found no growing disturbance. `swinging` means
+/// that the motion that grows most oscillates, as an empty cod-end flaps (Growth::swings): the gear comes to
+/// rest nowhere near, but its motion may remain small.
 enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
 
 /// The motion into which a small disturbance of u grows, if forces have no energy.

@@ -8,10 +8,10 @@
 
 namespace netloft {
 
-/// Largest ratio between σ of (4) and |s|. Beyond it, a different σ finds s.
+/// Largest ratio between σ of (4) and |s| at which σ has to find s. For larger ratios, a different σ finds s.
 inline constexpr double kOff = 10;
 
-/// A of (4) in growth.hpp, on vectors (y, v). Lengths are those of an energy,
+/// The operator A of (4) in growth.hpp on vectors (y, v). Their norm is that of an energy,
 ///   ‖(y, v)‖² = yᵀ(K₊ + σ²M) y + vᵀM v,   K₊ the convex part of K                          (8)
 /// In this norm A enlarges no vector if K = K₊ and C damps. In other norms, a transient looks like growth.
 class Cayley {
@@ -28,17 +28,17 @@ class Cayley {
   bool is_damped() const { return motion_.is_damped; }
   /// The rate s that belongs to an eigenvalue μ.
   std::complex<double> rate(std::complex<double> mu) const { return sigma_ * (mu - 1.0) / (mu + 1.0); }
-  /// Whether an eigenvalue μ is slower than σ/10 and therefore left to a smaller σ: with masses of 1, w = σy
-  /// and all ω ≪ σ, A is close to
+  /// Whether the rate |s| of an eigenvalue μ is below σ/10, so that a smaller σ has to find it. The reason is
+  /// that for unit masses, w = σy and all ω ≪ σ, A is close to
   ///   (w, v) → (w + 2v, v − 2Kw/σ²),   μ = 1 ± 2iω/σ                                        (5a)
-  /// but zᵀAz of unit vectors ranges from 0 to 2. Ritz values may lie anywhere in that range with small
-  /// errors by (5).
+  /// whereas zᵀAz of unit vectors z ranges from 0 to 2. Ritz values may lie anywhere in that range although
+  /// (5) gives small errors.
   bool is_slow(std::complex<double> mu) const { return std::abs(rate(mu)) < sigma_ / kOff; }
   /// A vector with a component in every direction, the same on every machine.
   Eigen::VectorXd start() const;
-  /// Whether an error of K that must be expected would stop the growth by s along y: the rounding of K, or,
-  /// for a divergence, the change of K over the remaining Newton step δ, at most as far as one place extends
-  /// (kSamePlace), because a small imbalance leaves a long step along a soft mode:
+  /// Whether the expected error of K could stop the growth by s along y. This error is the rounding error of
+  /// K, or, for a divergence, the change of K over the remaining Newton step δ. δ is cut to the extent of one
+  /// place (kSamePlace), because a small imbalance leaves a long step along a soft mode.
   ///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y|‖   or   0 < yᵀ(s²M + sC) y ≤ yᵀ(K(x + δ) − K(x)) y       (7)
   bool is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const;
 

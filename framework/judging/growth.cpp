@@ -16,11 +16,11 @@ namespace {
 // Least σ of (4), and the factor by which another σ is tried if K + σC + σ²M is singular. Growth slower than
 // 1e-4/s, which is tenfold in six hours, is not found.
 constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
-// Steps of the Arnoldi iteration, doubled once if they do not decide; number of powers of A over which growth
-// is measured, and of such measurements.
+// Number of steps of the Arnoldi iteration, doubled once if they do not decide. If powers of A decide, growth
+// is measured over the same number of powers, and this number also limits the number of measurements.
 constexpr int kSteps = 24;
-// Ritz values further beyond the unit circle than this are examined. It is half of the value at the end of
-// the band (6) if σ differs from |s| by the factor kOff, and a fifth of the value at σ = |s|. Growth by
+// Ritz values further beyond the unit circle than this are examined. At the end of the band (6), |μ| − 1 is
+// twice this number if σ differs from |s| by the factor kOff, and ten times this number at σ = |s|. Growth by
 // powers that falls by this fraction between two measurements may be transient.
 constexpr double kDistanceFromCircle = (kMarginalGrowth - 1) / kOff;
 // c of (6) at the end of the band of marginal growth.

@@ -21,7 +21,7 @@ struct RestPlace {
   std::span<const double> x_low = {};  // low-order part of x; empty: unknown
   std::span<const double> after = {};  // x after the remaining Newton step; empty: unknown
   std::span<const double> after_low = {};
-  double fraction = 1;  // of that step, such that it does not leave the place (kSamePlace)
+  double fraction = 1;  // fraction of that step which stays within one place (kSamePlace)
 };
 
 /// Evaluates the matrices at a point. Returns false if an element failed, which Assembler::fault describes.
@@ -34,21 +34,22 @@ inline constexpr int kMatricesOfMotion = 6;
 /// Rounding error of a matrix that is assembled from many elements, relative to its largest entry.
 inline constexpr double kRoundingOfMatrix = 1e-9;
 
-/// Whether no disturbance grows because the energy (8) of cayley.hpp falls:
+/// Whether (9) holds. Then the energy (8) of cayley.hpp falls, and no disturbance grows:
 ///   M and K symmetric, K and M positive definite, C + Cᵀ positive semidefinite             (9)
-/// by Cholesky factorisations, which `cost` counts. A positive definite K + Kᵀ is not enough: s² = −1 ± ib of
-/// K = [1 −b; b 1] grows for any b.
+/// Cholesky factorisations decide; `cost` counts them. A positive definite K + Kᵀ is not enough: s² = −1 ± ib
+/// of K = [1 −b; b 1] grows for any b.
 bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion,
                          const MakeFactorisation& make, Statistics& cost);
 
-/// The largest |s| that can grow with c = Re s/|s| of at least `fraction` [1/s]; zero: nothing can. With K =
-/// K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny, the real part of (1) over s is
+/// The largest |s| of a motion that grows with c = Re s/|s| of at least `fraction` [1/s]; zero if none can
+/// grow. With K = K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny, the real part of (1), multiplied by y*
+/// and divided by s, is
 ///   Re s (m + k/|s|²) + Re d + Re(n/s) = 0,   m, k ≥ 0                                    (6a)
 ///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
 ///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)
-/// for any K₊, the stiffness of taut members, and any C that damps. The result is the largest estimate of
-/// (6c) by one unknown alone, which may be ten times too small, a factor that the greatest σ covers. An
-/// unknown without mass follows K by C.
+/// (6c) depends neither on K₊, the stiffness of taut members, nor on a C that damps. The result is the
+/// largest value of (6c) for a single unknown. It may be ten times too small, a factor that the greatest σ
+/// covers. An unknown without mass moves at the rate K/C.
 double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double fraction);
 
 /// Calls visit(row, column, value) for every entry of the whole matrix, symmetric or not.

@@ -18,7 +18,7 @@ std::string growth_sentence(const Assessment& a, const Assembler& assembler, con
 std::string node_of_growth(const Assessment& a, const Assembler& assembler, const Scene& scene);
 
 /// The sentence on an assessment whose status and stability are known. `ending` says why the solver returned,
-/// `why_unstable` why the point is not stable.
+/// `worst` names the node with the largest residual, and `why_unstable` says why the point is not stable.
 std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
                       const std::string& why_unstable);
 

@@ -8,7 +8,7 @@ namespace netloft {
 struct OtherShape {
   double energy = 0;           // [J]
   double distance = 0;         // largest distance of a node from its position in the solution [m]
-  std::string furthest;        // that node
+  std::string furthest;        // name of that node
   int times = 1;               // number of restarts that found it
   std::vector<double> x = {};  // positions over all dofs
 };
@@ -16,7 +16,7 @@ struct OtherShape {
 /// Result of the search for other equilibria, and the rule by which the solution was chosen
 /// (framework/search/shapes.hpp).
 struct Shapes {
-  bool by_energy = false;       // the one of least energy; else the one found first
+  bool by_energy = false;  // whether the solution is the one of least energy; else it is the first one found
   int restarts = 0, times = 1;  // times: how often the solution was found, including the first time
   std::vector<OtherShape> others;
 };
@@ -30,12 +30,12 @@ struct SolverRun {
 
 /// The final point of a solver, its assessment and its cost.
 struct Solution : Assessment {
-  std::vector<double> u;  // displacements of the unknowns, of which x are the positions
+  std::vector<double> u;  // displacements of the unknowns; x are the positions
   SolverRun run;
   Cost cost;
-  bool does_not_settle = false;  // given up because it kept moving (Limits::path), or its motions did
+  bool does_not_settle = false;  // its path exceeded Limits::path, or motions did not come to rest
   Shapes shapes;
-  std::vector<double> factors;           // of the settings of the scene at this equilibrium
+  std::vector<double> factors;           // factors of the settings of the scene at this equilibrium
   std::vector<std::string> diagnostics;  // possible reasons for which it did not converge
 };
 
