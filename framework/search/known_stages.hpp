@@ -24,7 +24,7 @@ struct StageRequest {
 struct KnownStage {
   StageRequest request;
   Solution solution;
-  bool is_cut_off = false;  // by its budget, so that it can be continued
+  bool is_cut_off = false;  // ended by its budget, so that it can be continued
   // For a strategy only:
   bool has_solution = true;  // whether it solved some stage of its scene
   netloft_ending ending = NETLOFT_ENDED_NOT_CONVERGED;
@@ -33,9 +33,9 @@ struct KnownStage {
 
 /// Results of stages in a search, so that none is solved twice. A strategy that was cut off is called again
 /// from the same start: it repeats its stages at next to no cost, and the stage that was cut off continues
-/// from its final point. Methods of a strategy's own are not stored, and run again.
+/// from its final point. Methods that a strategy runs by itself are not stored; they run again.
 ///
-/// If all results together exceed `most` numbers, those whose last request is the longest ago are discarded.
+/// If all results together exceed `most` numbers, the results requested least recently are discarded.
 class KnownStages {
  public:
   explicit KnownStages(std::size_t most) : most_(most) {}

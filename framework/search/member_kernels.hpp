@@ -19,7 +19,7 @@ struct MemberSite {
   std::array<std::int32_t, 9> dof{}, block{};
 };
 
-/// Coefficients c of a member, and number c, by node (netloft_member).
+/// Coefficients c of a member, and their products with its `number`, one per node (netloft_member).
 struct MemberWeights {
   std::array<double, 3> c, number_c;
 };

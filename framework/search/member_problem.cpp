@@ -35,7 +35,7 @@ bool bears(const netloft_member& member) { return member.EA != 0 || member.EA_co
 
 bool all_finite(std::span<const double> v) {
   double sum = 0;
-  for (const double a : v) sum += a - a;  // zero unless something is infinite or no number
+  for (const double a : v) sum += a - a;  // zero unless a number is infinite or NaN
   return sum == 0;
 }
 
@@ -78,7 +78,7 @@ void MemberProblem::list_members(const ElementFamily& family) {
   for (std::size_t e = 0; e < family.size(); ++e) add_site(family, e, {&reported[e * count], count});
 }
 
-/// Adds the sites of one element, of two members each, as the kernels expect.
+/// Adds the sites of one element. Each has up to two members, as the kernels expect.
 void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
                              std::span<const netloft_member> reported) {
   MemberSite site;
@@ -128,7 +128,7 @@ void MemberProblem::list_rotations() {
     }
 }
 
-/// Position of a block, derived from any of its entries that the pattern contains.
+/// Position of a block, derived from any of its entries that the pattern contains; −1 if there is none.
 std::int32_t MemberProblem::find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const {
   const SparsePattern& pattern = assembler_.pattern();
   for (std::uint32_t entry = 0; entry < 9; ++entry) {

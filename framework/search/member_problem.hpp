@@ -65,8 +65,9 @@ class MemberProblem {
 
   std::vector<netloft_member> members_;
   std::vector<std::uint32_t> part_;
-  /// A node on a body, with the coefficient c[k] of `member`, and the origin of that body; each by the index
-  /// of its first coordinate in vectors over all degrees of freedom.
+  /// One coordinate of a node on a body, at which `member` has the coefficient c[k]. `point` is the index of
+  /// this coordinate in vectors over all degrees of freedom, `origin` that of the same coordinate of the
+  /// body's origin.
   struct Carried {
     std::size_t member, k, axis;
     std::int32_t point, origin;

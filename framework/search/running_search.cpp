@@ -199,9 +199,10 @@ std::uint32_t RunningSearch::size_of(std::uint32_t level) {
   return variant_problem ? static_cast<std::uint32_t>(variant_problem->assembler->pattern().size) : 0;
 }
 
-/// The ending of the best point, or of the last stage of the scene itself if there is no equilibrium: a stage
-/// that was cut off may be farther from balance than one that had ended. A strategy that solved no stage of
-/// its scene may have given up with work left, and would do so again.
+/// The ending of the equilibrium, or, if there is none, of the last stage of the scene itself. The stage
+/// closest to balance does not decide, because a stage that was cut off may be farther from balance than an
+/// earlier one. A strategy that solved no stage of its scene may have given up with work left, and would do
+/// so again.
 netloft_ending RunningSearch::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);
@@ -261,8 +262,7 @@ int RunningSearch::call(const char* strategy, const char* parameters, netloft_st
   const netloft_stage seen = seen_from_host(*stage);
   const StrategyType& type = host_.variant_problems().source().registry->strategy(strategy);
   Values values = host_.given_of(type.type);
-  values.merge(
-      parse_parameters(type.parameters, parameters ? parameters : ""));  // values by the user prevail
+  values.merge(parse_parameters(type.parameters, parameters ? parameters : ""));  // the user's values prevail
   std::vector<std::string> faults;
   const ParameterBlock block(type.parameters, type.strategy.parameter_bytes, values, faults);
   if (!faults.empty()) throw std::invalid_argument(faults.front());
@@ -333,7 +333,7 @@ int RunningSearch::members(netloft_stage* stage, netloft_members* members) {
   return NETLOFT_OK;
 }
 
-/// Ends a method of the strategy's own, and stores its record.
+/// Ends a method that the strategy runs by itself, and stores the record of that method.
 void RunningSearch::close() {
   if (!open_problem_ && !open_members_) return;
   const Statistics statistics = open_problem_ ? open_problem_->statistics() : open_members_->statistics();
@@ -371,9 +371,9 @@ int RunningSearch::answer(const double* u) {
   return NETLOFT_OK;
 }
 
-/// Stores an equilibrium of the scene itself until it is answered, and the point closest to balance.
+/// Stores an equilibrium of the scene itself until the strategy reports it, and the point closest to balance.
 void RunningSearch::keep(const netloft_stage& stage, const Solution& s) {
-  constexpr std::size_t kMostKept = 8;  // strategies answer soon after the stage that found an equilibrium
+  constexpr std::size_t kMostKept = 8;  // strategies report equilibria soon after their stage
   if (is_stationary(s)) {
     if (stationary_.size() == kMostKept) stationary_.erase(stationary_.begin());
     stationary_.push_back(s);

@@ -56,17 +56,17 @@ class RunningSearch {
   SearchHost& host_;
   netloft_variant scene_;
   std::shared_ptr<VariantProblem> variant_problem_;  // of scene_
-  double tolerance_, budget_, begun_, unit_;         // unit_: an iteration of its scene, in work of the host
+  double tolerance_, budget_, begun_, unit_;  // unit_: work of one iteration of its scene, as the host counts
   netloft_search interface_{};
   char message_[256] = "";
   std::vector<double> growing_;                        // of the last stage
-  std::vector<Solution> stationary_;                   // equilibria of the scene itself, not yet answered
+  std::vector<Solution> stationary_;                   // equilibria of the scene itself, not yet reported
   std::optional<Solution> closest_;                    // the point closest to balance
   netloft_ending last_ = NETLOFT_ENDED_NOT_CONVERGED;  // of the last stage of the scene itself
   std::string failure_;                                // why the strategy failed; empty if it did not
   int unsettled_ = 0;                                  // number of stages that did not come to rest
   EquilibriumChoice equilibria_;
-  // The method of the strategy's own that is running, with its stage and problem.
+  // The method that the strategy is running by itself, with its stage and problem.
   netloft_stage open_stage_{};
   std::shared_ptr<VariantProblem> open_variant_;
   std::unique_ptr<StaticProblem> open_problem_;

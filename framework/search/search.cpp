@@ -55,7 +55,7 @@ Solution find_as_set(const VariantSource& source, const SearchOptions& options, 
   return best;
 }
 
-/// One stage of the scene itself, by the solver of the options.
+/// Solves one stage of the scene itself with the solver of the options.
 Solution solve_near(const VariantSource& source, const SearchOptions& options, std::vector<double> u) {
   constexpr std::uint32_t kNear = 100;  // iterations, as from an initial guess by the user
   SearchHost host(source, options);

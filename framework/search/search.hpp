@@ -33,8 +33,8 @@ struct SearchOptions {
   /// Called after every stage with its record and its final displacements, interpolated to the original mesh
   /// if the stage was on a coarser one.
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};
-  /// Parameters by the user for solvers and strategies named by stages, by type ("newton/newton"). They
-  /// prevail over those of the strategy.
+  /// Parameters from the user for solvers and strategies that stages name. The key is their type
+  /// ("newton/newton"). These parameters override those of the strategy.
   std::map<std::string, Values> given = {};
 };
 

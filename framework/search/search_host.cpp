@@ -24,8 +24,8 @@ const SolverType& no_solver() {
 }
 
 // Numbers stored in known stages per unknown of the scene: about ten points on its own mesh, less memory than
-// a factor of netting. On a sample of hard cases, 32 cost 1 and 2 % more factorisations (small, medium), 128
-// and 256 at most 3 % less.
+// a factor of netting. On samples of small and medium hard cases, 32 numbers cost 1 % and 2 % more
+// factorisations; 128 and 256 saved at most 3 %.
 constexpr std::size_t kNumbersKept = 64;
 
 // Grid sequencing by auto takes two calls per mesh, and no scene has thirty meshes.
@@ -78,7 +78,7 @@ SolverUse SearchHost::solver_of(const netloft_stage& stage) const {
   }
   if (stage.parameters)
     use.parameters.merge(
-        parse_parameters(use.type->parameters, stage.parameters));  // values by the user prevail
+        parse_parameters(use.type->parameters, stage.parameters));  // the user's values prevail
   return use;
 }
 

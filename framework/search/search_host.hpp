@@ -20,14 +20,14 @@ class SearchHost {
 
   /// The solver of a stage. Throws std::invalid_argument if its parameters are wrong.
   SolverUse solver_of(const netloft_stage& stage) const;
-  /// Parameters by the user for a solver or a strategy.
+  /// Parameters from the user for a solver or a strategy.
   Values given_of(const std::string& type) const;
   /// Limits of a stage: tolerance and budget of the stage, other limits of the search.
   Limits limits_of(const netloft_stage& stage, const VariantProblem& variant_problem);
   /// Observer of a stage; it stores points of the original scene only.
   Observer observer_of(const netloft_stage& stage) const;
-  /// The stored result of a request, or null. It costs one evaluation, so that a strategy that repeats one
-  /// request forever ends by its budget.
+  /// The stored result of a request, or null. A stored result costs one evaluation, so that the budget ends a
+  /// strategy that repeats one request forever.
   const KnownStage* find_known(const StageRequest& request);
   void keep_known(KnownStage stage);
   /// Solves `stage`, whose variant is relative to the original scene, and stores its record. A known stage is

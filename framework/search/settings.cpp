@@ -16,8 +16,8 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 
 // Constants of the search for factors. Changes are those of the logarithm of a factor, i.e. relative changes.
-// Change over which slopes are measured: it changes a tension by some percent, of which an equilibrium found
-// to 1e-10 of the load leaves 7 digits.
+// Change over which slopes are measured. It changes a tension by some percent. Equilibria are found to 1e-10
+// of the load, so that this difference has 7 digits.
 constexpr double kFirstChange = 0.01;
 // Largest change in one step. From one length of warp to another that differs by 5 %, Newton's method
 // converges.
@@ -89,8 +89,8 @@ class SettingSearch {
   }
 
   /// Directions of the measurement: first all factors together, then one against the others. Warps of equal
-  /// length pull a gear straight; while one is longer than the other, their common tension hardly shows in
-  /// each of them.
+  /// length pull a gear straight. If one is longer than the other, the tension of each hardly depends on
+  /// their common length.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();

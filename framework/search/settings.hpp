@@ -11,7 +11,7 @@ namespace netloft {
 /// Scales data of the scene such that its settings have these factors.
 void set_factors(Scene& scene, std::span<const double> factors);
 
-/// Sum of the data of a setting over the elements of its part: the length of a rope.
+/// Sum of the data of a setting over the elements of its part, such as the length of a rope.
 double amount_of(const Scene& scene, const Setting& setting);
 
 /// An equilibrium of a scene for given factors, and the reactions at the nodes of its settings [N].

@@ -4,10 +4,11 @@
 
 namespace netloft {
 
-/// Chooses among the equilibria that a strategy answers, by this rule: a converged one before an unstable
-/// one; among the converged ones that of least energy, if every force has an energy; otherwise the first. Two
-/// have the same shape if no node is further from itself than 1e-5 of the size of the gear, or if both are
-/// neutral with equal energies, so that they differ by a motion without any force.
+/// Chooses among the equilibria that a strategy reports. Converged equilibria precede unstable ones. Among
+/// converged ones, that of least energy is chosen if every force has an energy; otherwise the first one is.
+/// Two equilibria have the same shape if the positions of each node differ by at most 1e-5 of the size of the
+/// gear, or if both are neutral with equal energies: then a motion without any force leads from one to the
+/// other.
 class EquilibriumChoice {
  public:
   /// `gear_size` [m]; `has_energy`: every force has one.

@@ -33,8 +33,8 @@ struct VariantSource {
   int threads = 1;
 };
 
-/// Makes the variants of a scene at their first request. The unmodified scene of each level is stored, of all
-/// other variants the last one.
+/// Makes the variants of a scene at their first request. Stores the unmodified scene of each level, and of
+/// the other variants only the last one.
 class VariantProblems {
  public:
   explicit VariantProblems(VariantSource source);

@@ -15,11 +15,12 @@ netloft_variant combined(const netloft_variant& outer, const netloft_variant& in
 /// scene.
 std::string text_of(const netloft_variant& variant);
 
-/// The same parts on the same nodes with other numbers; the level is ignored. The roles of parameters
-/// (NETLOFT_STIFFNESS, NETLOFT_COMPRESSION) determine which of them change.
-///   stiffness_cap  stiffnesses of a part are lowered in proportion, so that none in newtons exceeds it
-///   compression    at zero the elastic energy under dead loads is convex: one equilibrium
-///   current        a factor on the velocities of water and tow
+/// Returns a scene with the same parts and nodes but other parameters. The level of the variant is ignored.
+/// The roles of parameters (NETLOFT_STIFFNESS, NETLOFT_COMPRESSION) determine which of them change.
+///   stiffness_cap  lowers all stiffnesses of a part in proportion, so that none in newtons exceeds the cap
+///   compression    multiplies stiffnesses in compression; at zero, the elastic energy under dead loads is
+///                  convex, so that there is one equilibrium
+///   current        multiplies the velocities of the water and of the tow
 Scene make_variant(const Scene& scene, Registry& registry, const netloft_variant& variant);
 
 /// Largest stiffness counted in newtons [N]; zero if there is none.
