@@ -208,10 +208,10 @@ class CholmodFactorisation final : public Factorisation, public ForeseesMemory {
 };
 
 /// Neighbouring supernodes become one of n columns if n ≤ 20, or n ≤ 48 with at most a fraction of 0.8 of
-/// zeros, or n ≤ 96 with 0.2, or with 0.08. Three unknowns per node want larger blocks than CHOLMOD's own 4,
-/// 16, 48, 0.8, 0.1, 0.05: a factorisation of 10⁴ unknowns got 20–27 % faster, one of 10⁵ 7 % (triangles) to
-/// 23 % (squares), one of 3·10⁵ 6–9 %; a solve 10 % slower. Of seven other sets, on tangents of 10³ to 3·10⁵
-/// unknowns, none gains more than 5 %.
+/// zeros, or n ≤ 96 with 0.2, or with 0.08. With three unknowns per node, larger blocks are better than
+/// CHOLMOD's own 4, 16, 48, 0.8, 0.1, 0.05: a factorisation got 20–27 % faster for 10⁴ unknowns, 7 %
+/// (triangles) to 23 % (squares) for 10⁵, and 6–9 % for 3·10⁵; a solve got 10 % slower. None of seven other
+/// sets, on tangents of 10³ to 3·10⁵ unknowns, gains more than 5 %.
 void merge_supernodes(cholmod_common& common) {
   constexpr std::size_t kColumns[] = {20, 48, 96};
   constexpr double kZeros[] = {0.8, 0.2, 0.08};
@@ -219,10 +219,10 @@ void merge_supernodes(cholmod_common& common) {
   std::copy(std::begin(kZeros), std::end(kZeros), common.zrelax);
 }
 
-/// On nets of 1000 to 4400 nodes supernodal factorisations after AMD took 0.9 to 1.04 times as long as after
-/// METIS, of up to 1.1 times the operations, and METIS as long as one or two of them; of 6000 nodes 0.99 to
-/// 1.09 times as long, of 16 000 1.1 to 1.2 times. After dissection, those of panels took 0.72 (6500 nodes),
-/// 0.85 (26 000) and 0.91 (10⁵) of the time after METIS, for 0.84, 0.88 and 0.94 of the operations.
+/// Time of supernodal factorisations of nets after AMD, relative to METIS: 0.9 to 1.04 for 1000 to 4400 nodes
+/// (with up to 1.1 times the operations), 0.99 to 1.09 for 6000, and 1.1 to 1.2 for 16 000. METIS itself
+/// takes as long as one or two factorisations. Time for panels after dissection, relative to METIS: 0.72
+/// (6500 nodes), 0.85 (26 000) and 0.91 (10⁵), with 0.84, 0.88 and 0.94 of the operations.
 constexpr LargeNets kLargeNets{5000, OrderingMethod::dissection};
 
 template <class Index>
@@ -258,7 +258,7 @@ bool FactorsOf<Index>::analyse(const SparsePattern& pattern, const NodeOrdering&
   return true;
 }
 
-/// The supernodes of L with the zeros in them, the largest update beside them, and what a solution wants.
+/// Memory of the supernodes of L with their zeros, of the largest update, and of the workspace of a solution.
 template <class Index>
 double FactorsOf<Index>::bytes() const {
   const auto n = static_cast<double>(factor_->n);

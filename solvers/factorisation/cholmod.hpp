@@ -14,8 +14,8 @@ enum class IndexWidth { as_needed, of_64_bits };
 ///   P A Pᵀ = L Lᵀ                                          (1)
 ///   x = Pᵀ L⁻ᵀ L⁻¹ P b                                     (2)
 /// P orders the nodes, L is stored in dense blocks of columns (supernodes). From the second `factorise` on
-/// neither `factorise` nor `solve` allocates. A matrix that is not positive definite is found in passing:
-/// `column` is then the first unknown whose pivot in (1) is not positive, which depends on P.
+/// neither `factorise` nor `solve` allocates. The factorisation detects a matrix that is not positive
+/// definite: `column` is then the first unknown whose pivot in (1) is not positive, which depends on P.
 std::unique_ptr<Factorisation> make_cholmod_factorisation(OrderingMethod method = OrderingMethod::best);
 std::unique_ptr<Factorisation> make_cholmod_factorisation_of(IndexWidth width,
                                                              OrderingMethod method = OrderingMethod::best);

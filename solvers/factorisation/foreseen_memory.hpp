@@ -4,16 +4,16 @@
 
 namespace netloft {
 
-/// A factorisation that knows what memory it will take once it has analysed a pattern.
+/// A factorisation that can predict its memory once it has analysed a pattern.
 class ForeseesMemory {
  public:
   virtual ~ForeseesMemory() = default;
-  /// Memory that the first factorisation and solutions with it take beyond what `analyse` has taken; 0 when
-  /// not known [bytes].
+  /// Memory that the first factorisation and its solutions need in addition to that of `analyse` [bytes]; 0
+  /// if it is not known.
   virtual double factor_bytes() const = 0;
 };
 
-/// The same of any factorisation; 0 where it cannot say.
+/// The same for any factorisation; 0 if it cannot predict its memory.
 inline double factor_bytes_of(const Factorisation& factorisation) {
   const auto* foresees = dynamic_cast<const ForeseesMemory*>(&factorisation);
   return foresees ? foresees->factor_bytes() : 0;

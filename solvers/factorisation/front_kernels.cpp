@@ -54,7 +54,7 @@ NETLOFT_INLINE void subtract_columns(std::ptrdiff_t m, std::ptrdiff_t k, const d
     subtract_tile<Register, kColumns>(k, a + i, lda, b, c + i, ldc);
 }
 
-/// C ← C − A B, C m × n, k columns in A; rows go on to the next multiple of kTileRows.
+/// Computes C ← C − A B for C of m × n and A of k columns. m is rounded up to a multiple of kTileRows.
 template <class Register>
 NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::ptrdiff_t k, const double* a,
                                      std::ptrdiff_t lda, Factor b, double* c, std::ptrdiff_t ldc) {
@@ -69,8 +69,9 @@ NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::pt
   if (j < n) subtract_columns<Register, 1>(m, k, a, lda, b, c + j * ldc, ldc);
 }
 
-/// X ← X S T⁻¹, S diagonal, T upper triangular with ones on its diagonal, both of kWidth columns: row by row
-/// in the registers. Adds the squares of all X to `squares`; rows go on to the next multiple of kTileRows.
+/// Computes X ← X S T⁻¹ row by row in the registers, for a diagonal S and a unit upper triangular T of kWidth
+/// columns. Adds the squares of all X to `squares`. The number of rows is rounded up to a multiple of
+/// kTileRows.
 template <class Register, int kWidth>
 NETLOFT_INLINE void solve_rows_of_block(std::ptrdiff_t rows, double* x, std::ptrdiff_t stride, Factor T,
                                         const double* S, double& squares) {
@@ -112,12 +113,12 @@ NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, doubl
   }
 }
 
-/// Ones between zeros: an offset into the first zeros gives a mask that ends in ones, and the other way
-/// round.
+/// Ones between zeros. An offset into the first zeros gives a mask that ends in ones; an offset into the ones
+/// gives a mask that ends in zeros.
 constexpr double kOnesBetween[3 * kTileRows] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
                                                 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
 
-/// kTileRows factors: one for rows beyond k and before n, zero for others; the first of them is `row`.
+/// The kTileRows factors of the rows from `row` on: one for rows beyond k and before n, zero for others.
 /// (Compilers do not vectorise comparisons of vectors.)
 struct OwnRows {
   NETLOFT_INLINE OwnRows(std::ptrdiff_t row, std::ptrdiff_t k, std::ptrdiff_t n)
@@ -131,8 +132,8 @@ struct OwnRows {
   const double *beyond, *before;
 };
 
-/// Whether entry k of a column can be the pivot without exchange: it is not small compared with the entries
-/// from there to row n.
+/// Whether entry k of a column can be the pivot without exchange, because it is not small compared with the
+/// entries below it before row n.
 template <class Register>
 NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
   using V = typename Register::V;
@@ -196,8 +197,9 @@ NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std:
   return reciprocal;
 }
 
-/// Eliminates one pivot of the block that begins at `begin`, among the rows of A₁₁: its row, its column of L,
-/// and the rest of the columns before `end`. Returns one over it, or zero if it is zero.
+/// Eliminates pivot k of the block that begins at `begin`, within the rows of A₁₁: exchanges its row,
+/// computes its column of L and updates the following columns before `end`. Returns one over the pivot, or
+/// zero if the pivot is zero.
 template <class Register>
 NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
                                       std::ptrdiff_t end, std::int32_t* exchanged) {
@@ -210,8 +212,8 @@ NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin
   return eliminate_column<Register>(f.left, stride, begin, k, n, end);
 }
 
-/// Computes L₂₁ in the columns from `begin` to `end`, with S one over their pivots. Returns the sum of its
-/// squares.
+/// Computes L₂₁ in the columns from `begin` to `end`; S are the reciprocals of their pivots. Returns the sum
+/// of the squares of L₂₁.
 template <class Register>
 NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                   const double* S) {
@@ -249,7 +251,8 @@ NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t 
   return {};
 }
 
-/// C ← L⁻¹ C, L unit lower triangular of kBlock columns, C of `columns` columns of the same stride.
+/// Computes C ← L⁻¹ C for a unit lower triangular L of kBlock columns and C of `columns` columns of the same
+/// stride.
 template <class Register>
 NETLOFT_INLINE void solve_lower(const double* L, std::ptrdiff_t stride, double* c, std::ptrdiff_t columns) {
   using V = typename Register::V;
@@ -272,7 +275,7 @@ NETLOFT_INLINE void solve_lower(const double* L, std::ptrdiff_t stride, double* 
   }
 }
 
-/// U of the rows from `begin` to `end` in the columns from `from` to `to`.
+/// Computes U in the rows from `begin` to `end` and the columns from `from` to `to`.
 template <class Register>
 NETLOFT_INLINE void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                std::ptrdiff_t from, std::ptrdiff_t to) {
@@ -315,7 +318,7 @@ NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, double least_piv
   return {};
 }
 
-/// U₁₂ of the others from `from` to `to`.
+/// Computes U₁₂ in the columns of the other unknowns from `from` to `to`.
 template <class Register>
 NETLOFT_INLINE void solve_upper(const FrontPanels& f, const std::int32_t* exchanged, std::ptrdiff_t from,
                                 std::ptrdiff_t to) {
@@ -364,7 +367,8 @@ NETLOFT_INLINE void forward(const FrontPanels& f, double* y) {
   }
 }
 
-/// y₁[k …] ← y₁[k …] − (U₁₂ y₂)[k …], kColumns of them; rows go on to the next multiple of kTileRows.
+/// Computes y₁ ← y₁ − U₁₂ y₂ for kColumns entries of y₁. The rows of U₁₂ᵀ are padded to a multiple of
+/// kTileRows.
 template <class Register, int kColumns>
 NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const double* x, double* y) {
   using V = typename Register::V;
@@ -375,7 +379,7 @@ NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const 
   for (int j = 0; j < kColumns; ++j) y[j] -= wide::sum_of(sum[j]);
 }
 
-/// y ← U⁻¹ y, U upper triangular of `width` columns, at most kBlock: y and what it becomes stay in registers.
+/// Computes y ← U⁻¹ y for an upper triangular U of `width` columns, at most kBlock, with y in registers.
 template <class Register>
 NETLOFT_INLINE void solve_upper_triangle(const double* U, std::ptrdiff_t stride, std::ptrdiff_t width,
                                          double* y) {

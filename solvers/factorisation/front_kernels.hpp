@@ -9,7 +9,7 @@ namespace netloft {
 /// The part of the factors that belongs to a front of n pivots and u other unknowns, by columns:
 ///   left   (n + u) × n   L₁₁\U₁₁ above L₂₁, column stride left_stride(n, u)
 ///   upper  u × n         U₁₂ᵀ, column stride upper_stride(u)
-/// Columns are longer than their contents, so that all loops go in steps of kTileRows.
+/// Columns are padded, so that all loops have steps of kTileRows.
 struct FrontPanels {
   std::int32_t pivots, others;
   double *left, *upper;
@@ -23,7 +23,7 @@ constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t other
   return upper_stride(pivots + others + kTileRows - 1);
 }
 
-/// The end of the elimination of a front.
+/// The result of the elimination of a front.
 struct Elimination {
   std::int32_t stopped_at = -1;  // first pivot that is zero or too small; -1: none
   bool column_is_zero = false;   // whether all of its column is zero, too
@@ -40,9 +40,9 @@ constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & 
 /// The dense operations on a front, for the instruction set of this processor:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
-/// P exchanges rows of A₁₁ alone: the largest entry of a column becomes its pivot where the one on the
-/// diagonal is less than a tenth of the norm of those below (threshold pivoting; Duff, Erisman, Reid 1986).
-/// It stops where some columns of L₂₁ together have a norm of more than 1/least_pivot.
+/// P exchanges rows of A₁₁ only: the largest entry of a column becomes its pivot if the diagonal entry is
+/// less than a tenth of the norm of the entries below (threshold pivoting; Duff, Erisman, Reid 1986). The
+/// elimination stops if the columns of L₂₁ of one block together have a norm of more than 1/least_pivot.
 struct FrontKernels {
   /// (1); `exchanged[k]` is the row that row k was exchanged with.
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
@@ -53,26 +53,26 @@ struct FrontKernels {
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); the numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);
 
-  // (1) and (2) in pieces, for several threads. Pieces from one row or column to another do not depend on one
-  // another; rows begin at multiples of kTileRows behind the first.
+  // (1) and (2) in pieces, for several threads. Pieces for different ranges `from` to `to` are independent of
+  // each other; ranges of rows begin at a multiple of kTileRows after the first row.
   /// L₁₁\\U₁₁ and L₂₁ in columns of one block of pivots.
   Elimination (*eliminate_block)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
                                  double least_pivot, std::int32_t* exchanged);
-  /// U₁₁ of the rows from `begin` to `end` in the columns from `from` to `to`.
+  /// Computes U₁₁ in the rows from `begin` to `end` and the columns from `from` to `to`.
   void (*solve_rows)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t from,
                      std::ptrdiff_t to);
   /// Subtracts the contribution of the pivots from `begin` to `end` from the columns from `end` to `last`, in
   /// the rows from `from` to `to`.
   void (*subtract_rows)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
                         std::ptrdiff_t last, std::ptrdiff_t from, std::ptrdiff_t to);
-  /// U₁₂ of the others from `from` to `to`.
+  /// Computes U₁₂ in the columns of the other unknowns from `from` to `to`.
   void (*solve_upper)(const FrontPanels& front, const std::int32_t* exchanged, std::ptrdiff_t from,
                       std::ptrdiff_t to);
   /// (2) in the columns from `from` to `to`.
   void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t from, std::ptrdiff_t to);
 };
 
-/// The best kernels for this processor, and all that run on it, the best last.
+/// The best kernels for this processor; and all kernels that run on it, the best last.
 const FrontKernels& front_kernels();
 std::vector<FrontKernels> front_kernels_here();
 

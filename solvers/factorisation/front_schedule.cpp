@@ -78,8 +78,8 @@ class Scheduler {
     stack(schedule_.trunk);
   }
 
-  /// Lays the updates of some fronts onto stacks behind all that is there. Those of children that lie before
-  /// these stacks belong to branches and stay.
+  /// Places the updates of some fronts on stacks after all existing updates. Updates of children before these
+  /// stacks belong to branches and are not removed.
   void stack(const std::vector<std::size_t>& fronts) {
     const std::size_t bottom[2] = {schedule_.room[0], schedule_.room[1]};
     std::size_t top[2] = {bottom[0], bottom[1]};

@@ -4,15 +4,15 @@
 
 namespace netloft {
 
-/// In which order fronts are eliminated by several threads, and where their updates lie. Branches are
-/// subtrees that need nothing of one another: a thread takes one at a time. The trunk is what is left; its
-/// fronts come after all branches, children before parents, and all threads work on each. Every front adds up
-/// the same numbers in the same order as alone, so that the factors have the same bits for any number of
-/// threads.
+/// The order in which several threads eliminate fronts, and the places of the updates. Branches are
+/// independent subtrees; a thread takes one at a time. The trunk is the rest of the tree; its fronts follow
+/// after all branches, children before parents, and all threads work on each of them. Every front sums the
+/// same numbers in the same order as with one thread, so that the factors have the same bits for any number
+/// of threads.
 ///
-/// Updates lie on two stacks, by the parity of a front's depth: children are on top of the one when their
-/// parent pushes its own onto the other. Branches and the trunk have stacks of their own in the same two
-/// rooms.
+/// Updates are on two stacks, chosen by the parity of the depth of a front: the updates of the children are
+/// on top of one stack when their parent pushes its update onto the other. Each branch and the trunk have
+/// separate stacks in the same two blocks of memory.
 struct FrontSchedule {
   struct Branch {
     std::size_t first, last;  // fronts, one past the last
@@ -24,7 +24,7 @@ struct FrontSchedule {
   std::size_t room[2]{};             // doubles
 };
 
-/// For one thread everything is trunk.
+/// Plans the elimination. With one thread, all fronts are in the trunk.
 FrontSchedule make_front_schedule(const FrontTree& tree, std::size_t threads);
 
 }  // namespace netloft

@@ -27,7 +27,7 @@ class Supernodes {
   std::size_t count() const { return factor_->nsuper; }
   std::span<const int> order() const { return {static_cast<const int*>(factor_->Perm), factor_->n}; }
   int first(std::size_t s) const { return static_cast<const int*>(factor_->super)[s]; }
-  /// The vertices of a supernode by their places, its own first.
+  /// The vertices of a supernode in the order of elimination, its own vertices first.
   std::span<const int> vertices(std::size_t s) const {
     const int *start = static_cast<const int*>(factor_->pi), *vertex = static_cast<const int*>(factor_->s);
     return {vertex + start[s], vertex + start[s + 1]};
@@ -39,9 +39,9 @@ class Supernodes {
 };
 
 /// Neighbouring supernodes become one of n vertices if n ≤ 2, or n ≤ 6 with at most a fraction of 0.8 of
-/// zeros, or n ≤ 16 with 0.1, or with 0.05. Of seven sets between none at all and 6, 16, 32, 0.8, 0.2, 0.08
-/// no other is better by more than 4 % on tangents of 500 to 10⁵ unknowns; the largest takes 1.5 times as
-/// long at 500.
+/// zeros, or n ≤ 16 with 0.1, or with 0.05. Seven sets were compared, from no merging to 6, 16, 32, 0.8, 0.2,
+/// 0.08, on tangents of 500 to 10⁵ unknowns: none is better by more than 4 %, and the largest takes 1.5 times
+/// as long at 500.
 void merge(cholmod_common& common) {
   constexpr std::size_t kVertices[] = {2, 6, 16};
   constexpr double kZeros[] = {0.8, 0.1, 0.05};
@@ -55,7 +55,7 @@ Supernodes::Supernodes(NodeGraph& graph, Indices order) {
   common_->supernodal = CHOLMOD_SUPERNODAL;
   merge(*common_.get());
   cholmod_sparse view = view_of(graph);
-  // "For SPQR" it lays out no numbers, of which there may be more than it has indices.
+  // "For SPQR", CHOLMOD does not lay out the factor, which may have more entries than 32-bit indices allow.
   factor_ = cholmod_analyze_p2(CHOLMOD_ANALYZE_FOR_SPQR, &view, order.data(), nullptr, 0, common_.get());
   if (factor_ == nullptr) {
     throw std::runtime_error("cannot analyse a matrix of " + std::to_string(graph.unknown.size()) +
@@ -74,7 +74,7 @@ Indices vertex_order(const NodeGraph& graph, std::span<const std::int32_t> unkno
   return order;
 }
 
-/// Places in the panels of one front are counted by 32 bits (FrontEntries::target).
+/// Throws if a position in the panels of one front does not fit into 32 bits (FrontEntries::target).
 void require_targets(std::size_t panels) {
   if (panels > std::numeric_limits<std::uint32_t>::max())
     throw std::runtime_error("cannot lay out a front of " + std::to_string(panels) +

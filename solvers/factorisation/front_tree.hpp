@@ -10,8 +10,8 @@
 
 namespace netloft {
 
-/// A dense piece of the elimination: n pivots, and the u other unknowns that they are coupled with at that
-/// point.
+/// A dense step of the elimination: n pivots, and the u other unknowns to which they are coupled at that
+/// step.
 struct Front {
   std::int32_t first = 0;    // of its pivots, in the order of elimination
   std::int32_t pivots = 0;   // n
@@ -38,10 +38,10 @@ struct FrontEntries {
 /// The elimination of a matrix of symmetric pattern front by front (Duff and Reid 1983). Every front adds up
 /// its entries of the matrix and the updates of its children, eliminates its pivots, and passes the update
 ///   C = Σ C_child − L₂₁ U₁₂                                               (1)
-/// to its parent. Children come before parents, and all below a front come in a row.
+/// to its parent. Children come before parents, and the fronts below a front are numbered consecutively.
 struct FrontTree {
   std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
-  std::vector<Front> fronts;          // with one more that marks the end
+  std::vector<Front> fronts;          // and an additional one that marks the end
   std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
   std::vector<std::int32_t> place;    // place of each of them among the unknowns of the parent, pivots first
   std::vector<UnknownRun> runs;       // the same as runs, for each front

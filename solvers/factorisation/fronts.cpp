@@ -114,7 +114,7 @@ void Fronts::set_entries(std::size_t front) {
   }
 }
 
-/// The update of a child in the sum (1) of the tree.
+/// Returns C_child of (1) in front_tree.hpp.
 ChildUpdate Fronts::left_by(std::size_t child) {
   const Front &front = tree_->fronts[child], &next = tree_->fronts[child + 1];
   return {update_of(child).data(), front.others, {tree_->runs.data() + front.runs, next.runs - front.runs}};

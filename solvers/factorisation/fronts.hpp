@@ -30,18 +30,18 @@ class Room {
 /// Operations on one front at a time. The caller keeps an order that front_schedule.hpp allows.
 class Fronts {
  public:
-  /// The matrix has so many `values`. `tree` and `schedule` must outlive the last call.
+  /// `values` is the number of values of the matrix. `tree` and `schedule` must outlive the last call.
   void plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values);
 
   /// The memory that has_room() allocates [bytes].
   double bytes() const;
-  /// Takes the memory at the first call after plan(). Returns false if there is not enough.
+  /// Allocates the memory at the first call after plan(). Returns false if there is not enough.
   bool has_room();
 
   std::span<double> values() { return values_; }
   std::span<double> by_place() { return by_place_; }
 
-  /// Uses this thread alone, or all `workers`.
+  /// Eliminates a front with this thread alone if `workers` is null, else with all `workers`.
   Elimination eliminate(std::size_t front, Workers* workers);
   /// The steps of L y = b and U x = y that belong to a front, in by_place(): children first, then parents
   /// first.

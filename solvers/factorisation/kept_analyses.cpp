@@ -19,14 +19,14 @@ struct Analysed {
   SparsePattern pattern = {};
   bool has_factor = false;
 
-  /// A large factor is given up; an analysis without a factor takes little beside the one to come.
+  /// A large factor is not worth its memory. An analysis without a factor needs little memory.
   bool is_worth_keeping() const { return !has_factor || factorisation->factor_entries() <= kLargestKept; }
 };
 
 /// The factorisations that are not in use.
 class Shelf {
  public:
-  /// Null if there is none for the pattern.
+  /// Returns the factorisation of this class for the pattern, or null if there is none.
   std::unique_ptr<Analysed> take(MatrixClass kind, const SparsePattern& pattern) {
     const std::lock_guard lock(mutex_);
     std::unique_ptr<Analysed>& kept = kept_[static_cast<std::size_t>(kind)];

@@ -56,7 +56,7 @@ NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, do
     }
 }
 
-/// NaN as soon as one of the numbers is infinite or NaN.
+/// Copies the numbers. Returns false if some are infinite or NaN, because `sum` is then NaN.
 template <class Register>
 NETLOFT_INLINE bool take(std::span<const double> from, double* to) {
   using V = typename Register::V;

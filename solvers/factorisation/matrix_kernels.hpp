@@ -33,7 +33,7 @@ struct UnknownRun {
   std::int32_t count = 0;
 };
 
-/// The update of a child: its columns, with the stride of its own `upper`, and their targets.
+/// The update of a child front: its columns, with the stride of the child's `upper`, and their targets.
 struct ChildUpdate {
   const double* C;
   std::int32_t others;
@@ -46,12 +46,12 @@ struct MatrixKernels {
   void (*add_child)(const ChildUpdate& child, const FrontPanels& front, double* C);
   /// to ← from. Returns false if some numbers are not finite.
   bool (*take)(std::span<const double> from, double* to);
-  /// A x and |A| |x|; row i has its products in three sums at 3 i.
+  /// Computes A x and |A| |x|. Row i of each is the sum of the three numbers from 3 i on.
   void (*multiply)(const MatrixBlocks& A, const double* values, std::span<const double> x, double* products,
                    double* sizes);
 };
 
-/// The best kernels for this processor, and all that run on it, the best last.
+/// The best kernels for this processor; and all kernels that run on it, the best last.
 const MatrixKernels& matrix_kernels();
 std::vector<MatrixKernels> matrix_kernels_here();
 

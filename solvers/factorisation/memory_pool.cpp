@@ -54,7 +54,7 @@ MemoryPool::FreeBlock* MemoryPool::pop(std::size_t size_class) {
 void* MemoryPool::take(std::size_t bytes) {
   if (bytes > kLargestBlock) return nullptr;
   const std::size_t size_class = smallest_class_holding(std::max(bytes, kSmallestBlock));
-  // malloc may give a little more than was asked for, so that a block comes back to the next class.
+  // malloc may return a little more than requested, so that a block is returned to the next class.
   for (const std::size_t near : {size_class, size_class + 1})
     if (void* block = pop(near)) return count_as_used(block);
   return count_as_used(std::malloc(bytes_of_class(size_class)));

@@ -5,12 +5,12 @@
 
 namespace netloft {
 
-/// Keeps the blocks that SuiteSparse and MUMPS free and hands them out again, so that the second and every
-/// later factorisation of one pattern calls no malloc.
+/// Keeps the blocks that SuiteSparse and MUMPS free and reuses them, so that the second and every later
+/// factorisation of one pattern calls no malloc.
 ///
-/// Every block is a plain malloc block, and the C library reports its size. So a block from the pool may be
-/// freed by free(), and a block of malloc by the pool, without knowing its origin. The pool never keeps more
-/// than twice what was in use at one time. One owner, one thread: no lock.
+/// Every block is a plain malloc block, and the C library reports its size. Therefore free() may free a block
+/// of the pool, and the pool may take back a block of malloc. The pool never keeps more than twice the most
+/// memory that was in use at one time. It has one owner in one thread, and no lock.
 class MemoryPool {
  public:
   MemoryPool() = default;

@@ -19,7 +19,7 @@
 namespace netloft {
 namespace {
 
-constexpr double kLargestError = 1e-9;  // (2); a larger error is handed over to another code
+constexpr double kLargestError = 1e-9;  // (2); above this, the fallback code solves
 // Below this [floating-point operations] a factorisation takes less than 5 ms, and threads would gain little.
 constexpr double kWorthThreads = 2e8;
 constexpr double kErrorToRefine = 1e-12;  // (2); a smaller error is not refined
@@ -131,7 +131,7 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
   return {};
 }
 
-/// Takes the values. Returns false if some are not finite; values of unused slots do not count.
+/// Copies the values. Returns false if some are not finite; unused slots are ignored.
 bool MultifrontalFactorisation::take(std::span<const double> values) {
   return matrix_kernels_.take(values.first(fronts_.values().size()), fronts_.values().data()) ||
          find_column_not_finite(*pattern_, values) < 0;
@@ -152,7 +152,8 @@ Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
   return end;
 }
 
-/// `failed` becomes the first front that cannot be eliminated, if there is one. All before it are.
+/// Eliminates the branches. `failed` becomes the first front that cannot be eliminated, if there is one; all
+/// fronts before it are eliminated.
 Elimination MultifrontalFactorisation::eliminate_branches(std::size_t& failed) {
   if (schedule_.branches.empty()) return {};
   std::atomic<std::size_t> first{failed};

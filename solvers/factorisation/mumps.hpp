@@ -11,7 +11,7 @@ namespace netloft {
 bool has_mumps();
 
 /// Multifrontal factorisation by MUMPS, with threshold pivoting, of matrices that are not positive definite.
-///   P A Pᵀ = L D Lᵀ   symmetric: D has blocks of 1×1 and 2×2; P orders the nodes, with late pivots later (1)
+///   P A Pᵀ = L D Lᵀ   symmetric: D has blocks of 1×1 and 2×2; P orders the nodes and delays pivots     (1)
 ///   P A Q  = L U      unsymmetric pattern that is nearly symmetric (2)
 /// For symmetric matrices it counts the negative eigenvalues, those of D (Sylvester's law of inertia). From
 /// the second `factorise` on neither `factorise` nor `solve` allocates. A pivot below 1e-5 eps ‖A‖ is

@@ -86,7 +86,7 @@ void store_edges(const std::vector<Edge>& edges, NodeGraph& graph) {
   }
 }
 
-/// The graph as METIS sees it has every edge twice, once from each end.
+/// Throws if there are too many edges. In METIS's form, a graph has every edge twice, once from each end.
 void require_indices(std::size_t edges, std::size_t most, std::int32_t nodes) {
   if (edges <= most) return;
   throw std::runtime_error("cannot order a matrix of " + std::to_string(nodes) +

@@ -23,11 +23,11 @@ struct NodeGraph {
   std::vector<std::int32_t> unknown;
 };
 
-/// Edges that a graph may have, counted from both ends: METIS and CHOLMOD number them by 32 bits here.
+/// Largest number of edges, counted from both ends, because METIS and CHOLMOD use 32-bit indices here.
 inline constexpr std::size_t kMostEdges = 0x7fffffff;
 
 /// Accepts symmetric patterns and unsymmetric ones; for these it uses the union with the transpose. Throws
-/// std::runtime_error with a sentence where there are more edges than that.
+/// std::runtime_error with a sentence if there are more than `most_edges` edges.
 NodeGraph make_node_graph(const SparsePattern& pattern, std::size_t most_edges = kMostEdges);
 
 /// The graph in CHOLMOD's form: the lower triangle of a pattern.

@@ -20,7 +20,7 @@ std::vector<std::int32_t> expand_to_unknowns(const NodeGraph& graph, const int* 
   return unknowns;
 }
 
-// Nodes of a part that is not divided further. With 100 instead of CHOLMOD's 200, 1 % fewer operations.
+// Number of nodes below which a part is not divided. 100 gives 1 % fewer operations than CHOLMOD's 200.
 constexpr std::size_t kSmallPart = 100;
 
 NodeOrdering order_by(int method, const char* name, NodeGraph& graph) {

@@ -10,7 +10,7 @@ namespace netloft {
 
 struct NodeGraph;
 
-/// `dissection`: METIS's separators one by one, then within and between them by constrained minimum degree.
+/// `dissection`: recursive separators by METIS, then constrained minimum degree within and between them.
 enum class OrderingMethod { best, amd, metis, dissection };
 
 /// An elimination order that keeps the factor sparse.
@@ -20,15 +20,16 @@ struct NodeOrdering {
   double flops = 0;                   // of a Cholesky factorisation of the node graph, one number per node
 };
 
-/// The method that `best` tries besides AMD, and the number of nodes from which it does. On nets of 100 to
-/// 600 nodes METIS gave factorisations of 1.02 to 1.7 times the operations, and took as long as two of them.
+/// The method that `best` tries in addition to AMD, and the number of nodes from which it does so. On nets of
+/// 100 to 600 nodes, factorisations after METIS had 1.02 to 1.7 times the operations, and METIS took as long
+/// as two factorisations.
 struct LargeNets {
   std::int32_t nodes = 700;
   OrderingMethod method = OrderingMethod::metis;
 };
 
-/// Orders the node graph of `pattern`; `best` tries two methods and takes the one with fewer operations; for
-/// nets that are not large it uses AMD alone. Throws std::runtime_error when the memory runs out.
+/// Orders the node graph of `pattern`. `best` tries two methods for large nets and takes the one with fewer
+/// operations; for smaller nets it uses AMD only. Throws std::runtime_error if there is not enough memory.
 NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method = OrderingMethod::best,
                          LargeNets large = {});
 /// The same for an existing graph.

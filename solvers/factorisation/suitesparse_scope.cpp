@@ -64,9 +64,9 @@ using Parallel = void (*)(Region, void*, unsigned threads, unsigned flags);
 
 }  // namespace
 
-/// How a parallel region of CHOLMOD begins, in place of the function of GCC's OpenMP runtime: within a scope
-/// a region is a plain call. The runtime makes a team of one thread for it and wakes those who wait for the
-/// team, which nobody does, by a call of the system; there are some 500 in a factorisation of 1 300 unknowns.
+/// Starts a parallel region of CHOLMOD, in place of the function of GCC's OpenMP runtime: within a scope, a
+/// region is a plain call. The runtime would make a team of one thread and signal waiting threads, of which
+/// there are none, by a system call; a factorisation of 1 300 unknowns has some 500 regions.
 extern "C" [[gnu::visibility("default")]] void GOMP_parallel(Region region, void* data, unsigned threads,
                                                              unsigned flags);
 

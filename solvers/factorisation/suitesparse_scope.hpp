@@ -16,15 +16,15 @@ class SingleThreadScope {
   SingleThreadScope(const SingleThreadScope&) = delete;
   SingleThreadScope& operator=(const SingleThreadScope&) = delete;
   ~SingleThreadScope();
-  /// In this thread.
+  /// Whether a scope is open in this thread.
   static bool is_open();
 
  private:
   int max_active_levels_ = -1;
 };
 
-/// CHOLMOD's parameters and workspace, silent. `index`: CHOLMOD_INT or CHOLMOD_LONG, by which functions of
-/// CHOLMOD it is used.
+/// CHOLMOD's parameters and workspace, without printing. `index` is CHOLMOD_INT or CHOLMOD_LONG, depending on
+/// the functions of CHOLMOD that use it.
 class CholmodCommon {
  public:
   explicit CholmodCommon(int index = CHOLMOD_INT);

@@ -18,13 +18,14 @@ namespace {
 
 using namespace sundials;
 
-/// A table of ARKODE's, and the power of h with which (4) shrinks: one above the lower of the two orders.
+/// A method table of ARKODE, and the power of h to which the error (4) is proportional: the lower of its two
+/// orders plus one.
 struct Method {
   ARKODE_DIRKTableID table;
   double error_order;
 };
 
-/// In the order of the choices of `method`.
+/// The methods, in the order of the choices of `method`.
 constexpr std::array<Method, 3> kMethods = {
     {{ARKODE_ARK324L2SA_DIRK_4_2_3, 3}, {ARKODE_TRBDF2_3_3_2, 3}, {ARKODE_KVAERNO_5_3_4, 4}}};
 
@@ -48,7 +49,7 @@ void check(int status, const Host& host) {
   if (status != ARK_SUCCESS) throw std::runtime_error("ARKODE: " + host.complaint);
 }
 
-/// y' at the start of the step. ARKODE deduces those of the stages, (3), by itself.
+/// Gives y' at the start of the step. ARKODE deduces y' of the stages from (3).
 int give_rate(double t, N_Vector, N_Vector rate, void* host) {
   return guarded<Host>(host, [&](Host& h) {
     if (t != h.motion.t()) throw std::runtime_error("ARKODE asks for a rate within its step");
@@ -69,7 +70,7 @@ struct Stage {
   N_Vector predicted = nullptr, known = nullptr;
 };
 
-/// Solves (2); `correction` becomes the difference of y and the prediction.
+/// Solves (2). `correction` becomes y minus the prediction.
 Step find_stage(const Stage& stage, N_Vector correction, Host& host) {
   Motion& m = host.motion;
   const auto predicted_u = host.u(stage.predicted), predicted_v = host.v(stage.predicted);
@@ -116,8 +117,8 @@ StageSolver make_stage_solver(Host& host, SUNContext context) {
   return s;
 }
 
-/// The host chooses the step and judges its error, so ARKODE takes one step of h whatever its error. (In its
-/// mode of fixed steps ARKODE gives no estimates.)
+/// Makes ARKODE take one step of h, whatever its error, because the host controls the step. (In its mode of
+/// fixed steps, ARKODE gives no error estimates.)
 void ask_for_one_step(void* arkode, double h, const Host& host) {
   constexpr double kAnyError = 1e100;
   check(ARKStepSStolerances(arkode, 0, kAnyError), host);

@@ -3,7 +3,7 @@
 
 namespace netloft {
 
-/// Energies that differ by less than this fraction of them are equal: rounding of a sum of many terms.
+/// Relative difference below which two energies count as equal, because of rounding in a sum of many terms.
 inline constexpr double kEnergyRoundOff = 1e-13;
 
 }  // namespace netloft

@@ -16,7 +16,7 @@ namespace netloft::sundials {
 /// one.
 enum { kDone = 0, kRecoverable = 1, kStop = -1 };
 
-/// Runs a callback on its host. No exception may pass through SUNDIALS: it waits in `failure` of the host.
+/// Runs a callback on its host. No exception may pass through SUNDIALS; `failure` of the host stores it.
 template <class Host, class Work>
 int guarded(void* host, Work&& work) noexcept {
   try {
@@ -27,7 +27,7 @@ int guarded(void* host, Work&& work) noexcept {
   }
 }
 
-/// Keeps what SUNDIALS complains of instead of printing it.
+/// Stores the error message of SUNDIALS instead of printing it.
 template <class Host>
 void keep_complaint(int, const char*, const char*, char* message, void* host) {
   guarded<Host>(host, [&](Host& h) {
@@ -57,7 +57,7 @@ inline Context make_context() {
   return Context(checked(context));
 }
 
-/// A vector that stands on `values`.
+/// Makes a vector that uses the memory of `values`.
 inline Vector make_vector(std::span<double> values, SUNContext context) {
   return Vector(checked(N_VMake_Serial(static_cast<sunindextype>(values.size()), values.data(), context)));
 }

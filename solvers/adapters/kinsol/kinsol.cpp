@@ -24,7 +24,7 @@ struct Host {
   const Kinsol::Parameters& parameters;
   std::vector<double> residual;  // at the accepted point
   double energy = 0;
-  bool stopped = false;        // `progress` said so
+  bool stopped = false;        // `progress` returned false
   std::exception_ptr failure;  // of the host
   std::string complaint;       // of KINSOL
 
@@ -38,7 +38,8 @@ int compute_residual(N_Vector u, N_Vector r, void* host) {
   });
 }
 
-/// KINSOL asks for the tangent at every accepted point and at no other, so the point is reported here.
+/// KINSOL requests the tangent at every accepted point and nowhere else; therefore the point is reported
+/// here.
 int compute_tangent(N_Vector u, N_Vector, SUNMatrix, void* host, N_Vector, N_Vector) {
   return guarded<Host>(host, [&](Host& h) {
     if (h.problem.evaluate(h.view(u), h.energy, h.residual, Matrix::exact) != Evaluation::ok) return kStop;
@@ -135,8 +136,8 @@ Outcome outcome_of(int status, const Host& host) {
   }
 }
 
-/// If KINSOL considers itself converged, it has not asked for a tangent, so the last point has not been
-/// reported.
+/// Reports the last point. When KINSOL regards it as converged, it requests no tangent there, and the point
+/// has not been reported.
 Outcome report_end(Host& host, Outcome outcome) {
   const auto u = host.problem.u();
   if (host.problem.evaluate(u, host.energy, host.residual) != Evaluation::ok) return Outcome::left_domain;

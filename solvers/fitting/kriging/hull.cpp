@@ -14,10 +14,11 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-// A distance, and a slope of it, that are round-off of coordinates of the size of one.
+// Round-off of a distance, and of its derivative, if coordinates are of the size of one.
 constexpr double kNoDistance = 1e-9, kNoSlope = 1e-12;
 
-/// min ‖A λ − b‖, λ ≥ 0, by the active set of Lawson and Hanson; members are steps in the order they happen.
+/// Minimises ‖A λ − b‖ over λ ≥ 0 by the active-set method of Lawson and Hanson. Functions are in the order
+/// of the algorithm.
 class LeastSquaresOfWeights {
  public:
   LeastSquaresOfWeights(const Matrix& a, const Vector& b) : a_(a), b_(b), weights_(Vector::Zero(a.cols())) {}
@@ -34,7 +35,7 @@ class LeastSquaresOfWeights {
   }
 
  private:
-  /// The weight whose growth shortens the distance most; none, -1, if no growth does.
+  /// Returns the weight whose increase reduces the distance most, or -1 if no increase reduces it.
   Index steepest(const Vector& residual) const {
     const Vector slope = a_.transpose() * residual;
     Index best = -1;
@@ -45,7 +46,8 @@ class LeastSquaresOfWeights {
     return best;
   }
 
-  /// Towards the least squares of the free weights, until one of them is zero. Whether it went all the way.
+  /// Moves towards the least squares of the free weights, until one of them becomes zero. Returns whether it
+  /// reached the least squares.
   bool move_to_least() {
     Matrix columns(a_.rows(), static_cast<Index>(free_.size()));
     for (std::size_t k = 0; k < free_.size(); ++k) columns.col(static_cast<Index>(k)) = a_.col(free_[k]);

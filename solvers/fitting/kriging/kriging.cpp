@@ -21,13 +21,14 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-// Points of the likelihood: its minimum is as wide as 1/√n, and each value of it takes n³/3 operations.
+// Number of points used in the likelihood. Its minimum has a width of 1/√n, and a value takes n³/3
+// operations.
 constexpr Index kLikelihoodPoints = 150;
-// Lengths over the extent of the points: shorter, points know nothing of one another; longer, all is a
-// parabola.
+// Range of the lengths over the extent of the points. With shorter lengths, points are uncorrelated; with
+// longer ones, the prediction is a parabola.
 constexpr double kShortest = 0.02, kLongest = 20;
-// Scatter of the values over σ²: less makes K singular in double precision, more leaves nothing to the
-// process.
+// Range of the scatter of the values over σ². With less, K is singular in double precision; with more, all
+// variation is scatter.
 constexpr double kLeastScatter = 1e-10, kMostScatter = 1;
 // Steps of the search in ln ℓ and ln ν; the smallest changes (5) by less than one.
 constexpr double kFirstStep = 1.6, kLastStep = 0.1;
@@ -54,7 +55,7 @@ Matrix scaled(const Matrix& points, const Scales& scales) {
   return all;
 }
 
-/// A row per point: 1 and its coordinates, if there are points enough to find a plane without any of them.
+/// Returns a row per point: 1 and, if there are enough points to determine a plane, the coordinates.
 Matrix trend_of(const Matrix& points) {
   Matrix plane(points.rows(), points.cols() + 1);
   plane << Vector::Ones(points.rows()), points;
@@ -63,7 +64,7 @@ Matrix trend_of(const Matrix& points) {
   return is_known ? plane : plane.leftCols(1);
 }
 
-/// K factorised, and what (3) to (6) take from it.
+/// The factor of K, and the quantities of (3) to (6) derived from it.
 struct Factorised {
   Factorised(const Matrix& points, const Matrix& trend, const Vector& values, const Scales& s)
       : scales(s), at(scaled(points, s)) {
@@ -81,7 +82,7 @@ struct Factorised {
     variance = weights.dot(rest) / static_cast<double>(n - trend.cols());
   }
 
-  /// (5); infinite where K has no factor.
+  /// Returns (5), or infinity if K has no factor.
   double unlikeliness() const {
     if (factor.info() != Eigen::Success || information.info() != Eigen::Success || !(variance > 0))
       return std::numeric_limits<double>::infinity();
@@ -129,7 +130,7 @@ Scales search(const Matrix& points, const Matrix& trend, const Vector& values, C
   return best;
 }
 
-/// Places of at most `most` out of n, at random, the same ones every time.
+/// Returns the indices of at most `most` of n points, chosen at random and the same in every call.
 std::vector<Index> choose(Index n, Index most) {
   std::vector<Index> places(static_cast<std::size_t>(n));
   for (Index i = 0; i < n; ++i) places[static_cast<std::size_t>(i)] = i;

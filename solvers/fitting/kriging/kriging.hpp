@@ -13,7 +13,7 @@ struct KrigingValue {
   double deviation = 0;  // s of (4)
 };
 
-/// How values at two points go together, by (1) and (2).
+/// The scales of the correlation of values at two points, (1) and (2).
 struct KrigingScales {
   enum class Correlation { matern, gaussian };
   Correlation correlation = Correlation::matern;
@@ -24,25 +24,26 @@ struct KrigingScales {
 /// Universal kriging: values y at n points are a plane f β, f = (1, x₁ … x_d), and a stationary normal
 /// process,
 ///   cov(y(x), y(x')) = σ² (k(r) + ν [x = x']),   r² = Σ ((x_j − x'_j)/(ℓ_j w_j))²                  (1)
-/// w_j the extent of the points in coordinate j, with one of two correlations, the likelier one:
+/// with w_j the extent of the points in coordinate j and the likelier of two correlations,
 ///   k = (1 + √5 r + 5/3 r²) e^{−√5 r}   (Matérn's of order 5/2),   k = e^{−r²/2}                    (2)
-/// Instead of a plane there is a constant, f = 1, for less than 2 (d + 1) points and for points in a plane of
-/// their own. With K = k + ν I, F the rows f of all points, κ the correlations with the point asked for:
+/// The plane is replaced by a constant, f = 1, if there are less than 2 (d + 1) points or if the points are
+/// in a plane. With K = k + ν I, F the rows f of all points, κ the correlations with the point of the
+/// prediction:
 ///   m = f β + κᵀ K⁻¹ (y − F β),   β = A⁻¹ Fᵀ K⁻¹ y,   A = Fᵀ K⁻¹ F                                  (3)
 ///   s² = σ² (1 + ν − κᵀ K⁻¹ κ + uᵀ A⁻¹ u),   u = f − Fᵀ K⁻¹ κ,
 ///   σ² = (y − F β)ᵀ K⁻¹ (y − F β)/(n − p),   p the length of f                                      (4)
-/// ℓ and ν minimise what the restricted likelihood leaves,
+/// ℓ and ν minimise the restricted likelihood, up to sign and constants,
 ///   (n − p) ln σ² + ln |K| + ln |A|                                                                 (5)
-/// over at most 150 of the points, by a search along the axes of ln ℓ_j and ln ν. Values at a group G of
-/// points less what all others say of them:
+/// over at most 150 of the points, by a search along the axes of ln ℓ_j and ln ν. The values at a group G of
+/// points minus their prediction from all other points are
 ///   Q_GG⁻¹ (Q y)_G,   Q = K⁻¹ − K⁻¹ F A⁻¹ Fᵀ K⁻¹                                                    (6)
 /// Sources: T. J. Santner, B. J. Williams, W. I. Notz, The design and analysis of computer experiments, 2nd
 /// ed., 2018, ch. 3; (6): O. Dubrule, Cross validation of kriging in a unique neighborhood, Mathematical
 /// Geology 15, 1983.
 class Kriging {
  public:
-  /// Two points or more, none of them twice, which differ in every coordinate, with a finite value each.
-  /// Scales that are known are taken instead of the likeliest.
+  /// There must be at least two points, all different, with a range above zero in every coordinate and finite
+  /// values. If `known` is given, its scales replace the likeliest.
   Kriging(const std::vector<std::vector<double>>& points, const std::vector<double>& values,
           const KrigingScales* known = nullptr);
   ~Kriging();
@@ -50,13 +51,13 @@ class Kriging {
   Kriging& operator=(const Kriging&) = delete;
 
   KrigingValue at(const std::vector<double>& point) const;
-  /// m alone, in n operations where s takes n².
+  /// Returns m alone, which takes n operations; s would take n².
   double value_at(const std::vector<double>& point) const;
-  /// ℓ and ν; nothing where all values are equal.
+  /// Returns ℓ and ν, or nothing if all values are equal.
   std::optional<KrigingScales> scales() const;
 
-  /// The values at a group of points less what all other points say there, by (6) with ℓ and ν of all. There
-  /// are others.
+  /// Returns the values at a group of points minus their prediction from all other points, by (6) with ℓ and
+  /// ν of all points. The group must not contain all points.
   std::vector<double> residuals_without(const std::vector<std::size_t>& group) const;
 
  private:

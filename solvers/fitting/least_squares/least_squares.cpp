@@ -14,14 +14,14 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-// Marquardt's: damping falls tenfold after a step that is taken and grows tenfold after one that is not.
+// Marquardt's rule: damping falls tenfold after an accepted step and grows tenfold after a rejected one.
 constexpr double kDamping = 1e-3, kRatio = 10, kMostDamping = 1e8;
 
 constexpr const char* kNoStart = "the model has no answer at the means of the priors";
 
 double squared(double x) { return x * x; }
 
-/// A point with all that (1) and (2) need of it.
+/// A point θ with its predictions and the sums of (1).
 struct Point {
   std::vector<double> parameters, predictions;
   double misfit = 0, prior_misfit = 0;
@@ -64,7 +64,7 @@ class Fitter {
     return ended(false, "the model has no answers around the best point, and so no slopes");
   }
 
-  /// With the last point whose slopes are known.
+  /// Returns the fit at the last point whose slopes are known, or an empty one if there is none.
   Fit interrupted() {
     if (slopes_.size() == 0) return ended(false, "interrupted");
     point_ = std::move(sloped_);
@@ -110,13 +110,13 @@ class Fitter {
     return true;
   }
 
-  /// Whether a parameter stands at an end of its range and would leave it.
+  /// Whether a parameter is at an end of its range and a descent would leave the range.
   bool is_pinned(std::size_t j) const {
     const double slope = gradient_(static_cast<Eigen::Index>(j)), at = point_.parameters[j];
     return (at <= priors_[j].low && slope > 0) || (at >= priors_[j].high && slope < 0);
   }
 
-  /// (2), for what is not pinned.
+  /// Returns δ of (2) for the parameters that are not pinned.
   Vector step() const {
     Matrix damped = normal_;
     Vector right = -gradient_;

@@ -23,17 +23,18 @@ struct Measurement {
 class Model {
  public:
   virtual ~Model() = default;
-  /// f(θ); nothing where the model has no answer. The last point asked for is where `slopes` starts from.
+  /// Returns f(θ), or nothing if the model has no solution. `slopes` starts from the last point of this
+  /// function.
   virtual std::optional<std::vector<double>> predict(const std::vector<double>& parameters) = 0;
-  /// ∂f/∂θ at θ, a row per measurement; nothing where the model has no answer near by.
+  /// Returns ∂f/∂θ at θ, a row per measurement, or nothing if the model has no solution near θ.
   virtual std::optional<std::vector<std::vector<double>>> slopes(const std::vector<double>& parameters) = 0;
-  /// Whether to end where it is.
+  /// Whether the user has interrupted the fit.
   virtual bool is_interrupted() const { return false; }
 };
 
 struct FitOptions {
   int iterations = 30;      // steps at most, tried ones included
-  double tolerance = 0.01;  // of S: less than that to be gained counts as nothing
+  double tolerance = 0.01;  // of S: a smaller expected decrease ends the fit
 };
 
 /// A calibration by least squares:
@@ -41,7 +42,8 @@ struct FitOptions {
 ///   (N + λ diag N) δ = −g,  N = JᵀJ + I,  g = Jᵀr + z,  z_j = (θ_j − m_j)/s_j, J = −(∂f/∂θ) s/σ       (2)
 /// in units of the prior's deviations s; r the first residuals of (1). Steps are those of K. Levenberg,
 /// Quart. Appl. Math. 2, 1944, and D. Marquardt, SIAM J. Appl. Math. 11, 1963, cut off at the ends of the
-/// prior; what stands at an end and pulls outwards stays. The posterior is the normal distribution with
+/// range of the prior; a parameter at an end whose step points outward is fixed. The posterior is the normal
+/// distribution with
 ///   mean θ*, covariance N⁻¹ at λ = 0                                                              (3)
 /// exact for a linear model. Predictions of a measurement that is not yet made have the variance
 ///   J_f N⁻¹ J_fᵀ + σ²,  J_f = (∂f/∂θ) s                                                           (4)
@@ -58,9 +60,9 @@ struct Fit {
   int steps = 0;
 };
 
-/// Fits `measured`; the model may predict more, for which there are deviations, too. Nothing is known, and
-/// `parameters` is empty, if the model has no answer at the prior's mean, or around a point that was stepped
-/// to. An interruption leaves the best point whose slopes are known, if there is one.
+/// Fits `measured`. The model may predict additional values, which get deviations, too. `parameters` is empty
+/// if the model has no solution at the means of the priors, or no slopes at a point of the iteration. An
+/// interruption leaves the best point whose slopes are known, if there is one.
 Fit fit(Model& model, const std::vector<Prior>& priors, const std::vector<Measurement>& measured,
         const FitOptions& options = {});
 

@@ -6,18 +6,21 @@
 namespace netloft {
 
 /// The mean forces of a step do exactly the work by which energies change (J. C. Simo and N. Tarnow, "The
-/// discrete energy-momentum method", ZAMP 43, 1992), so that the midpoint rule neither makes nor loses any,
-/// whatever goes slack or taut within the step:
+/// discrete energy-momentum method", ZAMP 43, 1992), so that the midpoint rule neither creates nor loses
+/// energy, even if members become slack or taut within the step:
 ///   M (v₁ − v₀)/h + F̄(u₀, u₁) = 0,  (u₁ − u₀)/h = ½ (v₀ + v₁)                                       (1)
 /// Motions too fast for h are damped on both sides, after F. Armero and I. Romero (Comput. Methods Appl.
-/// Mech. Engrg. 190, 2001), by what a filter of the rates of velocity and of stretch has not followed:
+/// Mech. Engrg. 190, 2001): the damping is proportional to the difference between the rates of velocity and
+/// of stretch and their filtered values m,
 ///   (u₁ − u₀)/h = ½ (v₀ + v₁) + χ/2 (v₁ − v₀ − h m),  m ← m + ν ((v₁ − v₀)/h − m)                   (2)
-/// and members alike, by the host, with χ and ν. Slow motions lose nothing to first order in h. At infinite
-/// frequency both sides are (1 + χ) λ² + (ν − 2 χ) λ + (ν − 1 + χ) = 0, with the double root −ρ where
+/// The host damps members in the same way, with χ and ν. Slow motions lose nothing to first order in h. At
+/// infinite frequency both sides are (1 + χ) λ² + (ν − 2 χ) λ + (ν − 1 + χ) = 0, with the double root −ρ
+/// where
 ///   χ = (1 − ρ)²/((3 − ρ)(1 + ρ)),  ν = 2 χ + 2 ρ (1 + χ)                                           (3)
-/// ρ = 1: no damping, ν = 2 and m the acceleration of the trapezoidal rule; ρ = 0: gone within two steps.
-/// With χ > 0, E + χ/(2 ν) (h² m·M m + Σ k (h m)²) never grows: a·(a − m₀) sums to that and squares, for
-/// a = v₁ − v₀. Second order. Error of one step: (ν/12 + χ/2) h² ((v₁ − v₀)/h − m)                   (4)
+/// ρ = 1: no damping, ν = 2, and m is the acceleration of the trapezoidal rule; ρ = 0: such motions vanish
+/// within two steps. With χ > 0, E + χ/(2 ν) (h² m·M m + Σ k (h m)²) never grows: a·(a − m₀) sums to that and
+/// squares, for a = v₁ − v₀. The scheme is of second order. The error of one step is
+///   (ν/12 + χ/2) h² ((v₁ − v₀)/h − m)                                                              (4)
 struct EnergyMomentum {
   struct Parameters {
     double spectral_radius = 0.8;

@@ -8,18 +8,18 @@
 
 namespace netloft {
 
-/// Newton's method with a matrix that is kept while it serves: for steps in time, whose problems resemble one
-/// another so much that one factor does for many.
+/// Newton's method that keeps a factorised matrix as long as it is good enough. It is meant for steps in
+/// time, whose problems are so similar that one factor can serve many.
 ///   (A + μ M) s = −r(u),  u ← u + t s,  G(t) = s·r(u + t s)                                  (1)
 ///   t = 1 if G(1) ≤ η |G(0)|, else where regula falsi finds |G(t)| ≤ η |G(0)|                (2)
 ///   A is made anew at u if G(0) is more than κ² times that of the step before, or |G(t)| > κ |G(0)|  (3)
 ///   μ ← 0.1 μ after t > 0.9, 10 μ after t < 0.25, and where s leads uphill or no t serves    (4)
 /// (2) is the line search of Matthies and Strang (Int. J. Numer. Meth. Eng. 14, 1979), which needs no energy:
-/// inertia and drag have none. ‖r‖ would not do, since it grows wherever slack twines tighten. −G(0) is the
-/// square of Newton's decrement, a length that no stiff twine dominates. A is the tangent, or its convex part
-/// where that is not positive definite; M the linear stiffness, in which slack twines resist as well: without
-/// a little of it, steps run until they overstretch them. The factor that the host still holds from the
-/// problem before is where it begins.
+/// inertia and drag have none. ‖r‖ is not suitable, because it grows wherever slack twines tighten. −G(0) is
+/// the square of Newton's decrement, a length that no stiff twine dominates. A is the tangent, or its convex
+/// part where that is not positive definite; M is the linear stiffness, in which slack twines resist, too:
+/// without a little of it, steps are so long that they overstretch slack twines. The method begins with the
+/// factor that the host holds from the previous problem.
 struct Chord {
   struct Parameters {
     double damping = 0, contraction = 0, slope = 0, shortest_step = 0;
@@ -58,7 +58,7 @@ class Chords {
   }
 
  private:
-  /// (3). False: the factor there is, if any, serves no more.
+  /// Solves with the kept factor if (3) allows it. Returns false if there is none or it must be renewed.
   bool keep_factor() {
     if (is_worn_ || !problem_.try_solve(r_, s_)) return false;
     is_fresh_ = false;
@@ -66,7 +66,8 @@ class Chords {
     return find_slope() && decrement_ <= p_.contraction * p_.contraction * before;
   }
 
-  /// With as much damping as it takes: where the tangent is unsymmetric, no factor tells that s leads uphill.
+  /// Factorises with as much damping as necessary. If the tangent is unsymmetric, the factor does not show
+  /// whether s leads uphill.
   bool renew_factor() {
     do {
       const Factor factor = factorise_at_u(problem_, mu_);
@@ -85,14 +86,15 @@ class Chords {
     return true;
   }
 
-  /// −G(0); false: s does not lead downhill.
+  /// Computes −G(0). Returns false if s does not lead downhill.
   bool find_slope() {
     for (double& v : s_) v = -v;
     decrement_ = -dot(s_, r_);
     return decrement_ > 0;
   }
 
-  /// (2). False: nothing has changed. An old factor gets one try.
+  /// Searches t by (2), with one trial if the factor is old. Returns false if there is none; u is then
+  /// unchanged.
   bool search_line() {
     double low = 0, high = 0, at_low = -decrement_, at_high = 0;
     for (double t = 1; t - low >= p_.shortest_step;) {

@@ -14,7 +14,7 @@ class Memory {
   bool is_empty() const { return count_ == 0; }
   void clear() { count_ = 0; }
 
-  /// Adds s, y and B y; false, and nothing changes, where (4) leaves the pair out.
+  /// Adds s, y and B y. Returns false and changes nothing if (4) leaves the pair out.
   bool add(std::span<const double> s, std::span<const double> y, std::span<const double> By);
 
   /// Writes H r to p, given B r: two loops over the pairs, Nocedal and Wright, alg. 7.4. With

@@ -17,7 +17,7 @@ namespace {
 
 enum Preconditioner { stiffness, diagonal, none };
 
-/// The first step of all knows no curvature: it moves no node farther than this, over the largest element.
+/// Largest move of a node in the first step, over the largest element, because no curvature is known then.
 constexpr double kFirstReach = 1;
 
 class Minimiser {

@@ -4,8 +4,8 @@
 
 namespace netloft::lbfgs {
 
-/// Limited-memory BFGS: minimises an energy E whose gradient is r, with what the last steps tell of its
-/// curvature in place of a tangent.
+/// Limited-memory BFGS: minimises an energy E whose gradient is r. The curvature is estimated from the last
+/// steps instead of a tangent.
 ///   p = −H_k r_k,   u_{k+1} = u_k + t p                                                  (1)
 ///   H_k: H⁰_k after the BFGS updates by the last pairs s_i = u_{i+1} − u_i, y_i = r_{i+1} − r_i   (2)
 ///   H⁰_k = γ B,   γ = (s·y)/(y·B y) of the last pair                                      (3)
@@ -14,12 +14,11 @@ namespace netloft::lbfgs {
 /// 773-782; J. Nocedal and S. J. Wright, "Numerical Optimization", 2nd ed., Springer 2006, alg. 7.4 and 7.5.
 /// (3): their eq. 7.20 in the metric of B; it takes a third fewer steps on netting than γ = 1. (4): cautious
 /// update, after D.-H. Li and M. Fukushima, SIAM J. Optim. 11 (2001) 1054-1064. B is the inverse of the
-/// linear stiffness, factorised once, or of the diagonal of its row sums, or the unit matrix. t comes from
-/// line_search.hpp; where there is none the memory is cleared, and where there is none again, no step lowers
-/// E.
+/// linear stiffness, factorised once, or of the diagonal of its row sums, or the unit matrix. t is found by
+/// wolfe_search.hpp. If it finds none, the memory is cleared; if it finds none again, no step lowers E.
 ///
-/// A step costs little more than an evaluation and a solution with the factor, and arrival takes hundreds:
-/// `steps` of them make one iteration of the host.
+/// A step costs little more than an evaluation and a solution with the factor, and convergence takes hundreds
+/// of steps: `steps` of them make one iteration of the host.
 struct Lbfgs {
   struct Parameters {
     std::int64_t memory = 0, preconditioner = 0, steps = 0;

@@ -6,7 +6,7 @@
 
 namespace netloft::lbfgs {
 
-/// φ(t) and φ'(t) of a function along a line. Where it has no value, `value` is infinite.
+/// φ(t) and φ'(t) of a function along a line. `value` is infinite if φ is not defined at t.
 struct Sample {
   double t = 0, value = 0, slope = 0;
 };
@@ -17,19 +17,19 @@ struct Sample {
 ///   φ'(t) ≤ (2 c₁ − 1) φ'(0)   in place of (1) where |φ(t) − φ(0)| ≤ noise              (3)
 /// (1), (2): the strong Wolfe conditions, by bracketing and zoom as in J. Nocedal and S. J. Wright,
 /// "Numerical Optimization", 2nd ed., Springer 2006, alg. 3.5 and 3.6. (3): W. W. Hager and H. Zhang, SIAM J.
-/// Optim. 16 (2005) 170-192, eq. 4.1: near a minimum φ has no digits left, and φ' still has. For a parabola
-/// (3) is (1).
+/// Optim. 16 (2005) 170-192, eq. 4.1: near a minimum, changes of φ have no significant digits, but φ' has.
+/// For a parabola, (3) is (1).
 struct LineSearch {
   double decrease = 1e-4, curvature = 0.9;  // c₁ < ½, c₁ < c₂ < 1
   double noise = 0;                         // values this close cannot be told apart
   int most_samples = 30;
 
-  /// `sample(t)` tells φ. The sample returned is the last one taken; it satisfies (1) or (3), and (2) unless
-  /// samples ran out. Nothing: no t was found that lowers φ.
+  /// `sample(t)` returns φ and φ' at t. The returned sample is the last one taken; it satisfies (1) or (3),
+  /// and also (2) unless the limit of samples was reached. Returns nothing if no t was found that lowers φ.
   template <class Function>
   std::optional<Sample> find(const Sample& start, double first, Function&& sample) const {
     Sample low = start;          // the lowest so far that satisfies (1) or (3)
-    std::optional<Sample> high;  // beyond low: a t that will do lies between them
+    std::optional<Sample> high;  // beyond low: a suitable t is between them
     double t = first;
     for (int i = 0; i < most_samples; ++i, t = high ? between(low, *high) : kStretch * low.t) {
       const Sample at = sample(t);
@@ -47,7 +47,7 @@ struct LineSearch {
 
  private:
   static constexpr double kStretch = 4;
-  /// The next sample keeps this share of the interval away from its ends.
+  /// Distance of the next sample from the ends of the interval, as a fraction of its length.
   static constexpr double kMargin = 0.1;
 
   bool lowers(const Sample& start, const Sample& at) const {

@@ -7,8 +7,8 @@ namespace netloft::newton {
 /// A search along a line of negative curvature, on which no model predicts the length. t = 1 moves a node by
 /// one element. m falls at t if
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise                                                       (D)
-/// The largest t found at which m falls: a small t is halved until m falls, or doubled until it does not, and
-/// secants of m' refine the bracket. t stays below
+/// The search returns the largest t found at which m falls. A small t is halved until m falls, or doubled
+/// until it does not; then secants of m' refine the bracket. t stays below
 ///   1/margin                                                                                (E)
 /// because in a longer bracket all new points, which keep `margin` of it from either end, would be farther
 /// than 1 from the start.

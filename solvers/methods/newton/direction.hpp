@@ -13,7 +13,7 @@ namespace netloft::newton {
 /// A step s of (2) of Newton, and the matrix it belongs to; or why there is none.
 struct Direction {
   std::span<const double> s = {};
-  double damping = 0;            // μ as asked for; with a convex part more may have been used
+  double damping = 0;            // μ as requested; with a convex part it may have been larger
   bool nearly_definite = false;  // K is not positive definite, but K + μ M is, with a tiny μ
   const char* note = "";
   std::optional<Outcome> failure = {};

@@ -12,7 +12,8 @@ namespace netloft::newton {
 
 namespace {
 
-/// A step with a larger t means that the model is good up to there, a step with a smaller t that it is not.
+/// Limit of t for trust in the model: a larger t means that the model is good up to there, a smaller t that
+/// it is not.
 constexpr double kTrusted = 0.5;
 
 /// μ for the next direction: lower after a step by the merit with t > ½ or by ‖r‖, multiplied by 1/(2 t)
@@ -70,8 +71,8 @@ class Globalised {
     return step;
   }
 
-  /// Goes on by (6) after a step by K + σ M, whether that was accepted or not. The factor is that of the
-  /// point before the step, over which the direction of the most negative curvature changes little.
+  /// Continues with (6) after a step by K + σ M, whether that step was accepted or not. The factor is that of
+  /// the point before the step, over which the direction of the most negative curvature changes little.
   bool leave_saddle(double sigma) {
     const auto v = curvature_.find_direction(iterate_.problem(), sigma);
     return v && curvature_.leave_along(*v, iterate_);

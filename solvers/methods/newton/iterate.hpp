@@ -33,7 +33,7 @@ class Iterate {
   std::size_t size() const { return r_.size(); }
   double energy() const { return energy_; }
   std::span<const double> residual() const { return r_; }
-  /// All forces have an energy: there are no d.
+  /// Whether all forces have an energy, so that there are no d.
   bool is_conservative() const { return d_.empty(); }
   double slope(const Path& path) const { return dot(r_, path.s); }
   /// The rounding error of the merit along a path [J].
@@ -43,7 +43,8 @@ class Iterate {
   /// Points accepted so far.
   std::size_t count() const { return count_; }
 
-  /// Evaluates at u, with the tangent if `matrix` says so.
+  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if elements are not defined
+  /// there.
   bool evaluate(Matrix matrix = Matrix::exact);
   /// d = r − g of (3).
   bool split_residual();

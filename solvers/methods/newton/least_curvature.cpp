@@ -13,7 +13,7 @@ namespace {
 
 using Few = std::array<double, LeastCurvature::kSteps>;
 
-// Once a longer basis makes θ greater by no more than this share, v is good enough to go along.
+// Relative increase of θ by a longer basis below which v is accurate enough.
 constexpr double kFound = 0.01;
 
 /// The upper left n × n of a tridiagonal matrix T: its diagonal a, and b beside it.
@@ -21,7 +21,8 @@ struct Tridiagonal {
   std::span<const double> a, b;
   std::size_t n() const { return a.size(); }
 
-  /// Pivots of θ − T: all positive above its largest eigenvalue, and only there.
+  /// Computes the pivots of θ − T. Returns whether all are positive, which means that θ exceeds the largest
+  /// eigenvalue of T.
   bool find_pivots(double theta, Few& pivots) const {
     for (std::size_t i = 0; i < n(); ++i) {
       pivots[i] = theta - a[i] - (i > 0 ? b[i - 1] * b[i - 1] / pivots[i - 1] : 0);
@@ -30,7 +31,8 @@ struct Tridiagonal {
     return true;
   }
 
-  /// From above, by bisection between the largest entry and Gershgorin's bound.
+  /// Returns an upper bound of the largest eigenvalue, by bisection between the largest entry and
+  /// Gershgorin's bound.
   double largest_eigenvalue() const {
     double low = *std::max_element(a.begin(), a.end()), high = low * (1 + 1e-12);
     for (std::size_t i = 0; i + 1 < n(); ++i) high += 2 * std::abs(b[i]);
@@ -81,7 +83,7 @@ double LeastCurvature::find(Problem& problem, double shift) {
   return lambda;
 }
 
-/// The sum of y[i] times the i-th of the basis.
+/// Computes the sum of y[i] times basis vector i.
 void LeastCurvature::combine(std::span<const double> y) {
   std::fill(w_.begin(), w_.end(), 0.0);
   for (std::size_t i = 0; i < y.size(); ++i) axpy(y[i], basis(i), w_);
@@ -98,7 +100,7 @@ void LeastCurvature::start(Problem& problem) {
   keep_orthogonal(problem);
 }
 
-/// One more entry of a, and, if there is room, one more vector with its entry of b.
+/// Adds an entry of a and, if there is space, another basis vector with its entry of b.
 void LeastCurvature::lengthen(Problem& problem) {
   const std::size_t last = length_ - 1;
   problem.solve(image(last), w_);
@@ -106,7 +108,7 @@ void LeastCurvature::lengthen(Problem& problem) {
   if (length_ < kSteps) keep_orthogonal(problem);
 }
 
-/// Adds w to the basis, less what is in it already; twice, for what rounding leaves.
+/// Makes w orthogonal to the basis and adds it; twice, because rounding leaves a remainder the first time.
 void LeastCurvature::keep_orthogonal(Problem& problem) {
   for (int time = 0; time < 2; ++time)
     for (std::size_t i = 0; i < length_; ++i) axpy(-dot(w_, image(i)), basis(i), w_);

@@ -22,7 +22,7 @@ inline constexpr double kDifference = 0x1p-13;
 /// How far a search along a line refines its bracket.
 struct Refinement {
   double margin = 0;  // fraction of its bracket that a new t keeps from either end
-  int most = 0;       // evaluations spent on a better t once one will do
+  int most = 0;       // evaluations for a better t after an acceptable one was found
 
   double within(double fraction) const { return std::clamp(fraction, margin, 1 - margin); }
 };
@@ -84,8 +84,8 @@ struct SlopeSearch {
   /// The first t in (0, 1] found:
   ///   m(t) ≤ m(0) + noise, and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) ≤ 0                      (S)
   /// by secants and halves of a bracket (the approximate Wolfe conditions of W. W. Hager and H. Zhang, SIAM
-  /// J. Optim. 16, 2005). `merit` and `start` as above. Returns nothing if no t is found, or at the
-  /// first t without forces.
+  /// J. Optim. 16, 2005). `merit` and `start` are those of LineSearch. Returns nothing if no t is found, or
+  /// at the first t without forces.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     Sample last = start, here = start;

@@ -20,8 +20,8 @@ class CurvedStep {
     minus_second_derivative_.reserve(size);
     a_.reserve(size);
   }
-  /// Takes differences of r over ± t s, and the last factor. Empty if elements are not defined at one of
-  /// these points.
+  /// Computes a from differences of r over ± t s and the last factor. Returns an empty vector if elements are
+  /// not defined at one of these points.
   std::span<const double> find(Iterate& iterate, std::span<const double> s, double t);
 
  private:
@@ -29,15 +29,13 @@ class CurvedStep {
 };
 
 /// Steps that are judged by the merit (3), by the rules (4), (5) and (8) of Newton.
-///   (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient decrease.
-///   (5) lets an iterate cross the kinks between slack and taut by a relaxed test, as in the watchdog
-///   technique
+/// (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient decrease. (5)
+/// lets an iterate cross the kinks between slack and taut by a relaxed test, as in the watchdog technique
 /// (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point before. m
 /// counts as low as the sum of what all steps have lowered it by: after a step that raised m, no other may
 /// raise it until the sum has recovered. If every other step were allowed to go uphill, netting on a bed with
-/// friction would circle its equilibrium. A step longer than an element promises so much that (5) would allow
-/// any rise.
-///   (8) is tried if (4) finds no t = 1, all forces have an energy and K is symmetric.
+/// friction would circle its equilibrium. For a step longer than an element, −r·s is so large that (5) would
+/// allow any rise. (8) is tried if (4) finds no t = 1, all forces have an energy and K is symmetric.
 class MeritSteps {
  public:
   MeritSteps(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}

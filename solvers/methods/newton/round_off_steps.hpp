@@ -13,8 +13,8 @@
 
 namespace netloft::newton {
 
-/// Detects steps that make no progress but for rounding: −r·s, the decrease of a linear energy along a step
-/// s, has to halve within `refinements` steps.
+/// Detects steps whose progress is only rounding: −r·s, the decrease of a linear energy along a step s, must
+/// halve within `refinements` steps.
 class StallCount {
  public:
   explicit StallCount(std::int64_t most_steps) : most_steps_(most_steps) {}
@@ -30,9 +30,9 @@ class StallCount {
   double least_ = std::numeric_limits<double>::infinity();  // decrease that was the last to halve it
 };
 
-/// Steps that promise to lower the energy by less than its rounding. The whole step is taken if it does not
-/// raise ‖r‖; otherwise, if μ = 0, the slope decides, (7) of Newton: the approximate Wolfe conditions (W. W.
-/// Hager and H. Zhang, SIAM J. Optim. 16, 2005).
+/// Steps whose predicted decrease of the energy is less than its rounding. The whole step is taken if it does
+/// not raise ‖r‖; otherwise, if μ = 0, the slope decides, (7) of Newton: the approximate Wolfe conditions (W.
+/// W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
 class RoundOffSteps {
  public:
   RoundOffSteps(const Newton::Parameters& parameters, Problem& problem, NearlyDefinite& nearly_definite,

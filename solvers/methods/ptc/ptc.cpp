@@ -9,7 +9,8 @@ namespace netloft::ptc {
 
 namespace {
 
-// Beyond these M/δ leaves K half of its digits, or is lost in the rounding of K.
+// With a shorter step, M/δ leaves K only half of its digits; with a longer one, M/δ is lost in the rounding
+// of K.
 constexpr double kShortestStep = 0x1p-26, kLongestStep = 0x1p52;
 // Limit of the growth of the driving force during a step.
 constexpr double kMostGrowth = 2;

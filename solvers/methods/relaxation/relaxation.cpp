@@ -11,13 +11,14 @@ namespace netloft::relaxation {
 
 namespace {
 
-/// (5), and what masses are raised to beyond it: half of that, as (1) begins with at the most.
+/// The limit of λ in (5), and the λ to which heavier masses reduce it if it is exceeded: half of the limit,
+/// the bound of λ with (1).
 constexpr double kLargestRate = 4, kWantedRate = 2;
-/// Lighter masses than this fraction of the heaviest would let fly what the linear stiffness does not hold:
-/// half of the digits.
+/// Least mass as a fraction of the heaviest, half of the digits: lighter nodes, which the linear stiffness
+/// does not hold, would move too far.
 constexpr double kLightest = 0x1p-26;
-/// With masses this much heavier a step moves nothing by more than rounding: if there are still no forces,
-/// the method gives up.
+/// Limit of the increase of all masses. With heavier masses, a step moves nodes by less than rounding; if
+/// elements still have no forces, the method fails.
 constexpr double kMostHeavier = 1 / std::numeric_limits<double>::epsilon();
 
 class Motion {
@@ -58,7 +59,8 @@ class Motion {
     for (double& m : m_) m = 0.5 * std::max(m, least);
   }
 
-  /// One step of the motion. False: there are no forces wherever it leads.
+  /// Takes one step of the motion. Returns false if elements have no forces there, even with the heaviest
+  /// masses.
   bool advance() {
     move();
     if (!evaluate()) return return_to_rest();
@@ -86,7 +88,7 @@ class Motion {
     kinetic_ = {kinetic_[1], kinetic_[2], 0.5 * sum};
   }
 
-  /// (2): half a step's acceleration, as if the motion came from where it goes.
+  /// Starts by (2) with the acceleration of half a step, as if the motion were reversed at u.
   void start_from_rest() {
     std::copy(problem_.u().begin(), problem_.u().end(), rest_.begin());
     double sum = 0;
@@ -99,7 +101,7 @@ class Motion {
 
   bool is_past_peak() const { return kinetic_[2] < kinetic_[1]; }
 
-  /// (4), with the velocity that led to u, a step before v.
+  /// Returns to the peak by (4); the velocity there is the one that led to u, a step before v.
   bool return_to_peak() {
     const auto [before, peak, after] = kinetic_;
     const double q = (peak - after) / (2 * peak - after - before);
@@ -121,7 +123,7 @@ class Motion {
     for (double& m : m_) m *= factor;
   }
 
-  /// Tries again from where the motion began, more slowly.
+  /// Restarts from the point where the motion began, with heavier masses.
   bool return_to_rest() {
     std::copy(rest_.begin(), rest_.end(), problem_.u().begin());
     make_heavier(kLargestRate);

@@ -27,13 +27,11 @@ struct Row {
   bool (*suits)(const Kind& kind);
 };
 
-/// The attempts in their order, which was chosen on draws of the hard cases, with the scenes that they suit.
+/// The attempts with the scenes that they suit. Their order was chosen on random variants of the hard cases.
 const Row kTable[] = {
-    // The coarser mesh is solved by this strategy again, with the options of the user, and so on to the
-    // coarsest
-    // mesh that is worth its price. Afterwards it remains to find out which members are slack. Newton's
-    // method
-    // finds this out member by member, tension/only for all at once.
+    // This strategy solves the coarser mesh, too, with the options of the user, and so on to the coarsest
+    // mesh that is worth its cost. It remains to determine which members are slack: Newton's method does so
+    // member by member, tension/only for all at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
      [](const Kind& k) { return k.has_meshes && k.has_loaded_members; }},
@@ -42,8 +40,8 @@ const Row kTable[] = {
      [](const Kind& k) { return k.has_meshes && !k.has_loaded_members; }},
     {{"tension-stages", "tension/stages", "", "with tensions as unknowns stiff members turn at once"},
      [](const Kind& k) { return k.has_loaded_members; }},
-    // After these two: a relaxation takes more steps the finer the mesh. Long lines of 12 000 unknowns took
-    // eight times as long by it as by the stages of tensions.
+    // It follows the first two, because a relaxation takes more steps on a finer mesh. Long lines of 12 000
+    // unknowns took eight times as long as by the stages of tensions.
     {{"relaxed", "relaxed", "", "elements stick and slide, which no tangent foresees"},
      [](const Kind& k) { return k.sticks; }},
     {{"direct", "direct", "", "the start may be near"}, [](const Kind&) { return true; }},

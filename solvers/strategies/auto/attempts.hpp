@@ -9,12 +9,12 @@
 
 namespace netloft::automatic {
 
-/// One way to an equilibrium: a strategy, for the kinds of scenes it suits.
+/// One attempt to find an equilibrium by another strategy.
 struct Attempt {
-  const char* name;        // as `without` and the report have it
-  const char* strategy;    // who makes it
-  const char* parameters;  // of that
-  const char* because;     // why it is tried at this place
+  const char* name;        // used in `without` and in the report
+  const char* strategy;    // the strategy that runs
+  const char* parameters;  // of that strategy
+  const char* because;     // reason for its place in the order
 };
 
 /// The attempts that suit a scene, in the order in which they are tried.

@@ -12,7 +12,7 @@ namespace netloft::automatic {
 
 namespace {
 
-/// g of (1), with which the bound on the cost is least.
+/// g of (1), which minimises the bound on the cost.
 constexpr double kGrowth = 2;
 
 /// Perturbation used to leave a stationary point, as a fraction of the element size; equilibria that are
@@ -91,7 +91,7 @@ void Race::run_slice(Runner& runner, double slice) {
   stage = off_saddle(std::move(stage), beyond);
   const bool is_out = !stage.was_cut_off() && beyond.spent() < work;
   runner.fate = is_out ? Fate::out : is_near ? Fate::again_at_once : Fate::again;
-  // After the first equilibrium with flutter the race goes on for as much work again as it has cost.
+  // After the first equilibrium with flutter, the race continues for as much work as it has used so far.
   if (stage.flutters()) budget_.end_after(budget_.spent());
   keep_better(with_compensated_positions(std::move(stage)));
 }
@@ -121,7 +121,7 @@ Stage Race::off_saddle(Stage saddle, const Budget& budget) {
   return saddle;
 }
 
-/// Goes on with compensated positions if the residual is below the rounding of the positions.
+/// Solves again with compensated positions if the residual is below the rounding of the positions.
 Stage Race::with_compensated_positions(Stage stage) {
   const bool is_rounded =
       stage.has_forces() && stage.residual <= stage.rounding && stage.ending != Ending::unstable;

@@ -24,7 +24,7 @@ class Budget {
 
  private:
   Search& search_;
-  double begun_, end_;  // work left in the search when this begins and when it is used up
+  double begun_, end_;  // work left in the search at the start and at the end of this budget
 };
 
 /// Attempts run in slices of work. All slices of one length come before the next longer ones, except after an
@@ -43,7 +43,7 @@ class Race {
   Stage run();
 
  private:
-  /// `again_at_once`: it was cut off close to balance.
+  /// `again_at_once`: the attempt was cut off close to balance.
   enum class Fate { out, again, again_at_once };
   struct Runner {
     Attempt attempt;

@@ -16,13 +16,13 @@ double borne_by_compression(Search& search, const Stage& at) {
   return search.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
 
-/// Less compression than the imbalance of a start cannot be distinguished from none.
+/// Whether other equilibria are possible. Compression below the tolerance of an initial guess counts as none.
 bool may_have_other_shapes(Search& search, const Options& options, const Stage& at) {
   return may_restart(search, options) &&
          (options.everywhere || borne_by_compression(search, at) > kOnlyAStart);
 }
 
-/// The gear without resistance to compression, in which parts in compression are folded.
+/// Returns the shape without resistance to compression, in which parts in compression fold.
 Displacements without_compression(Search& search, const Stage& best, double work) {
   const Ask ask{.name = "nothing in compression",
                 .variant = {.compression = 0},

@@ -8,12 +8,11 @@ namespace {
 
 using namespace netloft;
 
-/// Grid sequencing: a coarser mesh of the same gear is brought to equilibrium by another strategy, which may
-/// go on to coarser ones still, and the scene itself starts from there, by a strategy that may be another
-/// one. W. Hackbusch, Multi-Grid Methods and Applications, 1985, section 5 (nested iteration).
-/// A coarser mesh gets half of the work at most: where it does not converge by then it does not lead near for
-/// a fraction of the price, and the other half is left to whoever asked. With all of it each of several
-/// meshes used up what it was given before the next finer one began.
+/// Grid sequencing: the strategy `by` brings a coarser mesh of the same gear to equilibrium, possibly with
+/// still coarser meshes, and the strategy `then` solves the scene itself from there. W. Hackbusch, Multi-Grid
+/// Methods and Applications, 1985, section 5 (nested iteration). A coarser mesh gets half of the work at
+/// most. If it does not converge by then, it does not save work, and the caller keeps the other half. Without
+/// this limit, each of several meshes could use up its budget before the next finer one began.
 struct CoarseToFine {
   struct Parameters {
     const char *by = nullptr, *then = nullptr;
@@ -49,7 +48,8 @@ struct CoarseToFine {
   /// factorisations, with ¼ as many as with ½ (tests/bench/sensitivity.md).
   static constexpr double kMostOfCoarser = 0.5;
 
-  /// The start is assessed first, so that a strategy that is cut off before it has solved anything has that.
+  /// Assesses the start first, so that there is a stage even if the strategy is cut off before it has solved
+  /// anything.
   static Stage called_from(const Displacements& start, const Parameters& p, Search& search) {
     Stage fine = search.assess({.name = kFromCoarser}, start);
     const Specification then = specification_of(p.then);

@@ -9,17 +9,18 @@ namespace {
 
 using namespace netloft;
 
-/// Several equilibria by deflation: the roots uᵢ that are known are divided out of the residual,
+/// Finds several equilibria by deflation: the known roots uᵢ are divided out of the residual,
 ///   r(u) Π ηᵢ(u) = 0,   ηᵢ = L²/qᵢ + 1,   qᵢ = ‖u − uᵢ‖²                                 (1)
-/// which has the roots of r but for them. Its tangent is that of r but for a matrix of rank one, so that its
-/// Newton step is a multiple of Newton's (Sherman and Morrison), found with the factor of K at hand:
+/// which has all roots of r except these. Its tangent differs from that of r by a matrix of rank one, so that
+/// its Newton step is a multiple of the Newton step of r (Sherman and Morrison), computed with the factor of
+/// K:
 ///   u ← u + τ s,   s = −K⁻¹ r,   τ = 1/(1 − Σ s·∇ηᵢ/ηᵢ)                                  (2)
 ///   s·∇η/η = −2 L² s·(u − uᵢ)/(q (L² + q))                                               (3)
 /// (P. E. Farrell, Á. Birkisson, S. W. Funke, Deflation techniques for finding distinct solutions of
 /// nonlinear partial differential equations, SIAM J. Sci. Comput. 37, 2015.) L is the size of an element;
-/// translations count in m, rotations in rad. A step moves no node by more than L. Nothing else globalises
-/// it: it is meant for what is stiff (struts, frames), stable or not; slack netting it seldom solves. A body
-/// that has turned round once more stands at another root of (1), but in the same shape.
+/// translations count in m, rotations in rad. A step moves no node by more than L. There is no other
+/// globalisation: the method is meant for stiff structures (struts, frames), stable or not, and seldom solves
+/// slack netting. A body that has rotated by a full turn is at another root of (1) with the same shape.
 struct Deflation {
   struct Parameters {
     const char* by = nullptr;
@@ -47,7 +48,7 @@ struct Deflation {
   }
 
  private:
-  /// The start of the search; then perturbations of the first shape.
+  /// Returns the initial guess: the start of the search, then perturbations of the first equilibrium.
   static Displacements start_of(int number, const Stage& first, const Search& search) {
     return number == 0 ? search.start() : perturbed(first.u, search.element_size(), number);
   }
@@ -60,7 +61,7 @@ struct Deflation {
     return search.assess({.name = "deflated"}, std::move(u));
   }
 
-  /// To a root of r, or to where a limit or a matrix without a factor ends it.
+  /// Iterates to a root of r, or until a limit is reached or a matrix cannot be factorised.
   static void solve(Problem& problem, const std::vector<Displacements>& known, double L) {
     std::vector<double> r(problem.size()), s(problem.size());
     double energy = 0;

@@ -5,7 +5,7 @@ namespace {
 
 using namespace netloft;
 
-/// Solves the scene itself from its start, and nothing else: what any solver is worth by itself.
+/// Solves the scene itself from its start once, which shows the performance of a solver alone.
 struct Direct {
   struct Parameters {};
 

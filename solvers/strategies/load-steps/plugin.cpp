@@ -5,8 +5,8 @@ namespace {
 
 using namespace netloft;
 
-/// Continuation in the current: from still water to all of it, by steps that double where a stage converges
-/// and halve where it does not.
+/// Continuation in the current, from still water to the full current. A step is doubled after a stage that
+/// converged and halved after one that did not.
 struct LoadSteps {
   struct Parameters {
     double step = 0, shortest = 0;

@@ -5,13 +5,13 @@ namespace {
 
 using namespace netloft;
 
-/// The budget of work ends the motion.
+/// Limit of iterations that is never reached, because the budget of work ends the motion.
 constexpr unsigned kAsManyAsItTakes = 10000000;
 
-/// Follows the motion that the linear stiffness resists, M u̇ = −r(u), in implicit steps to where it comes to
-/// rest, then solves the scene itself from there. Unlike a step of Newton's method a motion passes by
-/// equilibria that are unstable. What has gone many times the gear's size, round and round or away, does not
-/// come to rest.
+/// Follows the motion M u̇ = −r(u), which the linear stiffness M resists, in implicit steps until it comes to
+/// rest, then solves the scene itself from there. Unlike Newton's method, the motion does not end at unstable
+/// equilibria. A motion that covers many times the gear's size, in circles or away, does not come to rest and
+/// is ended.
 struct PseudoTime {
   struct Parameters {
     const char* solver = nullptr;

@@ -8,13 +8,13 @@ namespace {
 
 using namespace netloft;
 
-/// Continuation in the stiffness. Bars that hardly stretch leave Newton's method only short steps where they
-/// have to turn; soft ones turn at once. The scene is solved with a cap on all axial stiffnesses,
+/// Continuation in the stiffness. If bars must turn and hardly stretch, Newton's method can take only short
+/// steps; soft bars turn in one step. The scene is solved with a cap on all axial stiffnesses,
 ///   C₁ = f F,  C_{k+1} = f C_k until C_k reaches the largest stiffness                    (1)
 /// F the largest load on a node (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods,
-/// 2003, ch. 6). The first cap with which no equilibrium is found is the last; the scene itself is solved
-/// from where that ended. Each cap is solved to the tolerance of the scene: slack netting between steel ropes
-/// moves far by a small force, which costs the fewest iterations while the ropes are soft
+/// 2003, ch. 6). The first cap without an equilibrium is the last; the scene itself is solved from the end of
+/// that stage. Each cap is solved to the tolerance of the scene: a small residual force can move slack
+/// netting between steel ropes far, and this costs the fewest iterations while the ropes are soft
 /// (tests/bench/sensitivity.md).
 struct StiffnessSteps {
   struct Parameters {

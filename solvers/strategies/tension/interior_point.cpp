@@ -11,7 +11,7 @@ namespace {
 /// Limit of μ and of the residual, over the load.
 constexpr double kSolved = 0x1p-26;
 
-/// NaN stays NaN.
+/// Returns at most one, and NaN for NaN.
 double at_most_whole(double step) { return step > 1 ? 1 : step; }
 
 }  // namespace
@@ -45,7 +45,7 @@ InteriorPoint::Ending InteriorPoint::solve(std::span<double> u, double load) {
   return Ending::no_forces;
 }
 
-/// On the path of (2), wherever the nodes are; (1) need not hold.
+/// Sets a first point on the path of (2) for any u; (1) need not hold.
 void InteriorPoint::begin(std::span<const double> u) {
   is_indefinite_ = false;
   members_.find_chords(u, w_);
@@ -66,7 +66,7 @@ bool InteriorPoint::has_converged() const {
   return mu_ <= kSolved * load_ && largest_residual() <= kSolved * load_;
 }
 
-/// z·y of a bar, the mean over all length of bars.
+/// Returns the mean of z·y over all bars, weighted by their length.
 double InteriorPoint::mean_complementarity() const {
   double sum = 0, length = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {
@@ -77,7 +77,8 @@ double InteriorPoint::mean_complementarity() const {
   return sum / length;
 }
 
-/// Matrix of (3), r + Σ n c q and the scaling of all members; false where there are no forces.
+/// Computes the matrix of (3), r + Σ n c q and the scaling of all members. Returns false if there are no
+/// forces at u.
 bool InteriorPoint::evaluate(std::span<const double> u) {
   members_.find_chords(u, w_);
   if (!members_.evaluate(u, residual_)) return false;
@@ -106,7 +107,7 @@ void InteriorPoint::set_member(std::size_t e) {
   forces_[e] = {-y[1], -y[2], -y[3]};
 }
 
-/// Once other forces have made the matrix indefinite, it is factorised as an indefinite one.
+/// Factorises the matrix; as an indefinite one after other forces have once made it indefinite.
 bool InteriorPoint::factorise() {
   if (!is_indefinite_) {
     const Factor factor = members_.factorise();
@@ -158,13 +159,13 @@ void InteriorPoint::solve_for_step() {
   for (std::size_t e = 0; e < members_.size(); ++e) set_step(e);
 }
 
-/// ζ of (4), `along` h·δw/l₀ less; without it δz₀.
+/// Returns ζ of (4) for along = 0, and δz₀ for along = h·δw/l₀.
 double InteriorPoint::zeta(std::size_t e, double g0, double along) const {
   const double T = states_[e].y[0], z0 = states_[e].z0;
   return (EA(e) * (1 - z0) + T + g0 - along) / (EA(e) + scaling_[e].squared(0, 0));
 }
 
-/// δz and δy of a member, by how its chord changes: δy = g − H δz.
+/// Computes δz of a member from the change of its chord, and δy = g − H δz.
 void InteriorPoint::set_step(std::size_t e) {
   const cone::Scaling& H = scaling_[e];
   cone::Point &dz = states_[e].dz, &dy = states_[e].dy;
@@ -176,7 +177,7 @@ void InteriorPoint::set_step(std::size_t e) {
   }
 }
 
-/// Up to where the first z or y leaves K; no number where the step is none.
+/// Returns the length at which the first z or y leaves K, or NaN if the step is not finite.
 double InteriorPoint::longest_step() const {
   if (!all_finite(step_)) return std::numeric_limits<double>::quiet_NaN();
   double longest = std::numeric_limits<double>::infinity();

@@ -11,21 +11,23 @@ namespace netloft::tension {
 /// netloft_member:
 ///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
 ///   z ∘ y = μ e,  μ → 0                                                                     (2)
-/// At μ = 0 either T = 0 and the member is as short as it likes, or w has length l₀ (1 + T/EA) and q = T t.
-/// Under dead loads these are the conditions of a convex problem, which has one energy (Y. Kanno, M. Ohsaki,
-/// J. Ito, "Large-deformation and friction analysis of non-linear elastic cable networks by second-order cone
-/// programming", Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2), scaled by W (W z =
-/// W⁻¹ y, H = W²), T, q and z₀ eliminated member by member, h = (H₁₀, H₂₀, H₃₀), H̄ the rest:
+/// At μ = 0, either T = 0 and the member may have any shorter length, or w has the length l₀ (1 + T/EA) and q
+/// = T t. Under dead loads these are the conditions of a convex problem, which has one energy (Y. Kanno, M.
+/// Ohsaki, J. Ito, "Large-deformation and friction analysis of non-linear elastic cable networks by
+/// second-order cone programming", Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2)
+/// is scaled by W (W z = W⁻¹ y, H = W²), and T, q and z₀ are eliminated member by member; h = (H₁₀, H₂₀,
+/// H₃₀), H̄ is the other 3 × 3 block:
 ///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀)]) s = −(r + Σ n c [q − ḡ + h ζ])               (3)
 ///   ζ = (EA (1 − z₀) + T + g₀)/(EA + H₀₀)                                                   (4)
-///   g = −y to see how far a step leads (a₀), then W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)), v = W z,
+///   g = −y to find the length a₀ of a step, then W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)), v = W z,
 ///   σ = (1 − a₀)³, with the same matrix                                                     (5)
 ///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
 /// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag has no convex problem;
 /// it is linearised at every step like all of r. The method ends if a step becomes shorter than the distance
-/// that (6) keeps from the boundary. It has converged once μ and the residual are below the load by half of
-/// the digits of a double; Newton's method finds the others in one step. Compression of members is left out.
+/// that (6) keeps from the boundary. It has converged if μ and the residual are below the load by half of the
+/// digits of a double; Newton's method finds the other digits in one step. The method neglects the resistance
+/// of members to compression.
 class InteriorPoint {
  public:
   /// The options, which strategies.cpp explains.

@@ -12,7 +12,7 @@ namespace netloft::tension {
 using Member = netloft_member;
 using Vector = std::array<double, 3>;
 
-/// Not an infinity and not a number among them.
+/// Whether no number is infinite or NaN.
 inline bool all_finite(std::span<const double> v) {
   double sum = 0;
   for (const double a : v) sum += a - a;
@@ -49,7 +49,8 @@ class Members {
   void find_changes(std::span<const double> step, std::vector<Vector>& w) {
     check(m_.changes(m_.host, step.data(), w.data()->data()));
   }
-  /// r(u) over all degrees of freedom; keeps its tangent. False: there are no forces at u.
+  /// Computes r(u) over all degrees of freedom and stores its tangent. Returns false if there are no forces
+  /// at u.
   bool evaluate(std::span<const double> u, std::vector<double>& residual) {
     const int status = m_.evaluate(m_.host, u.data(), residual.data());
     check(status);
@@ -59,9 +60,9 @@ class Members {
   void add_forces(const std::vector<Vector>& f, std::vector<double>& residual) {
     check(m_.add_forces(m_.host, f.data()->data(), residual.data()));
   }
-  /// The matrix: the tangent of r + Σ n c cᵀ K.
+  /// Sets the matrix: the tangent of r, plus Σ n c cᵀ K.
   void set_matrix(const std::vector<Block>& K) { check(m_.set_matrix(m_.host, K.data()->data())); }
-  /// The same of lines, whose forces are added to the residual.
+  /// Sets the matrix from lines, and adds their forces to the residual.
   void set_matrix(const std::vector<Line>& lines, std::vector<double>& residual) {
     static_assert(sizeof(Line) == 6 * sizeof(double));
     check(m_.set_matrix_along(m_.host, lines.data()->t.data(), residual.data()));
@@ -71,7 +72,7 @@ class Members {
   void solve(std::span<const double> rhs, std::span<double> x) {
     check(m_.solve(m_.host, rhs.data(), x.data()));
   }
-  /// Counts an iteration; false: give up.
+  /// Counts an iteration. If it returns false, the method must end.
   bool progress(double residual, const char* note) {
     return m_.progress(m_.host, residual, note) == NETLOFT_GO_ON;
   }

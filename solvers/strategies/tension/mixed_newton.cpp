@@ -75,19 +75,20 @@ void MixedNewton::follow_positions() {
   for (std::size_t e = 0; e < members_.size(); ++e) T_[e] = tension_at(e, geometry_[e].strain);
 }
 
-/// r and its tangent; where a stage begins, those of the last one. False: there are none.
+/// Computes r and its tangent; at the start of a stage, those of the last stage are still valid. Returns
+/// false if there are no forces.
 bool MixedNewton::find_rest(std::span<const double> u) {
   if (!knows_rest_) knows_rest_ = members_.evaluate(u, rest_);
   return knows_rest_;
 }
 
-/// Finds the residual where it is wanted, here or by follow_residual.
+/// Whether the stage has ended. Computes the residual unless the stage `is_between`.
 bool MixedNewton::has_converged(const Stage& stage) {
   if (stage.is_between) return took_whole_step_;
   return find_residual() && is_balanced(stage.tolerance);
 }
 
-/// (1) with the members' own law; false where it is no number.
+/// Computes (1) with T = k ε(u). Returns false if it is not finite.
 bool MixedNewton::find_residual() {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];
@@ -107,7 +108,7 @@ bool MixedNewton::is_balanced(double tolerance) const {
   return largest <= tolerance * reaction;
 }
 
-/// The matrix and the right-hand side of (2); false where that is no number.
+/// Computes the matrix and the right-hand side of (2). Returns false if the latter is not finite.
 bool MixedNewton::assemble() {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];
@@ -120,7 +121,7 @@ bool MixedNewton::assemble() {
   return all_finite(mixed_);
 }
 
-/// For the matrices after this one.
+/// Adapts the damping of the next matrices to the residual.
 void MixedNewton::follow_residual() {
   const double before = std::exchange(norm_, norm({residual_.data(), step_.size()}));
   if (before > 0) set_damping(damping_ * std::clamp(norm_ / before, 1 / p_.factor, p_.factor));
@@ -134,7 +135,7 @@ bool MixedNewton::find_step() {
   return all_finite(step_);
 }
 
-/// In the whole step [rad].
+/// Largest rotation of a member in the whole step [rad].
 double MixedNewton::largest_turn() const {
   double square = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {
@@ -160,8 +161,8 @@ void MixedNewton::take(const Stage& stage, std::span<double> u) {
     adapt_damping(a);
 }
 
-/// A member that the step makes taut has the stretch of a slack one, which may be any: its tension is bounded
-/// by that of a strain which does not matter.
+/// Updates the tensions by (3). If the step makes a slack member taut, its stretch in the linearisation is
+/// arbitrary: its tension is limited to that of a strain that does not matter.
 void MixedNewton::move_tensions(double a) {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];

@@ -4,20 +4,20 @@
 
 namespace netloft::tension {
 
-/// Newton's method with the tension of every member as an unknown of its own: a point is positions u and
-/// tensions T that need not belong to one another until the end.
+/// Newton's method with the tension of every member as an additional unknown: a point consists of positions u
+/// and tensions T, which need not be consistent before convergence.
 ///   r(u) + Σ n c T t = 0,  T = k ε(u),  k = EA where T > 0, else EA_c                              (1)
-/// with r all other forces, n and c those of netloft_member; linearised in u and T together, T eliminated:
+/// r are all other forces; n and c are those of netloft_member. Linearised in u and T, with T eliminated:
 ///   (∂r/∂u + Σ n c cᵀ [k/l₀ t tᵀ + T/l (I − t tᵀ)] + D) s = −(r + Σ n c k ε(u) t)                   (2)
 ///   T ← T + a (k (ε + t·Σ c s / l₀) − T),  u ← u + a s                                             (3)
-/// Newton's own matrix has k ε(u) in the place of T. After a step in which a stiff bar turns by θ, that is
-/// too large by k θ²/2, and it holds the bar where it is until the next step has taken it back: the stiffer
-/// the bar, the shorter the steps. T of (3) does not see that stretch. After D. Magisano, L. Leonetti, G.
-/// Garcea, "How to improve efficiency and robustness of the Newton method in geometrically non-linear
-/// structural problem discretized via displacement-based finite elements", Comput. Methods Appl. Mech. Eng.
-/// 313 (2017). Where it deviates:
-/// - a < 1 where a member would turn by more than `farthest_turn`; no energy is searched;
-/// - D = μ Σ n c cᵀ EA/l₀ I, the linear stiffness, holds what is slack; μ falls after a whole step and
+/// The standard Newton matrix has k ε(u) instead of T. After a step in which a stiff bar turns by θ, k ε(u)
+/// is too large by k θ²/2 and prevents further rotation until the next step has removed the stretch: the
+/// stiffer the bar, the shorter the steps. T of (3) does not contain that stretch. After D. Magisano, L.
+/// Leonetti, G. Garcea, "How to improve efficiency and robustness of the Newton method in geometrically
+/// non-linear structural problem discretized via displacement-based finite elements", Comput. Methods Appl.
+/// Mech. Eng. 313 (2017). Deviations from that method:
+/// - a < 1 if a member would turn by more than `farthest_turn`; there is no line search;
+/// - D = μ Σ n c cᵀ EA/l₀ I, the linear stiffness, holds slack members; μ falls after a whole step and
 ///   becomes μ/2a after a shorter one;
 /// - far from an equilibrium T = k ε(u) instead of (3), and μ follows the residual (W. A. Mulder
 ///   and B. van Leer, J. Comput. Phys. 59 (1985) 232-246).
@@ -38,8 +38,8 @@ class MixedNewton {
     bool is_far = false;         // T = k ε(u), and μ follows the residual
     double damping = 0;          // first μ
     double farthest_turn = 0;    // of any member in one step [rad]
-    bool is_between = false;     // over after the first whole step, else
-    double tolerance = 0;        // when no residual exceeds so much of the largest reaction
+    bool is_between = false;     // ends after the first whole step; else
+    double tolerance = 0;        // ends if no residual exceeds this fraction of the largest reaction
     std::int64_t iterations = 0;
   };
 
@@ -47,7 +47,7 @@ class MixedNewton {
 
   MixedNewton(const Parameters& parameters, netloft_members& members);
 
-  /// From u to where it ends, with the tensions with which the last stage ended.
+  /// Solves from u, which it changes, starting with the final tensions of the last stage.
   Ending solve(const Stage& stage, std::span<double> u);
 
   /// Largest tension or compression in the members of each part [N].

@@ -4,13 +4,13 @@
 
 namespace netloft::tension {
 
-/// Brings a scene from a drawing to its equilibrium over softer ones: at first with a small factor on all
-/// stiffness, then with every part as stiff as a multiple of its own tension, then as it is; tensions are
-/// unknowns all along (mixed_newton.hpp). A cap that is the same for all parts leaves what carries little as
-/// stiff as it was; this one strains all parts alike.
+/// Brings a scene from a drawing to its equilibrium through softer scenes: first with a small factor on all
+/// stiffness, then with the stiffness of every part limited to a multiple of its tension, then unchanged.
+/// Tensions are unknowns in all stages (mixed_newton.hpp). A common cap for all parts would not soften parts
+/// that carry little; this one strains all parts alike.
 class Stages {
  public:
-  /// plugin.cpp says what each is and where it comes from.
+  /// The options, which strategies.cpp explains with their sources.
   struct Parameters : MixedNewton::Parameters {
     double softest = 0;          // first factor
     double ratio = 0, last = 0;  // multiples of the tension
@@ -20,7 +20,8 @@ class Stages {
 
   Stages(const Parameters& parameters, netloft_members& members);
 
-  /// From u to where it ends: the ending of the last stage, or of the one in which the host gave up.
+  /// Solves from u, which it changes. Returns the ending of the last stage, or of the stage that the host
+  /// ended.
   MixedNewton::Ending solve(std::span<double> u);
 
  private:

@@ -7,7 +7,7 @@ namespace netloft::tension {
 
 namespace {
 
-/// Solves the scene as it is; an equilibrium is an answer.
+/// Solves the scene itself from u, and reports an equilibrium as an answer.
 void solve_from(Search& search, Displacements u) {
   const Stage stage = search.solve({.name = "as it is, from there"}, std::move(u));
   if (stage.is_stationary()) search.answer(stage.u);
@@ -17,7 +17,7 @@ std::string counted(std::size_t members) {
   return std::to_string(members) + (members == 1 ? " member" : " members");
 }
 
-/// Members that resist compression as much as tension cannot be slack.
+/// Whether some member can be slack; one that resists compression as much as tension cannot.
 bool some_can_be_slack(const netloft_members& members) {
   return std::any_of(members.member, members.member + members.count,
                      [](const netloft_member& m) { return m.EA_compression < m.EA; });
@@ -60,8 +60,8 @@ std::string Only::explain(const Parameters&, Search& search) {
          "are";
 }
 
-// Dampings are parts of the linear stiffness. What is said to be fitted was chosen on four real gears, out of
-// thousands of random sets and a grid: tests/validation/README.md, "How sure it is".
+// Dampings are fractions of the linear stiffness. Values marked as fitted were chosen on four real gears,
+// from thousands of random sets and a grid: tests/validation/README.md, "How sure it is".
 void FromSoft::describe(StrategyTable<FromSoft>& t) {
   using P = Parameters;
   t.needs(NETLOFT_SEARCH_MEMBERS);
@@ -72,7 +72,7 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
                        const char* doc, double least = 1e-16) {
     t.real(name, member, unit, doc, {.lo = least, .hi = 1e9, .fallback = fallback});
   };
-  // Least of what is multiplied by again and again: at one there is no end; with this `last` is reached from
+  // Least factor of repeated multiplications: with one they would not end; with this, `last` is reached from
   // one in 104 steps.
   constexpr double kLeastGrowth = 1.1;
   add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");

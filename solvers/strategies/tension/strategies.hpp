@@ -5,7 +5,8 @@
 
 namespace netloft::tension {
 
-/// The interior point of members that bear tension only, then the analysis' solver on the scene from there.
+/// Solves with members that bear tension only by the interior-point method, then the scene itself from there
+/// with the solver of the analysis.
 struct Only {
   using Parameters = InteriorPoint::Parameters;
   static void describe(StrategyTable<Only>& table);
@@ -13,7 +14,8 @@ struct Only {
   static std::string explain(const Parameters& parameters, Search& search);
 };
 
-/// From soft to stiff with tensions as unknowns, then the analysis' solver on the scene from there.
+/// Solves from soft to stiff with tensions as unknowns, then the scene itself from there with the solver of
+/// the analysis.
 struct FromSoft {
   using Parameters = Stages::Parameters;
   static void describe(StrategyTable<FromSoft>& table);
