@@ -15,8 +15,8 @@ struct MemoryForecast {
 
 /// Analyses the pattern of the scene, on its own mesh, as the first factorisation will. The forecast includes
 /// the factor of the scene, that of a strategy with tensions as unknowns, and that of the stability check
-/// with its Krylov space. It excludes the coarser meshes of a strategy and a second factorisation that
-/// replaces a failed first one. tests/bench/memory.py compares it with runs.
+/// with its Krylov space. It excludes the coarser meshes of a strategy and a second factorisation to
+/// which the first one passes a matrix. tests/bench/memory.py compares it with runs.
 MemoryForecast foresee_memory(PreparedScene& scene);
 
 /// Total memory available to this process [bytes]: its present memory, plus what the machine, its control

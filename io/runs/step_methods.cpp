@@ -8,8 +8,8 @@ namespace netloft::runs {
 
 namespace {
 
-constexpr double kLeastUnit =
-    1e8;  // least unit of work in time [operations]: about 5 ms, an iteration of 1000 nodes
+// Least unit of work in time [operations]: about 5 ms, an iteration of 1000 nodes
+constexpr double kLeastUnit = 1e8;
 
 ParameterBlock block_of(std::span<const netloft_parameter> table, std::size_t bytes, const Values& values) {
   std::vector<std::string> faults;

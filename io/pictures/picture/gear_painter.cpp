@@ -11,14 +11,14 @@ namespace netloft::pictures {
 
 namespace {
 
-constexpr double kCloseness =
-    5;  // least distance of twines [pixels]; closer ones are thinned to every second, fourth …
+// Least distance of twines [pixels]; closer ones are thinned to every second, fourth …
+constexpr double kCloseness = 5;
 constexpr double kLeastTwine = 0.5;  // least half width [pixels]
 constexpr double kLeastRope = 1.3;
 constexpr double kLeastBall = 3.2;
 constexpr double kFill = 0.32;  // opacity of netting between the drawn twines
-constexpr double kNearer =
-    0.05;  // ropes and floats are drawn this much nearer to the eye than the netting [m]
+// Ropes and floats are drawn this much nearer to the eye than the netting [m]
+constexpr double kNearer = 0.05;
 constexpr double kInside = 0.02;  // the catch is drawn this much behind the netting [m]
 
 Colour scaled(const Colour& colour, double by) {

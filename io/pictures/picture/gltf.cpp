@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 
 // Codes of glTF 2.0 (and of OpenGL).
 enum Mode { kPoints = 0, kLines = 1, kTriangles = 4 };
-constexpr double kLeastTextureTwine =
-    0.03;  // least half width of twines in a texture [meshes]; thinner ones are invisible
+// Least half width of twines in a texture [meshes]; thinner ones are invisible
+constexpr double kLeastTextureTwine = 0.03;
 constexpr int kFloat = 5126, kArrayBuffer = 34962, kLinear = 9729, kLinearMipmapLinear = 9987;
 
 /// Converts a colour component from sRGB (IEC 61966-2-1) to linear, which glTF uses for vertices.
@@ -155,8 +155,8 @@ class GltfWriter {
     images_.push_back({{"bufferView", views_.size()}, {"mimeType", "image/png"}});
     views_.push_back({{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes.size()}});
     binary_ += bytes;
-    binary_.append((4 - binary_.size() % 4) % 4,
-                   '\0');  // aligns the following numbers to a multiple of four bytes
+    // Aligns the following numbers to a multiple of four bytes
+    binary_.append((4 - binary_.size() % 4) % 4, '\0');
   }
 
   std::size_t add_accessor(const std::vector<float>& values, std::size_t components, bool with_box) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a command gets its options: a struct of its own, filled from its own table.
+// Gives each command its options: a struct of its own, filled from its own table.
 #pragma once
 #include <CLI/CLI.hpp>
 
@@ -11,21 +11,20 @@
 
 namespace netloft::program {
 
-/// The command that the command line names, with its options, ready to run.
+/// The command selected on the command line, with its options, ready to run.
 struct Chosen {
   std::vector<std::string> words;  // the command line as given
   std::function<int()> run = {};
 };
 
-/// A command and the struct that its options are read into.
+/// A command, and the struct for its options.
 template <class Options>
 struct Command {
   CLI::App& app;
   Options& options;
 };
 
-/// Adds a command that runs `run` with its options. `check` may refuse options before that, with a
-/// UsageError.
+/// Adds a command that calls `run` with its options. `check` may first reject options with a UsageError.
 template <class Options>
 Command<Options> add_command(CLI::App& parent, Chosen& chosen, const char* name, const char* doc,
                              int (*run)(const Options&),
@@ -41,8 +40,8 @@ Command<Options> add_command(CLI::App& parent, Chosen& chosen, const char* name,
   return {*app, *options};
 }
 
-/// Throws UsageError if an option of another group than `group` and the general one is given. Groups are
-/// named after what they are for ("For a result"), and `why` says what is there: "a.toml is a net plan".
+/// Throws UsageError if an option is given that belongs neither to `group` nor to the general group. Groups
+/// are named by their purpose ("For a result"), and `why` is the reason: "a.toml is a net plan".
 void require_group(const CLI::App& command, const std::string& group, const std::string& why);
 
 // The commands, in the groups of `netloft --help`.

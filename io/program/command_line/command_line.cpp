@@ -12,7 +12,7 @@ namespace {
 
 using AddCommands = void (*)(CLI::App&, Chosen&);
 
-/// Adds commands under a heading of their own in `netloft --help`.
+/// Adds commands under their own heading in `netloft --help`.
 void add_group(CLI::App& app, Chosen& chosen, const char* heading, AddCommands add) {
   const std::size_t before = app.get_subcommands({}).size();
   add(app, chosen);
@@ -49,13 +49,13 @@ std::string unknown_command(const CLI::App& app, std::span<const std::string> wo
 
 namespace {
 
-/// The command that was named last: "study run".
+/// The innermost command on the command line: "study run".
 const CLI::App& innermost(const CLI::App& app) {
   const auto commands = app.get_subcommands();
   return commands.empty() ? app : innermost(*commands.front());
 }
 
-/// "netloft study run"
+/// The name of a command with those of its parents: "netloft study run".
 std::string full_name(const CLI::App& app) {
   return app.get_parent() ? full_name(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
@@ -69,7 +69,7 @@ std::vector<std::string> names_of_options(const CLI::App& app) {
   return names;
 }
 
-/// The first command that has the option: "netloft run"; empty if none has.
+/// The first command that has the option: "netloft run"; empty if there is none.
 std::string command_with(const CLI::App& app, const std::string& option) {
   const auto names = names_of_options(app);
   if (std::ranges::find(names, option) != names.end()) return full_name(app);

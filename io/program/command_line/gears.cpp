@@ -89,7 +89,8 @@ void refuse_options_of_femnet(const ImportOptions& o, const CLI::App& import) {
   if (!o.format.empty() && o.format != "femnet") require_group(import, "", "the format is " + o.format);
 }
 
-/// --check is for all gears in a folder, and excludes the options of one gear.
+/// Adds the options for FEMNET. --check applies to all gears in a folder, and excludes the options of a
+/// single gear.
 void add_femnet_options(CLI::App& import, ImportOptions& o, CLI::Option* gear, CLI::Option* output) {
   auto* divide =
       import.add_flag("--divide", o.divide, "divide it into elements here, whatever mesh lies beside it")

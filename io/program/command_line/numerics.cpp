@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Commands about the numerics of a scene: methods against each other, and finer meshes.
+// Commands about the numerics of a scene: comparison of methods, and mesh refinement.
 #include "io/program/commands/numerics.hpp"
 
 #include "io/program/command_line/chosen.hpp"
@@ -10,7 +10,8 @@ namespace netloft::program {
 
 namespace {
 
-/// Methods are compared in the order in which they are typed, whatever their kinds.
+/// Adds an option for compared methods. They are compared in the order on the command line, even if solvers
+/// and strategies alternate.
 void add_compared_method(CLI::App& command, CompareOptions& o, const std::string& name,
                          const std::string& word, const std::string& doc) {
   const auto keep = [&o, word](const std::vector<std::string>& all) {

@@ -24,7 +24,7 @@ namespace netloft::program {
 
 namespace {
 
-/// Says what is wrong for people and, with --json, for programs. Returns the code.
+/// Reports an error on standard error and, with --json, as an object on standard output. Returns the code.
 int fail(const std::string& message, int code, bool json) {
   std::fprintf(stderr, "netloft: %s\n", message.c_str());
   if (json) std::puts(error_json(message, code).c_str());
@@ -47,7 +47,7 @@ int guarded(bool json, const std::function<int()>& work) {
   }
 }
 
-/// Help and versions go to standard output and are no error.
+/// Reports the end of parsing. Help and versions go to standard output and are not errors.
 int explain(const CLI::App& app, const CLI::ParseError& error, bool json) {
   const bool is_error = error.get_exit_code() != 0;
   if (const std::string fault = unknown_option(app); is_error && !fault.empty())
@@ -74,15 +74,16 @@ int read_and_work(CLI::App& app, int argc, char** argv, const std::function<int(
   return guarded(json, work);
 }
 
-/// A file that is opened must not become a stream that was closed: what is printed would land in it. A limit
-/// on the size of files must not end the program without a word.
+/// Opens closed standard streams on /dev/null, because a file opened later would otherwise take the number of
+/// a stream and receive its output. Ignores SIGXFSZ, because a limit on file sizes would otherwise end the
+/// program without a message.
 void guard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && errno == EBADF) open("/dev/null", O_RDONLY);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// An answer that could not be printed is a failure.
+/// Returns the exit code: a failure to print the answer is an error.
 int after_printing(int code) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush()) return code;
   std::fprintf(stderr, "netloft: standard output cannot be written: %s\n", std::strerror(errno));

@@ -27,7 +27,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
       ->excludes(csv);
 }
 
-/// The ending of the file names the group of its options.
+/// Rejects options for another file format: the extension of the output selects the group of options.
 void refuse_options_of_other_files(const ExportOptions& o, const CLI::App& command) {
   const std::string ending = std::filesystem::path(o.output).extension().string();
   require_group(command, "For a " + ending + " file", o.output + " is another one");

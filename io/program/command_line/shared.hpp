@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Options that several commands have, and the form of options of one kind.
+// Options that several commands share, and the form of options of one type.
 #pragma once
 #include "io/program/session/options.hpp"
 
@@ -11,11 +11,11 @@ namespace netloft::program {
 /// A solver or strategy with parameters.
 inline constexpr const char* kMethod = "NAME[:key=value,…]";
 
-/// A word that must not be empty; help shows `type` for it.
+/// Requires a word that is not empty; help shows `type` for it.
 CLI::Option* as_word(CLI::Option* option, const std::string& type);
 /// The same for an option that may be repeated.
 CLI::Option* as_words(CLI::Option* option, const std::string& type);
-/// Refuses text that is no number, which CLI::Range lets pass.
+/// Rejects text that is not a number, which CLI::Range would accept.
 CLI::Validator numbers_between(double low, double high);
 
 void add_color_option(CLI::App& command, CommonOptions& o);
@@ -25,11 +25,11 @@ void add_common_options(CLI::App& command, CommonOptions& o);
 /// --plugins, --color, --json.
 void add_plugin_options(CLI::App& command, PluginOptions& o);
 CLI::Option* add_set_option(CLI::App& command, std::vector<std::string>& set, const std::string& doc);
-/// A scene, and where its plugins are.
+/// Adds the scene, and the options that find its plugins.
 void add_scene_options(CLI::App& command, SceneOptions& o);
-/// The same, and how it is solved.
+/// Adds the scene options, and those that choose strategy and solver.
 void add_method_options(CLI::App& command, MethodOptions& o);
-/// Number of an output of a motion.
+/// Adds the number of an output of a motion.
 CLI::Option* add_state_option(CLI::App& command, int& state);
 
 }  // namespace netloft::program

@@ -20,7 +20,7 @@ void add_folder(CLI::App& action, Options& o) {
   action.add_option("FOLDER", o.folder, "folder of a study that was planned")->required();
 }
 
-/// An action on a study that was planned, without plugins.
+/// Adds an action on a planned study that loads no plugins.
 template <class Options>
 Command<Options> add_action(CLI::App& study, Chosen& chosen, const char* name, const char* doc,
                             int (*run)(const Options&)) {

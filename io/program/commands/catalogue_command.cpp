@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Five digits are more than catalogues give.
+/// Formats a value with five digits, more than catalogues have.
 std::string rounded(double value, const char* unit) {
   return fmt::format("{:.5g}{}{}", value, unit == std::string_view("1") ? "" : " ",
                      unit == std::string_view("1") ? "" : unit);
@@ -55,7 +55,7 @@ Json json_of(const gears::CataloguePart& part) {
   return json;
 }
 
-/// Parts of that name or of that kind; all of them if none is named.
+/// The parts with this name or of this kind; all parts if the word is empty.
 std::vector<const gears::CataloguePart*> asked_for(const gears::Catalogue& catalogue,
                                                    const std::string& word) {
   std::vector<const gears::CataloguePart*> parts;

@@ -17,7 +17,7 @@ namespace netloft::program {
 
 namespace {
 
-/// The form of --tolerance or --accuracy: a range of decades.
+/// The syntax of --tolerance or --accuracy: a range of powers of ten.
 struct Decades {
   std::string option, what, example;
 };
@@ -33,7 +33,7 @@ double read_one(const std::string& word, const std::string& all, const Decades& 
   return value;
 }
 
-/// One per decade from the loosest to the tightest.
+/// One value per power of ten, from the loosest to the tightest.
 std::vector<double> read_decades(const std::string& range, const Decades& d) {
   const auto colon = range.find(':');
   const double low = read_one(range.substr(0, colon), range, d);
@@ -59,7 +59,8 @@ std::vector<studies::Method> read_methods(const std::vector<std::string>& words)
   return methods;
 }
 
-/// Throws UsageError for motions and equilibria together, which have no table in common.
+/// Whether the methods are integrators. Throws UsageError for a mixture with solvers or strategies, because
+/// motions and equilibria have no common table.
 bool compares_motions(const std::vector<studies::Method>& methods) {
   const auto integrators = std::count_if(methods.begin(), methods.end(),
                                          [](const studies::Method& m) { return m.kind() == "integrator"; });
@@ -99,7 +100,8 @@ void check_kind(const scenes::LoadedScene& loaded, bool is_of_motions) {
     throw UsageError{"compare begins motions at the start of the scene, and analysis.start names a result"};
 }
 
-/// Prepares the scene once with every method, and on every mesh, so that all errors are reported at first.
+/// Prepares the scene with every method and on every mesh before the first trial, so that all errors are
+/// reported at the start.
 class Inspection {
  public:
   Inspection(const CompareOptions& options, Registry& registry, Terminal& terminal)
@@ -119,8 +121,8 @@ class Inspection {
   }
 
  private:
-  /// Marks integrators whose plugin is not installed, so that they get a row that says so. Names that are
-  /// close to that of a plugin remain errors, and so does a comparison without any integrator.
+  /// Marks integrators whose plugin is not installed, so that their row gives this reason. A name that is
+  /// similar to that of a plugin remains an error, and so does a comparison without any installed integrator.
   void set_absent(studies::ComparisonTask& task) {
     const std::vector<std::string> there = registry_.available();
     for (const studies::Method& method : task.methods) {
@@ -189,7 +191,7 @@ int run_comparison(const CompareOptions& options) {
   Registry registry;
   find_scene_plugins(options, registry);
   runs::CaseSource source = source_of(options);
-  if (options.threads == 0) source.threads = 1;  // so that CPU seconds are seconds
+  if (options.threads == 0) source.threads = 1;  // so that CPU seconds equal seconds of wall time
   if (const int code = Inspection(options, registry, terminal).check(source, task); code != kDone)
     return code;
   catch_interrupts();

@@ -15,7 +15,7 @@ namespace {
 
 void print(const Json& json) { std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str()); }
 
-/// "water", "waves", "tow", "bed", "analysis" and "gear": tables that belong to no plugin.
+/// Describes a table that belongs to no plugin: "water", "waves", "tow", "bed", "analysis" or "gear".
 int describe_keys(const std::string& name, std::span<const netloft_parameter> table, bool json) {
   if (json) {
     print({{"type", name}, {"kind", "table"}, {"parameters", parameter_json(table)}});
@@ -25,7 +25,7 @@ int describe_keys(const std::string& name, std::span<const netloft_parameter> ta
   return kDone;
 }
 
-/// Keys of the analysis, those of motions included.
+/// The keys of the analysis, including those of motions.
 std::vector<netloft_parameter> all_analysis_keys() {
   std::vector<netloft_parameter> all(scenes::analysis_keys().begin(), scenes::analysis_keys().end());
   all.insert(all.end(), scenes::dynamics_keys().begin(), scenes::dynamics_keys().end());
@@ -68,7 +68,7 @@ int describe_command(const DescribeOptions& options) {
     all.push_back(c.json());
     if (!options.json) std::puts(c.text().c_str());
   }
-  if (all.empty()) registry.element(options.type);  // says what there is
+  if (all.empty()) registry.element(options.type);  // throws with a list of the known types
   if (options.json) print(all.size() == 1 ? all[0] : all);
   return kDone;
 }

@@ -20,11 +20,11 @@ namespace netloft::program {
 
 namespace {
 
-/// Recognises a result by its name, or by the first bytes of the file.
+/// Whether a file is a result, by its extension or by its first bytes.
 bool is_result(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".hdf" || formats::is_journal(path)) return true;
   std::error_code none;
-  if (!std::filesystem::is_regular_file(path, none)) return false;  // reading a pipe waits for ever
+  if (!std::filesystem::is_regular_file(path, none)) return false;  // reading a pipe would wait for ever
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4> start{};
   return file.read(start.data(), start.size()) && std::string_view(start.data(), 4) == "\x89HDF";
@@ -41,7 +41,7 @@ std::vector<std::string> files_of(const gears::NetPlan& plan) {
   return paths;
 }
 
-/// Reports what is wrong with a file. Returns the exit code.
+/// Reports the errors and warnings about a file. Returns the exit code.
 int say(const formats::Diagnostics& diagnostics, Terminal& terminal) {
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
   if (diagnostics.errors() == 0) return kDone;

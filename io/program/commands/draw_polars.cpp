@@ -43,7 +43,7 @@ const std::vector<netloft_parameter>& columns() {
   return rows;
 }
 
-/// The columns of a part that a table has, under the name of that table.
+/// Adds the columns that both the part and the table have, under the name of the table.
 void add_polar(const gears::CataloguePart& part, const netloft_parameter& table, formats::Table& all) {
   formats::Table own;
   formats::Place place;
@@ -65,10 +65,10 @@ Values read_polar(const gears::CataloguePart& part, formats::Diagnostics& diagno
   return scenes::read_parameters(columns(), reader);
 }
 
-/// The rows of a table and the curve through them, over its first column in degrees.
+/// The rows of a table and the interpolated curve, over its first column in degrees.
 formats::PlotSeries series_of(const std::string& name, const std::vector<double>& x,
                               const std::vector<double>& y, const std::function<double(double)>& curve) {
-  constexpr int kPieces = 120;  // of a curve, each a tenth of a millimetre in print
+  constexpr int kPieces = 120;  // pieces of a curve, each a tenth of a millimetre in print
   formats::PlotSeries series{name, {}};
   for (std::size_t i = 0; i < x.size(); ++i)
     series.points.push_back({formats::kDegreesPerRadian * x[i], y[i]});
@@ -88,7 +88,7 @@ void add_curves(const std::string& prefix, const netloft_table& table, const std
   }
 }
 
-/// A line for each angle of sideslip.
+/// Adds a line for each angle of sideslip.
 void add_sections(const std::string& prefix, const netloft_table& table, formats::LinePlot& plot) {
   static constexpr const char* names[] = {"lift", "drag", "side"};
   const auto attack = Curve::read(table, 0), slip = Curve::read(table, 1);

@@ -7,11 +7,12 @@
 
 namespace netloft::program {
 
-/// Whether a file of a catalogue has tables `[polar.NAME]`.
+/// Whether a catalogue file has tables `[polar.NAME]`.
 bool holds_polars(const std::filesystem::path& file);
 
-/// The polars of such a file over the angle of attack: the numbers of their tables, and between them the
-/// curves that boards are computed with. SVG, or an HTML page with a plot of each.
+/// Draws the polars of a catalogue file over the angle of attack: the numbers in their tables, and the
+/// interpolated curves that otter boards are computed with. The result is SVG, or an HTML page with a plot of
+/// each polar.
 std::string draw_polars(const std::filesystem::path& file, bool is_page, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::program

@@ -7,7 +7,7 @@
 namespace netloft::program {
 
 struct CatalogueOptions : CommonOptions {
-  std::string name;  // a part or a kind of parts; empty: all
+  std::string name;  // name of a part or of a kind of parts; empty: all
 };
 
 struct CheckOptions : CommonOptions {
@@ -18,11 +18,11 @@ struct CheckOptions : CommonOptions {
 struct DrawOptions : CommonOptions {
   std::string file;    // GEAR
   std::string output;  // -o
-  // of a net plan
+  // options for a net plan
   std::vector<std::string> set;  // --set path=value
   bool mesh = false;             // --mesh
   std::size_t nodes = 2000;      // --nodes
-  // of a result
+  // options for a result
   std::string view = "oblique";  // --view
   std::string field;             // --field
   int state = -1;                // --state; -1: the newest
@@ -44,14 +44,14 @@ struct ImportOptions : CommonOptions {
   bool motion = false;  // --motion
 };
 
-/// The kinds of files that `draw` takes.
+/// The kinds of files that `draw` reads.
 enum class Drawable { net_plan, result, polars };
 Drawable kind_of_drawable(const std::string& file);
 
-int catalogue_command(const CatalogueOptions& options);  // parts of the catalogue
-int check_command(const CheckOptions& options);          // whether a net plan can be sewn
-int draw_command(const DrawOptions& options);            // a net plan, a result or polars as a picture
-int draw_result_command(const DrawOptions& options);     // draw_command for a result
-int import_command(const ImportOptions& options);        // a gear of another program as a scene
+int catalogue_command(const CatalogueOptions& options);  // lists parts of the catalogue
+int check_command(const CheckOptions& options);          // checks whether a net plan can be sewn
+int draw_command(const DrawOptions& options);            // draws a net plan, a result or polars
+int draw_result_command(const DrawOptions& options);     // draws a result
+int import_command(const ImportOptions& options);        // converts a gear of another program into a scene
 
 }  // namespace netloft::program

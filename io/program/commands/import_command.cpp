@@ -69,7 +69,7 @@ int check_gears(const ImportOptions& options) {
   return kDone;
 }
 
-/// The files of the scene and of its mesh.
+/// The paths of the scene and of its mesh.
 struct Outputs {
   explicit Outputs(const ImportOptions& options)
       : scene(options.output.empty() ? fs::path(options.gear).stem().string() + ".toml" : options.output),

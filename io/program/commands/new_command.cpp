@@ -23,7 +23,7 @@ bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 
-/// otter_board -> OtterBoard
+/// Converts otter_board to OtterBoard.
 std::string type_name(const std::string& name) {
   std::string type;
   bool begins = true;
@@ -47,7 +47,7 @@ void check_spelling(const std::string& name) {
            "write small letters, digits and _ between them, a letter first, 40 at most, such as otter_board");
 }
 
-/// Words that the generated files use themselves, or that CMake keeps for its own targets.
+/// Names that the generated files use themselves, or that CMake reserves for its own targets.
 constexpr std::array kTaken = {"parameters", "data", "elastic",    "all",           "test",   "clean",
                                "install",    "help", "edit_cache", "rebuild_cache", "package"};
 
@@ -66,7 +66,7 @@ std::string replaced(std::string text, std::string_view old, std::string_view wi
   return text;
 }
 
-/// The template's own licence does not bind what is made of it.
+/// Removes the licence of the template, because it does not apply to files made from it.
 std::string without_licence(std::string text) {
   constexpr std::string_view first = "// SPDX-License-Identifier: BSD-3-Clause\n";
   if (text.starts_with(first)) text.erase(0, first.size());
@@ -103,7 +103,7 @@ int new_command(const NewOptions& options) {
       if (t.kind == options.kind)
         formats::write_whole(folder / renamed(t.file, options.kind, options.name),
                              renamed(without_licence(t.text), options.kind, options.name));
-  } catch (const formats::WriteError&) {  // half a component would be in the way of a whole one
+  } catch (const formats::WriteError&) {  // an incomplete component would block a second attempt
     std::error_code none;
     fs::remove_all(folder, none);
     throw;

@@ -8,7 +8,7 @@ namespace netloft::program {
 
 struct CompareOptions : SceneOptions {
   std::vector<std::string> methods;      // --solver, --strategy or --integrator, at least once
-  std::string accuracy;                  // --accuracy LO:HI, of motions; empty: 1e-3:1e-1
+  std::string accuracy;                  // --accuracy LO:HI, for motions; empty: 1e-3:1e-1
   std::string tolerance = "1e-10:1e-2";  // --tolerance LO:HI
   std::string cells;                     // --cells [PART=]N,N,…
   std::string reference;                 // --reference NAME[:key=value,…]
@@ -21,7 +21,7 @@ struct RefineOptions : MethodOptions {
   std::string cells;                // --cells [PART=]N,N,…
 };
 
-int compare_command(const CompareOptions& options);  // speed against error of methods
-int refine_command(const RefineOptions& options);    // what a scene reports on finer and finer meshes
+int compare_command(const CompareOptions& options);  // compares speed and error of methods
+int refine_command(const RefineOptions& options);    // compares the numbers of a scene between meshes
 
 }  // namespace netloft::program

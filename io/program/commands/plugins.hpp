@@ -11,17 +11,17 @@ struct DescribeOptions : PluginOptions {
 struct TestOptions : PluginOptions {
   std::string plugin;  // PLUGIN
   bool verbose = false;
-  double seconds = 60;  // --seconds. All checks of the largest shipped plugin take 1 s
+  double seconds = 60;  // --seconds. All checks of the largest built-in plugin take 1 s
 };
 
 struct NewOptions {
   std::string kind, name;  // KIND NAME
 };
 
-int list_command(const PluginOptions& options);        // all components
-int describe_command(const DescribeOptions& options);  // one component
-int schema_command(const PluginOptions& options);      // JSON schema of scenes
-int test_command(const TestOptions& options);          // conformance of a plugin
-int new_command(const NewOptions& options);            // a plugin to begin with
+int list_command(const PluginOptions& options);        // lists all components
+int describe_command(const DescribeOptions& options);  // describes one component
+int schema_command(const PluginOptions& options);      // prints the JSON schema of scenes
+int test_command(const TestOptions& options);          // checks the conformance of a plugin
+int new_command(const NewOptions& options);            // creates a plugin from a template
 
 }  // namespace netloft::program

@@ -14,7 +14,8 @@ namespace netloft::program {
 
 namespace {
 
-/// A quarter to twice the cells of the leading part where that is possible, else once to four times.
+/// A quarter to twice the cells of the leading part if its number of cells is divisible by four, else once to
+/// four times.
 studies::CellList cells_around(const scenes::LoadedScene& loaded) {
   const std::int64_t own = studies::leading_part(loaded).cells[0];
   if (own % 4 == 0) return {"", {own / 4, own / 2, own, 2 * own}};
@@ -37,7 +38,7 @@ std::vector<studies::MeshLevel> wanted_levels(const RefineOptions& options,
     throw UsageError{"refine finds equilibria on several meshes, and this scene goes through time"};
   if (loaded.gear) return levels_of_gear(options, loaded);
   if (!options.nodes.empty())
-    return studies::gear_levels(loaded, options.nodes);  // says that there is no gear
+    return studies::gear_levels(loaded, options.nodes);  // throws because there is no gear
   return studies::mesh_levels(
       loaded, options.cells.empty() ? cells_around(loaded) : studies::read_cell_list(options.cells));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Commands about results that are there already: report, view, draw, export.
+// Commands about existing results: report, view, draw, export.
 #include "io/formats/hdf5/handle.hpp"
 #include "io/pictures/picture/gltf.hpp"
 #include "io/pictures/picture/sheet.hpp"
@@ -27,7 +27,7 @@ namespace netloft::program {
 
 namespace {
 
-/// `given`, or the name of a result with another ending, in this folder.
+/// Returns `given`; if that is empty, the name of a result with another extension, in the current folder.
 std::string output_or(const std::string& given, const std::string& result, const char* ending) {
   if (!given.empty()) return given;
   std::filesystem::path name = std::filesystem::path(result).filename();
@@ -37,7 +37,7 @@ std::string output_or(const std::string& given, const std::string& result, const
 
 const std::vector<std::string> kPage = {".html", ".htm"}, kPicture = {".svg", ".png"};
 
-/// The number of the state that --state names; else of the last.
+/// The index of the state that --state selects; the last state by default.
 std::size_t state_of(int state, const results::StoredShape& result, const std::string& file) {
   const std::size_t count = std::max<std::size_t>(1, result.times.size());
   if (state < 0) return count - 1;
@@ -115,7 +115,7 @@ std::optional<results::MeshFormat> mesh_format_of(const std::string& ending) {
   return ending == ".vtk" ? std::optional(results::MeshFormat::vtk) : std::nullopt;
 }
 
-/// The content of an exported file, whose ending names the format.
+/// The content of an exported file in the format of its extension.
 std::string exported(const ExportOptions& options) {
   const results::StoredShape result(options.result);
   const std::string ending = std::filesystem::path(options.output).extension().string();

@@ -30,9 +30,9 @@ struct DiffOptions : CommonOptions {
   std::string before, after;  // RESULT.hdf
 };
 
-int report_command(const ReportOptions& options);  // the report of a result again
-int export_command(const ExportOptions& options);  // a result for other programs
-int view_command(const ViewOptions& options);      // results as a page
-int diff_command(const DiffOptions& options);      // what changed between two results
+int report_command(const ReportOptions& options);  // reports an existing result
+int export_command(const ExportOptions& options);  // exports a result for other programs
+int view_command(const ViewOptions& options);      // shows results on a page
+int diff_command(const DiffOptions& options);      // lists the differences between two results
 
 }  // namespace netloft::program

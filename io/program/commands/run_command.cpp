@@ -8,11 +8,11 @@ namespace netloft::program {
 
 namespace {
 
-// Gears with fewer unknowns take less than 300 MiB, and ordering their matrix twice would take a hundredth of
-// their time.
+// Smaller gears use less than 300 MiB, so that the forecast is left out: it orders the matrix a second time,
+// which would take a hundredth of the run time.
 constexpr std::int32_t kFewUnknowns = 20000;
 
-/// Reports a run that takes much of the memory within reach, and refuses one that takes more.
+/// Reports the forecast of a run that needs much of the available memory, and throws if it needs more.
 void check_memory(Session& session) {
   if (session.scene().assembler().pattern().size < kFewUnknowns) return;
   const std::string note = note_of_memory(runs::foresee_memory(session.scene()), runs::memory_within_reach());

@@ -13,7 +13,7 @@ namespace netloft::program {
 
 namespace {
 
-constexpr std::size_t kMostStages = 60;  // a page with as many states of 2 000 nodes has some 6 MB
+constexpr std::size_t kMostStages = 60;  // a page with this many states of 2 000 nodes has about 6 MB
 
 int exit_code(SolveStatus status) {
   switch (status) {
@@ -32,7 +32,7 @@ void refuse_what_cannot_be(const RunOptions& options, runs::PreparedScene& scene
   if (const auto why_not = runs::why_unfit(scene)) throw UsageError{*why_not};
 }
 
-/// The meshes from which --error finds the errors of results.
+/// The meshes with which --error estimates the errors of results.
 std::vector<studies::MeshLevel> levels_for_errors(const RunOptions& options,
                                                   const scenes::LoadedScene& loaded) {
   if (!options.error) return {};
@@ -43,7 +43,7 @@ std::vector<studies::MeshLevel> levels_for_errors(const RunOptions& options,
   }
 }
 
-/// Keeps the start and the shape at the end of each of the first kMostStages stages.
+/// Saves the initial shape, and the shape at the end of each of the first kMostStages stages.
 void keep_stages(const Assembler& assembler, std::vector<results::StageShape>& stages, runs::Watch& watch) {
   const auto start = assembler.start();
   stages.push_back({"start", {start.begin(), start.end()}});
@@ -56,7 +56,7 @@ void keep_stages(const Assembler& assembler, std::vector<results::StageShape>& s
   };
 }
 
-/// One run, with what it has found so far in case a plugin does not come back.
+/// One run, and its best point so far in case a plugin call never returns.
 class EquilibriumRun {
  public:
   EquilibriumRun(const RunOptions& options, Session& session, results::RunContext& context)
@@ -92,7 +92,7 @@ class EquilibriumRun {
         start ? runs::find_equilibrium_near(scene_, *start, watch) : runs::find_equilibrium(scene_, watch);
   }
 
-  /// Completes the result by what the run knows beside its solution, writes it and prints it.
+  /// Adds the facts that the solution does not contain to the result, writes it and prints it.
   void finish(Assembler& assembler, results::Result result) {
     result.origins = results::make_origins(scene_.loaded(), context_);
     result.origins.finished = results::utc_now();
@@ -104,8 +104,8 @@ class EquilibriumRun {
     print_result(options_, terminal_, result);
   }
 
-  /// Writes the best point that was accepted before a plugin did not come back, by an assembler of its own,
-  /// because that of the scene stays busy.
+  /// Writes the best accepted point after a plugin call that never returns. The run uses a new assembler for
+  /// this, because that of the scene stays busy.
   int end_early(const Overdue& overdue) {
     const int code = overdue.interrupted ? kInterrupted : kNotConverged;
     terminal_.say("netloft: " + overdue.sentence + "; the run ends here");

@@ -6,12 +6,12 @@
 
 namespace netloft::program {
 
-/// The two kinds of runs. Each solves a scene that is ready, writes the result and prints it. They throw
+/// The two kinds of runs. Each solves a prepared scene, writes the result and prints it. Both throw
 /// UsageError for options of the other kind, and return the exit code.
 int run_equilibrium(const RunOptions& options, Session& session, results::RunContext& context);
 int run_motion(const RunOptions& options, Session& session, results::RunContext& context);
 
-/// Displacements that bring the gear to where the result in `file` has it. `key` names the option in errors.
+/// Displacements that move the gear to its shape in the result `file`. `key` names the option in errors.
 std::vector<double> read_start(const std::string& file, const char* key, runs::PreparedScene& scene);
 
 }  // namespace netloft::program

@@ -22,7 +22,7 @@ void refuse_options_of_equilibria(const RunOptions& options) {
         "results by `netloft diff`"};
 }
 
-/// The scene as it was read and changed. A motion can be resumed only with the same.
+/// Identifies the scene with its changes. A motion can be resumed only with the same identity.
 std::string identity_of(const RunOptions& options, const scenes::LoadedScene& loaded) {
   std::string identity = options.solver;
   for (const auto& file : loaded.files) identity += "\n" + file.hash;
@@ -30,20 +30,20 @@ std::string identity_of(const RunOptions& options, const scenes::LoadedScene& lo
   return identity;
 }
 
-/// The start of a motion that begins at a result.
+/// The displacements of a motion that starts from a result; empty for other motions.
 std::optional<std::vector<double>> start_of_motion(const RunOptions& options, runs::PreparedScene& scene) {
   const auto& file = scene.loaded().analysis.dynamics.start_file;
   if (options.resume || file.empty()) return {};
   return read_start(file.string(), "analysis.start", scene);
 }
 
-/// A path that is less accurate than required counts as not converged.
+/// The exit code: a path that is less accurate than required counts as not converged.
 int exit_code(const MarchResult& march) {
   if (march.status == MarchStatus::interrupted) return kInterrupted;
   return march.status == MarchStatus::finished && !march.accuracy.is_missed() ? kDone : kNotConverged;
 }
 
-/// Reports the outputs that are kept if a plugin does not come back.
+/// Reports the outputs so far after a plugin call that never returns.
 int end_early(Terminal& terminal, const std::string& part, const Overdue& overdue) {
   terminal.say("netloft: " + overdue.sentence + "; the run ends here");
   terminal.say(std::filesystem::exists(part)
@@ -61,7 +61,8 @@ int run_motion(const RunOptions& options, Session& session, results::RunContext&
   Terminal& terminal = session.terminal();
   const std::string output = output_file(options, loaded), part = output + ".part";
   Watchdog watchdog([&](const Overdue& overdue) { return end_early(terminal, part, overdue); });
-  watchdog.allow(2 * loaded.analysis.limits.seconds);  // the start may take as long as the motion
+  // Twice, because the search for the start may take as long as the motion
+  watchdog.allow(2 * loaded.analysis.limits.seconds);
   if (options.resume && !std::filesystem::exists(part))
     throw UsageError{"--resume: there is no " + part + " to go on from"};
   protect_outputs(options, part);

@@ -14,8 +14,8 @@ namespace netloft::program {
 
 namespace {
 
-/// Whether nothing in a .part is worth keeping: a file of an equilibrium, which is written only once it is
-/// found. Motions of earlier versions are HDF5 files too, with a checkpoint.
+/// Whether a .part has nothing worth keeping, as that of an equilibrium, which is incomplete until the
+/// equilibrium is found. Motions of earlier versions are also HDF5 files, but with a checkpoint.
 bool is_worthless_hdf5(const std::string& part) {
   formats::silence_hdf5();
   if (H5Fis_hdf5(part.c_str()) <= 0) return false;

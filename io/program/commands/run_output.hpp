@@ -11,21 +11,20 @@
 
 namespace netloft::program {
 
-/// The result file of a run. Throws UsageError if it is one of the files that the scene was read from.
+/// The path of the result of a run. Throws UsageError if it is one of the scene's input files.
 std::string output_file(const RunOptions& options, const scenes::LoadedScene& loaded);
 
-/// Throws UsageError if `part` holds outputs of a motion that did not end, unless the options say that they
-/// are to be continued or replaced.
+/// Throws UsageError if `part` has outputs of an unfinished motion, unless the options resume or replace it.
 void protect_outputs(const RunOptions& options, const std::string& part);
 
-/// The name that a result gets: that of the file, or one beside it if the file holds a better result, which
-/// the terminal reports.
+/// The final path of a result: that of the file, or another one beside it if the file has a better result.
+/// The terminal reports the latter.
 std::string name_by_outcome(const formats::ResultFile& file, const Solution& solution, Terminal& terminal);
 
-/// Prints what `netloft report` prints of the file of this result.
+/// Prints the same text as `netloft report` for this result.
 void print_result(const RunOptions& options, Terminal& terminal, const results::Result& result);
 
-/// A result file that is removed if the run produces no result.
+/// A result file that is removed if the run ends without a result.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& name) : file_(name) {}

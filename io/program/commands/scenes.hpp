@@ -14,7 +14,7 @@ struct RunOptions : MethodOptions {
   std::vector<std::string> words;  // the command line, for the result file
 };
 
-int run_command(const RunOptions& options);      // solve a scene
-int plan_command(const MethodOptions& options);  // what a scene needs
+int run_command(const RunOptions& options);      // solves a scene
+int plan_command(const MethodOptions& options);  // lists the needs of a scene
 
 }  // namespace netloft::program

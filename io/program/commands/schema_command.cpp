@@ -66,7 +66,7 @@ Json join_schema() {
   return {{"type", "array"}, {"items", join}};
 }
 
-/// One velocity, or a profile over height.
+/// The schema of a current: one velocity, or a profile over height.
 Json current_schema() {
   const auto column = [](const std::string& unit, double limit, const std::string& doc) {
     return Json{{"type", "array"},
@@ -99,7 +99,7 @@ Json results_schema() {
   return {{"type", "object"}, {"additionalProperties", entry}, {"description", "named scalars"}};
 }
 
-/// The table that a solver, an integrator or a strategy has in `analysis`.
+/// Adds the table of a solver, an integrator or a strategy to `analysis`.
 void put_component(Json& analysis, const std::string& type, const char* doc,
                    std::span<const netloft_parameter> parameters) {
   const scenes::ComponentTable at = scenes::table_of_component(type);
@@ -115,13 +115,13 @@ void put_component(Json& analysis, const std::string& type, const char* doc,
   plugin["properties"][at.component] = own;
 }
 
-/// Tables of a net plan, whose page is GEAR.md.
+/// The schema of tables of a net plan, which GEAR.md documents.
 Json plan_schema(const char* doc, bool is_list) {
   if (is_list) return {{"type", "array"}, {"items", {{"type", "object"}}}, {"description", doc}};
   return {{"type", "object"}, {"additionalProperties", {{"type", "object"}}}, {"description", doc}};
 }
 
-/// Keys of the model of a gear, and of the elements for the parts of its plan.
+/// Adds the keys for the model of a gear, and for the elements of the parts of its plan.
 void put_gear(Json& scene) {
   Json gear = object(), elements = object();
   put_table(gear, scenes::gear_keys());
@@ -150,7 +150,7 @@ void put_gear(Json& scene) {
       false);
 }
 
-/// Keys of files that are read beside the scene itself.
+/// Adds the keys for files that a scene reads.
 void put_files(Json& scene) {
   put(scene, "include",
       {{"type", "array"},
@@ -164,7 +164,7 @@ void put_files(Json& scene) {
       false);
 }
 
-/// The pieces of a gear: parts on nodes of their own or on others, and rigid bodies.
+/// Adds the parts of a gear, on their own nodes or on others, and rigid bodies.
 void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) {
   put(scene, "parts",
       {{"type", "object"},
@@ -177,7 +177,7 @@ void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) 
        {"additionalProperties", bodies.schema()},
        {"description", "rigid bodies, to whose points parts are joined"}},
       false);
-  // Not required, because an included file may have it.
+  // "type" is required only without `include`, because an included file may have it.
   scene["if"] = {{"required", {"include"}}};
   for (const char* pieces : {"parts", "bodies"})
     scene["else"]["properties"][pieces]["additionalProperties"]["required"] = {"type"};
@@ -201,7 +201,7 @@ Json scene_schema(Registry& registry) {
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements) {
-      if (!e.rides_on) parts.add(e, plugin);  // else it comes with another
+      if (!e.rides_on) parts.add(e, plugin);  // else another element brings it
       if (e.is_on_body()) bodies.add_body(e, plugin);
     }
     for (const auto& s : plugin.solvers) put_component(analysis, s.type, s.solver.doc, s.parameters);

@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMostNumbers = 1000;
 
-/// The numbers of "20:200:7"; none if the text is something else.
+/// The numbers of "20:200:7"; empty if the text has another form.
 std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> numbers;
   std::istringstream parts(text);
@@ -39,7 +39,7 @@ std::vector<double> numbers_in(const std::string& text) {
   return numbers;
 }
 
-/// Two numbers, and one more if `may_count`.
+/// Reads two numbers, and optionally a third one if `may_count`.
 std::vector<double> read_numbers(const char* flag, const std::string& text, bool may_count) {
   const auto numbers = numbers_in(text);
   if (numbers.size() != 2 && !(may_count && numbers.size() == 3))
@@ -55,7 +55,7 @@ studies::Interval read_interval(const char* flag, const std::string& text) {
   return {numbers[0], numbers[1]};
 }
 
-/// Evenly from one end to the other.
+/// Evenly spaced values from one end to the other; the third number of the text, if any, is their count.
 std::vector<double> read_range(const char* flag, const std::string& text, double number) {
   const auto said = read_numbers(flag, text, true);
   if (said.size() == 3) number = said[2];
@@ -81,7 +81,8 @@ std::string number(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
 }
 
-/// How many lengths have no numbers, and why the first has none; empty if all have.
+/// A sentence with the number of lengths without figures, and the reason for the first; empty if there is
+/// none.
 std::string missing_text(const studies::ScopeRow& row) {
   const auto lacks = [](const studies::ScopePoint& p) { return !p.why_not.empty(); };
   const auto first = std::ranges::find_if(row.points, lacks);

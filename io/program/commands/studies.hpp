@@ -6,7 +6,7 @@ namespace netloft::program {
 
 struct ScopeOptions : MethodOptions {
   std::string depth;            // --depth LO:HI[:N]
-  std::string warp = "2:5:13";  // --warp, likewise, over the depth
+  std::string warp = "2:5:13";  // --warp, in the same form, as a multiple of the depth
   std::string heel = "-5:5";    // --heel LO:HI
   std::string spread;           // --spread LO:HI; empty: any
   std::string output;           // -o
@@ -21,7 +21,7 @@ struct StudyPlanOptions : PluginOptions {
   std::string output;  // -o
 };
 
-/// `missing` and `collect`.
+/// Options of `missing` and `collect`.
 struct StudyOptions : CommonOptions {
   std::string folder;  // FOLDER
 };
@@ -29,15 +29,15 @@ struct StudyOptions : CommonOptions {
 struct StudyRunOptions : PluginOptions {
   std::string folder;  // FOLDER
   std::string items;   // --items 1-10,15
-  int jobs = 0;        // --jobs; 0: as many as the machine has
+  int jobs = 0;        // --jobs; 0: one per core of the machine
   int threads = 0;     // --threads; 0: one
 };
 
 struct StudySubmitOptions : PluginOptions {
   std::string folder;  // FOLDER
   std::string engine;  // --engine parallel, slurm
-  int jobs = 0;        // --jobs; 0: as many as the machine has
-  int chunk = 0;       // --chunk; 0: as many items as take a minute
+  int jobs = 0;        // --jobs; 0: one per core of the machine
+  int chunk = 0;       // --chunk; 0: as many items as take at least a minute
 };
 
 struct StudyShowOptions : StudyOptions {
@@ -54,10 +54,10 @@ struct StudySobolOptions : StudyEstimateOptions {
   std::string output;  // -o
 };
 
-int scope_command(const ScopeOptions& options);          // lengths of warp for depths
-int calibrate_command(const CalibrateOptions& options);  // parameters of scenes out of measurements
+int scope_command(const ScopeOptions& options);          // lengths of warp for each depth
+int calibrate_command(const CalibrateOptions& options);  // calibrates parameters of scenes with measurements
 
-// many solves of one scene, varied
+// actions on studies: many solves of one scene with varied inputs
 int study_plan_command(const StudyPlanOptions& options);
 int study_run_command(const StudyRunOptions& options);
 int study_missing_command(const StudyOptions& options);

@@ -29,7 +29,7 @@ studies::PlotRequest read_request(const StudyShowOptions& o) {
   return request;
 }
 
-/// More groups of bars do not fit on a printed page.
+/// Most groups of bars that fit on a printed page.
 constexpr std::size_t kMostBarGroups = 12;
 
 void write_bars(const StudySobolOptions& o, const studies::StudyIndices& found) {

@@ -17,12 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The folder of a study: that of -o, or one with the name of the study file in this folder.
+/// The folder of a study: that of -o, or one in the current folder with the name of the study file.
 fs::path folder_for(const StudyPlanOptions& o) {
   return fs::path(o.output.empty() ? fs::path(o.file).stem().string() + ".study" : o.output);
 }
 
-/// A path as seen from the folder of a study, so that both can be moved together.
+/// A path relative to the folder of the study, so that both can be moved together.
 std::string seen_from(const fs::path& folder, const fs::path& path) {
   const fs::path from = fs::weakly_canonical(fs::absolute(folder)),
                  to = fs::weakly_canonical(fs::absolute(path));
@@ -37,7 +37,7 @@ void check_size(const studies::StudyFile& file, formats::Diagnostics& diagnostic
         "fewer values, fewer samples, or combine = \"list\"");
 }
 
-/// Makes the folder. The manifest comes last, so that a reader who finds it finds the rest.
+/// Makes the folder. The manifest is written last, so that a folder with a manifest is complete.
 void write_study(const fs::path& folder, const studies::Study& study) {
   std::error_code error;
   fs::create_directories(folder / "items", error);

@@ -31,7 +31,7 @@ std::size_t read_id(std::string_view word, const std::string& all, std::size_t m
   return id;
 }
 
-/// "1-10,15" as places of items in the study; all of them if nothing is said.
+/// Reads "1-10,15" as indices of items; all items if the text is empty.
 std::vector<std::size_t> read_items(const std::string& text, std::size_t count) {
   std::vector<std::size_t> places;
   if (text.empty())
@@ -60,7 +60,7 @@ void note_failure(const fs::path& folder, const studies::StudyItem& item, const 
   }
 }
 
-/// Notes the failure of an item whose plugin does not come back.
+/// Records the failure of an item whose plugin call never returned.
 int end_item(const fs::path& folder, const studies::StudyItem& item, const Overdue& overdue) {
   if (!overdue.interrupted) note_failure(folder, item, overdue.sentence);
   std::fprintf(stderr, "netloft: %s; item %zu has no record\n", overdue.sentence.c_str(), item.id);
@@ -84,7 +84,7 @@ int compute(const StudyRunOptions& o, const studies::Study& study, const studies
   return kDone;
 }
 
-/// Computes items and counts how they ended.
+/// Computes items and counts the outcomes.
 class Campaign {
  public:
   Campaign(const StudyRunOptions& o, const studies::Study& study, std::vector<std::size_t> places)
@@ -159,7 +159,7 @@ class Campaign {
   const studies::Study& study_;
   std::size_t asked_, done_ = 0, failed_ = 0;
   Terminal terminal_;
-  std::vector<std::size_t> left_;  // places of items without a record
+  std::vector<std::size_t> left_;  // indices of items without a record
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Parts of the actions of `study`.
+// Functions that the actions of `study` share.
 #pragma once
 #include "io/program/commands/studies.hpp"
 #include "io/studies/sweep/study.hpp"
@@ -15,13 +15,13 @@ namespace netloft::program {
 /// Reads the manifest of a planned study. Throws UsageError if there is none.
 studies::Study read_study(const std::filesystem::path& folder);
 
-/// A sentence about a file that is no longer what it was when the study was planned; empty if there is none.
+/// A sentence about a file that has changed since the study was planned; empty if there is none.
 std::string what_changed(const studies::Study& study, const std::filesystem::path& folder);
 
-/// Prints an answer for people, or with --json for programs.
+/// Prints an answer as text or, with --json, as an object.
 void print_answer(const CommonOptions& options, const nlohmann::ordered_json& json, const std::string& text);
 
-/// "1 item", "2 items".
+/// Number and noun: "1 item", "2 items".
 std::string count_of(std::size_t n, const char* what);
 
 }  // namespace netloft::program

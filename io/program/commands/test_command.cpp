@@ -17,14 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The components that a file ("rope.so"), a plugin ("rope") or a type ("rope/bar") names.
+/// The components in a file ("rope.so"), in a plugin ("rope") or of a type ("rope/bar").
 struct Targets {
   std::vector<const ElementType*> elements;
   std::vector<const LawType*> laws;
   std::vector<const SolverType*> solvers;
   std::vector<const IntegratorType*> integrators;
   std::vector<const StrategyType*> strategies;
-  std::string file;  // where they came from; empty if compiled in
+  std::string file;  // their file; empty if they are compiled in
 };
 
 Targets find_targets(const std::string& target, Registry& registry) {
@@ -46,7 +46,7 @@ Targets find_targets(const std::string& target, Registry& registry) {
     if (!one || s.type == target) found.strategies.push_back(&s);
   if (one && found.elements.empty() && found.laws.empty() && found.solvers.empty() &&
       found.integrators.empty() && found.strategies.empty())
-    registry.element(target);  // says what there is
+    registry.element(target);  // throws with a list of the known types
   return found;
 }
 
@@ -61,7 +61,7 @@ void print_check(const CheckResult& c) {
     std::puts(fmt::format("           usually: {}", c.hint).c_str());
 }
 
-/// "12 checks do not apply, 3 checks depend on one that failed: --verbose lists them".
+/// Prints "12 checks do not apply, 3 checks depend on one that failed: --verbose lists them".
 void print_number_of_skipped(const ConformanceReport& report) {
   const auto depending = std::ranges::count_if(report.checks, &CheckResult::depends);
   const auto idle = std::ranges::count_if(report.checks, &CheckResult::skipped) - depending;
@@ -98,7 +98,7 @@ Json report_json(const ConformanceReport& report) {
   return {{"type", report.type}, {"passed", report.passed()}, {"checks", checks}, {"timings", timings}};
 }
 
-/// Checks all targets, and prints each report at once, unless JSON is wanted.
+/// Checks all targets, and prints each report as soon as it is complete, unless JSON is requested.
 std::vector<ConformanceReport> check_all(const Targets& found, const TestOptions& options) {
   std::vector<ConformanceReport> reports;
   const auto check = [&](const std::string& type, auto&& make) {

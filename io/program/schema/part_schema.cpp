@@ -46,9 +46,9 @@ Json geometry_schema(const scenes::GeometryKey& key) {
   }
 }
 
-/// Data of elements that the geometry does not give stand in the part's table.
+/// Adds data of elements that the geometry does not provide as keys of the part's table.
 void put_data(Json& part, const ElementType& e, bool required) {
-  if (e.element.stencil == NETLOFT_BAR_PAIR) return;  // the ropes that it stands between give it all
+  if (e.element.stencil == NETLOFT_BAR_PAIR) return;  // the two ropes provide all data
   const double inf = std::numeric_limits<double>::infinity();
   for (const auto& datum : e.data)
     if (!find_datum_on(e.element.stencil, datum.name))
@@ -60,7 +60,7 @@ void put_data(Json& part, const ElementType& e, bool required) {
           required);
 }
 
-/// `drag = "hydro/morison"`, or a table with the law and its parameters.
+/// Adds the laws of an element: `drag = "hydro/morison"`, or a table with the law and its parameters.
 void put_laws(Json& part, const ElementType& e) {
   for (const auto& slot : e.laws) {
     const Json name = text(std::string(slot.doc) + ", such as " + slot.fallback);
@@ -69,7 +69,7 @@ void put_laws(Json& part, const ElementType& e) {
   }
 }
 
-/// Elements that come with those of a part bring parameters of their own.
+/// Adds the parameters of companion elements, which come with those of a part.
 void put_companions(Json& part, const ElementType& e, const PluginContent& plugin) {
   for (const auto& other : plugin.elements)
     if (other.rides_on && std::string_view(other.rides_on) == e.element.name)
@@ -84,7 +84,8 @@ Json begin_part(const ElementType& e) {
   return part;
 }
 
-/// `twine = "pe-braided-4mm"`, or a table that overrides values of the part it names, or all values.
+/// Allows catalogue parts: `twine = "pe-braided-4mm"`, or a table that overrides values of a named part, or
+/// one with all values.
 void let_name_catalogue_parts(Json& part) {
   for (const auto& key : gears::part_keys()) {
     if (!part["properties"].contains(key)) continue;
@@ -108,7 +109,7 @@ Json end_part(Json part, const ElementType& e, const PluginContent& plugin) {
   return part;
 }
 
-/// A part with a geometry of its own.
+/// The schema of a part with its own geometry.
 Json part_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
   for (const auto& key : scenes::geometry_keys(scenes::layout_of(e)))
@@ -117,7 +118,7 @@ Json part_schema(const ElementType& e, const PluginContent& plugin) {
   return end_part(std::move(part), e, plugin);
 }
 
-/// A part on a region of a mesh.
+/// The schema of a part on a region of a mesh.
 Json mesh_part_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
   part["title"] = e.type + " on a mesh";
@@ -127,7 +128,7 @@ Json mesh_part_schema(const ElementType& e, const PluginContent& plugin) {
   return end_part(std::move(part), e, plugin);
 }
 
-/// A part on the nodes of others, which may give it its data.
+/// The schema of a part on the nodes of others, which may provide its data.
 Json rider_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
   part["title"] = e.type + " on other parts";
@@ -159,7 +160,7 @@ void PartSchema::add(const ElementType& e, const PluginContent& plugin) {
   definitions[name + "-on"] = rider_schema(e, plugin);
   types_.push_back(e.type);
   offers_.push_back(reference(name + "-on"));
-  if (e.is_on_body()) return check(e, reference(name + "-on"));  // [bodies] makes what it stands on
+  if (e.is_on_body()) return check(e, reference(name + "-on"));  // [bodies] makes the body under it
   definitions[name] = part_schema(e, plugin);
   definitions[name + "-mesh"] = mesh_part_schema(e, plugin);
   offers_.push_back(reference(name));

@@ -6,12 +6,12 @@
 namespace netloft::program::schema {
 
 /// Schemas of parts, by type and by whether the part uses the nodes of others. They serve two readers:
-/// `allOf` leads a checker to the one schema that applies, so that it can name the wrong key; `anyOf`, which
-/// is always true, offers an editor all of them for completion.
+/// `allOf` directs a validator to the one schema that applies, so that it can name the wrong key; `anyOf`,
+/// which always matches, offers an editor all of them for completion.
 class PartSchema {
  public:
   void add(const ElementType& e, const PluginContent& plugin);
-  /// The same for a rigid body.
+  /// Adds a rigid body.
   void add_body(const ElementType& e, const PluginContent& plugin);
   Json schema() const;
   Json definitions = Json::object();

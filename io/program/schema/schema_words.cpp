@@ -11,7 +11,7 @@ namespace netloft::program::schema {
 
 namespace {
 
-/// A column of numbers, each an SI number or a text with a unit, or numbers with one unit for all.
+/// A column: numbers that are each an SI number or a text with a unit, or numbers with one common unit.
 Json column_schema(const char* unit, const std::string& doc) {
   const double inf = std::numeric_limits<double>::infinity();
   const Json each = {{"type", "array"}, {"items", quantity(unit, -inf, inf, doc)}, {"minItems", 1}};

@@ -10,16 +10,16 @@
 /// Building blocks of JSON schemas.
 namespace netloft::program::schema {
 
-/// A table without keys, which allows only the keys that are put in.
+/// A table that allows only keys that are added to it.
 Json object();
 Json text(const std::string& doc);
-/// An SI number, or a text with a unit.
+/// The schema of an SI number, or a text with a unit.
 Json quantity(const std::string& unit, double lo, double hi, const std::string& doc);
-/// A table of columns by name; the first has the abscissa.
+/// A table of columns by name; the first column is the abscissa.
 Json columns_schema(const std::string& doc,
                     std::initializer_list<std::pair<const char*, const char*>> columns);
 
-/// Puts a schema at a dotted name, making tables on the way.
+/// Adds a schema at a dotted name, and creates the tables in between.
 void put(Json& owner, const std::string& name, const Json& schema, bool required);
 void put_table(Json& owner, std::span<const netloft_parameter> table);
 /// Removes repeated names from the required keys.

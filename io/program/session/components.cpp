@@ -88,13 +88,13 @@ std::string element_text(const ElementType& e) {
   return text;
 }
 
-/// "[1, 100000]", "(0, 10]".
+/// An interval as text: "[1, 100000]", "(0, 10]".
 std::string interval(const formats::Range& range) {
   return fmt::format("{}{:g}, {:g}{}", range.lo_open ? "(" : "[", range.lo, range.hi,
                      range.hi_open ? ")" : "]");
 }
 
-/// "4 ", "2 or more ".
+/// A count as text: "4 ", "2 or more ".
 std::string count_text(const formats::Count& count) {
   return count.least == count.most ? fmt::format("{} ", count.least)
                                    : fmt::format("{} or more ", count.least);
@@ -159,7 +159,7 @@ const char* file_of(const PluginOrigin& origin) {
   return origin.file.empty() ? "compiled in" : origin.file.c_str();
 }
 
-/// A solver, an integrator or a strategy: a component of the analysis, with a table of its name.
+/// Describes a solver, an integrator or a strategy, which has a table with its name in the analysis.
 std::string analysis_text(const std::string& type, const char* doc, const char* kind,
                           const PluginOrigin& origin, std::span<const netloft_parameter> parameters) {
   std::string text;

@@ -13,7 +13,7 @@ namespace netloft::program {
 
 using Json = nlohmann::ordered_json;
 
-/// One component, whatever its kind, as a row of `list`, as a page and as JSON.
+/// One component of any kind, as a row of `list`, as a page and as JSON.
 struct Component {
   std::string type, kind, doc;
   std::function<std::string()> text;
@@ -22,11 +22,11 @@ struct Component {
 
 std::vector<Component> components_of(const PluginContent& plugin);
 
-/// Rows of a parameter table.
+/// The rows of a parameter table, as JSON or as text.
 Json parameter_json(std::span<const netloft_parameter> table);
 std::string parameter_text(std::span<const netloft_parameter> table);
 
-/// JSON schema of scene files, from the tables of all plugins that can be found.
+/// JSON schema of scene files, from the tables of all available plugins.
 Json scene_schema(Registry& registry);
 
 }  // namespace netloft::program

@@ -6,11 +6,11 @@
 
 namespace netloft::program {
 
-/// Errors of an input for programs: one JSON object with `status` and `errors`.
+/// Errors of an input as one JSON object with `status` and `errors`, for programs.
 std::string errors_json(const formats::Diagnostics& diagnostics, int exit_code);
-/// The same for one sentence without a place.
+/// The same object for a single error without a place.
 std::string error_json(const std::string& message, int exit_code);
-/// The file that was written without errors.
+/// One JSON object that names a file written without errors.
 std::string done_json(const std::string& output);
 
 }  // namespace netloft::program

@@ -5,9 +5,9 @@
 
 namespace netloft::program {
 
-/// Adds folders in the order of search: --plugins, NETLOFT_PLUGINS, the installed one.
+/// Adds folders of plugins in the order of search: --plugins, NETLOFT_PLUGINS, the installed folder.
 void find_plugins(const PluginOptions& options, Registry& registry);
-/// The same, with the folder of the scene after --plugins if --scene-plugins is given.
+/// Adds the same folders, and with --scene-plugins that of the scene after those of --plugins.
 void find_scene_plugins(const SceneOptions& options, Registry& registry);
 
 }  // namespace netloft::program

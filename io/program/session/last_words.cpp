@@ -23,7 +23,7 @@ namespace netloft::program {
 
 namespace {
 
-/// A text for a signal handler, put together beforehand because little is safe inside a handler.
+/// A text for a signal handler. It is assembled in advance, because few functions are safe inside a handler.
 template <std::size_t size>
 struct Words {
   char bytes[size] = {};
@@ -35,7 +35,7 @@ struct Words {
 };
 
 Words<512> under_test;
-Words<4096> damaged, damaged_as_json;  // what is said of a file that is being read
+Words<4096> damaged, damaged_as_json;  // messages about the file that is being read
 
 void say(std::string_view words, int stream = STDERR_FILENO) {
   while (!words.empty()) {
@@ -64,7 +64,7 @@ const char* name_of_signal(int signal) {
   }
 }
 
-/// "rope/bar crashed in term elastic"
+/// Prints "rope/bar crashed in term elastic".
 void say_who(const CallFrame& frame, std::string_view did) {
   say_if(frame.type);
   say(did);
@@ -80,8 +80,8 @@ CallFrame innermost_plugin(const CallStack* calls) {
   return calls->innermost_plugin().value_or(CallFrame{});
 }
 
-/// Puts together who was at work when it happened; `did` is a phrase such as " crashed in ". Returns whether
-/// it was a plugin.
+/// Prints which component was running; `did` is a phrase such as " crashed in ". Returns whether it was a
+/// plugin.
 bool say_what_happened(std::string_view did) {
   const CallStack* calls = known_calls_of_this_thread();
   const CallFrame plugin = innermost_plugin(calls);
@@ -118,7 +118,7 @@ std::uintptr_t stack_pointer(void* context) {
 #endif
 }
 bool used_up_its_stack(int signal, const siginfo_t* info, void* context) {
-  constexpr std::uintptr_t kNear = std::uintptr_t{1} << 16;  // a call or a push misses by less
+  constexpr std::uintptr_t kNear = std::uintptr_t{1} << 16;  // a call or a push misses the stack by less
   const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr), top = stack_pointer(context);
   return signal == SIGSEGV && at + kNear > top && at < top + kNear;
 }
@@ -126,16 +126,16 @@ bool used_up_its_stack(int signal, const siginfo_t* info, void* context) {
 bool used_up_its_stack(int, const siginfo_t*, void*) { return false; }
 #endif
 
-// The earlier handlers of signals: none, or those of a sanitizer.
+// The earlier handlers of the signals: the default ones, or those of a sanitizer.
 struct sigaction before[NSIG];
 
-/// After a crash of the program itself, the earlier handler runs, so that a core file is left.
+/// Restores the earlier handler after a crash of the program itself, so that a core file is written.
 void die_as_before(int signal) {
   say("\n");
   sigaction(signal, &before[signal], nullptr);
 }
 
-/// Ends the program after a crash of HDF5 on damaged bytes.
+/// Ends the program after a crash of HDF5 on a damaged file.
 [[noreturn]] void die_of_damaged_file() {
   say(damaged.view());
   say(damaged_as_json.view(), STDOUT_FILENO);
@@ -158,7 +158,7 @@ void die(int signal, siginfo_t* info, void* context) {
   _exit(kOther);
 }
 
-/// Ends the program in a check that takes too long or is interrupted.
+/// Ends the program during a check that takes too long or is interrupted.
 void end_check(int signal) {
   const bool is_over = signal == SIGPROF;
   const char* check = check_under_way();
@@ -180,7 +180,7 @@ void limit_checks(double seconds) {
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-/// Reports an end of the program that a plugin brought about.
+/// Reports that a plugin ended the program.
 void tell_of_an_early_end() {
   const CallStack* calls = known_calls_of_this_thread();
   if (under_test.empty() && !innermost_plugin(calls).type) return;
@@ -193,7 +193,7 @@ void tell_of_an_early_end() {
 }  // namespace
 
 void explain_crashes() {
-  calls_of_this_thread();  // with its stack for signals
+  calls_of_this_thread();  // creates the call stack record of this thread, with its stack for signals
   std::atexit(tell_of_an_early_end);
   std::at_quick_exit(tell_of_an_early_end);
   struct sigaction action {};

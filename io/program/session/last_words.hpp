@@ -7,17 +7,17 @@
 
 namespace netloft::program {
 
-/// From now on a crash of the program, or a plugin that calls exit, is reported on standard error, with the
-/// plugin that was at work, the call it was in, and whether its stack was used up. The exit code is then
-/// kOther.
+/// Reports later crashes of the program, and plugins that call exit, on standard error: the running plugin,
+/// its call, and whether the stack overflowed. The exit code is then kOther.
 void explain_crashes();
 
-/// The same for conformance checks of `type`, with the name of the check, until the next call. Checks may
-/// take `seconds` of processor time, and an interruption ends them, too. An empty type ends this.
+/// Reports crashes in the same way for conformance checks of `type`, with the name of the check, until the
+/// next call. Checks may take `seconds` of processor time, and an interruption also ends them. An empty type
+/// ends this mode.
 void explain_crashes_of(const std::string& type, double seconds = 0);
 
 /// During its lifetime a crash ends the program with a sentence about the file and exit code 2, because HDF5
-/// 1.10 reads beyond its memory on some damaged files. There may be one at a time.
+/// 1.10 reads outside its memory on some damaged files. Only one object may exist at a time.
 class DamagedFileWatch {
  public:
   DamagedFileWatch(const std::string& path, bool json);
@@ -26,7 +26,7 @@ class DamagedFileWatch {
   DamagedFileWatch& operator=(const DamagedFileWatch&) = delete;
 };
 
-/// Runs an action on a result file that may be damaged. Errors of the file become UsageErrors.
+/// Calls a function on a result file that may be damaged. Errors of the file become UsageErrors.
 template <class Action>
 auto on_file(const std::string& path, bool json, Action&& action) {
   const DamagedFileWatch watch(path, json);

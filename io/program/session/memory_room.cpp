@@ -14,14 +14,14 @@ namespace netloft::program {
 
 namespace {
 
-// OpenBLAS 0.3.21 asks for 128 MiB at once (BUFFER_SIZE of x86-64, seen with strace); the rest is for the
-// smallest scene beside it.
+// OpenBLAS 0.3.21 requests 128 MiB at once (BUFFER_SIZE of x86-64, seen with strace); the rest suffices for
+// the smallest scene.
 constexpr std::size_t kMebibyte = std::size_t{1} << 20, kRoom = 144 * kMebibyte;
 
-// Fraction of the memory within reach below which a forecast is not reported.
+// Fraction of the available memory below which a forecast is not reported.
 constexpr double kLittle = 0.25;
 
-// Least fraction of the forecast that a run takes (io/runs/README.md).
+// Least measured memory of a run as a fraction of the forecast (io/runs/README.md).
 constexpr double kSurely = 0.85;
 
 std::string gibibytes(double bytes) { return fmt::format("{:.3g} GiB", bytes / 0x1p30); }

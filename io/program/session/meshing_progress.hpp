@@ -9,7 +9,7 @@ namespace netloft::program {
 
 class Terminal;
 
-/// Shows the progress of meshing while a scene is read, from a thread of its own because one step may take
+/// Shows the progress of meshing while a scene is read. It uses its own thread, because one step may take
 /// long. Nothing else may write to the terminal during its lifetime.
 class MeshingProgress {
  public:

@@ -5,7 +5,7 @@
 
 namespace netloft::program {
 
-/// Options of every command that answers people and programs.
+/// Options of every command that has an answer.
 struct CommonOptions {
   std::string color = "auto";  // --color
   bool json = false;           // --json
@@ -20,7 +20,7 @@ struct PluginOptions : CommonOptions {
 struct SceneOptions : PluginOptions {
   std::string scene;             // SCENE
   std::vector<std::string> set;  // --set path=value
-  int threads = 0;               // --threads; 0: as many as the machine has
+  int threads = 0;               // --threads; 0: one per core of the machine
   bool scene_plugins = false;    // --scene-plugins
 };
 
@@ -29,12 +29,12 @@ struct MethodOptions : SceneOptions {
   std::string strategy, solver;  // --strategy, --solver NAME[:key=value[,key=value]]
 };
 
-/// Something wrong with the command line: exit 2.
+/// An error of the command line: exit code 2.
 struct UsageError {
   std::string message;
 };
 
-/// Exit codes: the promise of the README.
+/// Exit codes, as documented in the README.
 enum Exit { kDone = 0, kOther = 1, kWrongInput = 2, kNotConverged = 3, kRefused = 4, kInterrupted = 130 };
 
 }  // namespace netloft::program

@@ -8,7 +8,7 @@ std::filesystem::path installed_prefix() {
   return std::filesystem::read_symlink("/proc/self/exe", none).parent_path().parent_path();
 }
 
-/// The flags of cmake/NetloftPlugin.cmake.
+/// The same flags as in cmake/NetloftPlugin.cmake.
 std::string compiler_flags() {
   const std::string prefix = installed_prefix().string();
   return "-std=c++20 -O2 -fPIC -shared -fvisibility=hidden -fvisibility-inlines-hidden -ffp-contract=off "

@@ -5,8 +5,8 @@
 
 namespace netloft::program {
 
-/// The folder that holds bin/netloft, lib/netloft and include/netloft, wherever it was moved. The build
-/// folder is laid out in the same way.
+/// The folder that contains bin/netloft, lib/netloft and include/netloft, even after it was moved. The build
+/// folder has the same layout.
 std::filesystem::path installed_prefix();
 
 /// Flags that compile a plugin: `c++ $(netloft --cflags) otter.cpp -o otter.so`.

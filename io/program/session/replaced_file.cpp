@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// ".svg or .png"
+/// The extensions as text: ".svg or .png".
 std::string list_of(const std::vector<std::string>& endings) {
   std::string list;
   for (const auto& ending : endings) list += (list.empty() ? "" : " or ") + ending;

@@ -8,21 +8,22 @@ namespace netloft::program {
 
 class Terminal;
 
-/// Replaces the file `output` by `content`, whole or not at all: the new file is written beside it and
-/// renamed (io/formats/files). Throws UsageError for a folder, a device, one of `sources`, and for a name
-/// without one of `endings`, such as ".svg" (none allows any); WriteError if the system refuses.
+/// Replaces the file `output` by `content` completely or not at all: the new file is written beside it and
+/// renamed (io/formats/files). Throws UsageError if `output` is a folder, a device or one of `sources`, or
+/// has none of the `endings`, such as ".svg" (without `endings`, all are allowed). Throws WriteError if the
+/// system refuses.
 void replace_file(const std::string& output, const std::string& content,
                   const std::vector<std::string>& sources, const std::vector<std::string>& endings = {});
 
-/// Throws UsageError if `file`, which `option` names, is not empty and has none of the endings.
+/// Throws UsageError if `file`, the value of `option`, is not empty and has none of the endings.
 void require_ending(const std::string& option, const std::string& file,
                     const std::vector<std::string>& endings);
 
-/// Throws UsageError if `file` cannot be written: over one of `sources`, over a folder or device, or in a
-/// folder that does not exist. An empty name is no file.
+/// Throws UsageError if `file` cannot be written: if it is one of `sources`, a folder or a device, or is in a
+/// folder that does not exist. An empty name passes.
 void require_place(const std::string& file, const std::vector<std::string>& sources);
 
-/// Calls `write` after the answer was printed, so that a full disk costs these files alone. Reports a
+/// Calls `write` after the answer was printed, so that a full disk affects only these files. Reports a
 /// failure. Returns `code`, or kOther after a failure.
 int write_last(Terminal& terminal, int code, const std::function<void()>& write);
 

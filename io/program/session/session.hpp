@@ -8,12 +8,13 @@
 
 namespace netloft::program {
 
-/// The scene of a command line, and the terminal that reports what is wrong with it.
+/// The scene of a command line, and the terminal for its errors.
 class Session {
  public:
   explicit Session(const MethodOptions& options);
 
-  /// Reads, checks and assembles the scene. Returns kDone, or the exit code after saying why it is not ready.
+  /// Reads, checks and assembles the scene. Returns kDone, or the exit code after reporting why it is not
+  /// ready.
   int open();
 
   runs::PreparedScene& scene() { return scene_; }
@@ -25,20 +26,21 @@ class Session {
   runs::PreparedScene scene_;
 };
 
-/// The scene of a command line with --set and, of commands that have them, --strategy and --solver.
+/// The scene of a command line with the changes of --set and, if the command has them, --strategy and
+/// --solver.
 runs::CaseSource source_of(const SceneOptions& options);
 runs::CaseSource source_of(const MethodOptions& options);
 
-/// `threads`, or as many as the machine has if that is 0.
+/// Returns `threads`, or the number of cores of the machine if that is 0.
 int threads_for(int threads);
 
 /// The files that a scene was read from.
 std::vector<std::string> paths_of(const scenes::LoadedScene& loaded);
 
-/// Facts for the printed plan of a scene that is ready, without the memory forecast.
+/// Facts for the printed plan of a prepared scene, without the memory forecast.
 results::PlanExtras plan_extras(runs::PreparedScene& scene);
 
-/// Says on the terminal, and as JSON, why a scene is not ready. Returns the exit code.
+/// Reports on the terminal, and as JSON, why a scene is not ready. Returns the exit code.
 int report_unready(const formats::Diagnostics& diagnostics, runs::PreparedScene::State state,
                    Terminal& terminal);
 

@@ -24,15 +24,15 @@ bool wants_color(const std::string& choice, bool is_terminal) {
   return is_terminal && !(no_color && *no_color) && term && std::string(term) != "dumb";
 }
 
-/// Fraction of the way from the first residual to the wanted one, in decades.
+/// Progress from the first residual to the required one, as a fraction of the powers of ten in between.
 double fraction_done(const IterationRecord& r, double first, double tolerance) {
   const double goal = tolerance * r.scale;
   if (!(r.residual > 0 && goal > 0 && first > goal)) return 1;
   return std::clamp(std::log(first / r.residual) / std::log(first / goal), 0.0, 1.0);
 }
 
-/// Seconds that a stage still takes if its residual keeps falling at the same rate; empty during the first
-/// tenth of its way, when the rate is not known.
+/// Seconds that a stage will still take if its residual keeps decreasing at the same rate; empty during the
+/// first tenth, when the rate is not yet known.
 std::string seconds_left(double done, double seconds) {
   constexpr double kKnown = 0.1;
   return done > kKnown ? fmt::format("{:.0f}", seconds * (1 - done) / done) : "";
@@ -43,13 +43,13 @@ std::string bar_of(double fraction) {
                      std::string(static_cast<std::size_t>(20 * std::clamp(fraction, 0.0, 1.0)), '='));
 }
 
-/// A number of a JSON object, which has no infinity.
+/// Formats a number for JSON; null if it is not finite, because JSON has no infinity.
 std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.3e}", value) : "null"; }
 
-// seconds between two signs of progress
+// seconds between two updates of progress
 constexpr double kRedraw = 0.1, kEvent = 1, kLogLine = 60;
 
-constexpr double kSilentMeshing = 2;  // seconds without a sign of progress
+constexpr double kSilentMeshing = 2;  // seconds before meshing shows progress
 
 }  // namespace
 
@@ -65,10 +65,10 @@ void Terminal::say(const std::string& text) {
   if (!text.empty() && text.back() != '\n') std::fputc('\n', stderr);
 }
 
-/// Seconds between two lines.
+/// Seconds between two updates.
 double Terminal::pause() const { return json_ ? kEvent : is_terminal_ ? kRedraw : kLogLine; }
 
-/// Whether it is time for another line.
+/// Whether the next update is due.
 bool Terminal::is_due(double now) {
   if (now - begun_ < 1 || now - last_ < pause()) return false;
   last_ = now;

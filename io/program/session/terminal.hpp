@@ -8,11 +8,11 @@
 
 namespace netloft::program {
 
-/// Standard error: messages, and a line of progress.
+/// Standard error: messages and a progress line.
 class Terminal {
  public:
-  /// --color auto means colour on a terminal that is not dumb, unless NO_COLOR is set. With --json progress
-  /// is JSON objects, one a line.
+  /// --color auto means colour on a terminal that is not dumb, unless NO_COLOR is set. With --json, progress
+  /// is written as one JSON object per line.
   explicit Terminal(const CommonOptions& options);
   ~Terminal() { clear(); }
   Terminal(const Terminal&) = delete;
@@ -22,18 +22,19 @@ class Terminal {
   bool json() const { return json_; }
   void say(const std::string& text);
 
-  /// Shows the progress of a search after the first second: a redrawn line on a terminal, a line of key=value
-  /// a minute in a log, a JSON object a second for programs. A new stage begins when iterations are counted
-  /// from 0 again.
+  /// Shows the progress of a search after the first second: a line that is redrawn on a terminal, a line of
+  /// key=value per minute in a log, a JSON object per second for programs. A new stage begins when the
+  /// iteration number returns to 0.
   void progress(const IterationRecord& record, double tolerance);
-  /// The same for a motion at t [s] of `end` after `seconds` of wall time, with the time that is left at this
-  /// speed. `run` is its name if it is one of several.
+  /// Shows the progress of a motion at t [s] of `end` after `seconds` of wall time, with the remaining time
+  /// at this rate. `run` is its name if there are several.
   void progress_in_time(double t, double end, double seconds, const std::string& run = {});
-  /// The same for work in steps: `done` of `all` (0 if that is not known) `things` ("items"). `last` names
-  /// the last one.
+  /// Shows the progress of work in steps: `done` of `all` (0 if unknown) `things` ("items"). `last` names the
+  /// last one.
   void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
                          const std::string& last);
-  /// The same for meshing, after two seconds: the panel or step under way, and the number of nodes so far.
+  /// Shows the progress of meshing after two seconds: the current panel or step, and the number of nodes so
+  /// far.
   void progress_in_meshing(const std::string& step, std::size_t nodes);
   void clear();
 
@@ -48,18 +49,18 @@ class Terminal {
   double first_residual_ = 0, stage_begun_ = 0;
 };
 
-/// Sets the action of interruptions: SIGINT, SIGTERM, SIGQUIT, and SIGHUP unless `nohup` has it ignored.
+/// Sets the handler of interruptions: SIGINT, SIGTERM, SIGQUIT, and SIGHUP unless `nohup` made it ignored.
 void on_interrupts(void (*action)(int));
 
 /// Until catch_interrupts() is called, an interruption ends the program at once with a sentence, because
-/// nothing has been found that could be lost.
+/// there are no results to lose.
 void end_on_interrupts(bool json);
 
-/// Set by the first SIGINT, SIGTERM, SIGHUP or SIGQUIT; a second one ends the program at once.
+/// True after the first SIGINT, SIGTERM, SIGHUP or SIGQUIT. A second signal ends the program at once.
 const std::atomic<bool>& interrupt_flag();
 void catch_interrupts();
 
-/// Reports an interruption and what there is so far, such as "the table has 3 of 7 depths". Returns the exit
+/// Reports an interruption and the results so far, such as "the table has 3 of 7 depths". Returns the exit
 /// code.
 int end_interrupted(Terminal& terminal, const std::string& what_is_left);
 

@@ -19,15 +19,17 @@ namespace netloft::program {
 
 namespace {
 
-constexpr double kLook = 0.1;  // [s] between two looks
-constexpr double kGrace = 2;   // [s] a call may still take; a factorisation of the host's is no call
-constexpr std::uint64_t kCallbacks = 1000;  // no shipped solver makes a tenth of these between two answers
-constexpr unsigned kLastAct = 10;           // [s] for writing what was found
-constexpr double kPark = 5;                 // [s] for a thread to come to the boundary
+constexpr double kLook = 0.1;  // [s] between two inspections
+// [s] that a call may still take; a factorisation of the host is not a call of a plugin
+constexpr double kGrace = 2;
+// No built-in solver makes a tenth of these between two checks of interruption
+constexpr std::uint64_t kCallbacks = 1000;
+constexpr unsigned kLastAct = 10;  // [s] for writing the results
+constexpr double kPark = 5;        // [s] for a thread to reach the boundary of plugins
 
 int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConverged; }
 
-/// Ends the program if the last act takes too long, because a plugin that it needs does not come back either.
+/// Ends the program if the last act takes too long, because another plugin call in it never returns.
 void give_up(int) {
   constexpr char words[] = "netloft: what was found could not be written: a plugin does not come back\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
@@ -41,7 +43,7 @@ void limit_last_act() {
   alarm(kLastAct);
 }
 
-/// The innermost method that has not returned in all that time.
+/// The innermost method that has not returned since its thread is watched.
 CallFrame caller_for_ever(const CallStack& calls) {
   for (std::uint32_t i = std::min(calls.lowest(), CallStack::kDeepest); i-- > 0;)
     if (const CallFrame frame = calls.at(i); frame.kind == CallFrame::Kind::method) return frame;
@@ -83,7 +85,7 @@ void Watchdog::watch() {
   }
 }
 
-/// Compares the calls of all threads with those at the last look.
+/// Compares the calls of all threads with those at the last inspection.
 void Watchdog::look(bool interrupted, double now) {
   if (seen_.empty()) over_since_ = now;
   for (CallStack* calls : calls_of_all_threads()) {

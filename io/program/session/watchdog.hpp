@@ -14,19 +14,19 @@ namespace netloft::program {
 
 class Terminal;
 
-/// A plugin that went on after its time was over.
+/// A plugin that continued after its time was over.
 struct Overdue {
-  bool interrupted = false;  // by the user; else the processor time of the analysis is used up
+  bool interrupted = false;  // true: by the user; false: the processor time of the analysis is used up
   std::string sentence;      // "loops/forever, solve, did not come back for 2 s after Ctrl-C"
 };
 
-/// Ends a run that a plugin keeps from ending. Solvers check between two steps for an interruption and for
-/// the time limit, but a call of a plugin may never return. The watchdog runs in a thread of its own and
-/// calls `last_act` if, after an interruption or the limit,
+/// Ends a run whose plugin does not return. Solvers check for interruptions and for the time limit between
+/// steps, but a call of a plugin may never return. The watchdog runs in its own thread and calls `last_act`
+/// if, after an interruption or the limit,
 ///   the same call of a plugin has gone on for 2 s, or
 ///   a method has called the host 1000 times, and 2 s have passed.
-/// All other threads then wait at the boundary of plugins or are inside one, so that the results of the host
-/// can be written. The program ends with the code that `last_act` returns, or after ten seconds without it.
+/// All other threads then wait at the boundary of plugins or are inside a plugin, so that the host can write
+/// its results. The program ends with the code that `last_act` returns, or after ten seconds without it.
 class Watchdog {
  public:
   explicit Watchdog(std::function<int(const Overdue&)> last_act);
@@ -34,7 +34,7 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  /// Processor time that is allowed from now on [s].
+  /// Sets the processor time that is allowed from now on [s].
   void allow(double seconds);
 
  private:
@@ -59,8 +59,8 @@ class Watchdog {
   std::thread thread_;
 };
 
-/// A last act that reports the plugin and `what_is_left`, such as "the comparison ends here without a table",
-/// with --json also as one object.
+/// Makes a last act that reports the plugin and `what_is_left`, such as "the comparison ends here without a
+/// table", and with --json also prints both as one object.
 std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left);
 
 }  // namespace netloft::program

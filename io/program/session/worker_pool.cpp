@@ -22,17 +22,17 @@ namespace netloft::program {
 
 namespace {
 
-constexpr std::size_t kMostWords = 4096;  // of standard error that are looked at, from its end
+constexpr std::size_t kMostWords = 4096;  // bytes read from the end of standard error
 
 constexpr std::chrono::milliseconds kMoment{
     1};  // so short that nobody notices, so long that it costs nothing
 
 struct Worker {
   std::size_t job = 0;
-  int words = -1;  // its standard error, a file in memory
+  int words = -1;  // file descriptor of its standard error, a file in memory
 };
 
-/// Replaces this process by the program of a command line. Returns only if that fails.
+/// Replaces this process by the program of a command line. Returns only on failure.
 void become(const std::vector<std::string>& command, int words, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(128 + SIGTERM);
@@ -86,7 +86,7 @@ class Pool {
     workers_[pid] = {job, words};
   }
 
-  /// Waits a moment for one to end. Returns whether one has.
+  /// Waits briefly for a worker to end. Returns whether one has ended.
   bool wait_for_one(std::size_t& job, WorkerEnd& end) {
     int status = 0;
     const pid_t pid = waitpid(-1, &status, WNOHANG);

@@ -15,8 +15,8 @@ constexpr double kRoundOff =
 
 struct ComparedNumber {
   std::string unit;
-  double value = NumberDifference::kUnknown,
-         error = NumberDifference::kUnknown;  // error: of solver and mesh together
+  // The error is that of solver and mesh together
+  double value = NumberDifference::kUnknown, error = NumberDifference::kUnknown;
 };
 using NumberMap = std::map<std::string, ComparedNumber>;
 

@@ -9,8 +9,8 @@ namespace netloft::results {
 
 namespace {
 
-constexpr double kRoundsToNothing =
-    0.005;  // fractions are printed in whole per cent, so that smaller ones print as 0 %
+// Fractions are printed in whole per cent, so that smaller ones print as 0 %
+constexpr double kRoundsToNothing = 0.005;
 
 std::string parts_text(const Scene& scene, const std::vector<std::uint32_t>& parts) {
   constexpr std::size_t kNamed = 3;

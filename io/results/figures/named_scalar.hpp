@@ -14,9 +14,9 @@ struct NamedScalar {
   double solver_error = kUnknown;  // change of the value by the next Newton step
   double mesh_error = kUnknown;    // bound of the distance from the limit under mesh refinement
   double mesh_order = kUnknown;    // observed order of convergence
-  double least = kUnknown,
-         largest = kUnknown;  // range over all equilibria that were found, if there were several
-  // change of the value per metre of movement of the furthest node of a growing motion
+  // Range over all equilibria that were found, if there were several.
+  double least = kUnknown, largest = kUnknown;
+  // Change of the value per metre of movement of the furthest node of a growing motion.
   double per_swing = kUnknown;
 };
 

@@ -72,8 +72,8 @@ std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const
     const ElementFamily& family = *assembler.families()[f];
     for (std::size_t k = 0; k < family.type().outputs.size(); ++k) {
       if (family.type().outputs[k].role != NETLOFT_OUTPUT_DOUBT) continue;
-      std::map<std::uint32_t, std::array<std::size_t, 2>>
-          elements;  // by part: number of elements in doubt, number of all
+      // Number of elements in doubt and number of all elements, by part
+      std::map<std::uint32_t, std::array<std::size_t, 2>> elements;
       for (std::size_t e = 0; e < family.size(); ++e) {
         auto& [in_doubt, all] = elements[family.part(e)];
         in_doubt += answer.outputs[f][k][e] != 0;

@@ -78,8 +78,8 @@ struct FoundShapes {
 /// The motion that grows about an equilibrium with oscillating or steady instability.
 struct Swing {
   std::string furthest;  // the node with the largest displacement
-  double rate = 0,
-         frequency = 0;  // growth rate [1/s], 0: not known; angular frequency [rad/s], 0: no oscillation
+  // Growth rate [1/s], 0: not known; angular frequency [rad/s], 0: no oscillation
+  double rate = 0, frequency = 0;
 };
 
 /// One solve of the search, of the scene itself or of an easier variant.
@@ -143,11 +143,11 @@ struct Result {
   std::vector<PartLoad> part_forces;          // by term, then by part
   std::vector<HoldForce> hold_forces;
   std::array<double, 3> balance{};  // sum of all forces on the gear, holds included [N]
-  double residual = NamedScalar::kUnknown,
-         largest_load = NamedScalar::kUnknown;  // residual, largest load: at one node [N]
-  double energy = NamedScalar::kUnknown;        // sum over the forces that have an energy [J]
-  std::optional<FoundShapes> shapes;            // empty: there was no search for other equilibria
-  std::optional<Swing> swing;                   // empty: no motion grows
+  // Residual, largest load: at one node [N]
+  double residual = NamedScalar::kUnknown, largest_load = NamedScalar::kUnknown;
+  double energy = NamedScalar::kUnknown;  // sum over the forces that have an energy [J]
+  std::optional<FoundShapes> shapes;      // empty: there was no search for other equilibria
+  std::optional<Swing> swing;             // empty: no motion grows
   std::vector<Material> materials;
   std::int64_t unknowns = 0;
   double work = 0;  // in the units of work.hpp

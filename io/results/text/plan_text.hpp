@@ -13,8 +13,8 @@ struct PlanExtras {
   int threads_given = 1, threads_used = 1;
   std::string strategy, attempts;  // attempts: those of the strategy with their reasons, a line each
   std::string material_damping;    // the loss factors that apply to a motion, or why none does
-  double memory = 0, factor_memory = 0,
-         stability_memory = 0;  // expected memory: total, factor, stability check [bytes]
+  // Expected memory: total, factor, stability check [bytes]
+  double memory = 0, factor_memory = 0, stability_memory = 0;
 };
 
 /// The forces that each family of elements evaluates, and why the others are off.

@@ -31,8 +31,8 @@ struct MethodResult {
   Method method;
   std::vector<Trial> trials;
   std::optional<ReferenceAnswer> reference;  // empty: no other solver converged
-  std::optional<OtherEquilibrium>
-      other;               // if set, the distances are not errors, and the trials have no errors
+  // If set, the distances are not errors, and the trials have no errors
+  std::optional<OtherEquilibrium> other;
   bool is_absent = false;  // true: its only trial gives the reason
 };
 

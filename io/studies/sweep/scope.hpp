@@ -29,8 +29,8 @@ struct ScopeRow {
   double depth = 0;
   std::vector<ScopePoint> points;  // in the order of increasing warp; complete unless the user interrupted
   std::optional<Interval> warp;    // lengths for which the boards are within their bands
-  std::optional<std::size_t>
-      chosen;                       // index of a point within `warp`: heel nearest to the middle of its band
+  // Index of a point within `warp`: heel nearest to the middle of its band
+  std::optional<std::size_t> chosen;
   std::vector<std::string> events;  // folds and jumps along the warp lengths
 };
 

@@ -7,8 +7,8 @@ namespace netloft::studies {
 
 /// One row of the table: a point and its results.
 struct StudyRow {
-  std::size_t item = 0, sample = 0,
-              point = 0;              // items and points count from 1; sample 0: nothing was sampled
+  // Items and points count from 1; sample 0: nothing was sampled
+  std::size_t item = 0, sample = 0, point = 0;
   std::vector<VariableValue> values;  // of the columns of the study
   PointRecord record;                 // for a missing item: the status "missing"
   std::vector<double> figures;        // in the order of StudyTable::figures; NaN: the point does not have it
