@@ -32,7 +32,7 @@ class LawWatch {
   /// `parameters` must be valid and outlive this object.
   LawWatch(const LawType& law, const ParameterBlock& parameters);
 
-  /// The law that elements call: the plain one if it has no range to watch.
+  /// The law that elements call: the plain law if it has no range to watch, otherwise this watch.
   netloft_bound_law bound() const;
   void begin() { watches_ = true; }
   /// Stops watching and returns the use since begin().

@@ -22,8 +22,8 @@ class MeanForces {
   /// become the derivatives of mean forces. Returns the first status other than NETLOFT_OK.
   int add(std::size_t family, const netloft_tile& tile, const Request& request, TileSums& sums,
           StepTile& step) const;
-  /// Updates the rates of stretch after a step that is accepted, (3) of mean_of_members.hpp. Returns false if
-  /// an element fails to write its members.
+  /// Updates the rates of stretch after an accepted step by (3) of mean_of_members.hpp. Returns false if an
+  /// element fails to write its members.
   bool remember(const StepEnds& ends, double memory, double time);
   /// Rates of stretch of the members of each family [m/s]; empty for families without members.
   std::vector<Memory>& rates() { return rates_; }

@@ -4,7 +4,7 @@
 
 namespace netloft {
 
-/// Tension of a member whose energy is ψ(l), l [m] its length, over a step from l₀ to l₁:
+/// Mean tension of a member of length l [m] and energy ψ(l) over a step from l₀ to l₁:
 ///   T̄ = (ψ(l₁) − ψ(l₀))/(l₁ − l₀)                                                               (1)
 /// The tension is linear in l on either side of the rest length, below which the member is slack. J. C. Simo
 /// and N. Tarnow, "The discrete energy-momentum method", ZAMP 43, 1992.

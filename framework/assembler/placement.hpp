@@ -31,7 +31,7 @@ class Placement {
   bool has_bodies() const { return !bodies_.empty(); }
   /// The origin of the body that carries a node; the node itself if no body carries it.
   std::uint32_t carrier(std::uint32_t node) const { return bodies_.carrier(node); }
-  /// Rates over all dofs at positions x from the rates of the unknowns and of the guides.
+  /// Computes the rates over all dofs at positions x from those of the unknowns and of the guides.
   void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
             std::span<double> all_v, std::span<double> all_a) const;
   /// Replaces rotation vectors of more than ¾ of a turn by the shorter vectors of the same rotations, in

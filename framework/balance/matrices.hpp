@@ -21,10 +21,10 @@ class Matrices {
 
   /// Storage in which an evaluation writes a matrix.
   std::vector<double>& slots(MatrixKind kind);
-  /// (1) for NETLOFT_EXACT, NETLOFT_CONVEX or NETLOFT_NONE, valid until the next sum; empty if A has not been
-  /// evaluated.
+  /// The sum (1) with A chosen by NETLOFT_EXACT, NETLOFT_CONVEX or NETLOFT_NONE. It is valid until the next
+  /// sum, and empty if A has not been evaluated.
   std::span<const double> shifted(int matrix, double shift);
-  /// (2), valid until the next sum; empty if K or K₊ has not been evaluated.
+  /// The sum (2). It is valid until the next sum, and empty if K or K₊ has not been evaluated.
   std::span<const double> between(double blend, double shift);
   /// y = (1) x over the unknowns. Returns false if A has not been evaluated.
   bool multiply(int matrix, double shift, const double* x, double* y);

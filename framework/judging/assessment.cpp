@@ -78,8 +78,8 @@ Stability stability_of(GrowthVerdict verdict) {
   }
 }
 
-/// Growth about a point at which the gear has come to rest: the elements remember that point (friction), and
-/// not the state from which the gear came.
+/// Finds the growth about a point at which the gear has come to rest. Its elements then remember this point
+/// (friction), not an earlier state.
 Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double gear_size) {
   Assembler& assembler = scene.assembler;
   const std::vector<double> past = assembler.memory();
@@ -99,8 +99,8 @@ void find_growing_motion(Assessment& a, const AssembledScene& scene, double gear
   a.growing = {std::move(growth.mode), std::move(growth.mode_later), growth.rate, growth.frequency};
 }
 
-/// Whether `a` is the equilibrium that was judged before: both are in one place, and their distance is no
-/// larger than the sum of their estimated errors.
+/// Whether `a` is the equilibrium that was judged before: their distance is at most kSamePlace of the gear's
+/// size, and at most the sum of their estimated errors.
 bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem& problem,
              const AssembledScene& scene) {
   const Assessment& before = judged.assessment;

@@ -6,9 +6,9 @@ namespace netloft {
 
 /// End of the band (6) in which growth per power does not differ from none.
 inline constexpr double kMarginalGrowth = 1.01;
-/// Least ratio of frequency to rate of an oscillation. A pair with a smaller ratio grows by exp(10 π) in half
-/// a period, from the rounding error of a double to the size of the gear, so that it never completes a
-/// period.
+/// Least ratio of frequency to rate of an oscillation. A pair of eigenvalues with a smaller ratio grows by
+/// exp(10 π) in half a period, from the rounding error of a double to the size of the gear, so that it never
+/// completes a period.
 inline constexpr double kOscillates = 0.1;
 
 enum class GrowthVerdict { none, marginal, grows, unknown };

@@ -17,7 +17,7 @@ class MarchTimes {
   double output(std::size_t i) const;
   /// Whether a march with these settings has an output at time t of another march.
   bool is_output(double t) const;
-  /// The next time after t at which a step has to end, without times that differ from t only by rounding.
+  /// The next time after t at which a step has to end. Times that differ from t only by rounding are skipped.
   double next_corner(double t) const;
 
  private:

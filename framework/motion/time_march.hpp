@@ -43,7 +43,7 @@ struct Snapshot {
 
 /// Report of an accepted step.
 struct StepRecord {
-  double t, h, end;  // [s]
+  double t, h, end;  // end of the step, its length, end of the march [s]
   std::int64_t steps, rejected;
   double seconds;  // wall time so far
 };

@@ -27,9 +27,9 @@ struct WinchMoment {
 /// tension is nearly right, and runs faster the larger the error. The drum has no mass. (2) has one solution
 /// if paying out reduces the tension. It is found with
 ///   T̄(w + s) = T̄(w) + S s                                                                         (3)
-/// for all winches that hold a tension together, with a matrix S. It is measured once by differences, and
-/// then updated after C. G. Broyden (Math. Comput. 19, 1965) from attempt to attempt and from step to step;
-/// each attempt solves the step again. Steps end at the beginning of a stage.
+/// for all winches that hold a tension together, with a matrix S. S is measured once by differences, and then
+/// updated after C. G. Broyden (Math. Comput. 19, 1965) from attempt to attempt and from step to step; each
+/// attempt solves the step again. Steps end at the beginning of a stage.
 class Winches {
  public:
   enum class Verdict { settled, again, lost };

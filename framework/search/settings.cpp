@@ -15,12 +15,12 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-// Constants of the search for factors. Changes are those of the logarithm of a factor, i.e. relative changes.
-// Change over which slopes are measured. It changes a tension by some percent. Equilibria are found to 1e-10
-// of the load, so that this difference has 7 digits.
+// Constants of the search for factors. Changes of factors are relative: they are changes of the logarithm.
+// kFirstChange is the change over which slopes are measured. It changes a tension by some percent. Equilibria
+// are found to 1e-10 of the load, so that this difference has 7 digits.
 constexpr double kFirstChange = 0.01;
-// Largest change in one step. From one length of warp to another that differs by 5 %, Newton's method
-// converges.
+// kLargestChange is the largest change in one step. From one length of warp to another that differs by 5 %,
+// Newton's method converges.
 constexpr double kLargestChange = 0.05;
 constexpr int kMostHalvings =
     3;  // of a step; 1/8 of 5 % is less than the change over which slopes are measured

@@ -11,8 +11,8 @@ namespace netloft {
 
 namespace {
 
-// Energies count as equal within this fraction of the energy, or of the work of the largest load over the
-// size of the gear: the change of a stationary energy within one place.
+// Energies count as equal if they differ by at most this fraction of the energy, or of the product of the
+// largest load and the size of the gear. A stationary energy changes by that much within one place.
 constexpr double kSameEnergy = kTolerance;
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }

@@ -18,7 +18,7 @@
 
 namespace netloft::wide {
 
-/// Vectors as wide as one register, at any address.
+/// Vectors as wide as one register. They may be at any address.
 struct Two {
   typedef double V __attribute__((vector_size(16), aligned(8), may_alias));
   static constexpr int kLanes = 2;
