@@ -103,7 +103,7 @@ CataloguePart read_part(const std::string& name, const PartKind& kind, const Fil
   return part;
 }
 
-/// Sorted, so that the order of messages is the same on all systems.
+/// The .toml files of a folder, sorted so that the order of messages is the same on all systems.
 std::vector<std::filesystem::path> toml_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code none;

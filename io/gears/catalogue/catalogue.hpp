@@ -12,20 +12,19 @@
 
 namespace netloft::gears {
 
-/// One part, as a catalogue describes it.
-///
-/// Fibres, wires and links fill only a fraction of the cross-section of a line; water fills the rest. An
-/// element that treats a line as a homogeneous cylinder needs the density
+/// One part as a catalogue describes it. Fibres, wires and links fill only a fraction of the cross-section of
+/// a line; water fills the rest. An element that treats a line as a homogeneous cylinder has the correct
+/// weight in water with the density
 ///   ρ = ρ_w + m/A (1 − ρ_w/ρ_m),   A = π d²/4      (1)
-/// for its weight in the water to be that of its material. m [kg/m] mass of a metre, ρ_m [kg/m³] of the
-/// material, d [m] diameter, ρ_w = 1025 kg/m³; of a part that states ρ itself, (1) is not used. For pieces:
+/// m [kg/m] mass of a metre, ρ_m [kg/m³] density of the material, d [m] diameter, ρ_w = 1025 kg/m³. (1) is
+/// not used for a part that states ρ itself. For pieces such as floats:
 ///   V = m/ρ_m                                      (2)
 struct CataloguePart {
   std::string name;
   const PartKind* kind = nullptr;
   std::map<std::string, double> numbers;         // by key, in the units of its kind
   std::map<std::string, std::string> texts;      // source, uncertainty, …
-  std::map<std::string, formats::Value> tables;  // as they are written
+  std::map<std::string, formats::Value> tables;  // unchanged from the file
   std::string file;
 };
 
@@ -42,12 +41,12 @@ class Catalogue {
   /// The parts of one file.
   static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
-  /// Moves all places from file `f` of some diagnostics to file `f + by` of others.
+  /// Adds `by` to the file index of all places, to refer to the files of other diagnostics.
   void shift_files(int by);
 
-  /// Null if no part of these kinds has the name.
+  /// The part of this name; null if no part of these kinds has the name.
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
-  /// In the order in which they were read.
+  /// The parts in the order in which they were read.
   const std::vector<CataloguePart>& parts() const { return parts_; }
   const std::vector<formats::SourceFile>& files() const { return files_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
@@ -64,7 +63,7 @@ class Catalogue {
   std::vector<std::filesystem::path> folders_;
 };
 
-/// The last catalogue that was loaded, with what was wrong with it. Files are read once.
+/// Stores the last catalogue that was loaded, and its messages, so that files are read only once.
 class KeptCatalogue {
  public:
   /// The catalogue of these folders. Its sources and messages are added to `diagnostics`.
@@ -73,8 +72,8 @@ class KeptCatalogue {
 
  private:
   std::vector<std::filesystem::path> folders_;
-  formats::Diagnostics said_;  // while it was loaded
-  int first_file_ = 0;         // its places count files from here
+  formats::Diagnostics said_;  // messages of the loading
+  int first_file_ = 0;         // index of its first file in the last diagnostics
   std::shared_ptr<const Catalogue> catalogue_;
 };
 

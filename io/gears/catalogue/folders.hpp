@@ -9,15 +9,15 @@
 
 namespace netloft::gears {
 
-/// The folders that are searched for catalogues: `own` (those a file names, in order), those in the variable
-/// NETLOFT_CATALOGUE (divided by colons), then the gear library: share/netloft/gear-library/catalogue beside
-/// the program or above it, so that the folder may be moved. One that the variable names and that cannot be
-/// read is an error.
+/// The folders that are searched for catalogues, in this order: `own`, which a file names; those in the
+/// variable NETLOFT_CATALOGUE, separated by colons; and the gear library,
+/// share/netloft/gear-library/catalogue beside the program or above it, so that the installation may be
+/// moved. A folder of the variable that cannot be read is an error.
 std::vector<std::filesystem::path> catalogue_folders(formats::Diagnostics& diagnostics,
                                                      std::vector<std::filesystem::path> own = {});
 
-/// The folders that the key `catalogue` of a document names, relative to `folder`. One that cannot be read is
-/// an error.
+/// The folders that the key `catalogue` of a document names, relative to `folder`. A folder that cannot be
+/// read is an error.
 std::vector<std::filesystem::path> named_folders(const formats::Value& document,
                                                  const std::filesystem::path& folder,
                                                  formats::Diagnostics& diagnostics);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kPart = "part";
 
-/// The value that contains the name; if a table has none, the table itself.
+/// The value that contains the name of a part; the table itself if it has none.
 const formats::Value& naming_value(const formats::Value& said) {
   const formats::Table* table = said.as<formats::Table>();
   const formats::Member* part = table ? table->find(kPart) : nullptr;

@@ -18,8 +18,8 @@ const CataloguePart* choose_part(const formats::Value& said, const std::vector<s
                                  const std::string& path, const Catalogue& catalogue,
                                  formats::Diagnostics& diagnostics);
 
-/// A table of the numbers and curves of a part for which `wanted(key)`, with the overrides in `said` on top.
-/// Numbers have the place of `said`, because that is where the user can change them.
+/// A table of the numbers and curves of a part, overridden by those in `said`. Contains only keys for which
+/// `wanted(key)` is true. Numbers have the place of `said`, because the user can change them there.
 formats::Value spell_out(const formats::Value& said, const CataloguePart& part,
                          const std::function<bool(const std::string&)>& wanted);
 

@@ -19,20 +19,20 @@ struct PartKey {
 /// A kind of catalogue entries: `[twine.NAME]`, `[chain.NAME]`, …
 struct PartKind {
   const char* name;
-  const char* key;  // key of a scene's part that takes it: a chain is given under `rope`; empty: none
+  const char* key;  // key in the part of a scene, such as `rope` for a chain; empty: none
   const char* doc;
   std::vector<PartKey> numbers;
-  std::vector<const char*> texts = {};   // required ones besides source and uncertainty
-  std::vector<const char*> tables = {};  // values handed on as they are written: curves
-  std::vector<const char*> beside = {};  // the same, beside `key` in the table of the scene part
+  std::vector<const char*> texts = {};   // required texts besides source and uncertainty
+  std::vector<const char*> tables = {};  // curves, passed on unchanged
+  std::vector<const char*> beside = {};  // tables passed on unchanged, beside `key` in the part of a scene
 };
 
 std::span<const PartKind> part_kinds();
-/// Null if there is no such kind.
+/// The kind of this name; null if there is none.
 const PartKind* find_kind(std::string_view name);
 /// Names of the kinds that a scene may give under `key`: "rope" → rope, wire, chain.
 std::vector<std::string> kinds_under(std::string_view key);
-/// Every `key` once: twine, rope, float.
+/// Every `key` of part_kinds() once: twine, rope, float, board.
 std::vector<std::string> part_keys();
 
 }  // namespace netloft::gears

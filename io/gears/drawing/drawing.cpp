@@ -171,8 +171,8 @@ class Draughtsman {
     if (placed.is_mirrored == (placed.panel->stands == Standing::pair)) draw_words(placed);
   }
 
-  /// Puts a label beside the edge; above the middle of the edge if the panel becomes wider there, because the
-  /// line then runs below.
+  /// Puts a label beside the middle of an edge; if the panel becomes wider going aft, above the middle,
+  /// because the edge then runs below it.
   void draw_edge_label(const PlacedPanel& placed, const OutlineEdge& edge) {
     if (edge.kind != EdgeKind::outer && edge.kind != EdgeKind::inner) return;
     const formats::PicturePoint from = place(placed, edge.from), to = place(placed, edge.to),

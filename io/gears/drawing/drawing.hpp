@@ -6,9 +6,10 @@
 
 namespace netloft::gears {
 
-/// The plan as an SVG picture, in the manner of ISO 3169: panels to the scale of stretched length by half of
-/// the stretched width, with mesh counts, cuttings, mesh size and twine; edges that are hung on ropes are
-/// drawn thick, with the length of rope; below them the list of ropes, floats and seams, and a scale.
+/// Draws a plan as an SVG picture in the manner of ISO 3169. Panels are drawn to the scale of stretched
+/// length and half the stretched width, with mesh counts, cuttings, mesh size and twine. Edges that are hung
+/// on ropes are thick and labelled with the length of rope. A list of ropes, floats and seams and a scale
+/// follow below.
 std::string draw_plan(const NetPlan& plan);
 
 /// Draws the same picture with the triangles of `mesh`, which belongs to the whole `gear` made from `plan`.

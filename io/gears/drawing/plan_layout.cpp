@@ -11,15 +11,16 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kHalfWidth = 0.5;  // of the stretched width
-constexpr double kGap = 0.25;       // between columns, relative to the width of the previous one
+constexpr double kHalfWidth = 0.5;  // width on the sheet as a fraction of the stretched width
+constexpr double kGap = 0.25;       // gap between columns, relative to the width of the previous column
 
-/// Meshes of square netting are counted in bars, half a stretched mesh.
+/// Length of a counted mesh along the gear [m]. Meshes of square netting are counted in bars, half a
+/// stretched mesh.
 double length_of_mesh(const Panel& panel) {
   return panel.orientation == "square" ? panel.mesh / 2 : panel.mesh;
 }
 
-/// The middle of an edge and its distance aft.
+/// The middle of a fore or aft edge.
 PanelPoint middle_of(const EdgeSet& set) {
   const double left = std::min(set.edges.front().from.x, set.edges.back().to.x);
   const double right = std::max(set.edges.front().from.x, set.edges.back().to.x);

@@ -6,21 +6,22 @@
 
 namespace netloft::gears {
 
-/// The position of a panel's outline on the sheet. A plan is drawn to the scale of the stretched length going
-/// aft, and of half the stretched width across (ISO 3169), as netting of a hanging ratio of 0.5 would lie.
+/// The position of the outline of a panel on the sheet. A plan is drawn to the scale of stretched length
+/// along the gear and half the stretched width across (ISO 3169), which is the width of netting at a hanging
+/// ratio of 0.5.
 struct PlacedPanel {
   const Panel* panel = nullptr;
   Outline outline;
-  double x = 0, y = 0;  // of the outline's origin [m on the net], x to starboard, y aft
+  double x = 0, y = 0;  // position of the outline's origin [m on the net]; x to starboard, y aft
   bool is_mirrored = false;
 
-  /// [m on the net]
+  /// The position of a point of the outline on the sheet [m on the net].
   PanelPoint on_sheet(PanelPoint p) const;
 };
 
-/// Places panels one behind the other as they are sewn, pairs next to the part of the edge that they are sewn
-/// to, and each such column beside the others. Middle panels and pairs are placed twice, the second time
-/// mirrored.
+/// Places the panels of a plan. Panels that are sewn in a row follow one another in a column, and a pair is
+/// next to the part of the edge that it is sewn to; columns are side by side. Middle panels and pairs are
+/// placed twice, the second time mirrored.
 std::vector<PlacedPanel> lay_out(const NetPlan& plan);
 
 }  // namespace netloft::gears

@@ -4,11 +4,11 @@
 
 namespace netloft::gears {
 
-/// A closed border, with its sides by height, so that few of them are looked at for a point. The border must
-/// live as long as this.
+/// A closed border whose sides are sorted into bands of height, so that few sides are tested for a point. The
+/// border must outlive this object.
 class BorderSides {
  public:
-  /// `reach`, above zero: how near to a side a point counts as outside.
+  /// `reach` > 0: a point that is nearer than this to a side counts as outside.
   BorderSides(const std::vector<PlanePoint>& border, double reach);
 
   /// Whether a point is inside, and not within reach of a side.

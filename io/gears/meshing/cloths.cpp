@@ -9,7 +9,7 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kDrawnHalfAngle = std::numbers::pi / 6;  // of meshes with an opening of one half
+constexpr double kDrawnHalfAngle = std::numbers::pi / 6;  // half angle of meshes with an opening of one half
 
 PanelPoint between(PanelPoint a, PanelPoint b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
@@ -46,8 +46,8 @@ class Cutter {
     name_corners();
   }
 
-  /// Adds the half on the side of `sign` of a middle panel, with the line along which it meets the other
-  /// half.
+  /// Adds one half of a middle panel, that on the side of `sign`, including the line along which it meets the
+  /// other half.
   void add_half(std::size_t p, double sign) {
     begin(p, sign < 0, sign);
     std::vector<ClothSide> ring;
@@ -82,7 +82,7 @@ class Cutter {
     return side;
   }
 
-  /// Reverses the order of sides for port halves, so that x points outwards.
+  /// Reverses the order of the sides of a port half, so that x points outwards.
   static void reverse(std::vector<ClothSide>& ring) {
     std::reverse(ring.begin(), ring.end());
     for (auto& side : ring) {
@@ -94,8 +94,7 @@ class Cutter {
     }
   }
 
-  /// Rotates the order of sides so that the one that starts in the middle comes first; the last one ends
-  /// there.
+  /// Rotates the order of sides so that the first side starts in the middle and the last one ends there.
   static void begin_at_middle(std::vector<ClothSide>& ring) {
     const auto first = std::min_element(ring.begin(), ring.end(), [](const ClothSide& a, const ClothSide& b) {
       return a.from.x != b.from.x ? a.from.x < b.from.x : a.from.y < b.from.y;
@@ -127,7 +126,8 @@ class Cutter {
     all_.sides.push_back(side);
   }
 
-  /// The corners of a side without extent are where its neighbours meet.
+  /// Names the corners of a cloth. If a side has no extent, both its corners are the point where its
+  /// neighbours meet.
   void name_corners() {
     Cloth& cloth = all_.cloths.back();
     const std::size_t n = cloth.sides.size();

@@ -13,8 +13,8 @@ struct ClothSide {
   bool is_inside = false;    // whether it is this line
   bool is_reversed = false;  // whether it runs against the direction of the outline's edge
   EdgeKind kind{};
-  bool is_on_plane = false;           // of half a gear
-  bool goes_aft = false;              // of outer and inner sides
+  bool is_on_plane = false;           // on the plane of symmetry of half a gear
+  bool goes_aft = false;              // whether an outer or inner side runs aft
   PanelPoint from, to;                // x is outwards on either side of the gear
   double edge_from = 0, edge_to = 1;  // fractions of the edge, in the edge's direction
   double meshes = 0, stretched = 0;   // counted meshes; length of its straight twines [m]
@@ -23,9 +23,9 @@ struct ClothSide {
   bool is_across() const { return kind == EdgeKind::fore || kind == EdgeKind::aft; }
 };
 
-/// A panel without symmetry: a pair's or a single one, or one half of a middle panel. Sides follow one
-/// another counter-clockwise in x outwards, y aft, from the fore inner corner on, so that a side to port has
-/// the same number as its counterpart to starboard.
+/// A piece of netting without symmetry: a panel of a pair, a single panel, or one half of a middle panel. Its
+/// sides are counter-clockwise with x outwards and y aft, beginning at the inner fore corner, so that
+/// corresponding sides to port and to starboard have the same index.
 struct Cloth {
   std::size_t panel = 0;
   bool is_port = false;

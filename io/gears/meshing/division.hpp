@@ -4,8 +4,8 @@
 
 namespace netloft::gears {
 
-/// A plan without anything that its division into elements does not depend on: without materials, pieces,
-/// positions, tensions, the ship, and places in files.
+/// A plan with only what its division into elements depends on: without materials, pieces, positions,
+/// tensions, the ship, and places in files.
 NetPlan geometry_of(const NetPlan& plan);
 
 /// The input of a division.
@@ -16,7 +16,7 @@ struct DivisionInput {
   bool operator==(const DivisionInput&) const;
 };
 
-/// A divided gear, and the shapes to begin with.
+/// A divided gear and its initial shapes.
 class Division {
  public:
   explicit Division(DivisionInput input);
@@ -33,7 +33,7 @@ class Division {
   StartShapes shapes_;
 };
 
-/// Divides gears, and keeps the last few divisions for plans that differ in other things.
+/// Divides gears. Stores the last few divisions and reuses them for plans with the same geometry.
 class Divisions {
  public:
   std::shared_ptr<Division> of(const NetPlan& plan, Extent extent, const Fineness& fineness);

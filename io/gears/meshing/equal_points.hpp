@@ -5,7 +5,7 @@
 
 namespace netloft::gears {
 
-/// Points that are found to be identical, pair by pair (disjoint sets, Tarjan 1975).
+/// Sets of points that have been found identical, pair by pair (disjoint sets, Tarjan 1975).
 class EqualPoints {
  public:
   std::size_t add() {

@@ -22,15 +22,15 @@ namespace {
 
 constexpr double kNear = 0.05;   // relative deviation from the requested number of nodes
 constexpr int kTrials = 8;       // sizes that are tried to reach the requested number
-constexpr double kGrid = 1e-10;  // relative to the cloth; makes port and starboard exactly alike
+constexpr double kGrid = 1e-10;  // relative to the size of a cloth; makes port and starboard exactly alike
 
 constexpr int kPartings = 5;  // rounds in which coincident sides of two cloths are separated
 
-/// A border of a cloth: the positions of its nodes in repose, and their numbers.
+/// The border of a cloth: its nodes and their positions in the undeformed panel.
 struct Border {
   std::vector<std::uint32_t> nodes;
   std::vector<PanelPoint> points;
-  std::vector<std::size_t> side_starts;  // number in the border, by side
+  std::vector<std::size_t> side_starts;  // index in the border at which each side starts
 };
 
 /// Divides one gear with one size; the member functions are steps in the order of execution.
@@ -89,9 +89,10 @@ class Divider {
     return fractions;
   }
 
-  /// Finds whether triangles that are counter-clockwise in their cloth are so seen from outside the net.
-  /// Cloths with the same sense run along a common seam in opposite directions. The first panel is on top,
-  /// where the turn from outwards to aft is clockwise.
+  /// Finds, for each cloth, whether triangles that are counter-clockwise in the cloth are also
+  /// counter-clockwise seen from outside the net. Two cloths of the same sense run along their common seam in
+  /// opposite directions. The first panel is taken to be on top, where the turn from outwards to aft is
+  /// clockwise.
   void find_senses() {
     std::vector<std::vector<std::pair<std::size_t, bool>>> users(lines_.lines.size());
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
@@ -168,7 +169,7 @@ class Divider {
 
   using PlaneSide = std::array<std::uint32_t, 2>;
 
-  /// Sides within a cloth that begin at its border, each once.
+  /// The sides of triangles that have an end on the border but do not lie along it, each once.
   std::vector<PlaneSide> inner_sides(std::size_t c) const {
     const auto n = static_cast<std::uint32_t>(borders_[c].nodes.size());
     std::set<PlaneSide> sides;
@@ -181,7 +182,8 @@ class Divider {
     return {sides.begin(), sides.end()};
   }
 
-  /// Identifies a node of the gear before nodes within cloths have numbers: a cloth (0: lines) and an index.
+  /// Identifies a node of the gear before nodes within cloths have numbers: {0, node} on a line, {cloth + 1,
+  /// index} within a cloth.
   using Tag = std::array<std::size_t, 2>;
   Tag tag(std::size_t c, std::uint32_t point) const {
     const auto& nodes = borders_[c].nodes;
@@ -191,9 +193,9 @@ class Divider {
     return std::minmax(tag(c, side[0]), tag(c, side[1]));
   }
 
-  /// Sides of triangles of two cloths may coincide without a seam, because they join the same two nodes of
-  /// the gear; this happens near sharp corners and where seams end in a point. They get nodes of their own.
-  /// Returns whether there were any.
+  /// Splits sides of triangles of different cloths that coincide without a seam because they connect the same
+  /// two nodes of the gear. This happens near sharp corners and where seams end in a point. Each side gets
+  /// its own node in its middle. Returns whether there were any.
   bool part_doubled_sides() {
     std::map<std::pair<Tag, Tag>, int> times;
     for (const auto& nodes : line_nodes_)
@@ -228,8 +230,8 @@ class Divider {
     add_sets(cloth, borders_[c], own);
   }
 
-  /// Rounds positions to a grid, because lines in opposite directions are divided with different rounding
-  /// errors.
+  /// The border in the spread plane. Positions are rounded to a grid, because lines of opposite directions
+  /// are divided with different rounding errors.
   static std::vector<PlanePoint> on_plane(const Panel& panel, const Border& border) {
     std::vector<PlanePoint> points;
     double extent = 0;
@@ -290,7 +292,7 @@ class Divider {
     for (const auto& [name, s] : cloth.corners) add_corner(cloth, border, own, name, s);
   }
 
-  /// The halves of an edge follow one another in its direction.
+  /// Adds nodes to the set of an edge, so that the halves of an edge follow each other in its direction.
   void add_to_edge(const Cloth& cloth, const ClothSide& side, std::vector<std::uint32_t> nodes) {
     if (side.is_reversed) std::reverse(nodes.begin(), nodes.end());
     auto& set = mesh_.panels[cloth.panel].sets[gear_.panels[cloth.panel].outline.edges[side.edge.edge].name];
@@ -349,7 +351,8 @@ class Divider {
       mesh_.points.emplace(name, static_cast<std::uint32_t>(point));
   }
 
-  /// In the half, adds the nodes on the plane of symmetry: sides, starts of ropes, and points.
+  /// In half a gear, collects the nodes on the plane of symmetry: those on sides, starts of ropes, and
+  /// points.
   void add_middle() {
     if (gear_.extent != Extent::half) return;
     std::set<std::uint32_t> middle;

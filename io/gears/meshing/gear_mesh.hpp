@@ -14,12 +14,12 @@ namespace netloft::gears {
 /// The fineness of a mesh, by number of nodes, by size, or by the knots of the netting; `nodes` counts the
 /// whole modelled part.
 struct Fineness {
-  // every knot is a node, and both twines of every triangle run from knot to knot; `nodes` and `size` do not
-  // count
+  // Whether every knot is a node, and both twines of every triangle run from knot to knot; `nodes` and `size`
+  // are then ignored.
   bool knots = false;
   std::size_t nodes = 2000;  // approximate number of nodes of ropes and netting
-  double size = 0;           // if not 0, used instead of `nodes`: length of edges in the spread netting [m]
-  // by panel or rope: the factor by which edges are shorter than elsewhere
+  double size = 0;           // length of edges in the spread netting [m]; if not 0, replaces `nodes`
+  // Factors by which edges are shorter than elsewhere, for single panels or ropes.
   std::map<std::string, double> finer;
   bool operator==(const Fineness&) const = default;
 };
@@ -27,7 +27,7 @@ struct Fineness {
 /// Netting in triangles. Its own nodes are numbered from 0 and refer to nodes of the gear.
 struct PanelMesh {
   std::vector<std::uint32_t> nodes;           // own number -> gear node
-  std::vector<std::array<double, 2>> meshes;  // own number -> (U, V): meshes across, outwards, and deep, aft
+  std::vector<std::array<double, 2>> meshes;  // own number -> (U, V): meshes outwards and meshes aft
   std::vector<std::uint32_t> triangles;       // 3 own nodes each, counter-clockwise seen from outside the net
   std::map<std::string, std::vector<std::uint32_t>> sets;  // edges (in the outline's direction) and corners
 };
@@ -45,28 +45,28 @@ struct MeshQuality {
   std::size_t triangles = 0;
 };
 
-/// A gear divided into elements: a node on a seam, a hanging or a point is a single node by construction. No
-/// positions yet (start_shape.hpp). Panels and ropes are in the order of the gear.
+/// A gear divided into elements: everything that meets at a point of a seam or a hanging shares one node
+/// there. The mesh has no positions yet (start_shape.hpp). Panels and ropes have the order of the gear.
 struct GearMesh {
   std::size_t nodes = 0;
   std::vector<PanelMesh> panels;
   std::vector<RopeMesh> ropes;
   std::map<std::string, std::uint32_t> points;  // "towing-point", "headrope.end", "top-wing.fore-outer"
-  std::vector<std::uint32_t> middle;            // of the half: nodes on the plane of symmetry
+  std::vector<std::uint32_t> middle;            // in half a gear: nodes on the plane of symmetry
   MeshQuality quality;
 };
 
-/// Called as a gear is divided, with the panel or step that begins and the number of nodes so far.
+/// Called while a gear is divided, with the name of the panel or step that begins and the number of nodes so
+/// far.
 using OnMeshing = std::function<void(const std::string& step, std::size_t nodes)>;
 
-/// Paper section 2.2: triangles between the knots of every panel, in coordinates counted in meshes.
-///
-/// The knots of netting that is spread with an opening of one half form a lattice of equilateral triangles.
-/// Each triangle has one bar of each twine direction as a side, and every bar is a side of two triangles. The
-/// energy of Priour's triangle, ½ bar of each direction, is then that of the bars themselves, twine by twine.
-/// Only along borders, which are straight where cuttings go in steps, do triangles have other shapes. Throws
-/// std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and for a
-/// size that would give millions of nodes.
+/// Divides every panel into triangles between knots, in coordinates counted in meshes (section 2.2 of the
+/// paper), and ropes into bars. The knots of netting that is spread with an opening of one half form a
+/// lattice of equilateral triangles. Each triangle has one bar of each twine direction as a side, and every
+/// bar is a side of two triangles. Priour's triangle has the energy of ½ bar of each direction, so the
+/// triangles together have exactly the energy of the bars. Only along borders, which are straight where real
+/// cuttings go in steps, triangles have other shapes. Throws std::invalid_argument, with a sentence for the
+/// user, for a panel whose border crosses itself, and for a size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness, const OnMeshing& on_meshing = {});
 
 }  // namespace netloft::gears

@@ -4,21 +4,22 @@
 
 namespace netloft::gears {
 
-inline constexpr double kMostNodes = 5e6;  // of a gear
+inline constexpr double kMostNodes = 5e6;  // largest number of nodes of a gear
 
 /// The factor by which edges of a panel are shorter than elsewhere.
 double finer(const Fineness& fineness, const GearPanel& panel);
 
-/// The size h for a number N of nodes, from the area A of netting in equal triangles, a factor for the nodes
-/// that the mesher adds, and the length L of ropes:
+/// The size h for a number N of nodes, from the area A of netting in equal triangles, an empirical factor for
+/// nodes that the mesher adds, and the length L of ropes:
 ///   N = 1.2 · 2 A/(√3 h²) + L/h                                                                        (1)
-/// The first guess, which lines that are finer than h then correct.
+/// It is a first guess: lines that are finer than h change the number.
 double size_for(const Gear& gear, const Fineness& fineness);
 
-/// The shortest bar, for whatever is divided by length, where every knot is a node.
+/// The shortest bar of all panels [m]: the size of other elements if every knot is a node.
 double shortest_bar(const Gear& gear);
 
-/// Throw std::invalid_argument, with a sentence for the user, where there would be millions of nodes.
+/// Throw std::invalid_argument, with a sentence for the user, if the mesh would have more than kMostNodes
+/// nodes.
 void check_knots(const Gear& gear);
 void check_size(const Gear& gear, const Fineness& fineness);
 

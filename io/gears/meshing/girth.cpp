@@ -11,8 +11,8 @@ namespace netloft::gears {
 
 namespace {
 
-const double kTowedHalfAngle = std::numbers::pi / 8;  // β of (1), (2): an opening of 0.38
-constexpr double kRopeWeight = 1e-4;                  // weight of a bar against a side of a triangle
+const double kTowedHalfAngle = std::numbers::pi / 8;  // β of (1) and (2), for an opening of 0.38
+constexpr double kRopeWeight = 1e-4;                  // weight of a bar relative to a side of a triangle
 
 bool is_lateral(EdgeKind kind) { return kind == EdgeKind::outer || kind == EdgeKind::inner; }
 
@@ -20,7 +20,7 @@ EdgeKind kind_of(const Gear& gear, const EdgeRef& ref) {
   return gear.panels[ref.panel].outline.edges[ref.edge].kind;
 }
 
-/// Whether a seam closes an end: fore is sewn to fore, or aft to aft, of another panel.
+/// Whether a seam closes an end of the net: it joins two fore edges or two aft edges of different panels.
 bool closes(const Gear& gear, const Seam& seam) {
   if (seam.edges[0].empty() || seam.edges[1].empty() || seam.is_to_itself) return false;
   const EdgeKind one = kind_of(gear, seam.edges[0][0]), other = kind_of(gear, seam.edges[1][0]);
@@ -36,7 +36,8 @@ bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef
   return (a == b && is_lateral(a)) != (comes_back(one) != comes_back(other));
 }
 
-/// Meshes outwards from the middle for panels across the middle; for others from the start of the inner side.
+/// Meshes outwards, counted from the middle of a panel across the middle, and from the start of the inner
+/// side of other panels.
 double outwards(const GearPanel& panel, double U) {
   return panel.panel->stands == Standing::middle ? std::abs(U) : U;
 }
@@ -59,7 +60,7 @@ Girth::Girth(const Gear& gear, const GearMesh& mesh)
   measure_bottom(gear, mesh);
 }
 
-/// Walks over the seams from the first panel, which is taken to be on top.
+/// Finds the signs in (2) by a walk over the seams from the first panel, which is taken to be on top.
 void Girth::find_senses(const Gear& gear) {
   for (std::size_t first = 0; first < sense_.size(); ++first) {
     if (sense_[first]) continue;
@@ -97,8 +98,7 @@ void Girth::find_closed(const Gear& gear, const GearMesh& mesh) {
   }
 }
 
-/// Ropes beside the netting are on the side of their panels; a rope across the plane is to port before its
-/// middle.
+/// Finds the side of every node of the netting. Other nodes keep 1.
 void Girth::find_sides(const Gear& gear, const GearMesh& mesh) {
   for (std::size_t p = 0; p < mesh.panels.size(); ++p)
     for (std::size_t own = 0; own < mesh.panels[p].nodes.size(); ++own) {
@@ -120,7 +120,7 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
         const auto from = panel.nodes[i], to = panel.nodes[j];
         aft.push_back({from, to, deep * (panel.meshes[j][1] - panel.meshes[i][1]), 1});  // (1)
         if (sense_[p] < 0 && (closed_[from] || closed_[to]))
-          continue;  // the other panel gives their position
+          continue;  // the panel on the other side gives their position
         around.push_back({from, to,
                           sense_[p] * wide *
                               (outwards(gear.panels[p], panel.meshes[j][0]) -
@@ -141,8 +141,8 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);
 }
 
-/// Every node of a lower middle panel gives the position of the middle, and so do the sides of a tube; a net
-/// with neither has an open girth.
+/// Collects S at all distances aft. Every node of a lower middle panel gives a value, and so do the sides of
+/// a tube. A net with neither has an open girth, and S is twice the largest s.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);
@@ -162,7 +162,7 @@ void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   std::sort(bottom_.begin(), bottom_.end());
 }
 
-/// Nodes on the sides of a tube are in the middle below.
+/// Adds the values of S on the sides of a tube, which lie in the middle below.
 void Girth::measure_tube(const GearPanel& tube, const PanelMesh& mesh) {
   for (const auto& edge : tube.outline.edges) {
     const auto set = mesh.sets.find(edge.name);

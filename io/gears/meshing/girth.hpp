@@ -16,11 +16,13 @@ class Girth {
   bool covers(std::uint32_t node) const { return covered_[node]; }
   double aft(std::uint32_t node) const { return aft_[node]; }        // a [m]
   double around(std::uint32_t node) const { return around_[node]; }  // s [m]
-  int side(std::uint32_t node) const { return side_[node]; }         // −1 to port, 0 on the plane, else 1
+  int side(std::uint32_t node) const {
+    return side_[node];
+  }  // -1: port, 0: on the plane of symmetry, 1: starboard
   /// Whether the node belongs to an end of the bag that is sewn to itself.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
-  /// S [m] at this node: along its own girth to the middle of a lower panel, or else the nearest such value
-  /// at this distance aft.
+  /// Half the girth S at a node [m]: the distance along its own girth to the middle of a lower panel, or else
+  /// interpolated between such values at other distances aft.
   double half_girth(std::uint32_t node) const;
 
  private:
@@ -33,7 +35,7 @@ class Girth {
 
   std::vector<int> sense_;  // the sign in (2), one per panel
   std::vector<double> aft_, around_;
-  std::vector<double> own_;  // S along the node's own girth; 0: there is none
+  std::vector<double> own_;  // S along the node's own girth; 0: unknown
   std::vector<int> side_;
   std::vector<bool> covered_, closed_;
   std::vector<std::pair<double, double>> bottom_;  // (a, S), increasing in a

@@ -26,7 +26,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// The matrix of least squares of the gains, with weights towards zero and towards given values.
+/// The matrix of the least-squares problem of the gains, with weights that pull towards zero and towards
+/// given values.
 Eigen::SparseMatrix<double> matrix_of(std::size_t nodes, const std::vector<Gain>& gains,
                                       const std::vector<std::uint32_t>& fixed) {
   const auto n = static_cast<Index>(nodes);
@@ -49,8 +50,8 @@ std::vector<std::uint32_t> nodes_of(const std::vector<std::pair<std::uint32_t, d
   return nodes;
 }
 
-/// Gains of zero along every side of a triangle and every bar of a rope. A side that several triangles have
-/// in common counts once for each.
+/// Gains of zero along every side of a triangle and every bar of a rope. A side of two triangles counts
+/// twice.
 std::vector<Gain> level_sides(const GearMesh& mesh) {
   std::vector<Gain> sides;
   for (const auto& panel : mesh.panels)
@@ -66,13 +67,13 @@ std::vector<Gain> level_sides(const GearMesh& mesh) {
 
 }  // namespace
 
-/// The factorised matrix of some gains and some nodes with given values.
+/// The factorised matrix for some gains and a set of nodes with given values.
 class GainFactors {
  public:
   GainFactors(std::size_t nodes, const std::vector<Gain>& gains, const std::vector<std::uint32_t>& fixed)
       : factors_(matrix_of(nodes, gains, fixed)) {}
 
-  /// `load`: of the gains.
+  /// The field for the right-hand side `load` of the gains and the given values `fixed`.
   std::vector<double> solve(Eigen::VectorXd load,
                             const std::vector<std::pair<std::uint32_t, double>>& fixed) const {
     for (const auto& [node, value] : fixed) load[static_cast<Index>(node)] += kHold * value;

@@ -10,25 +10,25 @@
 
 namespace netloft::gears {
 
-/// For each node, its neighbours along ropes and their distances [m].
+/// For each node, its neighbours along ropes and the lengths of rope to them [m].
 using Neighbours = std::vector<std::vector<std::pair<std::uint32_t, double>>>;
 Neighbours rope_neighbours(const GearMesh& mesh);
 
-/// The wanted difference of a field between two nodes.
+/// The desired difference of a field between two nodes, and its weight.
 struct Gain {
   std::uint32_t from, to;
   double gain, weight;
 };
 
-/// The field whose differences are the gains in the sense of least squares. A small weight pulls it to zero,
-/// so that it is determined on pieces without a tie. `fixed`: values at nodes that are kept.
+/// The field whose differences fit the gains best in the sense of least squares. A small weight pulls it to
+/// zero, so that it is also determined on pieces without a given value. `fixed`: given values at nodes.
 std::vector<double> by_gains(std::size_t nodes, const std::vector<Gain>& gains,
                              const std::vector<std::pair<std::uint32_t, double>>& fixed);
 
 class GainFactors;
 
-/// Fields with given values at some nodes of a mesh that are as smooth as possible between them. The matrix
-/// depends on which nodes have values; the factors of the last few such sets are kept.
+/// Fields that have given values at some nodes of a mesh and are as smooth as possible between them. The
+/// matrix depends on the set of nodes with values; its factors are stored for the last few sets.
 class HarmonicFields {
  public:
   explicit HarmonicFields(const GearMesh& mesh);

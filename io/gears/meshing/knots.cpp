@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNearest = 1.0 / 3;  // bars between a knot and the border, so that no triangle is flat
 
-/// Between the spread plane and twine coordinates, which are linear in one another.
+/// The linear map between the spread plane and twine coordinates.
 class Lattice {
  public:
   Lattice(const Panel& panel, double sign) {

@@ -5,14 +5,14 @@
 
 namespace netloft::gears {
 
-/// The knots of a panel that lie within a border, in the spread plane (spread() in cloths.hpp): all points
-/// with whole numbers of both twine coordinates, row by row. Those that are nearer to the border than a third
-/// of a bar are left out; the nodes of the border replace them. `sign`: of x in the outline, -1 for the port
-/// half of a middle panel.
+/// The knots of a panel within a border, in the spread plane (spread() in cloths.hpp): all points with whole
+/// twine coordinates, row by row. Knots that are nearer to the border than a third of a bar are left out,
+/// because nodes of the border replace them. `sign`: sign of x in the outline, -1 for the port half of a
+/// middle panel.
 std::vector<PlanePoint> knots_within(const Panel& panel, double sign, const std::vector<PlanePoint>& border);
 
-/// The number of knots along a straight line of a panel, from one point to another: of the twines that it
-/// crosses, those of the direction of which it crosses most.
+/// The number of mesh sides along a straight line between two points of a panel: the larger of its numbers of
+/// crossed twines in the two twine directions.
 double knots_along(const Panel& panel, double sign, const PanelPoint& from, const PanelPoint& to);
 
 }  // namespace netloft::gears

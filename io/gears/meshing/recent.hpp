@@ -7,15 +7,15 @@
 
 namespace netloft::gears {
 
-/// The last few results of a pure function, each with its input. Inputs are compared by value, so that no
-/// result is ever taken for that of another input. For one thread.
+/// Stores the last few results of a pure function with their inputs. Inputs are compared by value, so that a
+/// result is returned only for its own input. Not safe for several threads.
 template <class Input, class Result>
 class Recent {
  public:
   explicit Recent(std::size_t most) : most_(most) {}
 
-  /// The result for `input`: kept, or made by make(input), which returns a shared pointer. What make() throws
-  /// passes through, and nothing is kept.
+  /// The result for `input`: a stored one, or that of make(input), which returns a shared pointer. If make()
+  /// throws, the exception is passed on and nothing is stored.
   template <class Make>
   std::shared_ptr<Result> of(Input input, const Make& make) {
     const auto same = std::ranges::find(kept_, input, &Kept::first);
@@ -32,7 +32,7 @@ class Recent {
  private:
   using Kept = std::pair<Input, std::shared_ptr<Result>>;
   std::size_t most_;
-  std::list<Kept> kept_;  // the last one that was wanted first
+  std::list<Kept> kept_;  // the most recently used first
 };
 
 }  // namespace netloft::gears

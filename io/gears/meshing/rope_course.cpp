@@ -9,14 +9,14 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kRounding = 0.02;  // of a rope's length; a shorter excess gets no stretch of its own
-constexpr double kLikely = 0.1;     // weight of the usual direction, compared with that of a common point
+constexpr double kRounding = 0.02;  // fraction of a rope's length; a smaller excess becomes no free stretch
+constexpr double kLikely = 0.1;     // weight of the usual direction, relative to that of a common point
 
 bool crosses(const Gear& gear, const GearRope& rope) {
   return gear.extent == Extent::whole && rope.rope->stands == Standing::middle;
 }
 
-/// A hung edge as sides in its outline's direction, and the length of rope that each takes.
+/// A hung edge as sides in the direction of its outline, and the length of rope that the edge takes.
 struct HungRow {
   Row row;
   double length = 0;
@@ -48,7 +48,8 @@ class Rigger {
         all_.points.emplace(corner_name(cloth, name), borders_.breaks[side].front().point);
   }
 
-  /// The name of a corner; for middle panels of the whole, with port, starboard, or neither on the plane.
+  /// The name of a corner. Corners of middle panels of a whole gear begin with port or starboard, except
+  /// those on the plane of symmetry.
   std::string corner_name(const Cloth& cloth, const std::string& name) const {
     const GearPanel& panel = gear_.panels[cloth.panel];
     const bool is_half = gear_.extent == Extent::whole && panel.panel->stands == Standing::middle;
@@ -102,7 +103,8 @@ class Rigger {
   std::size_t start(const Row& row) const { return borders_.start(row.front()); }
   std::size_t end(const Row& row) const { return borders_.end(row.back()); }
 
-  /// Chooses the direction of each edge so that most ends meet (dynamic programming over both directions).
+  /// Chooses the directions of the edges so that as many ends as possible meet (dynamic programming over both
+  /// directions of each edge).
   void direct(const GearRope& rope, std::vector<HungRow>& rows) {
     if (rows.empty()) return;
     std::vector<std::array<double, 2>> best(rows.size());
@@ -131,8 +133,8 @@ class Rigger {
     }
   }
 
-  /// 1 if an edge runs in its usual direction: for a rope of the middle forward to starboard and aft to port,
-  /// for other ropes outwards or aft.
+  /// 1 if an edge runs in its usual direction, else 0. The usual direction for a rope of the middle is
+  /// forward to starboard and aft to port; for other ropes it is outwards or aft.
   double likelihood(const GearRope& rope, const Row& row) const {
     const ClothSide& side = borders_.cloths.sides[row[0].side];
     const bool is_port = borders_.cloths.cloths[side.cloth].is_port;
@@ -193,7 +195,7 @@ class Rigger {
     return gaps;
   }
 
-  /// In the half: whether the first edge of a rope that starts on the plane of symmetry begins elsewhere.
+  /// Whether, in half a gear, the first edge of a rope of the middle does not begin on the plane of symmetry.
   bool begins_off_the_middle(const GearRope& rope, const RopeCourse& course) {
     if (gear_.extent != Extent::half || rope.rope->stands != Standing::middle) return false;
     for (std::size_t s = 0; s < borders_.cloths.sides.size(); ++s)
@@ -216,7 +218,7 @@ class Rigger {
     return leads_to ? std::vector<Gap>{first} : std::vector<Gap>{last};
   }
 
-  /// Joins consecutive stretches, and the first and last with the ends of the rope.
+  /// Connects consecutive stretches, and the first and last stretch with the ends of the rope.
   void close(const GearRope& rope, RopeCourse& course) {
     const std::size_t start = point(rope.name + ".start"), end = point(rope.name + ".end");
     if (course.empty()) course.push_back({{}, true, start, end, rope.length});
@@ -225,7 +227,8 @@ class Rigger {
     for (std::size_t k = 1; k < course.size(); ++k) borders_.points.unite(course[k - 1].to, course[k].from);
   }
 
-  /// Puts the middle of a whole rope at a point: anywhere on a free stretch, or else at the nearest point.
+  /// Puts the middle of a whole rope at a point: at the exact place on a free stretch, or else at the nearest
+  /// point.
   void put_middle(const GearRope& rope, RopeCourse& course) {
     if (!crosses(gear_, rope)) return;
     const std::size_t middle = point(rope.name + ".middle");

@@ -7,7 +7,7 @@
 
 namespace netloft::gears {
 
-/// A stretch of rope along a side, or free (no side), and the length of rope that it takes [m].
+/// A stretch of rope, either along a side of a cloth or free, and the length of rope that it takes [m].
 struct RopeStretch {
   DirectedSide along;
   bool is_free = false;
@@ -23,10 +23,11 @@ struct RopeCourses {
   std::map<std::string, std::size_t> points;  // ends of ropes, corners of panels and points of the plan
 };
 
-/// Runs ropes along their hung edges, in the direction in which these meet each other and the points that the
-/// rope is tied to. A rope that is longer than its edges has free stretches where its edges do not meet,
-/// otherwise at ends that are not tied: at its end, or at both ends for a rope of the middle. Less than 2 %
-/// (check.hpp) is distributed among the edges.
+/// Finds the courses of ropes along the edges hung on them. The direction of each edge is chosen so that
+/// edges meet each other and the points to which the rope is tied. If a rope is longer than its edges, the
+/// rest becomes free stretches: where consecutive edges do not meet, or else at ends that are not tied (both
+/// ends of a rope of the middle, the end of others). An excess of less than 2 % (check.hpp) is distributed
+/// among the edges.
 RopeCourses run_ropes(const Gear& gear, Borders& borders);
 
 }  // namespace netloft::gears

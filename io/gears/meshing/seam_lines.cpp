@@ -17,7 +17,7 @@ namespace netloft::gears {
 
 namespace {
 
-// corners of both sides of a seam that are closer than this fraction of an element are merged
+// Corners of both sides of a seam that are closer than this fraction of an element are merged.
 constexpr double kSnap = 0.3;
 constexpr double kGrowth = 0.4;  // growth of the element size per length along a line
 
@@ -96,7 +96,7 @@ class LineMaker {
     return all_.lines.size() - 1;
   }
 
-  /// A run of a side, by its index along the side.
+  /// A run of a side by its index along the side.
   struct RunOfSide {
     DirectedSide side;
     std::size_t run;
@@ -120,7 +120,8 @@ class LineMaker {
     }
   }
 
-  /// A line with two lengths, for instance with two mesh sizes, uses the geometric mean.
+  /// Lets a run of a side use a line. If two sides give a line different lengths, for instance because of
+  /// different mesh sizes, its length is their geometric mean.
   void use(std::size_t l, DirectedSide s, std::size_t k) {
     const ClothSide& side = cloths_.sides[s.side];
     const auto& breaks = borders_.breaks[s.side];
@@ -151,8 +152,9 @@ class LineMaker {
     all_.rope_middles.push_back(middle == all_.points.end() ? kNoPoint : middle->second);
   }
 
-  /// A warp turns by some tenths of a radian along its length, so that this many bars follow it to a
-  /// thousandth of its tension, whatever size the netting has.
+  /// The coarsest size of the bars of a rope [m]; 0 for ropes other than warps. The direction of a warp
+  /// changes by some tenths of a radian along its length; this many bars give its tension to a thousandth,
+  /// whatever the size of elements in the netting.
   static double coarsest(const GearRope& rope) {
     constexpr double kBarsOfWarps = 32;
     return rope.rope->role == kWarp ? rope.length / kBarsOfWarps : 0;
@@ -185,7 +187,8 @@ class LineMaker {
     part_parallel_lines();
   }
 
-  /// Counts elements of a line. NaN, of a line without a length, is no number of them.
+  /// The number of elements of a line. Throws if all lines together have more than kMostNodes elements, or if
+  /// `elements` is NaN because the line has no length.
   std::size_t count(const Line& line, double elements) {
     elements_ += elements;
     if (!(elements_ <= kMostNodes))
@@ -206,9 +209,9 @@ class LineMaker {
     return "the middle of a panel";
   }
 
-  /// Divides a line into elements of the wanted size, which decreases towards short neighbouring lines:
+  /// Divides a line into elements of the requested size, which decreases towards short neighbouring lines:
   ///   h(x) = min(size, h₀ + g x, h₁ + g (L − x)),   n = ∫ dx/h                                     (1)
-  /// spread so that each element has as much of the integral.
+  /// Each element covers the same part of the integral.
   void divide_line(Line& line, double h0, double h1) {
     const auto h = [&](double x) {
       return std::min({line.size, h0 + kGrowth * x, h1 + kGrowth * (line.length - x)});
@@ -223,7 +226,7 @@ class LineMaker {
     spread_nodes(line, sum, count(line, sum.back()));
   }
 
-  /// From knot to knot.
+  /// Divides a line evenly, with one element from knot to knot.
   void divide_evenly(Line& line) {
     const std::size_t elements = count(line, line.knots);
     line.fractions.clear();
@@ -242,7 +245,7 @@ class LineMaker {
     }
   }
 
-  /// Separates lines between the same two points that would coincide because neither has a node.
+  /// Adds a middle node to lines that would coincide because they have the same two ends and no inner node.
   void part_parallel_lines() {
     std::map<std::array<std::size_t, 2>, std::size_t> seen;
     for (auto& line : all_.lines) {
@@ -258,7 +261,7 @@ class LineMaker {
   double size_;
   Borders borders_;
   std::vector<std::size_t> numbers_;
-  double elements_ = 0;  // of all lines so far
+  double elements_ = 0;  // number of elements of all lines so far
   SeamLines all_;
 };
 

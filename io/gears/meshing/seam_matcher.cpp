@@ -8,7 +8,7 @@ namespace netloft::gears {
 
 namespace {
 
-/// A corner of a row at a fraction of the row.
+/// A point of a row of sides, at a fraction of the row.
 struct Knot {
   double fraction = 0;
   std::size_t point = 0;
@@ -47,7 +47,7 @@ class Sewer {
       borders_.breaks.push_back({{0, corners[k]}, {1, corners[(k + 1) % corners.size()]}});
   }
 
-  /// The line between both halves of a middle panel belongs to both.
+  /// Joins both halves of middle panels along the line between them.
   void join_halves() {
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
       for (std::size_t t = s + 1; t < cloths_.sides.size(); ++t) {
@@ -58,7 +58,7 @@ class Sewer {
     join_tips();
   }
 
-  /// Joins the halves where a panel ends in a tip in the middle, or where its edges meet there.
+  /// Joins the halves of a panel at its tip in the middle, or where its edges meet there.
   void join_tips() {
     for (std::size_t c = 0; c + 1 < cloths_.cloths.size(); ++c) {
       const auto &one = cloths_.cloths[c], &other = cloths_.cloths[c + 1];
@@ -77,8 +77,8 @@ class Sewer {
     if (!rows[0].empty() && !rows[1].empty()) borders_.seams.push_back(std::move(rows));
   }
 
-  /// Edges sewn to their mirror image: those to starboard, and those to port. Across, either row then runs
-  /// from the middle outwards.
+  /// Divides edges that are sewn to their mirror image into a starboard row and a port row. If they lie
+  /// across, both rows then run from the middle outwards.
   void fold(std::array<Row, 2>& rows) const {
     std::erase_if(rows[0], [&](const auto& s) { return is_port(s); });
     std::erase_if(rows[1], [&](const auto& s) { return !is_port(s); });
@@ -114,7 +114,7 @@ class Sewer {
 
   std::size_t panel(const DirectedSide& s) const { return cloths_.cloths[side(s).cloth].panel; }
 
-  /// Whether some seam joins the sides of two panels, of `to` its outer one.
+  /// Whether a seam joins a side of panel `from` to the outer side of panel `to`.
   bool begins_outside(std::size_t from, std::size_t to) const {
     const auto has = [&](const std::vector<EdgeRef>& row, std::size_t p, bool is_outer_only) {
       return std::any_of(row.begin(), row.end(), [&](const EdgeRef& ref) {
@@ -128,8 +128,8 @@ class Sewer {
     });
   }
 
-  /// In a row round the net, lets side panels run inwards whose outer side is sewn to the panel before them,
-  /// as seen from the first panel across the middle.
+  /// Reverses side panels in a row round the net so that they run inwards if their outer side is sewn to the
+  /// panel before them. The walk starts at the first panel across the middle and goes in both directions.
   void turn_side_panels(Row& row) const {
     const auto first = std::find_if(row.begin(), row.end(),
                                     [&](const auto& s) { return panel_of(s).stands == Standing::middle; });
@@ -151,7 +151,8 @@ class Sewer {
     turn(std::make_reverse_iterator(first), row.rend(), panel(*first));
   }
 
-  /// Turns the last panel of a row round the net (Gear::last_of_ring), whose port half then comes first.
+  /// Reverses the last panel of a row round the net (Gear::last_of_ring), and moves its port half to the
+  /// beginning of the row.
   void close_ring(Row& row, std::size_t last_panel, bool to_starboard) const {
     const auto last = std::stable_partition(row.begin(), row.end(), [&](const auto& s) {
       return cloths_.cloths[side(s).cloth].panel != last_panel;
@@ -164,7 +165,7 @@ class Sewer {
     std::rotate(row.begin(), last, starboard);
   }
 
-  /// Orders edges of one panel that follow one another in a row by their position on the panel.
+  /// Orders consecutive edges of one panel in a row by their position on the panel.
   void order_panel_by_panel(Row& row, bool to_starboard) const {
     const auto panel = [&](const DirectedSide& s) { return cloths_.cloths[side(s).cloth].panel; };
     for (auto first = row.begin(); first != row.end();) {
@@ -184,7 +185,7 @@ class Sewer {
     return (is_turned ? -1 : 1) * (c.from.x + c.to.x);
   }
 
-  /// Gives both rows a break wherever either has a corner.
+  /// Adds breaks so that both rows have one wherever either row has a corner.
   void match(const std::array<Row, 2>& rows) {
     const bool counted = is_counted(rows);
     for (const auto& row : rows) chain(row);

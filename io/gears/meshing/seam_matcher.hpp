@@ -35,7 +35,7 @@ struct Borders {
 /// Sews the gear; corners closer than `snap` [m] along a seam are merged.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 
-/// The sides of an edge, one or both halves of it, in its direction.
+/// The sides that an edge consists of, one or both halves of it, in its direction.
 Row sides_of(const Cloths& cloths, const EdgeRef& edge);
 
 }  // namespace netloft::gears

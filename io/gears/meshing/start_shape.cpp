@@ -11,13 +11,14 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kAspect = 0.4;  // k of (3): height over width of a section
+constexpr double kAspect = 0.4;  // k of (3): height of a section divided by its width
 
 std::size_t at(std::uint32_t node, int axis) {
   return 3 * std::size_t{node} + static_cast<std::size_t>(axis);
 }
 
-/// w of (3): half the width of an ellipse of the girth 2 S (Ramanujan 1914, perimeter to 1e-3 and better).
+/// w of (3): half the width of an ellipse with the perimeter 2 S (Ramanujan 1914; perimeter to 1e-3 or
+/// better).
 double half_width(double half_girth) {
   const double q = (1 - kAspect) / (1 + kAspect), lambda = q * q;
   const double shape = (1 + kAspect) * (1 + 3 * lambda / (10 + std::sqrt(4 - 3 * lambda)));
@@ -29,7 +30,7 @@ struct Lead {
   std::uint32_t from, to;
   double length;  // [m]
   std::vector<std::pair<std::uint32_t, double>>
-      between;  // nodes from `to` back, how far they are from `from` [m]
+      between;  // nodes from `to` back, with their distances from `from` [m]
 };
 
 void collect_sketch(const GearPanel& panel, const PanelMesh& mesh, std::vector<KnownCoordinate>& known) {
@@ -40,8 +41,8 @@ void collect_sketch(const GearPanel& panel, const PanelMesh& mesh, std::vector<K
   }
 }
 
-/// All known coordinates, each once: those of the caller, which have priority, then points of the plan, the
-/// plane of symmetry and sketches.
+/// All known coordinates, each once, in the order of their priority: those of the caller, points of the plan,
+/// the plane of symmetry, and sketches.
 std::vector<KnownCoordinate> collect_known(const Gear& gear, const GearMesh& mesh,
                                            std::vector<KnownCoordinate> known) {
   for (const auto& point : gear.points)
@@ -98,7 +99,7 @@ class Shaper {
     }
   }
 
-  /// Positions the netting as a whole, by its known nodes, or else by the ropes that lead to it.
+  /// Shifts the whole netting to its known nodes, or else by the ropes that lead to it.
   void stand_as_a_whole() {
     const double aft = shift_along(0, true);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
@@ -169,7 +170,7 @@ class Shaper {
       if (placed_[node]) {
         leads.push_back({from, node, length, {}});
         for (auto k = before[node]; k != from; k = before[k]) leads.back().between.push_back({k, best[k]});
-        continue;  // beyond it lies netting
+        continue;  // paths end at the netting
       }
       for (const auto& [next, step] : neighbours[node])
         if (length + step < best[next]) {
@@ -179,7 +180,8 @@ class Shaper {
     }
   }
 
-  /// Places ropes beside the netting: straight between two placed ends, forward from a single one.
+  /// Places ropes beside the netting: straight between two placed nodes, or straight forward from one placed
+  /// node.
   void put_ropes() {
     const auto leads = find_leads();
     for (const auto& k : known_) complete(k.node);
@@ -192,7 +194,7 @@ class Shaper {
     }
   }
 
-  /// Chains of ropes from a board to the netting start straight.
+  /// Places the ropes on each path from a board to the netting along a straight line.
   void put_on_leads(const std::vector<Lead>& leads) {
     for (const Lead& lead : leads) {
       if (!is_of_body(lead.from) || !placed_[lead.from]) continue;
@@ -223,8 +225,8 @@ class Shaper {
     placed_[node] = true;
   }
 
-  /// Places one stretch of a rope, between placed nodes or from one placed node. Returns false if there is
-  /// none.
+  /// Places one stretch of a rope: between two placed nodes if `between`, else from one placed node. Returns
+  /// false if there is no such stretch.
   bool put_stretch(const RopeMesh& rope, bool between) {
     for (std::size_t i = 0; i < rope.nodes.size(); ++i) {
       if (placed_[rope.nodes[i]]) continue;
@@ -255,7 +257,7 @@ class Shaper {
     }
   }
 
-  /// Places nodes straight forward from a placed node, to the first or the last of a rope.
+  /// Places the nodes of a rope from `from` to `to` straight forward of a placed node.
   void put_forward(const RopeMesh& rope, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i != to;) {
       const std::size_t next = i < to ? i + 1 : i - 1;

@@ -27,11 +27,11 @@ using Triangulation =
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
 using Mesher = CGAL::Delaunay_mesher_no_edge_refinement_2<Triangulation, Criteria>;
 
-// sin² of the least angle after refinement, 20.7°, for which the mesher is proven to terminate
+// sin² of the least angle after refinement, 20.7°; for this bound the mesher is proven to terminate.
 constexpr double kShape = 0.125;
-constexpr double kLongest = 1.35;  // longest side of a triangle, relative to the wanted mean
+constexpr double kLongest = 1.35;  // longest side of a triangle, relative to the requested mean
 constexpr int kRounds = 5;         // rounds of smoothing
-// corners from this angle on are divided between triangles
+// Corners from this angle on are divided between triangles.
 constexpr double kSharp = formats::in_radians(50);
 
 double twice_area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
@@ -59,7 +59,7 @@ class Filler {
     return finish();
   }
 
-  /// The points as they are.
+  /// Connects the points without moving them or adding others.
   PlaneMesh connect_all() {
     connect();
     collect();
@@ -88,7 +88,7 @@ class Filler {
     return std::move(mesh_);
   }
 
-  /// Delaunay triangles of all points, none across the border.
+  /// Makes the Delaunay triangulation of all points with the border as constraint.
   void connect() {
     cdt_.clear();
     std::vector<std::pair<Kernel::Point_2, std::uint32_t>> points;
@@ -131,7 +131,8 @@ class Filler {
         mesh_.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
 
-  /// Marks all triangles inside: those that cannot be reached from far away without crossing the border.
+  /// Marks the triangles inside the border: those that cannot be reached from outside without crossing the
+  /// border.
   void mark_inside() {
     for (const auto f : cdt_.all_face_handles()) f->set_in_domain(true);
     std::vector<Triangulation::Face_handle> outside{cdt_.infinite_face()};
@@ -148,7 +149,7 @@ class Filler {
     }
   }
 
-  /// Moves inner points to the mean of their neighbours, unless that would turn a triangle over.
+  /// Moves inner points to the mean of their neighbours, unless a triangle would turn over.
   void smooth() {
     std::vector<std::vector<std::uint32_t>> around(mesh_.points.size());
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -176,7 +177,7 @@ class Filler {
     return twice_area(mesh_.points[a], mesh_.points[b], mesh_.points[c]) / 2;
   }
 
-  /// Divides the corner of a triangle with two sides on the border with its neighbour, half to each.
+  /// Divides each corner of a triangle with two sides on the border between this triangle and its neighbour.
   void open_corners() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {

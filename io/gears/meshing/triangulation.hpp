@@ -8,25 +8,26 @@ namespace netloft::gears {
 
 using PlanePoint = std::array<double, 2>;
 
-/// Triangles in the plane: first the points of the border as given, then those inside.
+/// Triangles in the plane. `points`: first those of the border in the given order, then inner points.
 struct PlaneMesh {
   std::vector<PlanePoint> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise
 };
 
-/// Fills a closed border, counter-clockwise and without crossings, with triangles of sides of about `size`;
-/// near finer borders they are finer. No point is added to the border. Corners of 50 degrees or more are
-/// divided between triangles, so that pieces which meet at the corner have more than its two sides in common.
-/// Throws std::invalid_argument on a border that crosses itself.
+/// Fills a closed border with triangles whose sides are about `size`, or shorter near finer parts of the
+/// border. The border must be counter-clockwise; it gets no additional points. Corners of 50 degrees or more
+/// are divided between two triangles, so that pieces that meet at the corner share more than its two sides.
+/// Throws std::invalid_argument if the border crosses itself.
 PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size);
 
-/// Connects a border and given points inside by Delaunay's triangles; corners are divided as above.
+/// Connects a border and given inner points by a Delaunay triangulation; corners are divided as in
+/// triangulate().
 PlaneMesh connect_points(const std::vector<PlanePoint>& border, const std::vector<PlanePoint>& inside);
 
 enum class Smoothing { none, all };
 
-/// Returns the same triangles with an additional point in the middle of some sides, given by their end
-/// points; then points inside are smoothed, or none is.
+/// Adds a point in the middle of each of `sides`, which are given by their end points, and connects all
+/// points again. `smoothing`: whether inner points are then smoothed.
 PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
                       const std::vector<std::array<std::uint32_t, 2>>& sides,
                       Smoothing smoothing = Smoothing::all);

@@ -4,45 +4,43 @@
 
 namespace netloft::gears {
 
-/// Limits from which a difference is reported as a warning, and from which as an error; relative to the value
-/// in the plan where no unit is given.
+/// Limits above which a difference is reported as a warning or as an error. Limits without a unit are
+/// relative to the value in the plan.
 struct CheckLimits {
-  double closing_meshes =
-      1;  // of an aft edge [meshes]; half a mesh on either side may belong to the selvedge
-  double closing_error = 0.05;  // a larger misfit of cuttings and aft count cannot be intended
-  double joining_meshes = 2;    // of edges sewn mesh to mesh [meshes]
-  double joining = 0.02;        // the same, relative
-  double joining_error = 0.10;  // beyond it the plan must state a take-up ratio
-  double stretching = 0.02;     // of netting beyond the length of its straight twines
+  double closing_meshes = 1;    // error of an aft edge [meshes]; each selvedge may hold half a mesh
+  double closing_error = 0.05;  // a larger difference of cuttings and aft count is an error
+  double joining_meshes = 2;    // difference of edges sewn mesh to mesh [meshes]
+  double joining = 0.02;        // relative difference of these edges
+  double joining_error = 0.10;  // above this the plan must state a take-up ratio
+  double stretching = 0.02;     // excess over the length of straight twines
   double bunching = 0.2;        // hanging ratio below which meshes are bunched
-  double loose_rope = 0.5;      // least part of a rope with hangings that is given to edges
-  double crowded = 4;           // floats in a row over the length they are spread along, that fit in no bunch
-  double short_rope = 0.02;     // of missing rope
-  double rounding = 1e-3;       // of lengths, as they are rounded in plans
+  double loose_rope = 0.5;      // smallest fraction of a rope with hangings that edges take
+  double crowded = 4;        // width of all floats over the length of their rope; more do not fit in bunches
+  double short_rope = 0.02;  // missing length of rope
+  double rounding = 1e-3;    // rounding of lengths in plans
 };
 
-/// Checks whether the net can be sewn: cuttings close, joins match, ropes are long enough, nothing is
-/// unconnected. Errors go into the diagnostics, each with its place and the likely cure. A cutting that is
-/// not a rate is replaced by the one that the plan probably means, and the remaining checks use that one.
+/// Checks whether the net can be sewn: cuttings close, joins match, ropes are long enough, everything is
+/// connected. Errors go to the diagnostics, each with its place and the likely cure. A cutting that is not a
+/// rate is replaced by the rate that the plan probably means, which the remaining checks use.
 void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 
-// The parts of check_plan.
+// These functions are the parts of check_plan.
 void check_panels(NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics);
-/// Checks that ropes with hangings are mostly on edges. The plan must be free of errors.
+/// Checks that edges take most of each rope with hangings. The plan must be free of errors.
 void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 /// Checks that every edge is sewn, hung or declared open. The plan must be free of errors.
 void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics);
-/// Checks points with known positions: they must not be farther apart than the ropes between them allow,
-/// and no rope must lead from a point to itself. The
-/// plan must be free of errors.
+/// Checks points with known positions: they must not be farther apart than the ropes between them allow, and
+/// no rope may lead from a point to itself. The plan must be free of errors.
 void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 
-/// Numbers in the notation of net makers: 43, 25.8, +1.7 %.
+/// Numbers as net makers write them: 43, 25.8, +1.7 %.
 std::string in_meshes(double meshes);
 std::string in_metres(double metres);
 std::string in_percent(double fraction);

@@ -14,7 +14,7 @@ namespace {
 
 std::string name_of(const Panel& panel, const OutlineEdge& edge) { return panel.name + "." + edge.name; }
 
-/// The edges of a plan that are sewn or hung, and where: "body.aft" is sewn at line 40.
+/// The edges of a plan that are sewn or hung, each with the place: "body.aft" is sewn at line 40.
 class EdgeUses {
  public:
   explicit EdgeUses(const NetPlan& plan) {
@@ -42,7 +42,7 @@ class EdgeUses {
   std::map<std::string, Use> done_;
 };
 
-/// Names of the edges that a panel declares open. Declared edges that are sewn or hung are reported.
+/// The names of the edges that a panel declares open. Reports declared edges that are sewn or hung.
 std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const EdgeUses& uses,
                                 formats::Diagnostics& diagnostics) {
   std::set<std::string> open;

@@ -11,7 +11,7 @@ namespace netloft::gears {
 
 namespace {
 
-/// A number that a piece is given with; 0 if it is not.
+/// A number in the table of a piece; 0 if it is not given.
 double number_of(const Pieces& pieces, const char* key, const char* unit) {
   const formats::Table* table = pieces.piece.as<formats::Table>();
   if (!table || !table->find(key)) return 0;
@@ -21,7 +21,8 @@ double number_of(const Pieces& pieces, const char* key, const char* unit) {
   return silent.errors() ? 0 : value;
 }
 
-/// Spheres lie side by side; discs are threaded on their rope, and are less thick than wide.
+/// Whether pieces are floats. Floats lie side by side; other pieces are threaded discs, which are thinner
+/// than wide.
 bool is_float(const Pieces& pieces) { return number_of(pieces, "buoyancy", "N") > 0; }
 
 void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_sides,
@@ -53,7 +54,7 @@ void check_room(const Pieces& pieces, const std::string& path, double length, co
     diagnostics.warning(pieces.spread_place, said, cure);
 }
 
-/// How long all is in the whole gear that pieces are spread along [m].
+/// The total length in the whole gear along which pieces are spread [m]; 0 after an error.
 double length_along(const NetPlan& plan, const Pieces& pieces, formats::Diagnostics& diagnostics,
                     const std::string& path) {
   if (pieces.is_along_edge()) {

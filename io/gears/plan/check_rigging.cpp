@@ -14,15 +14,15 @@ namespace netloft::gears {
 
 namespace {
 
-/// The edges in a row on one side of a join, counted over the whole gear.
+/// The edges on one side of a join, counted over the whole gear.
 struct EdgeRow {
   std::string name;      // "bottom-wing.side + bottom-body.side"
-  double meshes = 0;     // to port and to starboard
+  double meshes = 0;     // sum over port and starboard
   double stretched = 0;  // [m]
   int times = 1;
   double mesh = 0;  // [m]
   bool is_side = false, is_one_mesh_size = true, is_sound = true;
-  int across_middle = 0;  // edges that lie across the middle
+  int across_middle = 0;  // number of edges across the middle
 };
 
 EdgeRow read_edge_row(const NetPlan& plan, const std::vector<std::string>& names, const formats::Place& place,
@@ -49,8 +49,8 @@ EdgeRow read_edge_row(const NetPlan& plan, const std::vector<std::string>& names
   return row;
 }
 
-/// Joins are compared by mesh counts if possible; a join with a side edge, or of edges with other meshes, by
-/// length.
+/// Whether both sides of a join are compared by mesh counts. A join with only one side edge, or along sides
+/// of different mesh sizes, is compared by length.
 bool is_counted(const EdgeRow& a, const EdgeRow& b) {
   if (a.is_side != b.is_side) return false;
   return !a.is_side || (a.is_one_mesh_size && b.is_one_mesh_size && a.mesh == b.mesh);
@@ -102,7 +102,8 @@ void check_widths(const Join& join, const std::string& path, const EdgeRow& a, c
       "one mesh size may be that of one bar instead of two, or take_up may be missing");
 }
 
-/// Registers what may be done to an edge only once. Names may overlap: "body.fore" contains "body.bosom".
+/// Registers edges that may be sewn or hung only once, and reports the second time. Names may overlap:
+/// "body.fore" contains "body.bosom".
 class Ledger {
  public:
   explicit Ledger(const char* deed) : deed_(deed) {}
@@ -125,7 +126,7 @@ class Ledger {
   std::map<std::string, formats::Place> done_;
 };
 
-/// An edge that is sewn to itself must exist to port and to starboard, or cross the middle.
+/// Refuses an edge that is sewn to itself unless it exists to port and to starboard, or crosses the middle.
 void check_sewn_to_itself(const Join& join, const std::string& path, const EdgeRow& row,
                           formats::Diagnostics& diagnostics) {
   if (row.times != 2 && row.across_middle != 1)
@@ -134,7 +135,8 @@ void check_sewn_to_itself(const Join& join, const std::string& path, const EdgeR
                       "edges of a middle panel can, and of a pair");
 }
 
-/// A row goes from the middle outwards, and at most back to the middle.
+/// Refuses a row with more than two edges across the middle: a row starts in the middle, goes outwards, and
+/// may return to the middle once.
 void check_ring(const Join& join, std::size_t k, const std::string& path, const EdgeRow& row,
                 formats::Diagnostics& diagnostics) {
   if (row.across_middle > 2)
@@ -144,7 +146,7 @@ void check_ring(const Join& join, std::size_t k, const std::string& path, const 
         "an upper and a lower one at most, with edges of pairs between them");
 }
 
-/// Length of rope that a hanging takes [m]: on the whole gear for a rope in the middle, on one side for a
+/// Length of rope that a hanging takes [m]: in the whole gear for a rope in the middle, on one side for a
 /// rope of a pair.
 double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rope) {
   const double once = hanging.length > 0 ? hanging.length : hanging.ratio * edge.stretched();
@@ -169,7 +171,8 @@ void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::strin
         "a hanging ratio is rarely below 0.3; the length may be that of one part of the edge");
 }
 
-/// An edge that exists twice needs a rope on both sides, and a rope of a pair needs an edge of its own.
+/// Refuses an edge that exists twice on a rope that exists once, and an edge that exists once on a pair of
+/// ropes.
 void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const std::string& path,
                  formats::Diagnostics& diagnostics) {
   const bool is_twice = edge.times() == 2;
@@ -196,7 +199,7 @@ double hung_on(const NetPlan& plan, const Rope& rope) {
   return sum;
 }
 
-/// Most of a rope that edges hang on is given to them.
+/// Warns that edges take only a small part of a rope.
 void say_loose(const Rope& rope, double hung, formats::Diagnostics& diagnostics) {
   diagnostics.warning(
       rope.place,
@@ -234,7 +237,7 @@ void check_rope_length(const NetPlan& plan, const Rope& rope, const CheckLimits&
     diagnostics.warning(rope.place, message, cure);
 }
 
-/// A rope that exists once cannot end at a point that exists twice.
+/// Refuses a rope that exists once and ends at a point that exists twice.
 void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
                formats::Diagnostics& diagnostics) {
   const std::string path = "ropes." + rope.name + ".between";
@@ -296,7 +299,7 @@ class Connections {
 
 std::string owner(const std::string& name) { return name.substr(0, name.find('.')); }
 
-/// Whether a rope of the plan leads to it.
+/// Whether a rope of the plan leads to this part or point.
 bool is_tied(const NetPlan& plan, const std::string& name) {
   return std::any_of(plan.ropes.begin(), plan.ropes.end(), [&](const Rope& rope) {
     return owner(rope.between[0]) == name || owner(rope.between[1]) == name;
@@ -352,7 +355,7 @@ void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::
       say_loose(rope, hung, diagnostics);
 }
 
-/// A gear has one headline and one footrope.
+/// Refuses a second headline or footrope.
 void check_roles(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   std::map<std::string, const Rope*> first;
   for (const auto& rope : plan.ropes) {
@@ -382,7 +385,7 @@ void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   for (const auto& point : plan.points)
     if (!plan.find_body(owner(point.name))) all.add(point.name, point.place);
   for (const auto& body : plan.bodies)
-    if (is_tied(plan, body.name)) all.add(body.name, body.place);  // others a scene may tie
+    if (is_tied(plan, body.name)) all.add(body.name, body.place);  // a scene may tie the others
   for (const auto& join : plan.joins) connect_join(all, join);
   for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);
   for (const auto& rope : plan.ropes)

@@ -13,7 +13,7 @@ namespace netloft::gears {
 
 namespace {
 
-/// Ropes between points and ends of ropes, as a graph for shortest paths.
+/// A graph of points and ends of ropes, with ropes as connections, for shortest paths.
 class RopeWays {
  public:
   explicit RopeWays(const Gear& gear) {
@@ -26,8 +26,8 @@ class RopeWays {
     }
   }
 
-  /// Lengths of the shortest paths along ropes from one point to all that can be reached (E. W. Dijkstra
-  /// 1959).
+  /// Lengths of the shortest paths along ropes from one point to all points that can be reached (E. W.
+  /// Dijkstra 1959).
   std::map<std::string, double> from(const std::string& start) const {
     std::map<std::string, double> reached;
     std::set<std::pair<double, std::string>> next = {{0, start}};
@@ -69,7 +69,7 @@ void say_too_short(const GearPoint& a, const GearPoint& b, double length, format
 
 namespace {
 
-/// Ropes whose ends are one point, and which take no edge between them: they hang there as a loop.
+/// Refuses ropes whose ends are the same point and that take no edge: they would hang there as a loop.
 void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& diagnostics) {
   for (const auto& rope : gear.ropes) {
     const bool is_across = !rope.middle.empty();

@@ -12,25 +12,27 @@ namespace netloft::gears {
 /// (M or T) goes
 ///   across   a = b/2 + t   meshes      (1)
 ///   deep     d = b/2 + n   meshes      (2)
-/// for a bar goes half a mesh across and half a mesh deep, a point one mesh deep, a mesh one across. 5B1P is
-/// 2.5 across in 3.5 deep, 3B1M is 2.5 in 1.5. Halves are counted as integers, so that cycles add up exactly.
+/// A bar goes half a mesh across and half a mesh deep, a point goes one mesh deep, and a mesh goes one mesh
+/// across. 5B1P goes 2.5 meshes across in 3.5 meshes deep, 3B1M goes 2.5 across in 1.5 deep. Half meshes are
+/// counted as integers, so that cycles add up exactly.
 struct CuttingRate {
   int bars = 0, points = 0, meshes = 0;
 
   int half_meshes_across() const { return bars + 2 * meshes; }  // (1)
   int half_meshes_deep() const { return bars + 2 * points; }    // (2)
   bool is_straight() const { return half_meshes_across() == 0; }
-  /// Meshes across in `deep` meshes; not defined for a rate that goes across only (AM).
+  /// Meshes across over `deep` meshes; undefined for a rate that goes across only (AM).
   double across(double deep) const { return deep * half_meshes_across() / half_meshes_deep(); }
   double deep(double across) const { return across * half_meshes_deep() / half_meshes_across(); }
 
   bool operator==(const CuttingRate&) const = default;
 };
 
-/// "5B1P", "1N2B", "AB", "AN", "AM"; N and P, M and T mean the same. Empty if the text is not a rate.
+/// Parses a rate: "5B1P", "1N2B", "AB", "AN", "AM"; N and P mean the same, and M and T. Empty if the text is
+/// not a rate.
 std::optional<CuttingRate> parse_rate(std::string_view text);
 
-/// Rates that differ from `text` in one letter, as candidates for a blurred plan.
+/// Rates that differ from `text` in one letter, which are candidates for an illegible plan.
 std::vector<std::string> rates_near(const std::string& text);
 
 }  // namespace netloft::gears

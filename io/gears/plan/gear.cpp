@@ -85,8 +85,8 @@ class GearMaker {
           {prefix(side) + panel.name, &panel, side == Side::port, doubled ? both_halves(outline) : outline});
   }
 
-  /// The edges that a name of the plan denotes on one side of the gear; an edge that exists once is returned
-  /// for either side.
+  /// The edges that a name of the plan means on one side of the gear. An edge that exists once belongs to
+  /// both sides.
   std::vector<EdgeRef> edges_of(const std::string& name, Side side) const {
     formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan_, name, {}, "", silent);
@@ -116,7 +116,7 @@ class GearMaker {
     return is_whole() && find_edge(plan_, name, {}, "", silent).times() == 2;
   }
 
-  /// The edges to port that are not also to starboard or across the middle.
+  /// The edges to port that do not also belong to starboard.
   std::vector<EdgeRef> edges_to_port(const std::string& name) const {
     auto port = edges_of(name, Side::port);
     const auto starboard = edges_of(name, Side::starboard);
@@ -135,8 +135,8 @@ class GearMaker {
     return row;
   }
 
-  /// The edges of a row from port to starboard: those that exist twice on both ends, those that exist once
-  /// between them.
+  /// The edges of a row from port to starboard: edges that exist twice are at both ends of the row, edges
+  /// that exist once between them.
   std::vector<EdgeRef> row_across(const std::vector<std::string>& names) const {
     std::vector<EdgeRef> row;
     for (auto name = names.rbegin(); name != names.rend(); ++name) {
@@ -192,8 +192,8 @@ class GearMaker {
     }
   }
 
-  /// Connects the ends of a rope. A rope in the middle ends on both sides, and its start becomes the
-  /// connection of its middle.
+  /// Ties the ends of a rope. In a whole gear, a rope of the middle ends on both sides, and the point at its
+  /// start is tied to its middle.
   void tie(GearRope& one, Side side) const {
     const auto& [start, end] = one.rope->between;
     if (is_whole() && one.rope->stands == Standing::middle) {
@@ -217,7 +217,7 @@ class GearMaker {
     return port;
   }
 
-  /// Edges take parts of a hanging's length in proportion to the length of their twines.
+  /// Distributes the length of a hanging over its edges in proportion to the length of their twines.
   void append_hung(std::vector<HungEdge>& hung, const Hanging& hanging,
                    const std::vector<EdgeRef>& edges) const {
     formats::Diagnostics silent;
@@ -238,8 +238,8 @@ class GearMaker {
     }
   }
 
-  /// Adds pieces such as floats. The plan's numbers are those of the whole gear; in the half they are halved,
-  /// except on parts that exist once.
+  /// Adds pieces such as floats. The plan states numbers for the whole gear. A pair has half of the number on
+  /// each side; half a gear has half of the pieces across the plane.
   void add_pieces(const Pieces& pieces) {
     const Standing stands = standing_of(pieces);
     const bool is_shared = stands == Standing::pair || (stands == Standing::middle && !is_whole());
@@ -275,7 +275,8 @@ class GearMaker {
     return {name.substr(0, dot), dot == std::string::npos ? "" : name.substr(dot + 1)};
   }
 
-  /// The name of a plan's point on one side; the ends of ropes in the middle are called start and end.
+  /// The name in the gear of a point of the plan on one side; in a whole gear, the ends of a rope of the
+  /// middle are its start and its end.
   std::string point_on(const std::string& name, Side side) const {
     const auto [owner, rest] = split(name);
     const Standing stands = standing_of(owner);

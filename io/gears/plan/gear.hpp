@@ -12,19 +12,19 @@ namespace netloft::gears {
 /// The part of a gear that is modelled.
 enum class Extent {
   whole,
-  half,  // the starboard half, for gears and flows that are symmetric; the middle of panels is on the
-         // plane, and so are edges that are sewn to their mirror image
+  half,  // the starboard half of a symmetric gear in a symmetric flow; the middles of panels are on the
+         // plane of symmetry, and so are edges that are sewn to their mirror image
 };
 
-/// One piece of netting of a gear. In the whole, pairs are named "port-…" and "starboard-…", and so are the
-/// edges of middle panels that exist twice; all other names are those of the plan.
+/// One piece of netting of a gear. In a whole gear, panels of pairs are named "port-…" and "starboard-…", and
+/// so are the edges of middle panels that exist twice; all other names are those of the plan.
 struct GearPanel {
   std::string name;
   const Panel* panel = nullptr;
   bool is_mirrored = false;  // x of its outline points to port
-  Outline outline;           // of a middle panel in the whole: both halves, port at negative x
+  Outline outline;           // a middle panel of a whole gear has both halves, port at negative x
 
-  /// (u, v) in bars of a point of the outline, by twine_coordinates.hpp.
+  /// Twine coordinates (u, v) of a point of the outline [bars], by twine_coordinates.hpp.
   std::array<double, 2> twine_coordinates(PanelPoint point) const {
     return panel->twines_at(point.x, point.y);
   }
@@ -40,12 +40,14 @@ struct EdgeRef {
   bool operator==(const EdgeRef&) const = default;
 };
 
-/// Edges sewn together, each side in a row. A seam is one line of knots, no matter how it is divided. Edges
-/// keep the direction of their outlines, so two that are sewn together may run in opposite directions.
+/// Edges that are sewn together, with one or more edges on each side. A seam is one line of knots, however it
+/// is divided. Edges keep the direction of their outlines, so edges that are sewn together may run in
+/// opposite directions.
 struct Seam {
   std::array<std::vector<EdgeRef>, 2> edges;
-  double take_up = 0;  // meshes of the second for one of the first; 0: mesh to mesh
-  /// Whether edges are sewn to their mirror image; those that cross the middle are on both sides of the seam.
+  double take_up = 0;  // meshes of the second side per mesh of the first; 0: mesh to mesh
+  /// Whether edges are sewn to their mirror image; edges that cross the middle are then on both sides of the
+  /// seam.
   bool is_to_itself = false;
 };
 
@@ -55,16 +57,16 @@ struct HungEdge {
   double length = 0;
 };
 
-/// One rope of a gear. In the whole a rope of the middle runs from port ("start") to starboard ("end"); in
-/// the half it starts on the plane of symmetry, with half its length.
+/// One rope of a gear. In a whole gear, a rope of the middle runs from port ("start") to starboard ("end");
+/// in half a gear it starts on the plane of symmetry and has half its length.
 struct GearRope {
   std::string name;
   const Rope* rope = nullptr;
   bool is_mirrored = false;
   double length = 0;                   // unstretched [m]
   std::vector<HungEdge> hung;          // from start to end
-  std::array<std::string, 2> between;  // points, by their names in this gear
-  std::string middle;                  // point connected to the middle, for a rope of the middle in the whole
+  std::array<std::string, 2> between;  // names in this gear of the points at its ends
+  std::string middle;                  // point tied to its middle, for a rope of the middle in a whole gear
 };
 
 /// Floats, weights or pieces of ground gear in one place: along a rope, along edges, or at a point. Only one
@@ -72,9 +74,9 @@ struct GearRope {
 struct GearPieces {
   std::string name;
   const Pieces* pieces = nullptr;
-  double number = 0;           // in the modelled part; the half has half of those that lie across the plane
+  double number = 0;           // in the modelled part; half a gear has half of the pieces across the plane
   std::string rope;            // distributed along this rope
-  std::vector<EdgeRef> edges;  // distributed along these, in proportion to the length of their twines
+  std::vector<EdgeRef> edges;  // distributed along these edges in proportion to the length of their twines
   std::string point;           // all of them at this point
 };
 
@@ -92,9 +94,9 @@ struct GearBody {
   bool is_mirrored = false;
 };
 
-/// A net plan completed by its symmetry. It refers to the plan, which must live longer. Points are named
-/// "headrope.end", "port-wing.fore-outer", "port-towing-point", and in the whole those of middle panels as
-/// their edges: "body.port-fore-outer"; on the plane of symmetry "body.fore-inner".
+/// A net plan completed by its symmetry. It refers to the plan, which must outlive it. Points are named
+/// "headrope.end", "port-wing.fore-outer", "port-towing-point". In a whole gear, corners of middle panels are
+/// named like their edges, "body.port-fore-outer"; on the plane of symmetry, "body.fore-inner".
 struct Gear {
   Extent extent = Extent::whole;
   std::vector<GearPanel> panels;
@@ -108,9 +110,9 @@ struct Gear {
   const GearRope* find_rope(const std::string& name) const;
   /// The name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
-  /// The last panel of a row that goes round the net, which is one with two panels across the middle, such as
-  /// an upper and a lower one before a tube: from the middle of the first outwards, and along the last one
-  /// back.
+  /// The last panel of a row that goes round the net; nothing if the row does not. Such a row has two panels
+  /// across the middle, such as an upper and a lower panel before a tube: it goes from the middle of the
+  /// first outwards, and along the last back to the middle.
   std::optional<std::size_t> last_of_ring(const std::vector<EdgeRef>& row) const;
 };
 

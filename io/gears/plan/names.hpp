@@ -4,25 +4,26 @@
 
 namespace netloft::gears {
 
-/// The edges of one panel that a name denotes, in the order outwards or aft.
+/// The edges of one panel that a name means, in the order outwards or aft.
 struct EdgeSet {
   const Panel* panel = nullptr;
   std::vector<OutlineEdge> edges;
 
-  /// Meshes counted over the whole: a fore or aft edge in the middle counts to port and to starboard.
+  /// Number of meshes; that of a fore or aft edge across the middle includes port and starboard.
   double meshes() const;
-  /// Length of their straight twines, for the same edges as `meshes` [m].
+  /// Length of the straight twines along the edges [m], counted like meshes().
   double stretched() const;
-  /// The number of times the whole gear has it: once across the middle, otherwise twice.
+  /// How often the edges exist in the whole gear: once across the middle or in a single panel, otherwise
+  /// twice.
   int times() const;
   bool is_side() const;
-  /// Whether it lies across the plane of symmetry.
+  /// Whether the edges lie across the plane of symmetry.
   bool is_across_middle() const;
 };
 
-/// "top-wing.inner", "top-wing.breast-cut", "top-body.fore" (all stretches of it). If there is no such edge,
-/// the result is empty and an error at `place` lists near names; `path` is the key that contains the name. A
-/// panel without meshes has none.
+/// The edges that a name means: "top-wing.inner", "top-wing.breast-cut", "top-body.fore" (all stretches of
+/// it). If there is no such edge, the result is empty and an error at `place` lists near names; `path` is the
+/// key that contains the name. A panel without meshes has no edges.
 EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::Place& place,
                   const std::string& path, formats::Diagnostics& diagnostics);
 
@@ -42,11 +43,11 @@ Standing standing_of_point(const NetPlan& plan, const std::string& name);
 /// Whether a corner of a middle panel lies on the plane of symmetry.
 bool is_corner_in_middle(const std::string& corner);
 
-/// Corners of a panel by name: fore-outer, fore-inner, aft-outer, aft-inner, and the aft ends of the cuts of
-/// a side with several cuts, such as breast-cut-aft.
+/// The names of the corners of a panel: fore-outer, fore-inner, aft-outer, aft-inner, and the aft ends of the
+/// cuts of a side with several cuts, such as breast-cut-aft.
 std::vector<std::string> corner_names(const Panel& panel);
 
-/// The material for hints `did you mean …`: the nearest of `names`, or all of them.
+/// A hint for a wrong name: "did you mean …" with the nearest of `names`, or a list of all names.
 std::string near_names(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::gears

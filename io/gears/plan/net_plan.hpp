@@ -13,18 +13,18 @@
 namespace netloft::gears {
 
 // A net plan as written by its maker: counts in meshes, lengths in metres, names unchanged. Parts that exist
-// to port and to starboard are written once; nothing is mirrored, cut to size or divided yet.
+// to port and to starboard are stored once; they are not yet mirrored, cut to size or divided.
 
 /// The symmetry of a part.
 enum class Standing {
-  alone,   // exists once, in its place
-  pair,    // to starboard, and mirrored to port
-  middle,  // across the plane, symmetric in itself
+  alone,   // exists once, anywhere
+  pair,    // exists to starboard, and mirrored to port
+  middle,  // lies across the plane of symmetry, and is symmetric itself
 };
 
-/// Meshes counted along a fore or an aft edge. In the lists of a panel they come from the middle outwards (of
-/// a pair: from the inner side outwards); of a middle panel the first lies across the middle, whole, and each
-/// of the others is there to port and to starboard.
+/// A number of meshes along a fore or an aft edge. In the lists of a panel, counts go from the middle
+/// outwards (in a pair: from the inner side outwards). In a middle panel the first count is the whole stretch
+/// across the middle; each of the others exists to port and to starboard.
 struct MeshCount {
   std::string name;
   double meshes = 0;
@@ -38,11 +38,11 @@ struct Cut {
   std::string written;  // "5B1P in"
   CuttingRate rate;
   bool is_known = true;  // false: the text is not a rate, and `rate` is a guess
-  int goes = 0;          // +1 outwards, the panel becomes wider going aft; -1 inwards
-  // meshes; if neither is given, the cut takes the rest of the depth
+  int goes = 0;          // +1 if the panel becomes wider going aft, -1 if narrower, 0 if straight
+  // Meshes as stated; if neither is given, the cut takes the rest of the depth.
   std::optional<double> said_across, said_deep;
-  double across = 0, deep = 0;  // meshes, as computed
-  double selvedge = 0;          // meshes gathered into the seam along it
+  double across = 0, deep = 0;  // computed meshes
+  double selvedge = 0;          // meshes that are gathered into the seam along the cut
   formats::Place place;
   bool operator==(const Cut&) const = default;
 };
@@ -50,7 +50,7 @@ struct Cut {
 /// Computes the extent of each cut of a side from the given numbers and the depth of the panel.
 void settle(std::vector<Cut>& side, double depth);
 
-/// An edge that a plan declares open: "fore", "aft", the name of a stretch.
+/// An edge that a plan declares open, by its name: "fore", "aft", or the name of a stretch.
 struct OpenEdge {
   std::string name;
   formats::Place place;
@@ -63,74 +63,78 @@ struct Panel {
   double mesh = 0;  // stretched mesh size, two bars [m]
   std::string orientation = "diamond";
   double angle = 0;           // rotation of the netting in the panel, twine_coordinates.hpp (2) [rad]
-  std::string twine_name;     // in the catalogue; empty: written in the plan
+  std::string twine_name;     // name in the catalogue; empty if the plan states the numbers
   formats::Value twine;       // a table: diameter, EA, density, …
   double twine_diameter = 0;  // [m]
-  int twines = 1;             // number laid side by side: 2 in double netting
+  int twines = 1;             // number of twines side by side: 2 in double netting
   std::vector<MeshCount> fore, aft;
-  bool states_aft = false;     // whether the plan states it; otherwise it follows from the cuttings
-  double depth = 0;            // meshes, over all pieces in a row
-  int pieces = 1;              // sewn in a row mesh to mesh, each `depth`/`pieces` deep
-  std::vector<OpenEdge> open;  // edges that are sewn and hung nowhere on purpose
-  bool has_corners = false;    // given by corners, which enclose netting, instead of counts and cuttings
-  bool is_round = false;       // a tube: its sides are sewn to one another
-  std::vector<Cut> outer;      // of a middle panel: both sides
-  std::vector<Cut> inner;      // of a middle panel: none
-  /// Initial corners: fore-inner, fore-outer, aft-outer, aft-inner, to starboard [m]; may be empty.
+  bool states_aft = false;     // whether the plan states `aft`; otherwise it follows from the cuttings
+  double depth = 0;            // meshes from fore to aft, over all pieces in a row
+  int pieces = 1;              // number of pieces sewn mesh to mesh in a row, each `depth`/`pieces` deep
+  std::vector<OpenEdge> open;  // edges that are intentionally neither sewn nor hung
+  bool has_corners = false;    // whether corners define the panel instead of counts and cuttings
+  bool is_round = false;       // whether the panel is a tube: its sides are sewn together
+  std::vector<Cut> outer;      // outer side; both sides of a middle panel
+  std::vector<Cut> inner;      // inner side; empty in a middle panel
+  /// Initial corners of the panel or half to starboard [m]: fore-inner, fore-outer, aft-outer, aft-inner; may
+  /// be empty.
   std::vector<std::array<double, 3>> sketch;
   formats::Place place, aft_place;
 
-  /// Whether it has no netting by its counts: a panel by corners may have a corner at either end.
+  /// Whether the panel has no netting by its counts. A panel by corners may end in a point at both ends.
   bool is_empty() const { return !has_corners && count(fore) <= 0 && count(aft) <= 0; }
-  /// Meshes of the whole edge, to port and to starboard of a middle panel.
+  /// Meshes of the whole edge; of a middle panel including port and starboard.
   double count(const std::vector<MeshCount>& edge) const;
-  /// (u, v) in bars of a point, or of the vector from one point to another; twine_coordinates.hpp.
+  /// Twine coordinates (u, v) of a point, or of a vector between two points [bars]; twine_coordinates.hpp.
   std::array<double, 2> twines_at(double across, double deep) const;
   bool operator==(const Panel&) const = default;
 };
 
 constexpr double kWinchSpeed = 2;    // [m/s]; trawl winches haul some 80 to 120 m in a minute
-constexpr double kWinchBand = 0.05;  // of the tension
+constexpr double kWinchBand = 0.05;  // default band as a fraction of the tension
 
-/// A rope, wire or chain. One in the middle is given in full length; it starts in the middle and ends on both
-/// sides.
+/// A rope, wire or chain. A rope in the middle has its full length here; it starts in the middle and ends on
+/// both sides.
 struct Rope {
   std::string name;
   Standing stands = Standing::alone;
   std::string part_name;
   formats::Value rope;                // a table: diameter, EA, density, …
   double length = 0;                  // unstretched [m]
-  std::optional<double> length_port;  // of the one to port, if it is another [m]
-  // At its start, to starboard and to port, if the length is found that has it [N].
+  std::optional<double> length_port;  // length of the rope to port, if different [m]
+  // Tension at the start of the rope to starboard and to port, if the solver finds the length [N].
   std::optional<double> tension, tension_port;
   std::string role;  // one of rope_roles(); empty: none
   formats::Place role_place;
-  std::array<std::string, 2> between;  // points at its ends; empty: none
-  // How a winch runs in a motion; of one that begins with `tension` the first stage has no rows.
+  std::array<std::string, 2> between;  // points at its ends; empty if an end is not tied
+  // The stages of its winch in a motion. If the winch begins with `tension`, the first stage has no rows.
   std::vector<WinchStage> winch;
   formats::Place winch_place, tension_place;
-  bool is_selvedge = false;  // true for meshes gathered into a seam, which plans do not write as ropes
+  bool is_selvedge =
+      false;  // whether the rope stands for meshes gathered into a seam; plans do not state such ropes
   formats::Place place, between_place;
 };
 
-/// The roles of ropes in a gear. Reports have figures of the mouth if a headline and a footrope are named.
+/// The names of the roles of ropes in a gear. Reports have results of the mouth if a headline and a footrope
+/// have their roles.
 const std::vector<std::string>& rope_roles();
 
-/// An edge hung on a rope. Along the rope, edges follow one another in the order of its hangings.
+/// An edge that is hung on a rope. The edges of a rope follow each other in the order of the hangings.
 struct Hanging {
   std::string edge, rope;
-  // length of rope that it takes, over the whole of a middle edge [m]; 0: given by the ratio
+  // Length of rope that the edge takes; that of a middle edge is for the whole edge [m]; 0: the ratio is
+  // given.
   double length = 0;
-  double ratio = 0;  // length of rope divided by that of the stretched edge; 0: given by the length
+  double ratio = 0;  // length of rope divided by that of the stretched edge; 0: the length is given
   formats::Place edge_place, rope_place, place;
   bool operator==(const Hanging&) const = default;
 };
 
-/// Edges sewn together, each side one edge or several in a row. If both sides are the same edge, port is sewn
-/// to starboard.
+/// Edges that are sewn together, with one or more edges on each side. If both sides are the same edge, port
+/// is sewn to starboard.
 struct Join {
   std::array<std::vector<std::string>, 2> edges;
-  double take_up = 0;   // meshes of the second for one of the first; 0: mesh to mesh
+  double take_up = 0;   // meshes of the second side per mesh of the first; 0: mesh to mesh
   double selvedge = 0;  // meshes of each edge that are gathered into the seam
   std::array<formats::Place, 2> places;
   formats::Place place;
@@ -139,13 +143,13 @@ struct Join {
   bool operator==(const Join&) const = default;
 };
 
-/// "47 along headrope", "2 at footrope.end": floats, weights or pieces of ground gear, distributed along a
-/// rope or an edge, or hung at a point.
+/// Floats, weights or pieces of ground gear that are distributed along a rope or an edge, or hung at a point:
+/// "47 along headrope", "2 at footrope.end".
 struct Pieces {
   std::string name, part_name;
   formats::Value piece;
   double number = 0;      // in the whole gear
-  std::string along, at;  // one of them is set
+  std::string along, at;  // exactly one of them is set
   formats::Place place, spread_place;
 
   bool is_along_edge() const { return along.find('.') != std::string::npos; }
@@ -155,7 +159,7 @@ struct Pieces {
 struct Point {
   std::string name;
   Standing stands = Standing::pair;
-  std::optional<std::array<double, 3>> at;  // [m]; for a pair the one to starboard
+  std::optional<std::array<double, 3>> at;  // [m]; that of a pair to starboard
   formats::Place place;
   bool operator==(const Point&) const = default;
 };
@@ -165,25 +169,26 @@ struct Point {
 struct PlanBody {
   std::string name;
   Standing stands = Standing::pair;
-  std::vector<std::string> points;  // by name; each is a point of the plan as well
+  std::vector<std::string> points;  // names; each is also a point of the plan, body.name
   formats::Place place;
   bool operator==(const PlanBody&) const = default;
 };
 
-/// How a ship goes at a time: straight between times, and as at the last one beyond.
+/// The speed and heading of a ship at a time. Both are linear between the times, and constant after the last
+/// time.
 struct ShipMoment {
   double t;        // [s]
   double speed;    // over the ground [m/s]
-  double heading;  // from where it went at the start, to starboard [rad]
+  double heading;  // relative to the initial heading, positive to starboard [rad]
 };
 
-/// The ship that tows the gear: it makes the points and the ropes `block` and `warp`.
+/// The ship that tows the gear. Reading it adds the points `block` and the ropes `warp` to the plan.
 struct Ship {
   double speed = 0;                        // over the ground [m/s]
-  double block_height = 0, block_gap = 0;  // above the water, between those to port and to starboard [m]
-  double efficiency = 0;                   // towing power over the heat of the fuel; 0: not known
-  std::vector<ShipMoment> path;            // in a motion; empty: straight on
-  std::vector<ShipMoment> path_port;       // of a second ship that tows to port; empty: there is one ship
+  double block_height = 0, block_gap = 0;  // height above the water; distance between port and starboard [m]
+  double efficiency = 0;                   // towing power divided by the heat power of the fuel; 0: unknown
+  std::vector<ShipMoment> path;            // in a motion; empty: constant speed, straight ahead
+  std::vector<ShipMoment> path_port;       // path of a second ship, to port; empty if there is only one ship
   formats::Place place, speed_place, path_place;
 };
 

@@ -24,7 +24,7 @@ double depth_of(const std::vector<Cut>& side) {
 
 bool is_middle(const Panel& panel) { return panel.stands == Standing::middle; }
 
-/// The counts of the half of a middle panel that is drawn: the first count lies half on either side.
+/// The counts of the drawn half of a middle panel: half of the first count lies on each side.
 std::vector<MeshCount> drawn_counts(const Panel& panel, const std::vector<MeshCount>& edge) {
   auto counts = edge;
   if (is_middle(panel) && !counts.empty()) counts.front().meshes /= 2;
@@ -37,12 +37,13 @@ double total(const std::vector<MeshCount>& counts) {
   return meshes;
 }
 
-/// Collects edges one after another from a pen that moves along the border.
+/// Collects edges one after another, as a pen that moves along the border.
 class Pen {
  public:
   explicit Pen(PanelPoint start) : at_(start) {}
 
-  /// A point within rounding of the middle is put on the middle.
+  /// Draws an edge to a point. A point within rounding of the middle is put on the middle; an edge without
+  /// extent is left out.
   void draw(OutlineEdge edge, PanelPoint to) {
     if (std::abs(to.x) < 1e-9) to.x = 0;
     edge.from = at_;
@@ -70,7 +71,7 @@ void draw_counts(Pen& pen, const Panel& panel, const std::vector<MeshCount>& cou
              {pen.at().x + direction * count.meshes, pen.at().y});
 }
 
-/// Meshes that selvedges take at the corner before cut k of a side; k may be the end of the side.
+/// Meshes that selvedges gather at the corner before cut k of a side; k may be the number of cuts.
 double selvedge_at(const std::vector<Cut>& side, std::size_t k) {
   return std::max(k > 0 ? side[k - 1].selvedge : 0.0, k < side.size() ? side[k].selvedge : 0.0);
 }
@@ -85,7 +86,8 @@ double take(double wanted, MeshCount* count) {
 MeshCount* first(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.front(); }
 MeshCount* last(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.back(); }
 
-/// Moves corners inwards by the gathered meshes, at most by those that the fore and aft edges have.
+/// Moves corners inwards by the gathered meshes. At the fore and aft ends, by no more than the meshes of
+/// these edges.
 void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, double inwards, MeshCount* fore,
             MeshCount* aft) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -96,8 +98,8 @@ void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, doub
   }
 }
 
-/// The corners of a side that starts at x0 and moves by `sign` times the meshes of its cuts; `shift` is added
-/// in proportion to the depth, and depths are brought to the panel's.
+/// The corners of a side that starts at x0 and moves by `sign` times the meshes of its cuts. `shift` is added
+/// in proportion to the depth; depths are scaled to the depth of the panel.
 std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, double sign, double depth,
                                      double shift) {
   const double scale = depth_of(side) > 0 ? depth / depth_of(side) : 1;
@@ -111,7 +113,8 @@ std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, do
   return corners;
 }
 
-/// The length of a cut is that of the cut as written, not of the line that results from the counts.
+/// Draws a side. The length of each edge is that of the cut as stated, not that of the line between the
+/// corners.
 void draw_side(Pen& pen, const Panel& panel, const std::vector<PanelPoint>& corners, EdgeKind kind) {
   const bool forward = kind == EdgeKind::inner;
   const auto& side = forward ? panel.inner : panel.outer;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A panel by its corners in meshes instead of counts and cuttings: any polygon of three corners or more whose
-// sides go aft, or across, from its fore end to its aft end.
+// Reads a panel given by its corners in meshes instead of counts and cuttings: any polygon of three corners
+// or more whose sides go aft, or across, from its fore end to its aft end.
 #include "io/gears/plan/plan_reader.hpp"
 
 #include <fmt/format.h>
@@ -13,14 +13,14 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kSame = 1e-9;  // two counts that are one [meshes]
+constexpr double kSame = 1e-9;  // tolerance for equal counts [meshes]
 
 struct Corner {
-  double across = 0, deep = 0;  // outwards and aft
-  std::string edge;             // the name of the edge that follows it; empty: that of its place
+  double across = 0, deep = 0;  // meshes outwards and aft
+  std::string edge;             // name of the edge after the corner; empty: a default name
 };
 
-/// Makes a border into edges; members are steps in the order they happen.
+/// Divides a border into edges; members are steps in their order.
 class CornerReader {
  public:
   CornerReader(Panel& panel, formats::TableReader& table) : panel_(panel), table_(table) {}
@@ -80,13 +80,13 @@ class CornerReader {
     return sum / 2;
   }
 
-  /// Outlines go outwards along the fore edge, and begin at its inner end.
+  /// Reorders the corners as in outlines: beginning at the inner end of the fore edge, and going outwards
+  /// along it.
   void turn_to_fore() {
     if (std::abs(area()) < kSame) return fail("enclose no netting", "give them in a row round the panel");
     if (area() < 0) {
       std::reverse(corners_.begin(), corners_.end());
-      auto first =
-          corners_.front().edge;  // an edge goes from its corner to the next, which is now the one before
+      auto first = corners_.front().edge;  // edges belong to their first corner, which has become the last
       for (std::size_t i = 0; i + 1 < corners_.size(); ++i) corners_[i].edge = corners_[i + 1].edge;
       corners_.back().edge = first;
     }
@@ -97,7 +97,7 @@ class CornerReader {
     corners_.push_back(corners_.front());
   }
 
-  /// Fore edge, outer side, aft edge, inner side.
+  /// Divides the border into fore edge, outer side, aft edge and inner side.
   void divide() {
     const double begin = corners_.front().deep;
     double end = begin;
@@ -139,10 +139,10 @@ class CornerReader {
     side.push_back(std::move(cut));
   }
 
-  /// The panel becomes wider where its outer side goes outwards, or its inner side inwards.
+  /// Sign of a cut: the panel becomes wider where its outer side goes outwards, or its inner side inwards.
   double side_sign(const std::vector<Cut>& side) const { return &side == &panel_.outer ? 1 : -1; }
 
-  /// The half of a middle panel is given, and the middle is no edge of it.
+  /// Removes the line in the middle of a middle panel, of which only half is given: this line is no edge.
   void leave_out_middle() {
     const bool is_straight = panel_.inner.size() == 1 && panel_.inner[0].across == 0;
     const bool is_on_middle = std::abs(corners_.front().across) < kSame;
@@ -152,7 +152,7 @@ class CornerReader {
           "of a panel in the middle give the starboard half, from [0, …] to [0, …], or stands = \"pair\"");
     panel_.inner.clear();
     for (auto* edge : {&panel_.fore, &panel_.aft})
-      if (!edge->empty()) edge->front().meshes *= 2;  // the first lies across the middle
+      if (!edge->empty()) edge->front().meshes *= 2;  // the first count lies across the middle
   }
 
   void name_sides() {
@@ -175,7 +175,7 @@ class CornerReader {
 
   Panel& panel_;
   formats::TableReader& table_;
-  std::vector<Corner> corners_;  // from turn_to_fore() on closed, with the first at the end
+  std::vector<Corner> corners_;  // after turn_to_fore(), the first corner is repeated at the end
   bool has_failed_ = false;
 };
 

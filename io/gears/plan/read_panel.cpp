@@ -14,7 +14,7 @@ double read_meshes(formats::TableReader& table, const char* key, const char* doc
   return table.real(key, {.unit = "1", .doc = doc, .range = formats::between(0, kMostMeshes)});
 }
 
-/// `fore = 3`, or a list of named counts.
+/// Reads `fore = 3`, or a list of named counts.
 std::vector<MeshCount> read_counts(formats::TableReader& table, const char* key) {
   if (table.kind(key) != formats::Kind::array)
     return {{key, read_meshes(table, key, "meshes along this edge"), table.place(key)}};
@@ -29,7 +29,7 @@ std::vector<MeshCount> read_counts(formats::TableReader& table, const char* key)
   return counts;
 }
 
-// Sides.
+// The functions below read sides.
 
 struct CutText {
   std::string rate, direction;
@@ -55,7 +55,7 @@ void read_direction(Cut& cut, const std::string& direction, formats::TableReader
                     cut.written + " out\"");
 }
 
-/// Reads a rate. If the text is not a rate, the probable one is found later, with the whole panel.
+/// Reads a rate. If the text is not a rate, the check later finds the probable one with the whole panel.
 void read_rate(Cut& cut, formats::TableReader& table, const char* key) {
   const auto words = split_cut(table.text(key, {.doc = "cutting rate and direction, such as \"5B1P in\""}));
   cut.written = words.rate;
@@ -114,7 +114,7 @@ std::vector<Cut> read_whole_side(formats::TableReader& table, const char* key) {
   return {cut};
 }
 
-/// The straight side of a tube without cuts.
+/// The straight side of a tube without stated cuts.
 Cut straight_cut(const char* key, const formats::Place& place) {
   Cut cut;
   cut.name = key;
@@ -152,14 +152,15 @@ void read_sides(Panel& panel, formats::TableReader& table) {
   panel.inner = read_side(table, "inner", panel.depth);
 }
 
-// Netting.
+// The functions below read the netting.
 
 const std::vector<std::string>& orientations() {
   static const std::vector<std::string> words = {"diamond", "t90", "square"};
   return words;
 }
 
-/// A catalogue entry, `netting = "83-112-fore"`, provides mesh and twine unless the plan gives them.
+/// Reads a catalogue entry such as `netting = "83-112-fore"`, which provides mesh and twine unless the plan
+/// states them; null if there is none.
 const CataloguePart* read_netting(formats::TableReader& table, const Catalogue& catalogue) {
   const formats::Value* said = table.raw("netting");
   return said ? choose_part(*said, {"netting"}, table.path("netting"), catalogue, table.diagnostics())
@@ -197,7 +198,8 @@ void read_material(Panel& panel, formats::TableReader& table, const Catalogue& c
       table.choice("orientation", {.allowed = orientations(), .doc = "of the meshes", .fallback = "diamond"});
 }
 
-/// Netting that must be the same to port and to starboard can be turned only by multiples of 45 degrees.
+/// Reads the angle of the netting. Netting of a middle panel can be turned only by multiples of 45 degrees,
+/// so that it is the same to port and to starboard.
 void read_angle(Panel& panel, formats::TableReader& table) {
   panel.angle = table.real("angle", {.unit = "rad",
                                      .doc = "by which the netting is turned, from outwards towards aft",
@@ -211,7 +213,7 @@ void read_angle(Panel& panel, formats::TableReader& table) {
                     panel.name + ".inner\", \"" + panel.name + ".inner\"]");
 }
 
-/// Reads `fore`, or `round`, the meshes of a tube.
+/// Reads `fore`, or `round`, which is the number of meshes round a tube.
 void read_fore(Panel& panel, formats::TableReader& table) {
   panel.is_round = table.has("round");
   panel.fore = read_counts(table, panel.is_round ? "round" : "fore");
@@ -225,7 +227,7 @@ void read_fore(Panel& panel, formats::TableReader& table) {
                 "leave out stands, or write fore for round");
 }
 
-/// Pieces in a row must have the same width to fit one another.
+/// Reads the depth of a panel: the depth of one piece times the number of pieces in a row.
 void read_depth(Panel& panel, formats::TableReader& table) {
   panel.depth = table.real(
       "depth", {.unit = "1", .doc = "meshes from the fore to the aft edge", .range = {0, kMostMeshes, true}});
@@ -243,7 +245,7 @@ void check_pieces_in_a_row(const Panel& panel, formats::TableReader& table) {
                            "write a panel for each, with its own counts");
 }
 
-/// `open = "aft"`, or an array of edges.
+/// Reads `open = "aft"`, or an array of edges.
 std::vector<OpenEdge> read_open(formats::TableReader& table) {
   const formats::Value* said = table.raw("open");
   if (!said) return {};

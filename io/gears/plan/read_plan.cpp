@@ -19,7 +19,7 @@ constexpr const char* kOfScenes[] = {"water", "tow",      "bed",     "parts",
                                      "hold",  "analysis", "results", "elements"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
 constexpr const char* kOfPlans[] = {"gear", "panels", "ropes",
-                                    "hang", "floats", "points"};  // a ship and bodies alone make none
+                                    "hang", "floats", "points"};  // a ship and bodies alone make no plan
 
 /// Whether a [[join]] connects parts of a scene rather than edges.
 bool joins_parts(formats::TableReader& join) {
@@ -33,7 +33,7 @@ class PlanReader {
  public:
   PlanReader(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics)
       : root_(root, diagnostics), diagnostics_(diagnostics), catalogue_(catalogue) {
-    root_.has("catalogue");  // read by the caller
+    root_.has("catalogue");  // the caller reads it
   }
 
   NetPlan read() {
@@ -80,7 +80,7 @@ class PlanReader {
     for (const char* key : kOfModels) gear.has(key);
   }
 
-  /// Its points are points of the plan.
+  /// Adds a body and its points, which are points of the plan.
   void add_body(PlanBody body) {
     for (const auto& point : body.points)
       plan_.points.push_back({body.name + "." + point, body.stands, {}, body.place});

@@ -7,17 +7,17 @@
 
 namespace netloft::gears {
 
-/// Reads a gear with all its includes, with `overrides` ("path=value") on top, and the catalogues with the
-/// parts that it names. All errors of the text are put into the diagnostics with their places; check.hpp
-/// checks whether the net can be sewn. After an error the plan contains whatever could be read.
+/// Reads a gear with all its includes, with `overrides` ("path=value") applied, and the catalogues with the
+/// parts that it names. All errors in the text go to the diagnostics with their places; check.hpp checks
+/// whether the net can be sewn. After an error the plan contains whatever could be read.
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   formats::Diagnostics& diagnostics);
 
-/// Whether a document, by its root, contains tables of a plan.
+/// Whether a document contains tables of a plan. `root` is its root table.
 bool holds_plan(const formats::Value& root);
 
-/// The part of a scene that its plan depends on: without the other tables of the scene, the keys of `[gear]`
-/// about the model, and the folders of catalogues.
+/// The tables of a scene on which its plan depends: without the other tables of the scene, the keys of
+/// `[gear]` about the model, and the folders of catalogues.
 formats::Value tables_of_plan(formats::Value scene);
 
 /// Reads the plan that `tables_of_plan` returned. The plan has no files.

@@ -42,7 +42,7 @@ bool split_spread(const std::string& text, Pieces& pieces) {
   return !pieces.along.empty() || !pieces.at.empty();
 }
 
-/// A point of a pair must be to starboard; a point in the middle must lie on the plane of symmetry.
+/// Refuses a point of a pair that is to port, and a point in the middle that is not on the plane of symmetry.
 void check_side(const Point& point, formats::TableReader& table) {
   const double y = (*point.at)[1];
   if (point.stands == Standing::pair && y < 0)
@@ -53,7 +53,8 @@ void check_side(const Point& point, formats::TableReader& table) {
                 "stands = \"pair\", if there is one to port and one to starboard");
 }
 
-/// `role = "headline"`; a rope whose name is such a word has that role without the key, if it can have it.
+/// Reads a role such as `role = "headline"`. A rope whose name is that of a role has this role without the
+/// key, if it can have it: headline and footrope run across the middle.
 void read_role(Rope& rope, formats::TableReader& table) {
   const auto& words = rope_roles();
   const bool says = table.has("role");

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kPoints = "points";
 
-/// Names in the table `points` of a body, or of the part of a catalogue that it names under `key`.
+/// The names in the table `points` of a body or of a catalogue part; empty if the table is null.
 std::vector<std::string> names_in(const formats::Table* points) {
   std::vector<std::string> names;
   if (points)
@@ -35,7 +35,7 @@ const formats::Table* points_of_catalogue(formats::TableReader& table, const Cat
   return nullptr;
 }
 
-/// The point that warps lead to: by default the only point `warp` of the bodies.
+/// The point to which warps lead: by default the only point `warp` of the bodies. Empty after an error.
 std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
   if (warp.has("to")) return warp.text("to", {.doc = "the point that it leads to, such as \"door.warp\""});
   std::vector<std::string> ends;

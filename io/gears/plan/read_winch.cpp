@@ -16,13 +16,14 @@ constexpr const char* kOfTension[] = {"max_speed", "band", "dead_band"};
 const formats::Range kTensions{0, 1e9, true};
 constexpr const char* kOfBlock = "at the block, held by the winch";
 
-/// Reads one table of `winch`, which may follow another one.
+/// Reads one table of `winch`; it may follow an earlier table in time.
 class StageReader {
  public:
   StageReader(formats::TableReader table, const Rope& warp)
       : table_(std::move(table)), warp_(warp), before_(warp.winch.empty() ? nullptr : &warp.winch.back()) {}
 
-  /// The stage; without rows after an error, or if warp.tension determines it.
+  /// The stage that the table describes. It has no rows after an error, or if only warp.tension determines
+  /// it.
   WinchStage read() {
     if (before_ && !table_.has("t"))
       table_.error("t", "is missing: it is the time at which this table replaces the one before");
@@ -71,7 +72,8 @@ class StageReader {
       stage_.rows.push_back({t[i], values[i] - less});
   }
 
-  /// One tension, or a row of them beside `t`; that of the warp at its start if it has one.
+  /// Reads one tension, or a row of tensions beside `t`. The first table must begin with the tension of the
+  /// warp, if the warp has one.
   void read_tension() {
     if (table_.has("t"))
       read_column_of("tension", "N", kOfBlock, kTensions);
@@ -147,7 +149,7 @@ class StageReader {
 
   formats::TableReader table_;
   const Rope& warp_;
-  const WinchStage* before_;  // the table before, or null
+  const WinchStage* before_;  // the stage of the table before; null for the first table
   WinchStage stage_;
 };
 

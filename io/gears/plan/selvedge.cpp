@@ -22,7 +22,7 @@ Bundle bundle_of(const Panel& panel, double meshes) {
   return {twines, panel.orientation == "square" ? twines / 2 : twines};  // (1)
 }
 
-/// The properties of a strip's rope, from those of the twine.
+/// The properties of the rope that stands for a strip, from those of the twine.
 formats::Value strip_of(const Panel& panel, const Bundle& bundle, formats::Diagnostics& diagnostics) {
   formats::Value strip = panel.twine;
   formats::TableReader twine(panel.twine, diagnostics, "panels." + panel.name + ".twine");
@@ -36,7 +36,8 @@ formats::Value strip_of(const Panel& panel, const Bundle& bundle, formats::Diagn
   return strip;
 }
 
-/// Whether an edge already has a strip; that it is sewn twice is reported by the check.
+/// Whether the name of a strip is taken. If an edge is sewn twice, its strip exists already; the check
+/// reports this.
 bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
               formats::Diagnostics& diagnostics) {
   const Rope* rope = plan.find_rope(name);
@@ -47,7 +48,8 @@ bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
   return rope || is_written;
 }
 
-/// Adds a rope on the edge, as long as its twines, so that it is slack until they are straight.
+/// Adds a rope along an edge with the length of its straight twines, so that it is slack until they are
+/// straight.
 void add_strip(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
                formats::Diagnostics& diagnostics) {
   const Panel& panel = *set.panel;

@@ -16,7 +16,7 @@ Place3 between(const Place3& a, const Place3& b, double t) {
   return {between(a[0], b[0], t), between(a[1], b[1], t), between(a[2], b[2], t)};
 }
 
-/// The positions at which a panel's sides begin and end, in meshes across.
+/// The positions of the ends of the sides of a panel, in meshes across.
 struct SideEnds {
   double fore_inner = 0, fore_outer = 0, aft_outer = 0, aft_inner = 0;
 };
@@ -38,7 +38,8 @@ SideEnds side_ends(const Outline& outline) {
   return ends;
 }
 
-/// The fraction of the distance from the inner to the outer side, both taken as straight; zero at a tip.
+/// The position of a point between the inner side (0) and the outer side (1), both taken as straight; 0 at a
+/// tip.
 double fraction_across(const SideEnds& ends, double x, double t) {
   const double inner = between(ends.fore_inner, ends.aft_inner, t),
                outer = between(ends.fore_outer, ends.aft_outer, t);

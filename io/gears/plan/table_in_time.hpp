@@ -7,12 +7,14 @@
 
 namespace netloft::gears {
 
-/// The column `t` of a table in time [s]: from zero on, each later than the one before.
+/// Reads the column `t` of a table in time [s]: it begins at zero, and each time is later than the one
+/// before.
 std::vector<double> read_times(formats::TableReader& table);
-/// The times of a table that replaces an earlier one at t[0]; one time is enough.
+/// Reads the times of a table that replaces an earlier table at t[0]; a single time is enough.
 std::vector<double> read_later_times(formats::TableReader& table);
 
-/// A column over the times. `start` is its value if it is missing, and its required first value.
+/// Reads a column over the times. It must begin with `start`, which is also its value if the column is
+/// missing; `why` explains this value in messages.
 std::vector<double> read_column(formats::TableReader& table, const std::string& key,
                                 const formats::RealsSpec& spec, double start, const std::string& why);
 

@@ -6,14 +6,14 @@
 
 namespace netloft::gears {
 
-/// Coordinates of a point of a panel in repose along its twines, in bars (Priour 2013: u and v are the two
+/// Coordinates along the twines of a point of an undeformed panel, in bars (Priour 2013: u and v are the two
 /// twine directions, and knots have whole numbers of both). U meshes across, outwards; V meshes deep, aft:
 ///   diamond  u = U + V,  v = V − U;   T90  u = V + U,  v = U − V;   square  u = U,  v = V        (1)
-/// Across and deep, a mesh of diamond or T90 netting counts as much as the other way: both are √2 bars when
-/// the mesh is opened to a square. Of square netting one counts bars. Netting that is turned by φ in its
-/// panel, from outwards towards aft, as if its meshes were opened to squares, has in (1)
+/// A mesh of diamond or T90 netting has the same size across and deep, √2 bars, when it is opened to a
+/// square. Square netting is counted in bars. If the netting is turned in its panel by φ, from outwards
+/// towards aft, with meshes opened to squares, (1) uses
 ///   U′ = U cos φ + V sin φ,  V′ = V cos φ − U sin φ                                              (2)
-/// so that diamond turned by 45° is square netting, counted in √2 bars.
+/// Diamond netting turned by 45° is therefore square netting, counted in √2 bars.
 inline std::array<double, 2> twine_coordinates(const std::string& orientation, double angle, double U,
                                                double V) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -22,10 +22,10 @@ inline std::array<double, 2> twine_coordinates(const std::string& orientation, d
   return {across + deep, orientation == "t90" ? across - deep : deep - across};  // (1)
 }
 
-/// Length of the twines from one point of a panel to another when all are pulled straight, in stretched
+/// Length of the twines between two points of a panel when all twines are pulled straight, in stretched
 /// meshes of two bars:
 ///   s = (|Δu| + |Δv|)/2                                                                          (3)
-/// Along a cutting it is the length of its bars, points and meshes (cutting.hpp (3)).
+/// Along a cutting it is the length of its bars, points and meshes (cutting.hpp).
 inline double stretched_meshes(const std::array<double, 2>& from_to) {
   return (std::abs(from_to[0]) + std::abs(from_to[1])) / 2;
 }
