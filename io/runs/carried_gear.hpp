@@ -13,7 +13,7 @@ namespace netloft::runs {
 void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
                  std::vector<double>& positions);
 
-/// The same for a rope of bars; a place is a fraction of its unstretched length.
+/// Moves the nodes of a rope of bars likewise; a place is a fraction of the rope's unstretched length.
 void carry_rope(const Part& from, const std::vector<double>& x, const Part& to,
                 std::vector<double>& positions);
 

@@ -23,7 +23,7 @@ struct SheetOptions {
 /// with correct hidden surfaces. Throws std::invalid_argument for a field that the result does not have.
 std::string svg_sheet(const results::StoredShape& stored, const SheetOptions& options);
 
-/// The same as the bytes of a PNG file.
+/// The same sheet as the bytes of a PNG file.
 std::string png_sheet(const results::StoredShape& stored, const SheetOptions& options);
 
 }  // namespace netloft::pictures

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Commands that solve one scene, or say what it needs.
+// Commands that solve one scene, or report what the scene needs.
 #include "io/program/commands/scenes.hpp"
 
 #include "io/program/command_line/chosen.hpp"

@@ -13,7 +13,7 @@ inline constexpr const char* kMethod = "NAME[:key=value,…]";
 
 /// Requires a word that is not empty; help shows `type` for it.
 CLI::Option* as_word(CLI::Option* option, const std::string& type);
-/// The same for an option that may be repeated.
+/// Requires words that are not empty, for an option that may be repeated.
 CLI::Option* as_words(CLI::Option* option, const std::string& type);
 /// Rejects text that is not a number, which CLI::Range would accept.
 CLI::Validator numbers_between(double low, double high);

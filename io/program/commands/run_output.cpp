@@ -14,8 +14,9 @@ namespace netloft::program {
 
 namespace {
 
-/// Whether a .part has nothing worth keeping, as that of an equilibrium, which is incomplete until the
-/// equilibrium is found. Motions of earlier versions are also HDF5 files, but with a checkpoint.
+/// Whether a .part is an HDF5 file without a checkpoint. Such a file belongs to a search for an equilibrium
+/// and can be replaced, because it has no results until the equilibrium is found. Motions of earlier versions
+/// are also HDF5 files, but have a checkpoint.
 bool is_worthless_hdf5(const std::string& part) {
   formats::silence_hdf5();
   if (H5Fis_hdf5(part.c_str()) <= 0) return false;

@@ -55,8 +55,8 @@ std::vector<std::size_t> read_items(const std::string& text, std::size_t count) 
 void note_failure(const fs::path& folder, const studies::StudyItem& item, const std::string& reason) {
   try {
     formats::write_whole(studies::failure_path(folder, item), reason + "\n");
-  } catch (const formats::WriteError&) {  // the item stays missing without a reason, such as where the disk
-                                          // is full
+  } catch (const formats::WriteError&) {
+    // The disk may be full; the item then stays missing without a recorded reason.
   }
 }
 

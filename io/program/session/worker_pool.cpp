@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::size_t kMostWords = 4096;  // bytes read from the end of standard error
 
-constexpr std::chrono::milliseconds kMoment{
-    1};  // so short that nobody notices, so long that it costs nothing
+// Interval between two checks for ended workers: short enough to go unnoticed, long enough to cost no time.
+constexpr std::chrono::milliseconds kMoment{1};
 
 struct Worker {
   std::size_t job = 0;

@@ -17,7 +17,7 @@ struct NumberDifference {
   // Errors of solver and mesh, summed over both results. NaN unless all of them are known, because the mesh
   // error is usually by far the largest.
   double error = kUnknown;
-  double floor = 0;  // differences up to this value are round-off of the summed numbers
+  double floor = 0;  // smaller differences are round-off of the summands of this number
 
   double difference() const { return after - before; }
   /// The difference relative to the value before; NaN if that value is zero.

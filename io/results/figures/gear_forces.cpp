@@ -140,7 +140,7 @@ std::array<OnGround, kStretches> stretches_of(const GearView& gear, std::uint32_
   const double all = std::accumulate(lengths.begin(), lengths.end(), 0.0),
                middle = gear.is_half() ? 0 : all / 2;
   std::array<OnGround, kStretches> stretches;
-  double s = 0;  // from the start to the node
+  double s = 0;  // length from the start of the rope to the node
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double before = i ? lengths[i - 1] / 2 : 0, after = i < lengths.size() ? lengths[i] / 2 : 0;
     const auto at = forces.find(nodes[i]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bodies to port and to starboard under the name of the plan, the same in the half and in the whole.
+// Figures of port and starboard bodies under their name in the plan, equal for a half and a whole gear.
 #include <algorithm>
 #include <cmath>
 

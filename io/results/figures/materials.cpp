@@ -15,8 +15,8 @@ namespace netloft::results {
 
 namespace {
 
-constexpr double kHighLoad =
-    0.5;  // of the breaking load: knots and splices take about half of a line's strength
+// Fraction of the breaking load: knots and splices reduce the strength of a line by about a half.
+constexpr double kHighLoad = 0.5;
 
 /// The values of the figures `group`/<part>/`what` over all copies of a part.
 std::vector<double> figures_of(const std::vector<NamedScalar>& figures, const std::string& group,

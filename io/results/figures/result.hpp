@@ -135,7 +135,7 @@ struct Result {
   std::string solver, strategy, factorisation;
   std::size_t nodes = 0, elements = 0, states = 1;
   std::optional<GearNames> gear;     // only for a scene with a net plan
-  std::vector<NamedScalar> scalars;  // of [results]
+  std::vector<NamedScalar> scalars;  // the numbers of [results]
   std::vector<NamedScalar> figures;  // gear_figures.hpp
   // the meshes behind the mesh errors, or why there are no mesh errors; empty: not requested
   std::string mesh_note;

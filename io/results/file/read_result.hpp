@@ -12,7 +12,7 @@ namespace netloft::results {
 /// with a sentence if the file cannot be read, is not a result of this program, or has a newer format.
 Result read_result(const std::filesystem::path& path);
 
-/// The same from a file that is open already.
+/// Reads a result in the same way from a file that is already open.
 Result read_result(const formats::Reader& reader, const std::filesystem::path& path);
 
 }  // namespace netloft::results

@@ -48,7 +48,7 @@ class LossWatch {
   struct Moment {
     double t = 0;
     EnergyBudget::Totals totals = {};
-    std::vector<double> v = {};  // of the nodes, three each
+    std::vector<double> v = {};  // velocities of the nodes, three each
   };
   void compare(const Moment& now) {
     judge_.note(before_.totals, now.totals, 1);

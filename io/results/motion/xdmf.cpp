@@ -14,7 +14,7 @@ namespace {
 /// in the file is written between `before` and `after`, which are the same for all states.
 struct SteppedArray {
   std::string before, after;
-  std::uint64_t place;  // of the array in the file [bytes]
+  std::uint64_t place;  // position of the array in the file [bytes]
   std::size_t columns;
   std::vector<std::int64_t> offsets;
 

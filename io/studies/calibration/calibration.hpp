@@ -11,7 +11,7 @@ struct Calibration {
   std::vector<std::string> units;
   Fit fit;                         // rows: the fitted measurements first, then those held back
   std::vector<std::size_t> order;  // for each row of `fit`, its row in the file
-  bool is_interrupted = false;     // by the user
+  bool is_interrupted = false;     // true: the user interrupted
   int solves = 0;
   double cpu_seconds = 0;
   std::vector<std::string> unstable;  // scenes with an unstable equilibrium at the fitted parameters

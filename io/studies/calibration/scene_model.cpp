@@ -30,7 +30,7 @@ bool all_finite(const std::vector<double>& numbers) {
 /// A solved scene, from which the next solve starts.
 struct SceneModel::Solved {
   std::unique_ptr<runs::PreparedScene> prepared;
-  std::vector<double> x;  // over all degrees of freedom [m]
+  std::vector<double> x;  // positions over all degrees of freedom [m]
   bool is_stable = true;
 };
 

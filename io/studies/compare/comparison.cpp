@@ -14,8 +14,8 @@ namespace netloft::studies {
 
 namespace {
 
-// Two answers, polished to the round-off floor, are the same equilibrium if no node lies farther apart than
-// kSame times the size of the gear, or kDoubt times the uncertainty of both answers.
+// Two answers, polished to the round-off floor, are the same equilibrium if the distance of no node between
+// them exceeds kSame times the size of the gear, or kDoubt times the uncertainty of both answers.
 constexpr double kSame = 1e-6, kDoubt = 10;
 
 double diagonal_of(const Scene& scene) {

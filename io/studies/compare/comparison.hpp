@@ -10,7 +10,7 @@ namespace netloft::studies {
 /// The methods, tolerances and meshes that a comparison runs.
 struct ComparisonTask {
   bool is_of_motions = false;      // true: the methods are integrators
-  std::vector<Method> methods;     // at least one
+  std::vector<Method> methods;     // at least one method
   std::vector<double> tolerances;  // decreasing; for integrators, accuracies
   int repeats = 3;                 // runs of every trial, of which the cheapest counts
   std::string reference;           // solver or integrator for references; empty: one other than the method

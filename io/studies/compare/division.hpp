@@ -18,7 +18,7 @@ struct MeshLevel {
 struct MeshSize {
   std::int64_t count = 0;  // cells of the leading part, or nodes of a gear
   double width = 0;        // mesh width in arbitrary units: 1/cells, 1/√nodes
-  std::string of;          // what is counted: "cells of net", "nodes of the gear"
+  std::string of;          // the counted items: "cells of net", "nodes of the gear"
   bool is_similar = true;  // whether meshes of other counts are similar: cells are divided evenly, whereas a
                            // gear is triangulated anew
 };

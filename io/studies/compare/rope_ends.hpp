@@ -9,8 +9,8 @@ namespace netloft::studies {
 /// tension a short distance inside the rope has both.
 bool is_of_rope_end(const std::string& figure);
 
-/// "ropes/headrope/tension_starboard does not converge with the mesh; 1.2 m from that end, twice the longest
-/// bar there, it is 4873 N ± 41 N". `asked` is the mesh whose tension and error are meant.
+/// Returns a sentence such as "ropes/headrope/tension_starboard does not converge with the mesh; 1.2 m from
+/// that end, twice the longest bar there, it is 4873 N ± 41 N". Tension and error are those of mesh `asked`.
 std::string divergence_text(const std::string& figure, const std::vector<NumbersOnMesh>& meshes,
                             std::size_t asked);
 

@@ -28,8 +28,8 @@ struct Trial {
   double error = std::numeric_limits<double>::quiet_NaN();
   double energy = 0;                      // [J]
   std::vector<double> x, u;               // the answer, as in Solution
-  std::vector<std::vector<double>> path;  // of a motion: x at every output
-  std::int64_t steps = 0, rejected = 0;   // of a motion: steps in time
+  std::vector<std::vector<double>> path;  // path of a motion: x at every output
+  std::int64_t steps = 0, rejected = 0;   // accepted and rejected time steps of a motion
   bool is_damped = true;  // whether loss factors of materials count in the motion, or no part has one
 
   std::string outcome() const {

@@ -83,7 +83,7 @@ class Branch {
   void look_for_fold(const Way& way, const Solved& anew, std::vector<std::string>& events) const;
   std::string spell(const std::vector<VariableValue>& values, const std::vector<VariableValue>& other) const;
 
-  std::vector<Variable> variables_;  // of the path
+  std::vector<Variable> variables_;  // the variables in the path
   OpenCase open_;
   const runs::Watch& watch_;
   BranchOptions options_;

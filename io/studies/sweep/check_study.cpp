@@ -114,7 +114,7 @@ class StudyInspection {
   runs::CaseSource scene_;
   Registry& registry_;
   formats::Diagnostics& diagnostics_;
-  std::map<std::string, formats::Place> places_;  // of keys
+  std::map<std::string, formats::Place> places_;  // places of the keys
   std::set<std::string> known_;                   // figures
   std::set<std::size_t> counts_;                  // variables that are set in the scenes
   std::set<std::string> blamed_;                  // keys with errors in the last scene

@@ -23,8 +23,8 @@ std::string script_name(Engine engine);
 /// explains what it does and how to start it. When started again, it resumes.
 std::string engine_script(Engine engine, const Study& study, const ScriptOptions& options);
 
-/// The number of items that takes a task at least a minute, from the cost of finished items of the study; 1
-/// if there are none.
+/// The number of items per task with which a task runs for at least a minute, estimated from the finished
+/// items of the study; 1 if there are none. Sets the mean wall time of these items, 0 if it is not known.
 std::size_t items_per_minute(const Study& study, const std::filesystem::path& folder,
                              double& seconds_per_item);
 

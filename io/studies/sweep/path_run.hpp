@@ -11,10 +11,10 @@ namespace netloft::studies {
 
 /// Folder, plugins and threads for solving an item.
 struct PathContext {
-  std::filesystem::path folder;  // of the study
+  std::filesystem::path folder;  // the folder of the study
   Registry* registry = nullptr;
   runs::Watch watch = {};
-  int threads = 1;  // of the assembly
+  int threads = 1;  // threads of the assembly
 };
 
 /// Solves the points of an item one after another, along a branch of equilibria (branch.hpp). The points

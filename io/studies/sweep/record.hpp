@@ -32,7 +32,7 @@ struct ItemCost {
 
 /// The results of one item.
 struct ItemRecord {
-  std::string hash, program;  // of the item; version of Netloft
+  std::string hash, program;  // hash of the item, version of Netloft
   std::vector<PointRecord> points;
   ItemCost cost;
 };

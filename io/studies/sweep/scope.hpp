@@ -12,8 +12,8 @@ namespace netloft::studies {
 struct ScopeRequest {
   std::vector<double> depths;      // [m]
   std::vector<double> scopes;      // length of warp over depth, ascending
-  Interval heel;                   // of the boards [deg]
-  std::optional<Interval> spread;  // of the boards [m]
+  Interval heel;                   // allowed heel of the boards [deg]
+  std::optional<Interval> spread;  // allowed spread of the boards [m]
 };
 
 /// The gear behind one length of warp. All numbers except the length are NaN if no stable equilibrium was

@@ -15,7 +15,7 @@ struct SobolIndex {
 };
 
 struct SobolIndices {
-  double mean = 0, deviation = 0;  // of the function
+  double mean = 0, deviation = 0;  // mean and deviation of the function
   std::vector<SobolIndex> variables;
 };
 

@@ -12,7 +12,7 @@ namespace netloft::studies {
 /// One solve of a study.
 struct StudyPoint {
   std::vector<std::string> set;       // "path=value", in addition to those of the study and of the item
-  std::vector<VariableValue> values;  // of the variables in the path
+  std::vector<VariableValue> values;  // values of the variables in the path
 };
 
 /// The unit of work: a path of points that are solved one after another, each from the previous one. Items

@@ -9,7 +9,7 @@ namespace netloft::studies {
 struct StudyRow {
   // Items and points count from 1; sample 0: nothing was sampled
   std::size_t item = 0, sample = 0, point = 0;
-  std::vector<VariableValue> values;  // of the columns of the study
+  std::vector<VariableValue> values;  // values of the study's columns
   PointRecord record;                 // for a missing item: the status "missing"
   std::vector<double> figures;        // in the order of StudyTable::figures; NaN: the point does not have it
 };

@@ -29,11 +29,11 @@ struct Interval {
 
 /// The listed values or the interval of an input of a scene, or of several inputs that change together.
 struct Variable {
-  std::string name;      // in tables, plots and messages
+  std::string name;      // name in tables, plots and messages
   formats::Place place;  // place of its table
   std::vector<FollowingKey> keys;
   std::string unit;                   // unit of its numbers as written, "kn"; empty: without unit
-  std::vector<VariableValue> values;  // in the order of the file; empty: an interval
+  std::vector<VariableValue> values;  // listed values in the order of the file; empty: there is an interval
   std::optional<Interval> interval;
 
   /// Whether numbers between its values are valid: it has an interval, or all listed values are numbers.
@@ -41,7 +41,7 @@ struct Variable {
   VariableValue value_of(double number) const;
   /// "path=value" for every key, in the syntax of `--set`.
   std::vector<std::string> overrides(const VariableValue& value) const;
-  /// The same as changes of a scene.
+  /// The same overrides as changes of a scene.
   std::vector<formats::Change> changes(const VariableValue& value) const {
     return formats::read_changes(overrides(value));
   }
