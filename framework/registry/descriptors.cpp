@@ -30,8 +30,8 @@ class Faults {
   std::string file_, text_;
 };
 
-/// Every version of every struct ends where a pointer may begin; one that would cut a pointer in two is none.
-/// Throws std::length_error.
+/// Returns the size that a struct states. Throws std::length_error if no version of a struct has it: all
+/// sizes are multiples of the alignment of pointers.
 template <class T>
 std::uint32_t check_size(const T* from) {
   std::uint32_t size = 0;
@@ -41,7 +41,7 @@ std::uint32_t check_size(const T* from) {
   return size;
 }
 
-/// Rows one after the other, all as long as the first.
+/// Reads consecutive rows, all of the size of the first.
 template <class T>
 std::vector<T> read_rows(const T* from, std::uint32_t count) {
   if (!from || count == 0 || count > kMostRows) return read_array(from, count);
@@ -100,7 +100,7 @@ void check_integer(const netloft_parameter& p, const std::string& who, Faults& f
 void check_columns(const netloft_parameter& p, const std::string& who, Faults& faults) {
   if (!p.columns || !p.columns[0] || !p.column_units) return faults.add(who + " is a table without columns");
   for (std::size_t i = 0; p.columns[i]; ++i)
-    if (!p.column_units[i])  // nobody may read what stands behind the null
+    if (!p.column_units[i])  // nothing after the null may be read
       return faults.add(who + " has no unit for its column \"" + p.columns[i] + "\"");
   faults.require(p.arguments <= 2 && (p.arguments < 2 || (p.columns[1] && p.columns[2])),
                  who + " is a table over " + std::to_string(p.arguments) +
@@ -152,7 +152,7 @@ std::string numbers_in(std::uint32_t width, const std::string& unit) {
   return std::to_string(width) + (unit == "1" ? " pure " + noun : " " + noun + " in " + unit);
 }
 
-/// The numbers that the host gives under a name have one width and unit, which an element must not change.
+/// Data that the host provides under a name have a fixed width and unit, which an element must not change.
 void check_data(const ElementType& e, const std::string& owner, Faults& faults) {
   check_names(e.data, owner, "datum", faults);
   for (const auto& d : e.data)
@@ -211,7 +211,7 @@ void check_globals(const ElementType& e, const std::string& owner, Faults& fault
   }
 }
 
-/// Chords lead between the nodes of an element; netloft_member has room for three.
+/// Whether elements on a stencil may have members: netloft_member has coefficients for three nodes.
 bool bears_along_lines(std::uint32_t stencil) {
   return stencil == NETLOFT_BAR || stencil == NETLOFT_TRIANGLE || stencil == NETLOFT_BAR_PAIR;
 }
@@ -234,7 +234,7 @@ void check_members(const ElementType& e, const std::string& owner, Faults& fault
                  owner + " declares members on a stencil that is none of two or three nodes");
 }
 
-/// The struct that a plugin or an element offers for an extension; all zeros: it offers none.
+/// Returns the struct that a plugin or an element offers for an extension; all zeros if it offers none.
 template <class Offer>
 Offer read_offer(const void* (*extension)(const char* id), const char* id, const std::string& owner,
                  Faults& faults) {
@@ -260,12 +260,12 @@ void read_offers(ElementType& e, Faults& faults) {
   e.rides_on = read_offer<netloft_rider>(extension, NETLOFT_EXT_PAIRS, e.type, faults).rides_on;
 }
 
-/// Inputs of extensions that this program does not know keep their place, which stays null.
+/// Reads the list of inputs. Inputs of unknown extensions keep their place in it, and tiles have null there.
 void read_inputs(ElementType& e) {
   for (auto id = e.element.inputs; id && *id; ++id) e.inputs.push_back(find_extension_input(*id));
 }
 
-/// A term whose trait reads an extension finds its data only if the element lists it.
+/// Checks that the element lists the inputs that the traits of its terms read; only then are they provided.
 void check_inputs(const ElementType& e, const std::string& owner, Faults& faults) {
   for (const auto& t : e.terms)
     for (std::uint32_t trait = 1; trait != 0; trait <<= 1) {

@@ -18,19 +18,19 @@
 
 namespace netloft {
 
-/// A plugin that must not be used, and why; the sentence names the file.
+/// Thrown for a plugin that must not be used; the sentence names the file and the reason.
 struct PluginRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The origin of a component, which results keep.
+/// The origin of a component, which is stored in results.
 struct PluginOrigin {
   std::string name, version, doc, compiler;
   std::string file;         // empty when compiled into the program
   std::string fingerprint;  // FNV-1a 64 of the words of the file, hexadecimal
 };
 
-/// The first `size` bytes of a struct from a plugin; fields it does not know are zero.
+/// Copies the first `size` bytes of a struct from a plugin; fields beyond that size are zero.
 template <class T>
 T read_struct(const T* from) {
   T to{};
@@ -40,10 +40,10 @@ T read_struct(const T* from) {
   return to;
 }
 
-/// More rows than this, or rows too small to hold a size and a word, are no table.
+/// Limits of a plausible table: at most this many rows, each with space for a size and a 32-bit word.
 inline constexpr std::uint32_t kMostRows = 4096, kLeastRow = 8;
 
-/// Throws std::length_error where the numbers cannot be those of a table.
+/// Copies the rows of a table. Throws std::length_error if its numbers cannot be those of a table.
 template <class T>
 std::vector<T> read_array(const T* from, std::uint32_t count) {
   std::vector<T> to;
@@ -70,13 +70,14 @@ struct ElementType {
   std::vector<netloft_output> outputs;
   std::vector<netloft_law_slot> laws;
   std::vector<netloft_global> globals;
-  netloft_element_members members{};   // all zeros: it has none
+  netloft_element_members members{};   // all zeros if it has none
   std::uint32_t state_width = 0;       // numbers that each element remembers
   const char* rides_on = nullptr;      // an element of the same plugin; null: users choose this one
   std::vector<ExtensionInput> inputs;  // in the order of its list
   const PluginOrigin* origin = nullptr;
 
-  /// Nodes of the scene; a tile has one more for the rotation of a body, and one if the parts share numbers.
+  /// Number of nodes of the scene. A tile has an additional one for the rotation of a body, and one for
+  /// numbers that a part shares.
   int nodes() const { return static_cast<int>(element.stencil & 0xff); }
   int dofs() const { return 3 * (nodes() + (is_on_body() ? 1 : 0) + (globals.empty() ? 0 : 1)); }
   bool is_on_body() const { return element.stencil == NETLOFT_BODY; }
@@ -128,11 +129,11 @@ struct PluginContent {
   std::vector<StrategyType> strategies;
 };
 
-/// Reads and checks what a plugin says of itself. `stem` is the name its file promises.
+/// Reads and checks the description of a plugin. `stem` is the name that the plugin must have by its file.
 /// Throws PluginRefused with one sentence per fault found.
 PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem);
 
-/// The parameters one of which a term needs: none, one or some.
+/// Names of the parameters one of which must differ from zero for the term to act; empty if it needs none.
 std::vector<std::string> names_needed_by(const netloft_term& term);
 
 }  // namespace netloft

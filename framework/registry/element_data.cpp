@@ -9,7 +9,8 @@ namespace netloft {
 
 namespace {
 
-/// A pair has a number per node where its elements have one per corner, and two where they have one.
+/// The datum of a pair: a number per node if its elements have one per corner, else a number for each of the
+/// two elements.
 constexpr HostDatum of_pair(HostDatum datum, std::uint32_t corners, std::uint32_t nodes) {
   datum.width = datum.width == corners ? nodes : 2 * datum.width;
   return datum;

@@ -10,8 +10,8 @@
 
 namespace netloft {
 
-/// Numbers of its own that every element gets which declares them by this name. Who fills them in and who
-/// reads them take the name from here; authors find the table in guides/element.md, and a test compares both.
+/// Data that the host provides to every element that declares them under this name. Code that fills or reads
+/// them uses the name from here; authors find the table in guides/element.md, and a test compares both.
 struct HostDatum {
   const char* name;
   std::uint32_t width;  // numbers of one element
@@ -38,9 +38,10 @@ inline constexpr HostDatum kArm{
 
 /// The data that elements on a stencil may declare.
 std::span<const HostDatum> data_on(std::uint32_t stencil);
-/// Null: the host gives nothing of this name there, and the table of a part has to.
+/// Returns the datum with this name, or null if the host provides none; the table of a part must then give
+/// it.
 const HostDatum* find_datum_on(std::uint32_t stencil, std::string_view name);
-/// The one whose name was misspelt so; null: none is near.
+/// Returns the datum whose name is most similar to a misspelt one, or null if none is similar.
 const HostDatum* find_datum_meant(std::uint32_t stencil, std::string_view name);
 /// "rest_length, parallel"
 std::string names_of_data_on(std::uint32_t stencil);
@@ -48,7 +49,7 @@ bool declares(const ElementType& type, const HostDatum& datum);
 
 /// Numbers of the elements of a part, by name of the datum: [element][width].
 using ElementData = std::map<std::string, std::vector<double>>;
-/// Null where there are none.
+/// Returns the numbers of a datum, or null if there are none.
 const std::vector<double>* find_data(const ElementData& data, const HostDatum& datum);
 
 }  // namespace netloft

@@ -18,7 +18,7 @@ using Header = ElfW(Ehdr);
 using Section = ElfW(Shdr);
 using Symbol = ElfW(Sym);
 
-/// The bytes of a file, read with care: what lies outside is zero.
+/// The bytes of a file; bytes outside the file read as zero.
 class Bytes {
  public:
   explicit Bytes(const std::filesystem::path& file) {

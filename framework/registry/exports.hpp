@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// Names of the symbols that a shared object (ELF) lets others see, sorted, without those that linkers add.
+/// Names of the exported symbols of a shared object (ELF), sorted, without those that linkers add.
 std::vector<std::string> exported_symbols(const std::filesystem::path& file);
 
 }  // namespace netloft

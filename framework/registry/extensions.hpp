@@ -12,15 +12,15 @@
 
 namespace netloft {
 
-/// Whether this program has an extension of the plugin interface: "netloft.waves/1".
+/// Whether this program has an extension of the plugin interface, such as "netloft.waves/1".
 bool has_extension(std::string_view id);
 
 /// The data of extensions that an element may list as inputs of its tiles.
 enum class ExtensionInput { none, ground, waves, memory };
 
-/// `none` for an identifier that this program does not know.
+/// Returns the input with this identifier, or `none` if this program does not know it.
 ExtensionInput find_extension_input(std::string_view id);
-/// The identifier of the input that a trait of a term reads; null: it reads the core alone.
+/// Returns the identifier of the input that a trait of a term reads, or null if the trait reads none.
 const char* input_of_trait(std::uint32_t trait);
 
 /// The data of extensions for one tile.

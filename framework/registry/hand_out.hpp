@@ -10,9 +10,9 @@
 
 namespace netloft {
 
-/// Copies a struct of the boundary to where a plugin has made room for it. The plugin may have been built
-/// with an older header, whose struct is shorter: its `size` says how much room there is, and afterwards how
-/// much is filled. Every plugin has room for `least` bytes, whatever it says.
+/// Copies a struct of the boundary to the memory that a plugin provides. The plugin may have been built with
+/// an older header, whose struct is shorter: its `size` is the size of that memory and becomes the number of
+/// bytes filled. At least `least` bytes are filled, whatever the plugin states.
 template <class T>
 void hand_out(const T& own, T& theirs, std::size_t least) {
   static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
@@ -21,7 +21,8 @@ void hand_out(const T& own, T& theirs, std::size_t least) {
   theirs.size = static_cast<std::uint32_t>(room);
 }
 
-/// The structs as "netloft.solver/1" and "netloft.strategy/1" had them at first, up to their last function.
+/// Sizes of the structs in the first versions of "netloft.solver/1" and "netloft.strategy/1", up to their
+/// last function.
 inline constexpr std::size_t kFirstProblem = offsetof(netloft_problem, evaluate_both) + sizeof(void*),
                              kFirstMembers = offsetof(netloft_members, progress) + sizeof(void*);
 

@@ -9,7 +9,8 @@
 namespace netloft {
 
 /// A C function for a plugin to call that forwards to a member of the object behind `host`. No exception
-/// passes: Host::keep_message(), where there is one, is told its sentence, and the answer is NETLOFT_ERROR.
+/// passes: its sentence goes to Host::keep_message(), if there is such a function, and NETLOFT_ERROR is
+/// returned.
 template <auto Member>
 struct HostFunction;
 

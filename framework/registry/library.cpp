@@ -18,7 +18,7 @@ namespace netloft {
 
 namespace {
 
-/// Restores rounding and flush-to-zero modes, and tells whether someone changed the latter.
+/// Restores the floating-point environment at the end, and reports whether the control modes have changed.
 class FloatingPointGuard {
  public:
   FloatingPointGuard() {
@@ -43,7 +43,8 @@ class FloatingPointGuard {
   unsigned before_ = 0;
 };
 
-/// FNV-1a 64, by words of eight bytes and zeros at the end: byte by byte it took a twentieth of a short run.
+/// Returns the FNV-1a hash of 64 bits over words of eight bytes, padded with zeros. Byte by byte, it took a
+/// twentieth of the time of a short run.
 std::string fingerprint(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::uint64_t hash = 14695981039346656037ull;
@@ -64,8 +65,8 @@ std::string fingerprint(const std::filesystem::path& file) {
 
 namespace {
 
-/// Files that changed the floating-point mode. Their start-up code runs once, so that a second attempt would
-/// notice nothing; there is one loader in a program, and one such list.
+/// Files that changed the floating-point mode. Their start-up code runs only once, so that a second attempt
+/// would not detect the change. A program has one loader and therefore one such list.
 class Changers {
  public:
   void add(const std::string& file) {
@@ -104,7 +105,8 @@ const netloft_plugin* described_by(void* symbol) {
   }
 }
 
-/// The folder and those within it for x86-64 levels that this processor runs, the newest first.
+/// Returns the folder, and the folders in it for x86-64 levels that this processor supports, the newest level
+/// first.
 std::vector<std::filesystem::path> folders_of_builds(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> folders;
 #if defined(__x86_64__)

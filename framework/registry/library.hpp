@@ -9,15 +9,14 @@
 namespace netloft {
 
 /// Opens a shared object and returns its checked content. It stays open until the program ends.
-/// The floating-point environment is the same after as before; a plugin that changes it is refused.
-/// Throws PluginRefused.
+/// The floating-point environment is restored; a plugin that changes it is refused. Throws PluginRefused.
 PluginContent open_library(const std::filesystem::path& file);
 
-/// The build of `folder/NAME.so` for the newest x86-64 level this processor runs, or an empty path if there
-/// is none.
+/// Returns the build of `folder/NAME.so` for the newest x86-64 level that this processor supports, or an
+/// empty path if there is none.
 std::filesystem::path best_build(const std::filesystem::path& folder, const std::string& name);
 
-/// The plugins in a folder of which there is a build that this processor runs.
+/// Names of the plugins in a folder that have a build for this processor.
 std::set<std::string> names_of_builds(const std::filesystem::path& folder);
 
 }  // namespace netloft

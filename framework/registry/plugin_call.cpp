@@ -19,10 +19,10 @@ struct ThreadCalls {
   alignas(16) char signal_stack[kSignalStack]{};
 };
 
-// Zeros from the start: pages of it that nobody touches cost nothing.
+// Initialised with zeros, so that unused pages need no memory.
 constinit ThreadCalls all_calls[kThreads];
 
-/// Takes a place for this thread, and gives it back when the thread ends.
+/// Reserves an entry for this thread, and releases it when the thread ends.
 class ThreadPlace {
  public:
   ThreadPlace() noexcept {
@@ -44,7 +44,7 @@ class ThreadPlace {
   CallStack& calls() { return mine_ ? mine_->calls : all_calls[kThreads - 1].calls; }
 
  private:
-  /// Without one, what has used up its stack cannot say so. One that is there already stays.
+  /// Sets a stack for signal handlers, unless there is one: without it, a stack overflow cannot be reported.
   void set_signal_stack() {
     stack_t stack{};
     if (sigaltstack(nullptr, &stack) != 0 || !(stack.ss_flags & SS_DISABLE)) return;

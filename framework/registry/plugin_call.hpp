@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// Who is at work on a thread, from the outside in. A plugin that crashes or never returns takes the thread
-/// with it; what it was called for stands here, for a signal handler or another thread to read.
+/// A call that is running on a thread. If a plugin crashes or never returns, a signal handler or another
+/// thread reads here for what the plugin was called.
 struct CallFrame {
   enum class Kind : std::uint32_t { host, element, method };  // a method calls back: solver, strategy …
   const char* type = nullptr;                                 // "rope/bar"
@@ -22,26 +22,27 @@ struct CallFrame {
 /// "rope/bar, term elastic" or "newton/newton, solve".
 std::string text_of(const CallFrame& frame);
 
-/// The calls of one thread. Written by it alone, without a lock; others read.
+/// The nested calls of one thread, the outermost first. Only this thread writes, without a lock; others may
+/// read.
 class CallStack {
  public:
-  static constexpr std::uint32_t kDeepest = 24;  // what is nested deeper has no name
+  static constexpr std::uint32_t kDeepest = 24;  // calls nested deeper are not recorded
 
   void push(const CallFrame& frame) noexcept;
   void pop() noexcept;
 
   std::uint32_t depth() const { return depth_.load(std::memory_order_acquire); }
-  /// Grows with every entry and exit: unchanged, the same call goes on.
+  /// Increases with every entry and exit; if it is unchanged, the same call is still running.
   std::uint64_t crossings() const { return crossings_.load(std::memory_order_acquire); }
   /// Calls that methods made back to the host.
   std::uint64_t callbacks() const { return callbacks_.load(std::memory_order_relaxed); }
-  /// Least depth since the last `watch_depth`: the frames below it have stood since then.
+  /// Least depth since the last `watch_depth`; the frames below it have not ended since then.
   std::uint32_t lowest() const { return lowest_.load(std::memory_order_relaxed); }
   void watch_depth() { lowest_.store(depth(), std::memory_order_relaxed); }
   CallFrame at(std::uint32_t i) const;
-  /// Who is at work now; a frame of the host where no plugin is.
+  /// The innermost call; a frame of the host if no plugin is running.
   CallFrame innermost() const;
-  /// The plugin that is at work, or that called the host which is; none: the host alone.
+  /// The innermost call of a plugin, which may have called the host in turn; nothing if there is none.
   std::optional<CallFrame> innermost_plugin() const;
 
  private:
@@ -54,18 +55,18 @@ class CallStack {
   std::atomic<std::uint64_t> crossings_{0}, callbacks_{0};
 };
 
-/// The calls of this thread, at the first use with a stack of its own for signal handlers. A reference that
-/// stays good; threads beyond the first 128 share one and are not told apart.
+/// The calls of this thread. The first use sets a separate stack for signal handlers. The reference remains
+/// valid; threads beyond the first 128 share one object and are not distinguished.
 CallStack& calls_of_this_thread() noexcept;
-/// The same for signal handlers; null for a thread that made none.
+/// The same for signal handlers; null if this thread has made no calls.
 const CallStack* known_calls_of_this_thread() noexcept;
-/// The calls of every thread that made some, the first being whichever came first.
+/// The calls of every thread that has made some, beginning with the first such thread.
 std::vector<CallStack*> calls_of_all_threads();
 
-/// From now on no other thread than this one goes from a plugin to the host, nor back: who tries stands still
-/// for ever. What the host was holding when a plugin was called is then this thread's alone.
+/// Stops every other thread, for ever, as soon as it crosses from a plugin to the host or back. The data that
+/// the host holds during calls of plugins then belong to this thread alone.
 void stop_others_at_the_boundary() noexcept;
-/// Threads that stand still for that reason.
+/// Number of threads that have been stopped in this way.
 int threads_at_the_boundary() noexcept;
 
 namespace detail {
@@ -73,7 +74,7 @@ extern std::atomic<bool> boundary_closed;
 void wait_if_boundary_closed() noexcept;
 }  // namespace detail
 
-/// This thread runs code of a plugin as long as the object lives. Nothing is allocated.
+/// Records that this thread runs code of a plugin during the lifetime of the object. Allocates nothing.
 class PluginCall {
  public:
   PluginCall(const CallFrame& frame) noexcept : calls_(calls_of_this_thread()) { calls_.push(frame); }
@@ -88,7 +89,7 @@ class PluginCall {
   CallStack& calls_;
 };
 
-/// A plugin's call has come back to the host as long as the object lives.
+/// Records that a plugin has called the host during the lifetime of the object.
 class HostCall {
  public:
   HostCall() noexcept : calls_(calls_of_this_thread()) {

@@ -21,7 +21,7 @@ std::string suggestion(const std::string& wanted, const std::vector<std::string>
   return near ? "; did you mean \"" + *near + "\"?" : "; there is: " + joined(names);
 }
 
-/// The kind of component that has this name in a plugin, if it is another kind.
+/// Returns the kind of a component with this name in a plugin, if it is of another kind than requested.
 std::string other_kind(const PluginContent& plugin, const std::string& type) {
   std::string kind;
   const auto look = [&](const auto& types, const char* what) {
@@ -121,7 +121,7 @@ const PluginContent& Registry::keep(PluginContent content) {
   return *slot;
 }
 
-/// Files of the same name further down the search path, which the opened one hides.
+/// Returns files of the same name later in the search path, which the opened file hides.
 std::string Registry::hidden(const std::string& name) const {
   const auto at = opened_.find(name);
   const std::string opened = at == opened_.end() ? "" : at->second->origin.file;

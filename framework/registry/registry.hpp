@@ -9,20 +9,20 @@
 
 namespace netloft {
 
-/// A component that no plugin offers; the sentence gives the paths tried and near names.
+/// Thrown for a component that no plugin offers; the sentence gives the searched paths and similar names.
 struct UnknownComponent : PluginRefused {
   using PluginRefused::PluginRefused;
 };
 
-/// Finds, opens and checks plugins. The name carries the file: "rope/bar" is the element "bar" of rope.so.
-/// Only what is asked for is opened, and nothing is ever closed.
+/// Finds, opens and checks plugins. The name of a component contains that of the file: "rope/bar" is the
+/// element "bar" of rope.so. Only requested plugins are opened, and none is ever closed.
 class Registry {
  public:
   /// Folders are searched in the order they were added.
   void add_folder(std::filesystem::path folder);
-  /// A plugin compiled into the program; found before any folder.
+  /// Adds a plugin that is compiled into the program; it has precedence over all folders.
   void add_builtin(const std::string& name, netloft_plugin_function describe);
-  /// A plugin by its file, whatever its folder; its name is the stem of the file.
+  /// Adds a plugin by its file in any folder; its name is the stem of the file.
   const PluginContent& add_file(const std::filesystem::path& file);
 
   /// "rope/bar". Throws UnknownComponent or PluginRefused.

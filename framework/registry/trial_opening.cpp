@@ -33,12 +33,12 @@ namespace netloft {
 namespace {
 
 constexpr int kSeconds = 20;                 // for opening and describing, on a busy machine
-constexpr rlim_t kMemory = rlim_t{1} << 30;  // beyond what the process of trials has
+constexpr rlim_t kMemory = rlim_t{1} << 30;  // in addition to the memory of the process
 constexpr char kCameBack = 'b', kNeedsMemory = 'm',
                kIsLate = 'l';             // what a trial reports; nothing: it ended before
 constexpr int kTalk = STDERR_FILENO + 1;  // its end of the talk with the program, in the process of trials
 
-/// A plugin that dies prints nothing that a user should read.
+/// Discards the output of the process, which is of no use to users.
 void be_quiet() {
   const int nowhere = open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
@@ -54,7 +54,8 @@ void die_of_signals() {
 
 void report(char word) { [[maybe_unused]] const auto written = write(kTalk, &word, 1); }
 
-/// Files of the program that are open here, too, would stay locked until this process ends.
+/// Closes all other files: files of the program that are open here, too, would stay locked until this process
+/// ends.
 void keep_only(int talk) {
   if (talk != kTalk) dup2(talk, kTalk);
 #if defined(SYS_close_range)
@@ -62,7 +63,7 @@ void keep_only(int talk) {
 #endif
 }
 
-/// Address space of this process [bytes]; zero where the system does not say.
+/// Address space of this process [bytes]; zero if the system does not report it.
 rlim_t memory_now() {
   unsigned long pages = 0;
   if (FILE* statm = std::fopen("/proc/self/statm", "r")) {
@@ -131,7 +132,7 @@ void read_words(const ElementType& e) {
   for (const char* text : {e.element.name, e.element.doc, e.rides_on}) read_text(text);
 }
 
-/// Every word that this program may ever print of a plugin.
+/// Reads every text of a plugin that this program may print.
 void read_words(const PluginContent& content) {
   for (const auto& e : content.elements) read_words(e);
   for (const auto& s : content.solvers) {
@@ -166,11 +167,12 @@ void open_and_read(const char* file) {
       const auto* plugin = reinterpret_cast<netloft_plugin_function>(symbol)();
       read_words(read_plugin(plugin, file, std::filesystem::path(file).stem().string()));
     }
-  } catch (...) {  // said when it is opened for good
+  } catch (...) {  // reported when the program opens the plugin
   }
 }
 
-/// The process of trials: opens one file after another, until the program ends or one of them ends it.
+/// Runs the process of trials: opens one file after another, until the program ends or a file ends the
+/// process.
 [[noreturn]] void try_files(int talk) {
   keep_only(talk);
   be_quiet();
@@ -189,7 +191,7 @@ void open_and_read(const char* file) {
   }
 }
 
-/// The report of a trial within its time; 0: it ended without a word.
+/// Returns the report of a trial within its time limit, or 0 if the process ended without a report.
 char read_report(int pipe) {
   using std::chrono::steady_clock, std::chrono::milliseconds;
   const auto end = steady_clock::now() + std::chrono::seconds(kSeconds);
@@ -224,10 +226,10 @@ int wait_for(pid_t child) {
   return status;
 }
 
-/// The process of trials and the program's end of the talk with it.
+/// The process of trials and the program's end of the connection to it.
 class Trials {
  public:
-  /// The report of the trial of a file; 0: the process ended without a word, or there is none.
+  /// Returns the report of the trial of a file, or 0 if the process ended without a report or does not exist.
   char of(const std::string& file);
   /// Ends the process. Returns its status.
   int end();
@@ -264,7 +266,7 @@ char Trials::of(const std::string& file) {
 
 int Trials::end() {
   kill(process_,
-       SIGKILL);  // what it has not said by now is of no interest; one that has ended keeps its status
+       SIGKILL);  // no report is expected any more; the status of an ended process is kept
   const int status = wait_for(process_);
   process_ = -1;
   return status;
@@ -278,12 +280,12 @@ std::string fault_on_trial(const std::filesystem::path& file) {
   const std::lock_guard lock(one_at_a_time);
   const std::string path = std::filesystem::absolute(file).string();
   for (;;) {
-    if (!trials.is_running() && !trials.start()) return {};  // no room for a trial
+    if (!trials.is_running() && !trials.start()) return {};  // no resources for a trial
     const bool was_fresh = trials.is_fresh();
     const char word = trials.of(path);
     if (word == kCameBack) return {};
     const std::string fault = fault_of(word, trials.end());
-    // A file that was opened before may be at fault: this one is tried once more, alone.
+    // A file opened before may have caused the fault; therefore this one is tried again in a new process.
     if (was_fresh || word != 0) return fault;
   }
 }
