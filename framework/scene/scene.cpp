@@ -144,7 +144,7 @@ std::array<double, 3> Current::carried(double t) const {
     if (moves_as_one) times.push_back(factor.t);
   std::sort(times.begin(), times.end());
   const double sign = t < 0 ? -1 : 1, begin = std::min(t, 0.0), end = std::max(t, 0.0);
-  double from = begin;  // straight between kinks: the mean is that of both ends
+  double from = begin;  // linear between kinks: the mean is that of both ends
   const auto straight = [&](double to) {
     for (const double at : {from, to}) {
       const double time = 0.5 * sign * (to - from);

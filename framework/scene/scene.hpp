@@ -89,12 +89,12 @@ struct Part {
   double viscosity_ratio = 1;  // effective viscosity over that of the water, in models of gears
 };
 
-/// The part for which a node was first made, and its number in that part.
+/// The part for which a node was first created, and the number of the node in that part.
 struct NodeLabel {
   std::uint32_t part = 0, id = 0;
 };
 
-/// Moves held nodes: their displacement from the start, in the world frame.
+/// The given motion of held nodes: their displacement from the start, in the world frame.
 struct Guide {
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint8_t> axes;  // per node, the axes that this guide moves
@@ -121,8 +121,8 @@ struct RigidBody {
   double arm() const;
 };
 
-/// A number of the scene that is found together with the equilibrium: the data of a part are multiplied by a
-/// factor such that a held node carries a given force.
+/// A number of the scene that is determined together with the equilibrium: the data of a part are multiplied
+/// by a factor such that the hold of a node has a given reaction.
 struct Setting {
   std::string name;        // "length of warp", for sentences
   std::string part;        // name of the part and its companions

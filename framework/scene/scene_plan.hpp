@@ -14,7 +14,7 @@ struct TermPlan {
   std::uint32_t traits = 0;
   bool on = false;
   std::string reason;
-  bool when_it_moves = false;  // off in a static analysis, but part of the motion of a small disturbance
+  bool when_it_moves = false;  // inactive in statics, but acts in the motion of a small disturbance
 };
 
 /// The law in one slot of a family.

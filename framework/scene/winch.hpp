@@ -7,7 +7,7 @@
 
 namespace netloft {
 
-/// How a winch runs from a given time on.
+/// The control of a winch from a given time on.
 struct WinchStage {
   enum class Follows { tension, speed, length };
   Follows follows = Follows::tension;
@@ -25,9 +25,9 @@ struct WinchStage {
 /// A rope on a winch in a moving scene (framework/motion/winches.hpp).
 struct Winch {
   std::string part;                     // the rope
-  std::string parameter;                // of the rope: a table in time of the factor on its lengths
+  std::string parameter;                // of the rope: table over time of the factor on its length
   std::uint32_t block = 0;              // node of the scene, held along all axes
-  double length = 0;                    // of the rope for a factor of one [m]
+  double length = 0;                    // length of the rope at a factor of one [m]
   std::vector<WinchStage> stages = {};  // in order; the first begins at the start
 };
 
