@@ -48,8 +48,8 @@ std::string fault_of_outputs(const Bench& b, const States& s) {
   return {};
 }
 
-/// Sets one lane at a time to the given states, because one element outside its domain answers for its
-/// whole tile.
+/// Evaluates the given states one lane at a time, because one element outside its domain determines the
+/// status of its whole tile.
 std::string fault_one_by_one(Bench& b, const States& all) {
   for (std::size_t lane = 0; lane < all.count; ++lane) {
     States one = b.tiles[all.first / kLanes];
@@ -66,8 +66,8 @@ States collapsed(const Bench& b, States s) {
   return s;
 }
 
-/// States at rest, as far as the description defines them: nodes one length apart, on one line for ropes,
-/// along the axes for others; nothing moves.
+/// States at rest, as far as the description defines them: nodes at distances of one length, on a line for
+/// ropes and along the axes for other elements, without motion.
 States resting(const Bench& b, const States& like) {
   States s = b.blank(like.first, like.count);
   const bool straight = b.type.element.stencil == NETLOFT_BAR_PAIR;

@@ -87,8 +87,8 @@ States away_from_turns(Bench& b, States s) {
   return s;
 }
 
-/// Compares a term in the rotated world. `by` is about z for terms that distinguish the vertical: gravity, a
-/// bed or a current that varies with depth.
+/// Compares a term in the world rotated by the vector `by`, which is along z for terms that distinguish the
+/// vertical, with gravity, a bed or a current that varies with depth.
 void note_in_turned_world(Bench& b, const netloft_term& term, States s, const V& by, Worst& worst) {
   const auto turn = [&](const V& w, bool) { return rotated(by, w); };
   const auto carry = [&](Moving& m, const V& psi) {

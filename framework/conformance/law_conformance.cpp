@@ -59,7 +59,7 @@ Finding law_outputs_are_finite(LawBench& b) {
   });
 }
 
-/// Lanes from `count` on must not change, whatever their inputs.
+/// Checks that lanes from `count` on do not change, whatever their inputs.
 Finding law_writes_nothing_past_count(LawBench& b) {
   return ask_all(b, [&](std::size_t part, const Flows& all) -> std::string {
     for (const std::uint32_t count : {1u, 3u, 31u, 63u}) {
@@ -88,7 +88,7 @@ Finding law_has_no_hidden_state(LawBench& b) {
   });
 }
 
-/// Answers must not depend on bytes that no row of the table declares.
+/// Checks that results do not depend on bytes that no row of the table declares.
 Finding law_reads_what_it_declares(LawBench& b) {
   const auto ranges = undeclared(b.type.parameters, b.type.law.parameter_bytes);
   if (ranges.empty()) return not_applicable("its table declares every byte of its parameters");

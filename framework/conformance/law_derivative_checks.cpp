@@ -66,7 +66,7 @@ double along_field(const std::vector<double>& matrix, const std::vector<double>&
 
 }  // namespace
 
-/// One-sided slopes must agree on both sides of each flow, in particular of the special ones.
+/// Checks that the one-sided slopes on both sides of each flow agree, in particular for the special flows.
 Finding law_has_no_kink(LawBench& b) {
   Worst worst(kKinkLimit);
   for (std::size_t part = 0; part < b.tiles.size(); ++part)

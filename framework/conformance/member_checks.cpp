@@ -74,7 +74,7 @@ void compare(Bench& b, const States& s, Worst& worst) {
 
 }  // namespace
 
-/// Rounding of positions of 10 m in an element of 1 mm is 1e-12 of the strain, far below the limit.
+/// The rounding of positions of 10 m is a strain of 1e-12 in an element of 1 mm, far below the limit.
 Finding members_make_their_term(Bench& b) {
   if (b.type.members.count == 0) return not_applicable("the element declares no members");
   Worst worst(1e-6);

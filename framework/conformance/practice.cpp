@@ -192,7 +192,7 @@ int PracticeProblem::factorise(int matrix, double shift) {
   return NETLOFT_FACTOR_OK;
 }
 
-/// The matrix blend of the chain, which is its own convex part.
+/// Factorises the blend of tangent and convex part, which are equal for the chain.
 int PracticeProblem::factorise_between(double, double shift) {
   const bool are_kept = (kept_ & NETLOFT_WANT_TANGENT) && (kept_ & NETLOFT_WANT_CONVEX);
   return are_kept ? factorise(NETLOFT_EXACT, shift) : NETLOFT_FACTOR_FAILED;

@@ -27,7 +27,7 @@ int guarded(std::string& message, Call&& call) {
 
 const double* pointer(const std::vector<double>& v) { return v.empty() ? nullptr : v.data(); }
 
-/// A term is given the inputs of its traits alone.
+/// Removes the inputs that the traits of a term do not declare.
 void hide_undeclared(std::uint32_t traits, netloft_tile& t, ExtensionInputs& inputs) {
   if (!(traits & NETLOFT_READS_VELOCITY)) t.v = nullptr;
   if (!(traits & NETLOFT_READS_ACCELERATION)) t.a = nullptr;

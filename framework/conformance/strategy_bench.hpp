@@ -33,8 +33,8 @@ struct NamedScene {
 };
 
 inline const PracticeScene kLinear{};
-// Newton's method diverges from the initial shape and converges over caps on stiffness, each ten times the
-// previous one.
+// Newton's method diverges from the initial shape. It converges in stages with caps on stiffness, each ten
+// times the previous one.
 inline const PracticeScene kGripped{.like = {.grip = 1e4}};
 inline const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
 inline const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};
@@ -45,7 +45,7 @@ inline const PracticeScene kFlowing{.like = {.swirl = 5}};
 
 /// One scene of every kind.
 const std::vector<NamedScene>& scenes();
-/// Scenes that one solve each brings to equilibrium.
+/// Scenes that a single solve brings to equilibrium.
 const std::vector<NamedScene>& easy_scenes();
 /// All of `scenes`, plus the same ones with little work and with an interrupt by the user.
 std::vector<NamedScene> all_scenes();

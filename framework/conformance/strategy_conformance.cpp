@@ -54,8 +54,8 @@ Finding strategy_lets_no_exception_escape(StrategyBench& b) {
 
 constexpr double kBalancedSearch = 1e-7;  // ten times the tolerance of the search
 
-/// Skipped if the strategy requests nothing, because it does not apply to a scene without a current, or so
-/// small.
+/// Skipped if the strategy requests nothing, because it does not apply to such a small scene or to one
+/// without a current.
 Finding is_answered(StrategyBench& b, PracticeScene scene) {
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
   PracticeSearch search(scene);
@@ -87,8 +87,8 @@ Finding answers_easy_searches(StrategyBench& b) {
                                     : worst;
 }
 
-/// The equilibrium of a chain with a grip, by stages with ten times the stiffness each, and displaced by
-/// 1e-4.
+/// Returns the equilibrium of a chain with a grip, found in stages whose stiffness increases tenfold, and
+/// displaced by 1e-4.
 std::vector<double> near_the_answer(const PracticeScene& scene) {
   PracticeSearch search(scene);
   std::vector<double> u(scene.like.unknowns, 0.0);
@@ -238,8 +238,8 @@ Finding survives_its_bounds(StrategyBench& b) {
 
 constexpr std::size_t kExplainGuard = 64;
 
-/// Calls `explain` with a text of the given size. Returns an error in the places written or in the requests
-/// made.
+/// Calls `explain` with space for a text of the given size. Returns an error if it writes elsewhere or makes
+/// wrong requests.
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
