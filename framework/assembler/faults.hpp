@@ -14,9 +14,9 @@ struct ElementFault {
   char message[256] = "";
 };
 
-/// "net element 17"
+/// The name of the element at fault: "net element 17"
 std::string place_of(const ElementFault& fault, const ElementFamily& family, const Scene& scene);
-/// "net element 17 (priour/triangle): it has no area"
+/// The fault as a sentence: "net element 17 (priour/triangle): it has no area"
 std::string sentence_of(const ElementFault& fault, const ElementFamily& family, const Scene& scene);
 
 /// The fault with the lowest element number among the tiles of one thread. The lowest of these over all

@@ -14,9 +14,9 @@ class Frames {
   Frames(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return nodes_.empty(); }
-  /// Positions of the rotated nodes from their start and the displacements of the unknowns.
+  /// Computes the positions of the rotated nodes from their start and the displacements of the unknowns.
   void place(std::span<const double> start, std::span<const double> u, std::span<double> x) const;
-  /// Rates of the rotated nodes from those of the unknowns.
+  /// Computes the rates of the rotated nodes from those of the unknowns.
   void turn_back(std::span<const double> own, std::span<double> world) const;
   /// Rotates a residual from the world frame to the nodes' own axes, in a vector over all dofs.
   void turn(double* residual) const;

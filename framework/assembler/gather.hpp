@@ -35,7 +35,7 @@ class Gatherer {
  public:
   Gatherer(const Scene& scene, const ScenePlan& plan);
 
-  /// Room for tiles of elements of up to `dofs` degrees of freedom.
+  /// Allocates the inputs of a tile of elements with up to `dofs` degrees of freedom.
   TileInputs make_inputs(std::size_t dofs) const;
   /// Gathers all inputs that some family of a group reads.
   void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,

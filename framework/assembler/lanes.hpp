@@ -6,10 +6,11 @@
 
 namespace netloft {
 
-/// Elements of a tile. Arrays of a tile have rows of this many numbers, one per element.
+/// Number of elements of a tile. Arrays of a tile have rows of this many numbers, one per element.
 inline constexpr std::size_t kTileLanes = NETLOFT_LANES;
 
-/// Rows of a packed lower triangle with `dofs` rows of a matrix; entry (r, c), c <= r, is row packed(r) + c.
+/// Number of rows that store the lower triangle of a `dofs` x `dofs` matrix. Entry (r, c), c <= r, is in row
+/// packed(r) + c.
 inline std::size_t packed(std::size_t dofs) { return dofs * (dofs + 1) / 2; }
 
 }  // namespace netloft

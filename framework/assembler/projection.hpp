@@ -4,8 +4,8 @@
 
 namespace netloft {
 
-// Convex parts and metrics made from exact tangents, for terms that do not offer their own. A term with
-// HAS_CONVEX or HAS_METRIC does not use these functions.
+// These functions make convex parts and metrics from exact tangents, for terms that do not offer their own. A
+// term with HAS_CONVEX or HAS_METRIC does not use these functions.
 
 /// Replaces the tangent of one element by the positive semi-definite matrix nearest to its symmetric part:
 /// negative eigenvalues become zero. `tangent` has `dofs` x `dofs` entries, row by row. Slow.

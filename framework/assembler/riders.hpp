@@ -21,7 +21,8 @@ struct FamilyGroup {
   std::vector<std::uint32_t> carried_tiles = {};  // tiles with nodes that a body carries
 };
 
-/// Groups families with the same nodes, in the order of the first of each; tilings are not made yet.
+/// Groups families with the same nodes, in the order of the first family of each group. Tilings are not made
+/// yet.
 std::vector<FamilyGroup> find_family_groups(std::span<const std::unique_ptr<ElementFamily>> families);
 
 }  // namespace netloft

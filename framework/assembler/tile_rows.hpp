@@ -49,9 +49,9 @@ class TileRows {
   }
 
  private:
-  // kAtOnce rows are set to zero by one call: 2 KiB, for which libraries use plain stores. For larger areas
-  // they use instructions with a long start-up, and row by row the number of calls matters. With fewer than
-  // kManyLanes lanes, rows are cleared eight numbers at a time.
+  // One call sets kAtOnce rows to zero, because libraries use plain stores for these 2 KiB. For larger areas
+  // they use instructions with a long start-up; with one row per call, there would be too many calls. With
+  // fewer than kManyLanes lanes, rows are cleared eight numbers at a time.
   static constexpr std::size_t kAtOnce = 4, kManyLanes = 48, kEight = 8;
 
   void set_zero(std::size_t begin, std::size_t end, std::size_t lanes) {

@@ -130,7 +130,8 @@ int StaticProblem::evaluate_both(const double* u, double* energy, double* residu
   return find_forces(request, u, residual);
 }
 
-/// The mean forces of a step are no gradient of an energy: solvers treat them like forces without energy.
+/// The mean forces of a step are not the gradient of an energy, so that solvers treat them like forces
+/// without an energy.
 Request StaticProblem::begin_evaluation(const double* u, double* energy) {
   statistics_.energies += energy != nullptr;
   bad_numbers_ = met_error_ = false;

@@ -13,8 +13,8 @@
 
 namespace netloft {
 
-/// NETLOFT_CONSERVATIVE if all forces of the scene are conservative, NETLOFT_SYMMETRIC if its matrix is
-/// symmetric.
+/// Returns NETLOFT_CONSERVATIVE if all forces of the scene are conservative, and NETLOFT_SYMMETRIC if its
+/// matrix is symmetric.
 std::uint32_t traits_of(const Assembler& assembler);
 
 /// A solver with its parameters.

@@ -19,8 +19,8 @@ struct WorkModel {
   double unit = 1;                                                   // (1), of the original scene
 
   double of_iteration() const { return factorisation + solution + matrix + residual; }
-  /// (2). Factorisations that end early count in full, because most of their work was done. An energy costs
-  /// as much as a residual, but nothing if a residual is evaluated as well.
+  /// Work by (2). Factorisations that end early count in full, because most of their work was done. An energy
+  /// costs as much as a residual, but nothing if a residual is evaluated as well.
   double of(const Statistics& statistics) const {
     const int evaluations = std::max(statistics.residuals, statistics.energies);
     return (statistics.factorisations * factorisation + statistics.solves * solution +

@@ -10,8 +10,8 @@ constexpr const char* kTimeIsOver = "the time limit was reached";
 std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, const Assembler& assembler,
                          const Scene& scene);
 
-/// "a small disturbance grows tenfold in 2.3 s, swinging with a period of 5.9 s, most at net node 4; 12 of
-/// 900 nodes move a tenth as far or more"
+/// Describes the growing motion: "a small disturbance grows tenfold in 2.3 s, swinging with a period of 5.9
+/// s, most at net node 4; 12 of 900 nodes move a tenth as far or more"
 std::string growth_sentence(const Assessment& a, const Assembler& assembler, const Scene& scene);
 
 /// The node with the largest amplitude in the growing motion, which must exist.
@@ -22,7 +22,7 @@ std::string node_of_growth(const Assessment& a, const Assembler& assembler, cons
 std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
                       const std::string& why_unstable);
 
-/// "largest residual 3.2e-05 N at net node 4, largest load 120 N"
+/// Describes the balance: "largest residual 3.2e-05 N at net node 4, largest load 120 N"
 std::string balance_text(const Balance& balance, const std::string& worst);
 
 }  // namespace netloft

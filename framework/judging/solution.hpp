@@ -21,7 +21,7 @@ struct Shapes {
   std::vector<OtherShape> others;
 };
 
-/// The course of a solver, besides its final point.
+/// The course of a solver: its results other than the final point.
 struct SolverRun {
   Stop stop = Stop::none;  // why the host stopped it
   std::vector<IterationRecord> history;

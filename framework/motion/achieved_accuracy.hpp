@@ -53,7 +53,7 @@ struct AchievedAccuracy {
 /// Settings of the march for comparison: the same, with steps r times as long.
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability);
 
-/// Settings of the third march, with which that of settings_of_comparison() is compared.
+/// Settings of the third march, to which the march of settings_of_comparison() is compared.
 MarchSettings settings_of_disturbed(const MarchSettings& settings);
 /// Displaces the start of a march by 1e-7 of the longest element, whose length is `element` [m].
 void disturb(MarchState& start, double element);

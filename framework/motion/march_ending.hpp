@@ -14,7 +14,7 @@ const char* name_of(MarchStatus status);
 /// "0.25 s"
 std::string seconds_text(double t);
 
-/// "net node 4 moves at 3.2 m/s": the fastest node, by the velocities v of the unknowns.
+/// Describes the fastest node, by the velocities v of the unknowns: "net node 4 moves at 3.2 m/s".
 std::string fastest_node(const AssembledScene& of, std::span<const double> v);
 
 }  // namespace netloft

@@ -10,8 +10,9 @@
 
 namespace netloft {
 
-/// F(t, u, v, a) = 0 of a moving scene, as an integrator sees it, with the host's statistics. The assembler
-/// evaluates residuals and masses; the chosen solver solves the algebraic problems of steps.
+/// The problem F(t, u, v, a) = 0 of a moving scene, with the C interface that an integrator calls. Counts and
+/// times every call. The assembler evaluates residuals and masses; the chosen solver solves the algebraic
+/// problems of steps.
 class TransientProblem {
  public:
   /// `limits` are those of the problem of one step, with the tolerance of its solver.

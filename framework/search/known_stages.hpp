@@ -31,9 +31,9 @@ struct KnownStage {
   int unsettled = 0;  // number of its stages that did not come to rest
 };
 
-/// Results of stages in a search, so that none is solved twice. A strategy that was cut off is called again
-/// from the same start: it repeats its stages at next to no cost, and the stage that was cut off continues
-/// from its final point. Methods that a strategy runs by itself are not stored; they run again.
+/// Stores the results of stages in a search, so that no stage is solved twice. A strategy that was cut off is
+/// called again from the same start: it repeats its stages at next to no cost, and the stage that was cut off
+/// continues from its final point. Methods that a strategy runs by itself are not stored; they run again.
 ///
 /// If all results together exceed `most` numbers, the results requested least recently are discarded.
 class KnownStages {

@@ -11,8 +11,8 @@
 namespace netloft {
 
 /// The nodes of one member, or of two members that follow each other (both directions of a triangle). `dof`
-/// are the indices of their coordinates in vectors over all degrees of freedom, 3 per node; `block` are the
-/// positions of the 3 x 3 blocks of node pairs among the values of the matrix, row by row, −1 if there is
+/// are the indices of the nodes' coordinates in vectors over all degrees of freedom, 3 per node; `block` are
+/// the positions of the 3 x 3 blocks of node pairs among the values of the matrix, row by row, −1 if there is
 /// none.
 struct MemberSite {
   std::uint32_t first = 0, members = 1, nodes = 2;

@@ -95,8 +95,8 @@ class SetScenes {
   }
 
  private:
-  /// The first equilibrium is found by the strategy; later ones by the solver alone, from another
-  /// equilibrium. If the solver fails, the strategy follows.
+  /// The strategy finds the first equilibrium. The solver alone finds later ones, starting from another
+  /// equilibrium. If the solver fails, the strategy is used.
   Solution solve(const VariantSource& source, const std::vector<double>& start) {
     Solution near;
     if (has_one_ && !start.empty()) near = spend(solve_near(source, left_, start));

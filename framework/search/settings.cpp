@@ -152,7 +152,8 @@ class SettingSearch {
     return names;
   }
 
-  /// "no length of warp was found at which its end bears 1.2e+04 N; the nearest is 9.1e+03 N, at 93.2 m"
+  /// For example "no length of warp was found at which its end bears 1.2e+04 N; the nearest is 9.1e+03 N, at
+  /// 93.2 m"
   std::string sentence_at(const Point& at) const {
     std::string text;
     const auto factors = factors_at(at.y);
