@@ -20,8 +20,8 @@ namespace {
   throw WriteError(path.string() + " cannot be written: " + std::generic_category().message(error));
 }
 
-/// Opens the file beside, empty, for one writer at a time: a second one waits until the first has given it
-/// its name. A writer that was killed has left its file, but not its lock.
+/// Opens the empty file PATH.new for one writer at a time: a second writer waits until the first one has
+/// renamed its file. A killed writer leaves its file, but not its lock.
 int open_beside(const fs::path& path, const fs::path& beside) {
   for (;;) {
     struct stat named {
@@ -31,7 +31,7 @@ int open_beside(const fs::path& path, const fs::path& beside) {
     const int fd = open(beside.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0) fail(path, errno);
     while (flock(fd, LOCK_EX) != 0 && errno == EINTR)
-      continue;  // without locks, as on some networks, nobody waits
+      continue;  // file systems without locks, such as some network ones, do not wait
     const bool is_still_there = stat(beside.c_str(), &named) == 0 && fstat(fd, &opened) == 0 &&
                                 named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
     if (is_still_there && ftruncate(fd, 0) == 0) return fd;
@@ -41,7 +41,7 @@ int open_beside(const fs::path& path, const fs::path& beside) {
   }
 }
 
-/// The file beside; it is removed unless it got its name.
+/// The file PATH.new. It is removed unless it has been renamed.
 class FileBeside {
  public:
   explicit FileBeside(const fs::path& path)

@@ -14,7 +14,7 @@ namespace netloft::formats {
 static_assert(std::endian::native == std::endian::little,
               "journals are little-endian, and written as they are");
 
-/// The number at a place, which need not be aligned.
+/// The number at a position, which need not be aligned.
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t place) {
   Number value;
@@ -22,7 +22,7 @@ Number number_at(std::string_view bytes, std::size_t place) {
   return value;
 }
 
-/// Plain data as bytes, one after the other: integers and reals of 8 bytes, arrays and texts after their
+/// Writes plain data as consecutive bytes: integers and reals with 8 bytes, arrays and texts after their
 /// length.
 class ByteWriter {
  public:
@@ -49,7 +49,7 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads the same back in the same order; throws FileError where the bytes end too early.
+/// Reads the data of a ByteWriter in the same order; throws FileError if the bytes end too early.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}

@@ -13,7 +13,7 @@ namespace netloft::formats {
 namespace {
 
 const std::string kRoot = "/netloft";
-/// Rows of all outputs; a column of them is one of the series.
+/// The rows of all outputs; each column is one of the series.
 struct Rows {
   std::size_t columns;
   std::vector<double> values;
@@ -30,8 +30,8 @@ void write_columns(Tree& tree, const std::vector<SeriesColumn>& columns, const R
     tree.write_reals(kRoot + "/series/" + columns[k].name, rows.column(k), columns[k].unit, columns[k].doc);
 }
 
-/// Cells as XDMF has them where they are of several kinds: type, number of nodes unless the type implies it,
-/// nodes.
+/// The cells in the notation of XDMF for cells of several kinds: type, number of nodes unless the type
+/// implies it, nodes.
 std::vector<std::int64_t> mixed_cells(const Mesh& mesh) {
   constexpr std::int64_t kPolyvertex = 1, kPolyline = 2, kXdmfTriangle = 4;
   std::vector<std::int64_t> mixed;
@@ -64,7 +64,7 @@ void write_last_row(Tree& tree, const SeriesJournal& journal) {
 void copy_origins(const std::string& image, hid_t file) {
   if (image.empty()) return;
   const Handle access = access_in_memory();
-  check(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()));  // which copies it
+  check(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()));  // HDF5 copies the image
   const Handle origins(H5Fopen("origins", H5F_ACC_RDONLY, access), H5Fclose);
   const Handle group(H5Gopen2(origins, kRoot.c_str(), H5P_DEFAULT), H5Gclose);
   std::vector<std::string> names;
@@ -78,7 +78,7 @@ void copy_origins(const std::string& image, hid_t file) {
     check(H5Ocopy(group, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
 }
 
-/// An HDF5 file that goes away when it is closed.
+/// Creates an HDF5 file that is deleted when it is closed.
 Handle make_nameless() {
   std::string name = (std::filesystem::temp_directory_path() / "netloft-XXXXXX").string();
   const Descriptor made(mkstemp(name.data()));
@@ -88,8 +88,8 @@ Handle make_nameless() {
   return Handle(file, H5Fclose);
 }
 
-/// Records with valid checksums may still be inconsistent. Data that HDF5 or VTK refuse are reported as an
-/// error of the journal.
+/// Runs `action` on records of a journal. Records with valid checksums may still be inconsistent; if HDF5 or
+/// VTK refuses the data, an error of the journal is thrown.
 template <class Action>
 decltype(auto) with_misfits_of(const std::string& context, Action&& action) {
   return with_context(context, [&]() -> decltype(auto) {

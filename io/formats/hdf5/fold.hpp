@@ -8,16 +8,17 @@
 
 namespace netloft::formats {
 
-/// Writes the outputs of a journal into an open HDF5 file as LAYOUT.md has them, one after the other, so that
-/// a motion may be larger than memory; only times and rows are held together.
+/// Writes the outputs of a journal into an open HDF5 file with the structure of LAYOUT.md. Outputs are
+/// written one after another, so that a motion may be larger than memory; only times and rows are in memory
+/// together.
 void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name);
 
 /// Makes the result `final_path` from a journal, with the data that `rest` adds. The file is written as
-/// NAME.hdf.new, and renamed once it is complete and on the disk; the journal may then be removed.
+/// NAME.hdf.new, and renamed once it is complete and on the disk; the journal may be removed afterwards.
 void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,
                  const std::function<void(Tree&)>& rest);
 
-/// A result in a temporary file without a name, made of a journal for a reader.
+/// Makes a result in a temporary file without a name from a journal, for a reader.
 Handle unfold(const std::filesystem::path& part);
 
 }  // namespace netloft::formats

@@ -15,21 +15,21 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Stops HDF5 printing its error stack on stderr. The switch is per thread, so every entry point begins with
-/// this.
+/// Stops HDF5 from printing its error stack on stderr. The switch is per thread, so every entry point calls
+/// this first.
 void silence_hdf5();
 
 /// The newest HDF5 error in one line: the call that failed, and the cause at the bottom of the stack.
 std::string hdf5_message();
 
-/// Passes a status or an id through; a negative one becomes a FileError with the HDF5 message.
+/// Returns a status or an id unchanged; if it is negative, throws a FileError with the HDF5 message.
 template <class Status>
 Status check(Status status) {
   if (status < 0) throw FileError(hdf5_message());
   return status;
 }
 
-/// Runs `action`; a FileError that it throws gets `context` (file, path) in front of its message.
+/// Runs `action`, and puts `context` (file, path) in front of the message of a FileError that it throws.
 template <class Action>
 decltype(auto) with_context(const std::string& context, Action&& action) {
   try {

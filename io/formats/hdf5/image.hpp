@@ -7,11 +7,11 @@
 
 namespace netloft::formats {
 
-/// The bytes of an HDF5 file with the content of `write`, made in memory. Journals contain such an image of
-/// the inputs of a run.
+/// Makes an HDF5 file in memory with the content that `write` adds, and returns its bytes. Journals contain
+/// such an image of the inputs of a run.
 std::string hdf5_image(const std::function<void(Tree&)>& write);
 
-/// How HDF5 opens a file in memory, which is never written to a disk.
+/// Access properties for a file in memory, which HDF5 never writes to a disk.
 Handle access_in_memory();
 
 }  // namespace netloft::formats

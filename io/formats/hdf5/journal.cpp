@@ -17,9 +17,9 @@ namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
 
-// The first byte is no text, and the line ends show a transfer that changed them.
+// The first byte is not a text character, and the line ends reveal a transfer that converts them.
 constexpr std::string_view kMagic = "\x89NLJ\r\n\x1a\n";
-constexpr std::uint32_t kFormat = 2;  // 1: outputs have all fields
+constexpr std::uint32_t kFormat = 2;  // in format 1, every output has all fields
 constexpr std::size_t kHead = 16, kTail = 4;
 
 template <class Number>
@@ -27,7 +27,7 @@ void put(std::string& bytes, Number value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// The first 12 bytes of a head, followed by their checksum.
+/// Appends the checksum of the first 12 bytes of a head.
 void close_head(std::string& bytes) { put(bytes, checksum(std::string_view(bytes).substr(0, kHead - 4))); }
 
 bool is_whole_head(std::string_view head) {
@@ -40,7 +40,7 @@ Descriptor open_to_read(const fs::path& path) {
   return fd;
 }
 
-/// A damaged record; all records before it are whole.
+/// Reports a damaged record; all records before it are complete.
 struct Damage : FileError {
   Damage(const fs::path& path, const std::string& what_is_wrong)
       : FileError("cannot read " + path.string() + ": " + what_is_wrong), found(what_is_wrong) {}
@@ -109,7 +109,7 @@ void Journal::visit_records(const Visit& visit) {
   has_remainder_ = end_ < size;
 }
 
-/// Returns false if the rest of the file is the remainder of a record.
+/// Visits the record at `place`. Returns false if the rest of the file is an incomplete record.
 bool Journal::visit_record_at(std::uint64_t place, std::uint64_t size, const Visit& visit) {
   if (size - place < kHead) return false;
   std::array<char, kHead> bytes{};
@@ -184,7 +184,8 @@ void Journal::cut_remainder_off() {
   has_remainder_ = false;
 }
 
-/// Keeps a copy of the damaged file: another program may be able to read the records behind the damage.
+/// Keeps a copy of the damaged file, because another program may be able to read the records after the
+/// damage.
 void Journal::keep_damaged() const {
   const fs::path name = path_of_damaged(), beside = name.string() + ".new";
   std::error_code error;

@@ -16,25 +16,25 @@ namespace netloft::formats {
 ///   record  length of the content (u64) | kind (u32) | CRC-32 of these 12 bytes (u32) | content |
 ///           CRC-32 of the content (u32)
 ///
-/// A record is written by one write(), so that a kill or a full disk costs at most the record that was being
-/// written. A reader ignores an incomplete record at the end of the file, and zeros, which a power cut may
-/// leave. Any other mismatch with a checksum is damage.
+/// Each record is written by one write(), so that a kill or a full disk destroys at most the last record. A
+/// reader ignores an incomplete record at the end of the file, and zeros, which a power cut may leave. Any
+/// other mismatch with a checksum is damage.
 class Journal {
  public:
   struct Record {
     std::uint32_t kind = 0;
-    std::uint64_t place = 0, length = 0;  // of the content in the file [bytes]
+    std::uint64_t place = 0, length = 0;  // position and length of the content in the file [bytes]
   };
 
-  /// Creates an empty journal and replaces one that a killed writer left. Throws FileError while another
-  /// process writes to it.
+  /// Creates an empty journal; replaces one that a killed writer left. Throws FileError while another process
+  /// writes to it.
   static Journal create(const std::filesystem::path& path);
-  /// Receives a record that is whole.
+  /// A function that receives each complete record.
   using Visit = std::function<void(const Record&, std::string_view content)>;
-  /// Opens an existing journal and visits all its records. Another process may still write to it: the records
-  /// that are whole now are read.
+  /// Opens an existing journal and visits all its records. Another process may still write to it: only the
+  /// records that are complete now are read.
   static Journal read(const std::filesystem::path& path, const Visit& visit);
-  /// Opens an existing journal to continue behind its last whole record, or behind the last record before
+  /// Opens an existing journal to continue after its last complete record, or after the last record before
   /// damage(). The file does not change before the first append(). Throws FileError while another process
   /// writes to it, and if its head is damaged.
   static Journal go_on(const std::filesystem::path& path, const Visit& visit);
@@ -42,12 +42,12 @@ class Journal {
   const std::filesystem::path& path() const { return path_; }
   /// The damage at which go_on() stopped reading; empty if there is none.
   const std::string& damage() const { return damage_; }
-  /// The first append() after damage keeps the old file under this name.
+  /// The name under which the first append() after damage keeps the old file.
   std::filesystem::path path_of_damaged() const { return path_.string() + "~"; }
-  /// The content of a record, checked.
+  /// The content of a record, compared with its checksum.
   std::string content(const Record& record) const;
 
-  /// Throws FileError if the system refuses, and removes a partly written record.
+  /// Appends a record. If the system fails to write it, throws FileError and removes the incomplete record.
   Record append(std::uint32_t kind, std::string_view content);
   /// Removes the file.
   void remove();
@@ -67,13 +67,13 @@ class Journal {
 
   std::filesystem::path path_;
   Descriptor file_;
-  std::uint64_t end_ = 0;       // of the last whole record
-  bool has_remainder_ = false;  // behind it, to be cut off before something is appended
+  std::uint64_t end_ = 0;       // end of the last complete record
+  bool has_remainder_ = false;  // whether bytes after `end_` must be cut off before the next append
   std::string damage_;
   std::string buffer_;
 };
 
-/// Whether the file begins as a journal does.
+/// Whether the file begins like a journal.
 bool is_journal(const std::filesystem::path& path);
 
 }  // namespace netloft::formats

@@ -15,7 +15,8 @@ namespace {
 
 enum class Lock { kTaken, kWriterAlive, kReadersOnly };
 
-/// On a file system without locks the file counts as free, because refusing to write would not help the user.
+/// Tries to lock a file. Without locks in the file system, the file counts as free, because refusing to write
+/// would not help the user.
 Lock try_lock(int fd) {
   if (flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Lock::kTaken;
   if (flock(fd, LOCK_SH | LOCK_NB) != 0) return Lock::kWriterAlive;
@@ -27,7 +28,8 @@ Lock try_lock(int fd) {
                   ": another process is writing it now; wait for it or choose another name");
 }
 
-/// Returns false if another process renamed or replaced the file between our open() and our lock.
+/// Whether `path` is still the file that was opened: another process may have renamed or replaced it between
+/// open() and the lock.
 bool is_still_named(int fd, const fs::path& path) {
   struct stat by_fd {};
   struct stat by_name {};
@@ -35,7 +37,7 @@ bool is_still_named(int fd, const fs::path& path) {
          by_fd.st_dev == by_name.st_dev;
 }
 
-/// Does not follow a symbolic link, whose target may belong to somebody else, and does not open a device,
+/// Opens a regular file. Refuses a symbolic link, whose target may belong to somebody else, and a device,
 /// which may block.
 Descriptor open_plain(const fs::path& path, int flags) {
   std::error_code none;
@@ -65,7 +67,8 @@ Descriptor take_file(const fs::path& path) {
     if (lock == Lock::kWriterAlive) refuse_second_writer(path);
     if (!is_still_named(fd.get(), path)) continue;
     if (lock == Lock::kTaken) return fd;
-    // A viewer may still read the file of a killed writer: it keeps those bytes, and we start a new file.
+    // A viewer may still read the file of a killed writer. It keeps the old file, and this writer creates a
+    // new one.
     if (unlink(path.c_str()) != 0 && errno != ENOENT)
       throw FileError("cannot replace " + path.string() + ": " + system_reason());
   }

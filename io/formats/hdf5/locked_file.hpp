@@ -9,7 +9,7 @@
 
 namespace netloft::formats {
 
-/// Owns a file descriptor; closing it also drops its lock.
+/// Owns a file descriptor; closing the descriptor also releases its lock.
 class Descriptor {
  public:
   explicit Descriptor(int fd = -1) : fd_(fd) {}
@@ -27,20 +27,22 @@ class Descriptor {
   int fd_;
 };
 
-/// A file has one writer at a time, known by an exclusive flock() that the system drops when the process
-/// dies. Creates the file, or takes over the one that a dead writer left; throws FileError if its writer
-/// lives. A symbolic link is not followed, and a device is not opened.
+/// Opens a file for its only writer, which holds an exclusive flock(); the system releases the lock when the
+/// process ends. Creates the file, or takes over that of a dead writer; throws FileError if the writer is
+/// alive. Symbolic links are not followed, and devices are not opened.
 Descriptor take_file(const std::filesystem::path& path);
-/// The same for a file that must be there, in order to go on with it.
+/// The same for a file that must exist, to continue it.
 Descriptor take_existing_file(const std::filesystem::path& path);
 /// Throws FileError if a process is writing the file now.
 void require_no_writer(const std::filesystem::path& path);
-/// Throws FileError unless a result may be written there: the folder exists, and no device has the name.
+/// Throws FileError unless a result may be written at `path`: its folder must exist, and a device must not
+/// have this name.
 void require_usable(const std::filesystem::path& path);
 
 /// Size of a file [bytes]; 0 if the system cannot determine it.
 std::uint64_t size_of(int fd);
-/// Reads bytes of a file that begin at `place`. Throws FileError, also where it ends before them.
+/// Reads `size` bytes of a file from position `place`. Throws FileError on failure, also if the file is too
+/// short.
 void read_at(int fd, std::uint64_t place, char* to, std::size_t size);
 
 /// The newest error of the system in words.

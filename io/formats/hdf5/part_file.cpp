@@ -15,7 +15,8 @@ namespace {
 
 fs::path with_suffix(const fs::path& path, const char* suffix) { return path.string() + suffix; }
 
-/// Format bounds stay at "earliest": newer ones are unknown to readers in browsers.
+/// Creates the HDF5 file. Its format bounds stay at "earliest", because readers in browsers do not support
+/// newer formats.
 Handle create_hdf5(const fs::path& part, const Descriptor& lock) {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
@@ -30,7 +31,7 @@ Handle create_hdf5(const fs::path& part, const Descriptor& lock) {
   return with_context("cannot create " + part.string(), [&] { return Handle(id, H5Fclose); });
 }
 
-/// Gives `path` the second name NAME.hdf~; it has at least one name at every moment.
+/// Keeps `path` as the backup NAME.hdf~. The file has at least one name at every moment.
 void keep_as_backup(const fs::path& path) {
   const fs::path backup = with_suffix(path, "~");
   const fs::path link_path = with_suffix(path, "~.new");
@@ -100,7 +101,7 @@ void PartFile::finish() {
 void sync_folder_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const Descriptor fd(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() >= 0) fsync(fd.get());  // where a folder cannot be synced, there is nothing more to do
+  if (fd.get() >= 0) fsync(fd.get());  // on file systems that cannot sync a folder, this fails without harm
 }
 
 }  // namespace netloft::formats

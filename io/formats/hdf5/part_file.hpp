@@ -9,8 +9,8 @@ namespace netloft::formats {
 
 /// An HDF5 file that grows as NAME.hdf.part and takes its name only when it is complete.
 ///
-///   construct   NAME.hdf.part is created, or a dead writer's one replaced; a live writer's one is an error
-///   finish()    checksums are appended (seal.hpp), then NAME.hdf -> NAME.hdf~, NAME.hdf.part -> NAME.hdf;
+///   construct   creates NAME.hdf.part, or replaces that of a dead writer; throws if its writer is alive
+///   finish()    appends checksums (seal.hpp), renames NAME.hdf to NAME.hdf~, and the .part to NAME.hdf;
 ///               NAME.hdf exists throughout if it did
 ///   before destroy     without finish(): the .part stays as it was flushed last
 ///
@@ -18,7 +18,7 @@ namespace netloft::formats {
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path final_path);
-  /// The same, with another name while it grows.
+  /// The same with another name for the growing file.
   PartFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
   hid_t id() const { return file_; }
@@ -27,21 +27,21 @@ class PartFile {
 
   void flush();
   void finish();
-  /// The same under another name than the one it was made for.
+  /// The same, but with another final name.
   void finish_as(std::filesystem::path final_path);
-  /// Removes the .part, which is not worth keeping; nothing can be written afterwards.
+  /// Removes the .part, which has no useful content; nothing can be written afterwards.
   void discard();
 
  private:
   std::filesystem::path final_;
   std::filesystem::path part_;
-  // destroyed after file_, so that no other process takes the .part while HDF5 is still closing it
+  // Destroyed after file_, so that no other process takes the .part while HDF5 is still closing it.
   Descriptor lock_;
   Handle file_;
   bool finished_ = false;
 };
 
-/// Waits until the names in the folder of a file are on the disk.
+/// Waits until the directory entries in the folder of a file are on the disk.
 void sync_folder_of(const std::filesystem::path& file);
 
 }  // namespace netloft::formats

@@ -14,7 +14,7 @@ namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
 
-/// Replaces HDF5's messages for the two most common failures by sentences of our own.
+/// Replaces HDF5's messages for common failures by sentences for the user.
 std::string explain(const std::string& reason) {
   if (reason.find("truncated") != std::string::npos)
     return "it is truncated: a copy that was cut short, or a writer that died before its first output (" +
@@ -58,7 +58,7 @@ std::vector<std::size_t> extents_of(hid_t dataset) {
   return {extents.begin(), extents.end()};
 }
 
-/// The number of entries; the largest number there is if they are more.
+/// The number of entries; the largest representable number if there are more.
 std::size_t product(const std::vector<std::size_t>& extents) {
   std::size_t all = 1;
   for (const std::size_t extent : extents)
@@ -66,8 +66,9 @@ std::size_t product(const std::vector<std::size_t>& extents) {
   return all;
 }
 
-// Damaged extents must not make a reader allocate more memory than there is. Stored data cannot contain more
-// numbers than bytes; deflated data can contain a thousand times as many (at most 1032 by RFC 1951).
+// Damaged extents must not make a reader allocate more memory than the computer has. Stored data cannot
+// contain more numbers than bytes; deflated data can contain a thousand times as many (at most 1032 by RFC
+// 1951).
 constexpr std::size_t kHarmless = 1 << 20, kMostDeflated = 1100;
 
 void require_stored(hid_t dataset, std::size_t count, const std::filesystem::path& file) {
@@ -84,7 +85,7 @@ bool is_number(hid_t type) {
   return kind == H5T_INTEGER || kind == H5T_FLOAT;
 }
 
-/// Texts of `count` strings of any HDF5 kind; `read(type, buffer)` reads them into memory.
+/// Reads `count` strings of any HDF5 kind; `read(type, buffer)` reads them into memory.
 template <class Read>
 std::vector<std::string> fetch_strings(const Handle& type, const Handle& space, std::size_t count,
                                        Read&& read) {

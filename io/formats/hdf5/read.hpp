@@ -16,23 +16,24 @@ namespace netloft::formats {
 class Reader {
  public:
   explicit Reader(std::filesystem::path path);
-  /// A finished result that this program has written just now: checksums are not compared.
+  /// Opens a finished result that this program has just written; does not compare checksums.
   static Reader of_own(std::filesystem::path path);
 
-  /// Throws FileError if /netloft was written in a newer format than this program knows; an older one is read
-  /// as far as it goes.
+  /// Throws FileError if /netloft has a newer format than this program supports; data of an older format can
+  /// be read as far as they exist.
   void require_known_format() const;
 
   bool has(const std::string& path) const;
-  /// Returns false also if there is no such path.
+  /// Whether the path is a group; false if it does not exist.
   bool is_group(const std::string& path) const;
   /// Names in a group, sorted.
   std::vector<std::string> list(const std::string& group) const;
-  /// Extents of a dataset; empty for a scalar.
+  /// The extents of a dataset; empty for a scalar.
   std::vector<std::size_t> shape(const std::string& path) const;
   bool holds_reals(const std::string& path) const;
 
-  /// Offset in the file of the numbers of a contiguous dataset [bytes].
+  /// Offset in the file of the numbers of a contiguous dataset [bytes]. Throws FileError if the dataset is
+  /// not contiguous.
   std::uint64_t place(const std::string& path) const;
 
   /// All numbers of a dataset, row by row; a scalar gives one number.
@@ -48,9 +49,9 @@ class Reader {
   std::string text_attribute(const std::string& path, const std::string& name) const;
   double real_attribute(const std::string& path, const std::string& name) const;
 
-  /// Times of the stored states, in order; the last is the newest.
+  /// The times of the stored states in ascending order.
   std::vector<double> times() const;
-  /// Points, 3n [m], or a field, at step 0 … times().size()-1.
+  /// The points, 3n [m], or a field at a step from 0 to times().size()-1.
   std::vector<double> points(std::size_t step) const;
   std::vector<double> field(Location location, const std::string& name, std::size_t step) const;
 

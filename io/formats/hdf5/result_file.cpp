@@ -8,7 +8,7 @@ ResultFile::ResultFile(std::filesystem::path final_path)
 ResultFile::ResultFile(std::filesystem::path final_path, std::filesystem::path part_path)
     : part_(std::move(final_path), std::move(part_path)), tree_(part_.id(), part_.part_path().string()) {
   begin_result(tree_, "running", "the run that writes this file has not ended, or was killed");
-  part_.flush();  // from here on it opens
+  part_.flush();  // from now on readers can open the file
 }
 
 void ResultFile::begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed,

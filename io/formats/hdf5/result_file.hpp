@@ -12,24 +12,25 @@
 
 namespace netloft::formats {
 
-inline constexpr int kResultFormat = 1;  // incremented when readers of /netloft must change
+inline constexpr int kResultFormat = 1;  // increases when readers of /netloft must change
 
 /// The result of one run: the data for ParaView under /VTKHDF, everything else under /netloft (LAYOUT.md).
 ///
-///   ResultFile file("codend.hdf");                 // grows as codend.hdf.part
+///   ResultFile file("codend.hdf");                 // creates codend.hdf.part
 ///   file.begin(mesh, {tension}, {part, node_id});
 ///   file.write_state(0.0, points, {tensions});
 ///   file.tree().write_text("/netloft/provenance/scene/text", scene);
-///   file.finish();                                 // now codend.hdf; an earlier one is codend.hdf~
+///   file.finish();                                 // renames it to codend.hdf, and an earlier result to
+///   codend.hdf~
 ///
 /// Throws FileError for errors of the disk or the user, std::invalid_argument for errors of the caller.
 class ResultFile {
  public:
   explicit ResultFile(std::filesystem::path final_path);
-  /// The same, with another name while it grows.
+  /// The same with another name for the growing file.
   ResultFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
-  /// Called once, before the first state; announces how many states there will be.
+  /// Must be called once, before the first state. `states` is the number of states that will be written.
   void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed = {},
              std::size_t states = 1);
   void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::initializer_list<StaticField> fixed,
@@ -37,7 +38,7 @@ class ResultFile {
     begin(mesh, std::move(changing), std::span<const StaticField>(fixed.begin(), fixed.size()), states);
   }
 
-  /// Makes this the newest state. `points` 3n [m]; `fields` in the order of `changing`.
+  /// Writes the next state. `points` 3n [m]; `fields` in the order of `changing`.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
   void write_state(double time, std::span<const double> points,
@@ -46,15 +47,15 @@ class ResultFile {
   }
   std::size_t n_states() const { return grid_ ? grid_->n_states() : 0; }
 
-  /// Access to everything but the grid; written out at the next flush().
+  /// Access to everything except the grid; written to the disk at the next flush().
   Tree& tree() { return tree_; }
   void flush();
 
   /// Flushes, closes, and gives the file its final name; nothing can be written afterwards.
   void finish();
-  /// The same under another name than the one it was made for.
+  /// The same, but with another final name.
   void finish_as(std::filesystem::path final_path);
-  /// Removes the .part, which is not worth keeping.
+  /// Removes the .part, which has no useful content.
   void discard() { part_.discard(); }
 
   /// The file and its names: see PartFile.
@@ -70,7 +71,7 @@ class ResultFile {
   std::optional<VtkHdf> grid_;
 };
 
-/// Writes the beginning of every result: the number of the format, and the status of the run.
+/// Writes the first data of every result: the format number, and the status of the run.
 void begin_result(Tree& tree, std::string_view outcome, std::string_view sentence);
 
 }  // namespace netloft::formats

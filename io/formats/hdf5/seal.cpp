@@ -25,13 +25,13 @@ constexpr std::size_t kSumAndEnd = 9;  // the 8 digits and the line feed
 constexpr std::size_t kReadBlock = 1 << 20;
 
 struct SealedFile {
-  std::uint64_t length = 0;  // of the sealed content
+  std::uint64_t length = 0;  // length of the sealed content [bytes]
   std::vector<SealedRange> ranges;
-  std::vector<std::uint32_t> sums;  // of the ranges
-  std::uint32_t between = 0;        // of everything else
+  std::vector<std::uint32_t> sums;  // checksums of the ranges
+  std::uint32_t between = 0;        // checksum of all other bytes
 };
 
-/// The checksum of bytes of a file, going on from one of others.
+/// The checksum of bytes of a file; `sum` is that of the preceding bytes.
 std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std::uint32_t sum) {
   std::string block(std::min<std::uint64_t>(length, kReadBlock), '\0');
   while (length > 0) {
@@ -44,7 +44,7 @@ std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std
   return sum;
 }
 
-/// Sums of the ranges, and of everything between them, up to `length`.
+/// The checksums of the ranges and of all bytes between them, up to `length`.
 SealedFile sum_up(int fd, const std::vector<SealedRange>& ranges, std::uint64_t length) {
   SealedFile file{length, ranges, {}, 0};
   std::uint64_t place = 0;
@@ -85,7 +85,7 @@ std::string table_of(const SealedFile& file) {
   return table + last_line(file.length, checksum(summed));
 }
 
-/// Takes a number and the blank behind it from the front of a text.
+/// Removes a number and the blank after it from the front of a text. Throws FileError if there is none.
 std::uint64_t take_number(std::string_view& text, int base) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
@@ -96,7 +96,7 @@ std::uint64_t take_number(std::string_view& text, int base) {
   return value;
 }
 
-/// Reads the lines between title and last line, which match their own checksum.
+/// Reads the lines between the title and the last line. Their own checksum must have been compared before.
 SealedFile parse(std::string_view lines, std::uint64_t length) {
   SealedFile file;
   file.length = length;
@@ -120,7 +120,7 @@ SealedFile parse(std::string_view lines, std::uint64_t length) {
   throw FileError("it is damaged: its checksums are not complete");
 }
 
-/// The table at the end of a file; nothing without one.
+/// The table at the end of a file; nothing if there is none.
 std::optional<SealedFile> read_seal(int fd) {
   const std::uint64_t size = size_of(fd);
   if (size < kLastLine) return {};
@@ -129,7 +129,9 @@ std::optional<SealedFile> read_seal(int fd) {
   if (!last.starts_with(kLastWord) || last.back() != '\n') return {};
   std::string_view numbers = std::string_view(last).substr(kLastWord.size());
   const std::uint64_t length = take_number(numbers, 16), sum = take_number(numbers, 16);
-  if (last != last_line(length, static_cast<std::uint32_t>(sum)))  // such as "A" instead of "a"
+  if (last !=
+      last_line(length, static_cast<std::uint32_t>(
+                            sum)))  // not in the form that append_seal() writes, such as "A" instead of "a"
     throw FileError("it is damaged: its checksums cannot be read");
   if (length > size - kLastLine) throw FileError("it is damaged: its checksums begin behind its end");
   std::string table(size - length, '\0');
@@ -141,12 +143,12 @@ std::optional<SealedFile> read_seal(int fd) {
 }
 
 struct Search {
-  std::string path;  // of the group
+  std::string path;  // path of the group
   std::vector<SealedRange> ranges;
 };
 
-/// Adds the ranges of the object with this name in a group. HDF5's own visit follows the whole path of every
-/// object.
+/// Adds the ranges of the object with this name in a group. It replaces the visitor of HDF5, which follows
+/// the whole path of every object.
 herr_t add_ranges(hid_t group, const char* name, const H5L_info_t* link, void* data) {
   if (link->type != H5L_TYPE_HARD) return 0;
   Search& search = *static_cast<Search*>(data);
@@ -192,7 +194,7 @@ void append_seal(int fd, const std::vector<SealedRange>& ranges) {
 
 void check_seal(const std::filesystem::path& path) {
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0) return;  // HDF5 says why
+  if (file.get() < 0) return;  // HDF5 reports the reason
   with_context("cannot read " + path.string(), [&] {
     const auto sealed = read_seal(file.get());
     if (!sealed) return check_text_heaps(file.get());

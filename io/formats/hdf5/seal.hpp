@@ -15,11 +15,12 @@ struct SealedRange {
   std::uint64_t place = 0, length = 0;  // [bytes]
 };
 
-/// A finished result ends with a table in plain text behind the HDF5 content (LAYOUT.md): the CRC-32 of the
-/// numbers of every dataset, and of everything between them. It reveals a flipped bit, and its dataset,
-/// before HDF5 reads it. HDF5 ignores the table, and cuts it off when another program writes into the file.
+/// A finished result ends with a table in plain text after the HDF5 content (LAYOUT.md): the CRC-32 of the
+/// numbers of every dataset, and of all bytes between them. The table reveals a changed bit, and the dataset
+/// that contains it, before HDF5 reads the file. HDF5 ignores the table, and removes it when another program
+/// writes to the file.
 ///
-/// The ranges of all contiguous datasets, in the order of the file.
+/// find_ranges() returns the ranges of all contiguous datasets in the order of the file.
 std::vector<SealedRange> find_ranges(hid_t file);
 
 /// Appends the table to a file that HDF5 has closed. Throws FileError.

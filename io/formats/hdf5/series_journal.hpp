@@ -16,7 +16,7 @@ struct SeriesColumn {
   std::string name, unit, doc;
 };
 
-/// The data that all outputs of a motion have in common.
+/// The data that are common to all outputs of a motion.
 struct SeriesLayout {
   Mesh mesh;
   std::vector<FieldSpec> changing;
@@ -29,7 +29,7 @@ struct SeriesState {
   double time = 0;
   std::vector<double> points;               // 3n [m]
   std::vector<std::vector<double>> fields;  // in the order of `changing`
-  std::vector<double> row;                  // in the order of the columns
+  std::vector<double> row;                  // numbers in the order of the columns
 };
 
 /// The state of a run, as in the attributes of /netloft/status.
@@ -38,26 +38,27 @@ struct SeriesStatus {
 };
 
 /// The outputs of a motion that is running or was killed, in the journal NAME.hdf.part (journal.hpp). The
-/// kinds of its records are
-///   1 layout   identity of the run, an HDF5 image of what is known at the start (see fold.hpp), SeriesLayout
-///   2 output   checkpoint (empty: none), time, points, fields, row; a field without numbers equals that of
-///              the output before, to the bit
-///   3 rewind   number of outputs that remain valid: the run continues from there
-///   4 status   outcome, sentence; the last one is valid
+/// kinds of its records:
+///   1 layout   identity of the run, an HDF5 image of the inputs (see fold.hpp), SeriesLayout
+///   2 output   checkpoint (may be empty), time, points, fields, row; a field without numbers has the same
+///   bits as
+///              in the output before
+///   3 rewind   number of outputs that remain valid: the run continues after them
+///   4 status   outcome, sentence; the last status record is valid
 class SeriesJournal {
  public:
-  /// Begins a journal. `identity` identifies the runs that may continue it.
+  /// Creates a journal. Only runs with the same `identity` may continue it.
   static SeriesJournal create(const std::filesystem::path& part, const std::string& identity,
                               const std::string& origins, const SeriesLayout& layout);
   static SeriesJournal read(const std::filesystem::path& part);
   /// Opens a journal to continue from its last checkpoint, or from the last one before damage(); later
-  /// outputs are no longer valid. The file does not change before the first write, which keeps a damaged file
-  /// as path_of_damaged(). Throws FileError if there is no checkpoint, or if it belongs to another run.
+  /// outputs become invalid. The file does not change before the first write, which keeps a damaged file as
+  /// path_of_damaged(). Throws FileError if there is no checkpoint, or if the journal belongs to another run.
   static SeriesJournal go_on(const std::filesystem::path& part, const std::string& identity);
 
   const std::filesystem::path& path() const { return journal_->path(); }
   const SeriesLayout& layout() const { return layout_; }
-  /// An HDF5 image of what was known at the start; empty if there is none.
+  /// An HDF5 image of the inputs of the run; empty if there is none.
   const std::string& origins() const { return origins_; }
   const SeriesStatus& status() const { return status_; }
   /// The damage that go_on() found in the middle of the file; empty if there is none.
@@ -66,16 +67,17 @@ class SeriesJournal {
   /// Number of valid outputs.
   std::size_t size() const { return outputs_.size(); }
   SeriesState state(std::size_t i) const;
-  /// The same; fields that equal those of the output before are empty.
+  /// The same, but fields that equal those of the output before are empty.
   SeriesState stored_state(std::size_t i) const;
-  /// For each field: whether each output stores it, instead of repeating the one before.
+  /// For each field and output: whether the output stores the field itself instead of repeating the previous
+  /// one.
   const std::vector<std::vector<bool>>& stored() const { return stored_; }
   /// The checkpoint of the last output that has one.
   const std::string& checkpoint() const { return checkpoint_; }
 
-  /// Once this returns, the output survives a kill of the program.
+  /// Writes an output. Once this returns, the output survives a kill of the program.
   void write(const SeriesState& state, const std::string& checkpoint);
-  /// Throws FileError if the continued run would write other fields than the first one.
+  /// Throws FileError if the continued run would write other fields than the earlier run.
   void require_layout(const SeriesLayout& layout) const;
   void set_status(const SeriesStatus& status);
   void remove() { journal_->remove(); }
@@ -94,10 +96,10 @@ class SeriesJournal {
   SeriesStatus status_;
   std::vector<Journal::Record> outputs_;
   std::vector<std::vector<bool>> stored_;
-  std::vector<std::vector<double>> last_fields_;  // of the last output
+  std::vector<std::vector<double>> last_fields_;  // fields of the last output
   Journal::Record last_;
-  std::size_t resumable_ = 0;  // outputs up to the last one with a checkpoint
-  bool is_to_rewind_ = false;  // the file does not say yet that a run goes on
+  std::size_t resumable_ = 0;  // number of outputs up to the last one with a checkpoint
+  bool is_to_rewind_ = false;  // whether the rewind record of a continued run is still to be written
   ByteWriter buffer_;
 };
 

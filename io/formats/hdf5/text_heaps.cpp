@@ -13,8 +13,8 @@
 namespace netloft::formats {
 namespace {
 
-// A collection begins with its signature, version and 3 more bytes, an object in it with index, references
-// and 4 more; both then have their size in 8 bytes.
+// A collection begins with its signature, its version and 3 more bytes; an object in it begins with its
+// index, its reference count and 4 more bytes. In both, the size follows in 8 bytes.
 constexpr std::string_view kBegin("GCOL\1", 5);
 constexpr std::uint64_t kHeader = 16;
 constexpr std::size_t kHeapBlock = 1 << 20;
@@ -25,7 +25,8 @@ std::string bytes_of(int fd, std::uint64_t place, std::uint64_t size) {
   return bytes;
 }
 
-/// Distance from one object to the next. Object 0 is the free space, and its size includes its header.
+/// Distance from one object to the next [bytes]. Object 0 is the free space, and its size includes its
+/// header.
 std::uint64_t step_of(std::string_view collection, std::uint64_t place) {
   const auto size = number_at<std::uint64_t>(collection, place + 8);
   const bool is_free = number_at<std::uint16_t>(collection, place) == 0;
@@ -42,8 +43,8 @@ bool leads_to_its_end(std::string_view collection) {
   return true;
 }
 
-/// Throws FileError if the texts of a collection do not have the lengths that they state. Bytes that only
-/// look like a collection, or one that is larger than the file, are ignored: HDF5 does not read them.
+/// Throws FileError if the texts of a collection do not have the lengths that they state. Ignores bytes that
+/// only look like a collection, and collections larger than the file, because HDF5 does not read them.
 void check_collection(int fd, std::uint64_t place, std::uint64_t end) {
   if (end - place < kHeader) return;
   const auto size = number_at<std::uint64_t>(bytes_of(fd, place, kHeader), 8);

@@ -3,9 +3,9 @@
 
 namespace netloft::formats {
 
-/// HDF5 keeps texts in collections of objects (its format specification 3.0, III.E "Global Heap"), which it
-/// walks by the lengths that they state: with an object of no length it comes to no end. Throws FileError
-/// where the objects of a collection do not fill it in steps that lead on.
+/// Checks the collections of objects in which HDF5 stores texts (its format specification 3.0, III.E "Global
+/// Heap"). HDF5 steps through a collection by the lengths that its objects state; at an object of zero length
+/// it would never stop. Throws FileError if the objects of a collection do not fill it exactly.
 void check_text_heaps(int fd);
 
 }  // namespace netloft::formats

@@ -15,7 +15,7 @@ inline void want_buffer(hid_t transfer, hssize_t values, std::size_t largest) {
   check(H5Pset_buffer(transfer, wanted, nullptr, nullptr));
 }
 
-constexpr std::size_t kStringInFile = 16;  // its length, and where it is [bytes]
+constexpr std::size_t kStringInFile = 16;  // length and position of a string in a file [bytes]
 
 inline Handle make_transfer(hid_t dataset, hid_t memory_type) {
   Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);

@@ -14,7 +14,7 @@ Handle make_space(std::initializer_list<hsize_t> extents) {
   return Handle(H5Screate_simple(static_cast<int>(extents.size()), extents.begin(), nullptr), H5Sclose);
 }
 
-/// Names in UTF-8.
+/// Properties of links with names in UTF-8.
 Handle make_link_properties() {
   Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   check(H5Pset_char_encoding(links, H5T_CSET_UTF8));
@@ -145,7 +145,8 @@ void Tree::replace(const std::string& path, hid_t file_type, hid_t memory_type, 
   put_labels(dataset, labels.unit, labels.doc);
 }
 
-/// Numbers are in the file as they are in memory, strings are not.
+/// Transfer properties for a memory type. Numbers have the same form in the file and in memory; strings need
+/// conversion.
 hid_t Tree::transfer_of(hid_t memory_type, hssize_t values) {
   if (memory_type != strings_) return H5P_DEFAULT;
   if (transfer_ < 0) transfer_ = Handle(H5Pcreate(H5P_DATASET_XFER), H5Pclose);

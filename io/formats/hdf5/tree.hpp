@@ -14,10 +14,10 @@ namespace netloft::formats {
 /// Writes named data anywhere in an open HDF5 file: `tree.write_real("/netloft/scalars/drag", 4.2e4, "N",
 /// "…")`.
 ///
-/// Paths are absolute; missing groups on the path are made. A dataset that exists is replaced. Every dataset
-/// carries the attributes `unit` (numbers only; "1" when dimensionless) and `doc`, each left out when empty.
-/// Text is UTF-8. Bytes that are not, or that contain NUL, are stored as an array of uint8 with the attribute
-/// `content` = "bytes"; Reader::text() reads either.
+/// Paths are absolute; missing groups on the path are created. An existing dataset is replaced. Every dataset
+/// has the attributes `unit` (numbers only; "1" if dimensionless) and `doc`, each omitted if empty. Text is
+/// UTF-8. Other bytes, and texts with NUL, are stored as an array of uint8 with the attribute `content` =
+/// "bytes"; Reader::text() reads both.
 class Tree {
  public:
   Tree(hid_t file, std::string file_name) : file_(file), file_name_(std::move(file_name)) {}
@@ -30,12 +30,12 @@ class Tree {
                    std::string_view doc = {});
   void write_ints(const std::string& path, std::span<const std::int64_t> values, std::string_view unit,
                   std::string_view doc = {});
-  /// `values` row by row; their number must be a multiple of `columns`.
+  /// Writes `values` row by row; their number must be a multiple of `columns`.
   void write_matrix(const std::string& path, std::span<const double> values, std::size_t columns,
                     std::string_view unit, std::string_view doc = {});
   void write_strings(const std::string& path, std::span<const std::string> values, std::string_view doc = {});
 
-  /// An attribute of a group (made if missing) or a dataset; one that exists is replaced.
+  /// Sets an attribute of a dataset or a group, which is created if missing; replaces an existing attribute.
   void set_attribute(const std::string& path, const std::string& name, std::string_view value);
   void set_attribute(const std::string& path, const std::string& name, std::integral auto value) {
     set_int_attribute(path, name, static_cast<std::int64_t>(value));
@@ -52,7 +52,8 @@ class Tree {
 
   void set_int_attribute(const std::string& path, const std::string& name, std::int64_t value);
   void set_real_attribute(const std::string& path, const std::string& name, double value);
-  /// `data` is laid out as the memory type that fits `file_type`: native for numbers, char* for strings.
+  /// Creates or replaces a dataset. `data` has the memory type that fits `file_type`: native for numbers,
+  /// char* for strings.
   void replace(const std::string& path, hid_t file_type, hid_t memory_type, const Handle& space,
                const void* data, Labels labels);
   template <class Action>
@@ -63,8 +64,8 @@ class Tree {
   hid_t strings();
   hid_t transfer_of(hid_t memory_type, hssize_t values);
 
-  /// The parent group of `path`, created if missing. It stays open for the next path, which is often in the
-  /// same group: HDF5 takes as long to follow a path as to create a dataset.
+  /// The parent group of `path`, created if missing. It stays open, because the next path is often in the
+  /// same group, and HDF5 takes as long to follow a path as to create a dataset.
   hid_t group_of(const std::string& path);
 
   hid_t file_;
@@ -74,15 +75,15 @@ class Tree {
   Handle links_, datasets_, strings_, transfer_;  // properties, and the type of strings; created when needed
 };
 
-/// Variable-length UTF-8.
+/// The type of strings: UTF-8 with variable length.
 Handle make_string_type();
 /// Writes or replaces an attribute on an open object.
 void put_attribute(hid_t object, const std::string& name, hid_t file_type, hid_t memory_type,
                    const void* data);
 void put_text_attribute(hid_t object, const std::string& name, std::string_view value);
-/// Writes `unit` and `doc`, each unless empty.
+/// Writes the attributes `unit` and `doc`, unless they are empty.
 void put_labels(hid_t object, std::string_view unit, std::string_view doc);
-/// Creation properties without time stamps: equal content gives equal bytes.
+/// Creation properties without time stamps, so that equal content gives equal bytes.
 Handle make_dataset_properties();
 
 }  // namespace netloft::formats

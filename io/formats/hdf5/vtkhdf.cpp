@@ -11,7 +11,7 @@
 namespace netloft::formats {
 namespace {
 
-// Numbers that are written by one call: 1 MB, a small part of the memory of a motion.
+// Largest number of values that one call writes: 1 MB, a small part of the memory of a motion.
 constexpr std::size_t kBlock = std::size_t{1} << 17;
 
 [[noreturn]] void reject(const std::string& reason) { throw std::invalid_argument("result mesh: " + reason); }
@@ -52,15 +52,15 @@ Handle make_group(hid_t parent, const char* name) {
   return Handle(H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
 }
 
-/// Arrays of one component have rank 1, as VTK writes them.
+/// The rank of a dataset; arrays of one component have rank 1, as in files of VTK.
 int rank_of(std::size_t columns) { return columns == 1 ? 1 : 2; }
 
 Handle make_dataset(hid_t group, const std::string& name, hid_t type, hid_t space, hid_t properties) {
   return Handle(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
 }
 
-/// Creates a contiguous array without compression, which took ten times as long as the rest of an output and
-/// saved a fifth.
+/// Creates a contiguous array without compression: compression took ten times as long as the rest of an
+/// output and saved a fifth of the space.
 Handle make_plain(hid_t group, const std::string& name, hid_t type, std::array<hsize_t, 2> extents,
                   int rank) {
   const Handle properties = make_dataset_properties();
@@ -69,7 +69,7 @@ Handle make_plain(hid_t group, const std::string& name, hid_t type, std::array<h
   return make_dataset(group, name, type, space, properties);
 }
 
-/// Writes a dataset once, without chunks, so that any reader supports it.
+/// Writes a dataset in one piece, without chunks, which every reader supports.
 Handle write_fixed(hid_t group, const std::string& name, hid_t type, hid_t memory_type, const void* values,
                    std::array<hsize_t, 2> extents, int rank) {
   const Handle space(H5Screate_simple(rank, extents.data(), nullptr), H5Sclose);
@@ -94,7 +94,7 @@ void write_count(hid_t group, const std::string& name, std::size_t count) {
   write_ids(group, name, {&value, 1}, "");
 }
 
-/// VTK compares the type string exactly and requires a string of fixed length for it.
+/// Writes the type of the grid. VTK compares the type string exactly and requires a fixed length.
 void put_grid_type(hid_t group) {
   constexpr std::string_view kType = "UnstructuredGrid";
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -183,10 +183,10 @@ void VtkHdf::add_static_array(hid_t group, const StaticField& field, std::size_t
   put_labels(dataset, spec.unit, spec.doc);
 }
 
-/// The first row of every step.
+/// The first row of the slot of every state.
 std::vector<std::int64_t> VtkHdf::offsets_of(const SlotArray& array) const {
   std::vector<std::int64_t> rows;
-  std::size_t own = 0;  // states that have a slot, up to this one
+  std::size_t own = 0;  // number of states with a slot, up to this one
   for (std::size_t i = 0; i < states_; ++i) {
     own += array.has(i);
     rows.push_back(static_cast<std::int64_t>(array.rows * array.slot_of(own - 1)));
@@ -194,14 +194,15 @@ std::vector<std::int64_t> VtkHdf::offsets_of(const SlotArray& array) const {
   return rows;
 }
 
-/// One number per step.
+/// Writes one number per step.
 void VtkHdf::write_step_column(const std::string& path, std::span<const std::int64_t> values,
                                bool by_topology) {
   write_fixed(steps_, path, H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), {values.size(), 1},
               by_topology ? 2 : 1);
 }
 
-/// Every step is the same single part with the same topology; only offsets into points and fields move.
+/// Writes the steps. Every step has the same single part with the same topology; only the offsets into points
+/// and fields change.
 void VtkHdf::write_steps(std::span<const StaticField> fixed) {
   steps_ = make_group(root_, "Steps");
   const auto count = static_cast<std::int64_t>(states_);

@@ -10,7 +10,7 @@
 
 namespace netloft::formats {
 
-/// VTK's numbers of the cell shapes used for gears.
+/// Numbers in VTK of the cell shapes used for gears.
 enum CellType : std::uint8_t { kVertex = 1, kLine = 3, kTriangle = 5 };
 
 /// Cells over nodes 0 … n_points-1; cell c has the nodes connectivity[offsets[c]] …
@@ -18,7 +18,7 @@ enum CellType : std::uint8_t { kVertex = 1, kLine = 3, kTriangle = 5 };
 struct Mesh {
   std::size_t n_points = 0;
   std::vector<std::int64_t> connectivity;
-  std::vector<std::int64_t> offsets = {0};  // one more than there are cells
+  std::vector<std::int64_t> offsets = {0};  // one more entry than cells
   std::vector<std::uint8_t> types;          // CellType of each cell
 
   std::size_t n_cells() const { return types.size(); }
@@ -26,9 +26,10 @@ struct Mesh {
 
 enum class Location { kPoint, kCell };
 
-/// An array over the points or cells. Several components are stored point by point (x₀ y₀ z₀ x₁ …).
+/// The description of an array over points or cells. Several components are stored point by point (x₀ y₀ z₀
+/// x₁ …).
 struct FieldSpec {
-  std::string name;  // as ParaView shows it; without '/'
+  std::string name;  // name in ParaView; without '/'
   std::string unit;  // "1" when dimensionless
   std::string doc;
   Location location = Location::kPoint;
@@ -44,38 +45,38 @@ struct StaticField {
 
 /// The /VTKHDF group: one unstructured grid whose points and fields change in time (VTKHDF 2.0).
 ///
-/// Each changing array holds states in slots of equal length. A field that equals that of the state before
-/// has no slot of its own there. With S states that have one, i = 0 … S-1 in order of time,
+/// Each changing array holds states in slots of equal length. A state whose field equals that of the state
+/// before shares its slot. With S states that have their own slot, i = 0 … S-1 in order of time,
 ///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
-/// so that a reader without time (ParaView ≤ 5.11) shows the newest state.
+/// A reader that does not support time (ParaView ≤ 5.11) therefore shows the newest state.
 class VtkHdf {
  public:
-  /// `stored`, by changing field: which states have one of their own; empty: all.
+  /// `stored`: for each changing field, which states have their own slot; empty: all states.
   VtkHdf(hid_t file, const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed,
          std::size_t states, std::span<const std::vector<bool>> stored = {});
 
   std::size_t n_states() const { return times_.size(); }
-  /// `points` 3n [m]; `fields` in the order of `changing`, empty if they have no slot.
+  /// Adds a state. `points` 3n [m]; `fields` in the order of `changing`, empty if they have no slot.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
   /// Writes the states that are still in memory.
   void write_blocks();
-  /// The same, and writes the times. Throws std::invalid_argument unless there were as many states as were
-  /// announced.
+  /// The same, and writes the times. Throws std::invalid_argument unless the announced number of states was
+  /// written.
   void finish();
 
  private:
-  /// A dataset of slots; rows of `columns` numbers. Slots that follow each other are kept until they are a
-  /// block, and written by one call: HDF5 first reads the surroundings of a write of less than 64 kB.
+  /// A dataset of slots; its rows have `columns` numbers. Consecutive slots are collected into a block that
+  /// one call writes, because before a write of less than 64 kB HDF5 first reads the surrounding bytes.
   struct SlotArray {
     std::string name;
     std::size_t rows;
     std::size_t columns;
-    const std::vector<bool>* stored;  // by state; null: all of them
+    const std::vector<bool>* stored;  // by state; null: all states
     std::size_t slots;
     Handle dataset;
     std::vector<double> block = {};
-    std::size_t first = 0;  // slot of the block
+    std::size_t first = 0;  // first slot of the block
     std::size_t added = 0;
 
     std::size_t size() const { return rows * columns; }
@@ -101,7 +102,7 @@ class VtkHdf {
   std::vector<FieldSpec> changing_;
   std::vector<std::vector<bool>> stored_;
   std::vector<SlotArray> arrays_;  // points, then the changing fields
-  std::vector<double> times_;      // of the states so far
+  std::vector<double> times_;      // times of the states so far
 };
 
 }  // namespace netloft::formats

@@ -10,9 +10,9 @@
 
 namespace netloft::formats {
 
-/// The elements of a region, and the numbers of each element:
+/// The kind of elements of a region, and the numbers of each element:
 ///   triangles  of netting: the corners in meshes of their panel, U1 V1 U2 V2 U3 V3
-///   bars       of a rope: the shares of its length at which each begins and ends
+///   bars       of a rope: the fractions of its length at which each bar begins and ends
 ///   twines     bars that represent several twines: their length in mesh sides, and the number of twines
 enum class RegionKind { triangles, bars, twines };
 
@@ -20,7 +20,7 @@ const char* name_of(RegionKind kind);
 constexpr std::size_t nodes_in(RegionKind kind) { return kind == RegionKind::triangles ? 3 : 2; }
 constexpr std::size_t numbers_in(RegionKind kind) { return kind == RegionKind::triangles ? 6 : 2; }
 
-/// Elements that make one part of a gear.
+/// The elements of one part of a gear.
 struct MeshRegion {
   RegionKind kind = RegionKind::triangles;
   std::string name;
@@ -35,8 +35,8 @@ struct MeshSet {
   std::vector<std::uint32_t> nodes = {};
 };
 
-/// A gear divided into triangles and bars by somebody else: nodes, and regions on them. Regions that use the
-/// same node are connected there.
+/// A gear that another program has divided into triangles and bars: nodes, and regions of elements. Regions
+/// are connected at nodes that they share.
 struct InputMesh {
   std::vector<double> positions;  // x y z of each node [m]
   std::vector<MeshRegion> regions;
@@ -46,52 +46,52 @@ struct InputMesh {
   const MeshRegion* find(const std::string& region) const;
 };
 
-/// A fault of one element, found without the others.
+/// A fault of one element, which is found without looking at others.
 struct ElementFault {
-  bool is_of_nodes;  // else of its numbers
+  bool is_of_nodes;  // whether the fault is in the nodes; otherwise in the numbers
   const char* message;
 };
 std::optional<ElementFault> fault_of(const MeshRegion& region, std::size_t element);
 
-inline constexpr std::size_t kMostNodes = 4000000, kMostElements = 4000000;  // of one mesh
-inline constexpr double kFarthest = 1e6;                                     // coordinates [m] and meshes
+inline constexpr std::size_t kMostNodes = 4000000, kMostElements = 4000000;  // in one mesh
+inline constexpr double kFarthest = 1e6;  // limit of coordinates, in metres and in meshes
 
 /// Whether a text is a mesh: it begins with `netloft mesh`.
 bool is_mesh_text(std::string_view text);
 
-/// Reads a mesh from a text (MESH.md). Errors are added to `diagnostics` with their places, where the text is
-/// `file`; after an error the result contains whatever could be read.
+/// Reads a mesh from a text (MESH.md). Errors go to `diagnostics`, where the text has the index `file`; after
+/// an error the result contains whatever could be read.
 InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
 /// Reads a mesh in any text format (MESH.md). The beginning of the text determines the format: `netloft
 /// mesh`, `# vtk DataFile`, otherwise OBJ.
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
-/// Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or the fraction of a
-/// rope; groups are regions, points are sets. OBJ has no bars of several twines; they are left out.
+/// Reads Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or the fraction
+/// of a rope; groups are regions, points are sets. obj_text() omits bars of several twines, which OBJ lacks.
 InputMesh read_obj(std::string_view text, int file, Diagnostics& diagnostics);
 std::string obj_text(const InputMesh& mesh, const std::string& source);
 
-/// VTK legacy files in ASCII with an unstructured grid: triangles, lines and vertices; numbers are in
-/// arrays on cells, `region`, `panel_corners` (6 of a triangle), `shares` and `twines` (2 of a line), and
-/// names of regions in the array of strings `region_names`.
+/// Reads a VTK legacy file in ASCII with an unstructured grid of triangles, lines and vertices. Arrays on
+/// cells have the numbers: `region`, `panel_corners` (6 per triangle), `shares` and `twines` (2 per line).
+/// The array of strings `region_names` has the names of regions.
 InputMesh read_vtk(std::string_view text, int file, Diagnostics& diagnostics);
 std::string vtk_text(const InputMesh& mesh, const std::string& source);
 
-/// Whether bytes are those of an HDF5 file.
+/// Whether the bytes begin like an HDF5 file.
 bool is_hdf5(std::string_view bytes);
 
-/// VTKHDF: an unstructured grid with the arrays of VTK legacy files, at its last time; or a result of
-/// Netloft, whose parts are the regions. Errors have no line; they name the data set.
+/// Reads VTKHDF: an unstructured grid with the arrays of VTK legacy files, at its last time; or a result of
+/// Netloft, whose parts become regions. Errors have no line; they name the dataset.
 InputMesh read_vtkhdf(const std::filesystem::path& path, int file, Diagnostics& diagnostics);
 
-/// The text that read_mesh() reads as this mesh. `source` is a comment of one or more lines.
+/// The text from which read_mesh() reads this mesh. `source` is a comment of one or more lines.
 std::string mesh_text(const InputMesh& mesh, const std::string& source);
 
-/// A text of one or more lines as a comment, "# …" each; empty for an empty text.
+/// A text as a comment, each line as "# …"; empty for an empty text.
 std::string comment_of(const std::string& source);
 
-/// The shortest text that reads as this number.
+/// The shortest text that is read back as this number.
 std::string spell_number(double value);
 
 }  // namespace netloft::formats

@@ -77,7 +77,7 @@ InputMesh MeshBuilder::finish(const Place& end) {
   return std::move(mesh_);
 }
 
-/// Shares of a rope by the distances between its nodes.
+/// Computes the fractions of a rope at the ends of its bars from the distances between its nodes.
 void MeshBuilder::share_out(MeshRegion& region) const {
   std::vector<double> ends{0};
   for (std::size_t e = 0; e < region.size(); ++e) {

@@ -14,23 +14,25 @@ class MeshBuilder {
   explicit MeshBuilder(Diagnostics& diagnostics)
       : diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
 
-  /// Whether reading on makes sense: after fifty errors it does not.
+  /// Whether the reader should continue; false after fifty errors.
   bool goes_on() const { return errors() < 50; }
   int errors() const { return diagnostics_.errors() - errors_before_; }
   void error(const Place& place, const std::string& message, const std::string& hint = {}) {
     diagnostics_.error(place, message, hint);
   }
 
-  /// A coordinate, or a place in meshes.
+  /// Reads a coordinate in metres or in meshes. Reports an error and returns 0 if the word is no number or
+  /// beyond a million.
   double real(std::string_view word, const Place& place);
   void add_coordinate(double x, const Place& place);
 
-  /// The region of a name and kind; one of another kind gets the kind behind its name. Letters that no name
-  /// has become a dash.
+  /// The region of a name and kind. If a region of another kind has the name, the name of the kind is
+  /// appended. Letters that are not allowed in names become dashes.
   MeshRegion& region(const std::string& name, RegionKind kind);
   MeshSet& set(const std::string& name);
 
-  /// Adds one element; bars without numbers get their shares in finish(), by the distance of their nodes.
+  /// Adds one element. Bars without numbers get fractions of the rope in finish(), by the distances of their
+  /// nodes.
   void add_element(MeshRegion& region, const std::uint32_t* nodes, const double* numbers, const Place& place);
 
   InputMesh finish(const Place& end);
@@ -46,7 +48,7 @@ class MeshBuilder {
   Diagnostics& diagnostics_;
   int errors_before_;
   InputMesh mesh_;
-  std::vector<std::vector<Place>> places_;  // of elements, by region
+  std::vector<std::vector<Place>> places_;  // places of the elements, by region
   std::map<std::pair<std::string, RegionKind>, std::size_t> known_;
   std::size_t elements_ = 0;
 };

@@ -21,7 +21,7 @@ std::optional<RegionKind> kind_named(std::string_view name) {
   return {};
 }
 
-/// Reads one mesh; members are steps in the order they happen.
+/// Reads one mesh; members are steps in their order.
 class MeshReader {
  public:
   MeshReader(std::string_view text, int file, Diagnostics& diagnostics)
@@ -59,7 +59,7 @@ class MeshReader {
     has_ended_ = !is_mesh;
   }
 
-  /// `[nodes]`, `[triangles wing]`, `[set wing-tip]`, `[end]`.
+  /// Begins a section: `[nodes]`, `[triangles wing]`, `[set wing-tip]`, `[end]`.
   void begin_section(const std::vector<Word>& row) {
     section_ = Section::none;
     std::string kind(row[0].text.substr(1)), name;
@@ -162,7 +162,7 @@ class MeshReader {
 
   void note(const Word& word) { index_places_.push_back(word.place); }
 
-  /// Checks that do not need the number of nodes.
+  /// Checks an element without knowing the number of nodes.
   void check_element(const MeshRegion& region, const std::vector<Word>& row) {
     if (const auto fault = fault_of(region, region.size() - 1))
       error(row[fault->is_of_nodes ? 0 : nodes_in(region.kind)].place, fault->message);
@@ -197,7 +197,7 @@ class MeshReader {
   std::size_t elements_ = 0;
   std::set<std::string> names_, set_names_;
   std::vector<std::vector<Place>> element_places_;  // by region
-  std::vector<Place> index_places_;                 // of the sets, one after another
+  std::vector<Place> index_places_;  // places of the indices in all sets, one set after another
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Wavefront OBJ (Alias, "Object Files", appendix B1 of the Advanced Visualizer manual): v, vt, f, l, p, g and
-// o.
+// Reads and writes Wavefront OBJ (Alias, "Object Files", appendix B1 of the Advanced Visualizer manual):
+// lines v, vt, f, l, p, g and o.
 #include "io/formats/mesh/mesh_builder.hpp"
 #include "io/formats/mesh/text_rows.hpp"
 #include "io/formats/units/in_quotes.hpp"
@@ -13,7 +13,7 @@ namespace netloft::formats {
 
 namespace {
 
-/// Reads one file; members are kinds of lines.
+/// Reads one file; each kind of line has its own member.
 class ObjReader {
  public:
   ObjReader(std::string_view text, int file, Diagnostics& diagnostics)
@@ -75,7 +75,8 @@ class ObjReader {
                          row.size() > 2 ? builder_.real(row[2].text, row[2].place) : 0});
   }
 
-  /// A number from 1, or from the end if it is negative.
+  /// Reads an index, which counts from 1, or from the end if it is negative. Reports an error and returns 0
+  /// if it does not exist.
   std::size_t index(std::string_view word, std::size_t count, const char* what, const Place& place) {
     const auto value = integer_in(word);
     const auto all = static_cast<std::int64_t>(count);
@@ -102,7 +103,7 @@ class ObjReader {
     return c;
   }
 
-  /// Polygons become triangles round their first corner.
+  /// Reads a face. A polygon becomes triangles that share its first corner.
   void read_face(const Row& row) {
     if (!has_words(row, 3, "a face has three corners or more")) return;
     std::vector<Corner> corners;

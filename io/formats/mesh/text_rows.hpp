@@ -16,21 +16,23 @@ struct Word {
   Place place;
 };
 
-/// A number as programs write it: 1, 1.5, .5, 3., 1e-3, 1.D-3. Not hexadecimal, infinite or no number.
+/// A number in any notation of programs: 1, 1.5, .5, 3., 1e-3, 1.D-3. Nothing for hexadecimal numbers,
+/// infinity, NaN and other texts.
 std::optional<double> number_in(std::string_view text);
 std::optional<std::int64_t> integer_in(std::string_view text);
 
-/// Cuts a text into lines and lines into words. Lines end with LF, CR LF or CR.
+/// Splits a text into lines and lines into words. Lines end with LF, CR LF or CR.
 class TextRows {
  public:
-  /// `text` must live as long as this. Text after `comment` on a line is skipped; 0: no comments.
+  /// `text` must outlive this object. Text after the character `comment` on a line is skipped; 0: no
+  /// comments.
   TextRows(std::string_view text, int file, char comment = 0) : text_(text), file_(file), comment_(comment) {}
 
-  /// The next line as it is, without its end; nothing at the end of the text.
+  /// The next line without its end; nothing at the end of the text.
   std::optional<std::string_view> next_line();
-  /// The words of the next line that has any; empty at the end of the text.
+  /// The words of the next line that is not blank; empty at the end of the text.
   std::vector<Word> next_row();
-  /// The line that was read last, and its beginning.
+  /// The number of the line that was read last; place() is its beginning.
   int line() const { return line_; }
   Place place() const { return {file_, line_, 1, 1}; }
   bool at_end() const { return at_ >= text_.size(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK legacy files (Kitware, "VTK File Formats", simple legacy formats), in ASCII, with an unstructured grid.
+// Reads and writes VTK legacy files (Kitware, "VTK File Formats", simple legacy formats), in ASCII, with an
+// unstructured grid.
 #include "io/formats/mesh/mesh_builder.hpp"
 #include "io/formats/mesh/text_rows.hpp"
 #include "io/formats/mesh/vtk_cells.hpp"
@@ -20,7 +21,7 @@ std::string in_capitals(std::string_view text) {
   return out;
 }
 
-/// Reads one file; members are blocks in the order in which a file may contain them.
+/// Reads one file; members are blocks in the order of a file.
 class VtkReader {
  public:
   VtkReader(std::string_view text, int file, Diagnostics& diagnostics)
@@ -44,7 +45,7 @@ class VtkReader {
     has_failed_ = true;
   }
 
-  /// The next word, whatever the lines; empty at the end.
+  /// The next word on this or a later line; empty at the end.
   Word next() {
     if (at_ >= row_.size()) {
       row_ = rows_.next_row();
@@ -113,8 +114,8 @@ class VtkReader {
     points_ = count;
   }
 
-  /// The layout of version 5, OFFSETS and CONNECTIVITY, or that before it, in which each cell says its
-  /// length.
+  /// Reads cells in the layout of version 5, OFFSETS and CONNECTIVITY, or in the older one, in which each
+  /// cell begins with its length.
   void read_cells() {
     const std::size_t first = next_count(8 * kMostElements, "cells"),
                       second = next_count(8 * kMostElements, "nodes");
@@ -205,12 +206,13 @@ class VtkReader {
     for (std::size_t i = 0; i < components * count && goes_on(); ++i) {
       const Word word = next();
       if (word.text.empty()) return fail(word.place, "the file ends within the array " + in_quotes(name));
-      array.values.push_back(number_in(word.text).value_or(0));  // also nan, for elements without a value
+      array.values.push_back(
+          number_in(word.text).value_or(0));  // elements without a value, such as nan, get 0
     }
     if (is_on_cells_) cells_.arrays[name] = std::move(array);
   }
 
-  /// Names of components and the like, up to a blank line.
+  /// Skips metadata, such as names of components, up to a blank line.
   void skip_metadata() {
     row_.clear();
     at_ = 0;

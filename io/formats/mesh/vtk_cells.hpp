@@ -10,8 +10,8 @@ namespace vtk {
 inline constexpr int kVertex = 1, kPolyVertex = 2, kLine = 3, kPolyLine = 4, kTriangle = 5;  // types of cells
 }
 
-/// Cells of an unstructured grid of VTK, in whatever file they stand, with the arrays on them that say what
-/// they are: `region`, `panel_corners`, `shares`, `twines` (README.md).
+/// Cells of an unstructured grid of VTK, from a file of any format, and the arrays that describe the cells:
+/// `region`, `panel_corners`, `shares`, `twines` (MESH.md).
 struct VtkCells {
   struct Array {
     std::size_t components = 1;
@@ -21,15 +21,16 @@ struct VtkCells {
   std::vector<Place> places;
   std::vector<int> types;
   std::map<std::string, Array> arrays;
-  std::vector<std::string> names;  // of regions
+  std::vector<std::string> names;  // names of regions
 
-  /// The numbers of a cell in an array; null if there is none with so many components.
+  /// The numbers of a cell in an array; null if no such array has this number of components.
   const double* numbers(const std::string& array, std::size_t components, std::size_t cell) const;
-  /// "wing", "region-3", or the word that is given.
+  /// The name of the region of a cell: "wing", "region-3", or `otherwise` if the cells have no array
+  /// `region`.
   std::string region_of(std::size_t cell, const char* otherwise) const;
 };
 
-/// Puts cells whose nodes are there into a mesh. `place` is that of all of them.
+/// Adds cells to a mesh that has their nodes already. `place` is the place of all cells, for errors.
 void add_vtk_cells(const VtkCells& cells, const Place& place, MeshBuilder& builder);
 
 }  // namespace netloft::formats

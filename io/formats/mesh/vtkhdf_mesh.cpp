@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files of VTKHDF (Kitware, "VTKHDF file format"): unstructured grids of one piece, at their last time;
-// results of Netloft, which are such files, with the data of their parts.
+// Reads files of VTKHDF (Kitware, "VTKHDF file format"): unstructured grids of one piece at their last time,
+// and results of Netloft, which are such files and also have the data of parts.
 #include "framework/registry/element_outputs.hpp"
 #include "io/formats/hdf5/read.hpp"
 #include "io/formats/mesh/vtk_cells.hpp"
@@ -51,7 +51,7 @@ class VtkHdfMesh {
                         " pieces, and one of a single piece is read");
   }
 
-  /// The numbers of the last state.
+  /// The points of the last state; array() does the same for an array on cells.
   std::vector<double> points() const {
     return is_transient_ ? reader_.points(states_ - 1) : reader_.reals(kGridGroup + "/Points");
   }
@@ -67,7 +67,7 @@ class VtkHdfMesh {
     return 0;
   }
 
-  /// Grids that change their cells from state to state are read as the first has them.
+  /// Reads the cells. If a grid changes its cells from state to state, those of the first state are used.
   void read_cells() {
     const auto counts = reader_.integers(kGridGroup + "/NumberOfPoints");
     const auto connectivity = reader_.integers(kGridGroup + "/Connectivity"),
@@ -115,8 +115,8 @@ class VtkHdfMesh {
       cells_.names = reader_.strings(kGridGroup + "/FieldData/region_names");
   }
 
-  /// Takes the parts of a result of Netloft as regions, without netting that has no panel coordinates, bars
-  /// of several twines, and bars that are no rope. The fractions of bars follow from their unstretched
+  /// Makes regions from the parts of a result of Netloft. Leaves out netting without panel coordinates, bars
+  /// of several twines, and bars that belong to no rope. The fractions of bars follow from their unstretched
   /// lengths.
   void take_parts() {
     const std::size_t count = cells_.types.size();

@@ -4,7 +4,7 @@
 
 namespace netloft::formats {
 
-/// One direction of a plot: the position of a value, and the ticks.
+/// One axis of a plot: the positions of values, and the ticks.
 class Axis {
  public:
   struct Tick {
@@ -13,9 +13,9 @@ class Axis {
   };
 
   virtual ~Axis() = default;
-  /// Whether a value can be drawn at all.
+  /// Whether the axis can show a value.
   virtual bool has_place(double value) const = 0;
-  /// 0 at the low end, 1 at the high one.
+  /// The position of a value: 0 at the low end, 1 at the high end.
   virtual double place(double value) const = 0;
 
   double low() const { return low_; }

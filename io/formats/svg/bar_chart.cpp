@@ -12,11 +12,11 @@ namespace netloft::formats {
 
 namespace {
 
-// Lengths in units of the picture, as those of plot.cpp.
+// Lengths have the unit of the picture, as in plot.cpp.
 constexpr double kNameRoom = 92, kEndRoom = 14, kHeadRoom = 6;
 constexpr double kBar = 7, kRowGap = 5, kTitleHeight = 16, kWhisker = 1.6;
 constexpr std::array<const char*, 4> kBarColours{"#0072b2", "#e69f00", "#009e73",
-                                                 "#cc79a7"};  // after Okabe and Ito
+                                                 "#cc79a7"};  // colours of Okabe and Ito
 
 std::vector<double> values_of(const BarChart& chart) {
   std::vector<double> values{0};
@@ -29,7 +29,7 @@ std::vector<double> values_of(const BarChart& chart) {
   return values;
 }
 
-/// Draws from the top downwards.
+/// Draws a chart from the top downwards.
 class BarDrawing {
  public:
   explicit BarDrawing(const BarChart& chart) : chart_(chart), axis_(values_of(chart)) {}

@@ -5,7 +5,8 @@
 
 namespace netloft::formats {
 
-/// Groups of rows with a bar of each kind, from zero, and a whisker over its error.
+/// A chart of groups of rows. Each row has a bar of each kind, which begins at zero, and a whisker for its
+/// error.
 struct BarChart {
   struct Bar {
     double value, error;
@@ -23,7 +24,7 @@ struct BarChart {
   std::vector<Group> groups;
 };
 
-/// The bars as a self-contained SVG of the width and the colours of a LinePlot (plot.hpp).
+/// Draws the chart as a self-contained SVG with the width and the colours of a LinePlot (plot.hpp).
 std::string draw_svg(const BarChart& chart);
 
 }  // namespace netloft::formats

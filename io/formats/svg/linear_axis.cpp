@@ -9,12 +9,13 @@ namespace netloft::formats {
 
 namespace {
 
-constexpr double kRangeMargin = 0.04;  // of the range, that markers keep from the frame
-// Values that differ by less, relative to their size, are drawn as one: their digits would not fit on labels.
+constexpr double kRangeMargin = 0.04;  // distance of markers from the frame, as a fraction of the range
+// Values that differ by less than this, relative to their size, count as equal: their digits would not fit on
+// labels.
 constexpr double kSame = 1e-6;
-constexpr double kTickRounding = 1e-9;  // of a tick's distance; covers rounding
+constexpr double kTickRounding = 1e-9;  // tolerance for rounding, as a fraction of the distance of ticks
 
-/// The least of 1, 2 and 5 times a power of ten that is not below `length`.
+/// The smallest of 1, 2 and 5 times a power of ten that is not less than `length`.
 double round_length(double length) {
   const double decade = std::pow(10.0, std::floor(std::log10(length) + kTickRounding));
   for (const double step : {1.0, 2.0, 5.0})

@@ -8,10 +8,10 @@ namespace netloft::formats {
 
 /// A linear axis that includes all values with a margin.
 ///   place(v) = (v − low)/(high − low)                                                      (1)
-/// Ticks are at whole multiples of 1, 2 or 5 times a power of ten, all of them labelled.
+/// Ticks are at integer multiples of 1, 2 or 5 times a power of ten; all ticks have labels.
 class LinearAxis : public Axis {
  public:
-  /// Values that are not finite are ignored. `most_labels` is the number of labels that fit.
+  /// `values` that are not finite are ignored. `most_labels` is the number of labels that fit.
   explicit LinearAxis(std::span<const double> values, int most_labels = 7);
 
   bool has_place(double value) const override;

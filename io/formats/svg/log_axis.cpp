@@ -9,7 +9,7 @@ namespace netloft::formats {
 
 namespace {
 
-// Within this factor, an end of the axis equals a value; covers the rounding of powers of ten.
+// Within this factor, an end of the axis equals a value, despite the rounding of powers of ten.
 constexpr double kDecadeRounding = 1e-9;
 // Markers keep at least this factor away from the frame.
 constexpr double kMarginFactor = 1.15;
@@ -19,8 +19,8 @@ constexpr int kMostSubdivided = 5;
 double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
 int decade_below(double value) { return static_cast<int>(std::floor(std::log10(value) + kDecadeRounding)); }
 
-/// The largest whole multiple of a power of ten, from one to nine, that is not above `value`; the smallest
-/// that is not below.
+/// The largest number n 10^k with n from 1 to 9 that is not greater than `value`; round_up() returns the
+/// smallest that is not less.
 double round_down(double value) {
   const double decade = power_of_ten(decade_below(value));
   return std::floor(value / decade + kDecadeRounding) * decade;
@@ -30,7 +30,7 @@ double round_up(double value) {
   return std::ceil(value / decade - kDecadeRounding) * decade;
 }
 
-/// Decades between labels, so that at most `most` of `count` are labelled.
+/// The number of decades from label to label, so that at most `most` of `count` powers have labels.
 int label_stride(int count, int most) { return std::max(1, (count + most - 1) / std::max(1, most)); }
 
 }  // namespace

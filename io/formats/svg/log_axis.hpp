@@ -8,11 +8,12 @@ namespace netloft::formats {
 
 /// A logarithmic axis that includes all values with a margin, and its ticks.
 ///   place(v) = (lg v − lg low)/(lg high − lg low)                                          (1)
-/// Its ends are whole multiples of powers of ten. Ticks with a label are powers of ten, every second, third …
-/// of them when there are many; an axis with fewer than two of these labels 2 and 5 as well.
+/// Its ends are integer multiples of powers of ten. Powers of ten have labels, or only every second, third …
+/// of them if there are many. If the axis has fewer than two powers of ten, 2 and 5 times a power have
+/// labels, too.
 class LogAxis : public Axis {
  public:
-  /// Values that are not positive and finite are ignored. `most_labels` is the number of labels that fit.
+  /// `values` that are not positive and finite are ignored. `most_labels` is the number of labels that fit.
   explicit LogAxis(std::span<const double> values, int most_labels = 6);
 
   bool has_place(double value) const override;

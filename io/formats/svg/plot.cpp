@@ -15,7 +15,7 @@ namespace netloft::formats {
 
 namespace {
 
-// Lengths are in units of the picture; kWidth units are a column of 8.5 cm, so one unit is 0.71 pt.
+// Lengths have the unit of the picture: kWidth units are a column of 8.5 cm, so one unit is 0.71 pt.
 constexpr double kInnerHeight = 210;
 constexpr double kLeft = 46, kRight = 10, kTop = 24, kMargin = 6;
 constexpr double kShade = 0.2;  // opacity of bands
@@ -27,7 +27,7 @@ constexpr const char *kMinorGrid = "#f0f0f0", *kMarkInk = "#666666";
 constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                               "#e69f00", "#56b4e9", "#000000"};
 
-/// All x or all y of a plot, the ends of bands included.
+/// All x or all y of a plot, including the ends of bands.
 std::vector<double> values_of(const LinePlot& plot, bool of_x) {
   std::vector<double> values;
   for (const auto& series : plot.series) {
@@ -108,7 +108,8 @@ class Drawing {
     picture_.text({middle, 15}, plot_.title, kText, kInk, Anchor::middle);
   }
 
-  /// Draws marks from left to right with labels above the lines; of two close labels the right one is lower.
+  /// Draws marks from left to right with labels beside the lines; of two close labels, the right one is
+  /// lower.
   void draw_marks() {
     std::vector<PlotMark> marks = plot_.marks;
     std::erase_if(marks, [&](const PlotMark& mark) { return !x_->has_place(mark.x); });

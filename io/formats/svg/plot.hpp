@@ -5,21 +5,21 @@
 
 namespace netloft::formats {
 
-/// One line of a plot, with a marker at every point, in the order of the points.
+/// One line of a plot, with a marker at every point; the line connects the points in their order.
 struct PlotSeries {
   struct Point {
     double x, y;
-    bool is_hollow = false;  // of its marker, with the meaning of LinePlot::hollow
+    bool is_hollow = false;  // whether its marker is hollow, as LinePlot::hollow explains
   };
-  /// Two ends above one x, between which the plot is shaded.
+  /// Two values at one x, between which the plot is shaded.
   struct Span {
     double x, low, high;
   };
   std::string name;
   std::vector<Point> points;
-  std::vector<Span> band = {};    // in the order of x
-  bool is_line = true;            // else markers alone
-  std::vector<Point> curve = {};  // the line, where it does not lead straight from point to point
+  std::vector<Span> band = {};    // in ascending order of x
+  bool is_line = true;            // whether there is a line, or only markers
+  std::vector<Point> curve = {};  // the line, if it is not straight between the points
 };
 
 /// A dashed vertical line with a label at its top, at a special value of x.
@@ -30,22 +30,22 @@ struct PlotMark {
 
 enum class AxisScale { linear, logarithmic };
 
-/// Lines over two axes. Values that an axis has no place for are left out: those that are not finite, and on
-/// a logarithmic one those that are not positive.
+/// A plot of lines over two axes. Values that an axis cannot show are left out: values that are not finite,
+/// and on a logarithmic axis values that are not positive.
 struct LinePlot {
-  std::string title, x_label, y_label;  // labels with their unit: "CPU time [s]"
+  std::string title, x_label, y_label;  // labels include the unit: "CPU time [s]"
   std::vector<PlotSeries> series;
   std::vector<PlotMark> marks = {};
   AxisScale x_scale = AxisScale::logarithmic, y_scale = AxisScale::logarithmic;
-  std::string hollow = {};  // meaning of hollow markers, in the last line of the legend if there are any
+  std::string hollow = {};  // meaning of hollow markers, for the last line of the legend
 };
 
-/// The plot as a self-contained SVG: white ground, colours that colour-blind readers can distinguish (Okabe
-/// and Ito), a marker of its own for each series. Drawn for a column of 8.5 cm, in which letters are 7 pt
-/// high.
+/// Draws the plot as a self-contained SVG on white ground, in colours that colour-blind readers can
+/// distinguish (Okabe and Ito), with a different marker for each series. At a width of 8.5 cm, letters are 7
+/// pt high.
 std::string draw_svg(const LinePlot& plot);
 
-/// The plot as an HTML page that needs no other file; several, one after the other under a heading.
+/// Draws one plot, or several below a heading, as an HTML page that needs no other file.
 std::string draw_html(const LinePlot& plot);
 std::string draw_html(const std::string& heading, const std::vector<LinePlot>& plots);
 

@@ -22,7 +22,7 @@ const char* name_of(Anchor anchor) {
   }
 }
 
-/// Formats a coordinate to hundredths of a unit, finer than any printer resolves.
+/// Formats a coordinate with two decimals, which is finer than any printer resolves.
 std::string coordinate(double value) {
   std::string text = fmt::format("{:.2f}", value);
   text.erase(text.find_last_not_of('0') + 1);

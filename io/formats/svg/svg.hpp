@@ -19,16 +19,16 @@ class SvgPicture {
   void path(const std::vector<PicturePoint>& points, const char* colour, double width);
   /// A closed area without an outline; `opacity` from 0 to 1.
   void area(const std::vector<PicturePoint>& outline, const char* colour, double opacity);
-  /// One of eight shapes that differ even without their colour; after the eighth they repeat.
+  /// Draws one of eight shapes, which differ even without their colour; from the ninth on they repeat.
   void marker(PicturePoint at, std::size_t shape, const char* colour, bool is_hollow = false);
   void text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor);
-  /// Text that reads upwards; `halo`: with a white rim that separates it from lines behind.
+  /// Draws text that reads upwards. With `halo` it has a white rim that separates it from lines behind it.
   void rotated_text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor,
                     bool halo = false);
-  /// A tick's number, as a power of ten (10⁻³) or as it is written (0.02).
+  /// Draws the number of a tick, as a power of ten (10⁻³) or as a decimal (0.02).
   void number(PicturePoint at, double value, bool as_power, double size, Anchor anchor);
 
-  /// The complete file, on white ground.
+  /// The complete file, with a white background.
   std::string finish(double width, double height) const;
 
  private:
@@ -37,7 +37,7 @@ class SvgPicture {
   std::string body_;
 };
 
-/// & < > " as entities; control characters that XML does not allow become spaces.
+/// Replaces & < > " by entities, and control characters that XML does not allow by spaces.
 std::string escape_markup(const std::string& text);
 
 }  // namespace netloft::formats

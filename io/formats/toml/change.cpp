@@ -49,7 +49,7 @@ std::optional<std::vector<std::string>> parse_keys(const std::string& path) {
   return keys.empty() ? std::nullopt : std::optional(keys);
 }
 
-/// Removes "[2]" from the front of `rest`; nothing if it does not begin with an index.
+/// Removes "[2]" from the front of `rest` and returns 2; nothing if `rest` does not begin with an index.
 std::optional<std::size_t> take_item(std::string_view& rest) {
   std::size_t item = 0;
   const char* end = rest.data() + rest.size();
@@ -59,7 +59,7 @@ std::optional<std::size_t> take_item(std::string_view& rest) {
   return item;
 }
 
-/// The front of `rest` up to the first '[' outside quotes.
+/// Removes the part before the first '[' outside quotes from the front of `rest`, and returns it.
 std::string_view take_keys(std::string_view& rest) {
   char quote = 0;
   std::size_t i = 0;
@@ -70,7 +70,7 @@ std::string_view take_keys(std::string_view& rest) {
   return keys;
 }
 
-/// "hold[0].at[2]" as steps. Nothing if the path cannot be read.
+/// Splits a path such as "hold[0].at[2]" into steps; nothing if it cannot be read.
 std::optional<std::vector<PathStep>> parse_path(std::string_view rest) {
   std::vector<PathStep> steps;
   while (!rest.empty()) {
@@ -107,7 +107,7 @@ void for_places(Value& value, const Visit& visit) {
     for (Value& item : array->items) for_places(item, visit);
 }
 
-/// `place` is that of the text after the '='.
+/// Reads a value as TOML, or else as a text. `place` is the place of the text after the '='.
 Value parse_value(const std::string& text, const Place& place) {
   const std::string kKey = "v=";
   Diagnostics unheard;
@@ -128,7 +128,7 @@ class Walk {
   Walk(Value& root, std::string path, const Place& place, Diagnostics& diagnostics)
       : at_(&root), path_(std::move(path)), place_(place), diagnostics_(diagnostics) {}
 
-  /// Null after a step that cannot be made, which was reported.
+  /// The value at the end of the steps. Null after a step that is impossible, which is reported.
   Value* end() const { return at_; }
 
   void go(const PathStep& step) {

@@ -15,7 +15,7 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 std::string printable(std::string text) {
   for (char& c : text)
     if (is_control(c)) c = c == '\t' ? ' ' : '?';
-  // U+0080…U+009F: control characters too, to some terminals.
+  // Some terminals also interpret U+0080…U+009F as control characters.
   for (std::size_t i = 0; i + 1 < text.size(); ++i)
     if (text[i] == '\xC2' && static_cast<unsigned char>(text[i + 1]) < 0xA0) text.replace(i, 2, "?");
   return text;

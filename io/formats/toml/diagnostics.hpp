@@ -32,34 +32,35 @@ class Diagnostics {
  public:
   enum class Source { file, command_line };
 
-  /// Sources are sorted in the order in which they are added: the root file first. A command line is shown by
-  /// its name only.
+  /// Adds a source and returns its index. Messages are sorted by the order of sources: the root file comes
+  /// first. A command line is shown only by its name.
   int add_source(std::string name, std::string text, Source kind = Source::file);
 
   void error(const Place& place, std::string message, std::string hint = {});
   void warning(const Place& place, std::string message, std::string hint = {});
 
-  /// Adds the sources and the messages of `other`. Returns what the numbers of its sources grow by.
+  /// Adds the sources and the messages of `other`. Returns the number by which the indices of its sources
+  /// increase.
   int append(const Diagnostics& other);
-  /// The same sources, without messages.
+  /// A copy with the same sources and without messages.
   Diagnostics without_messages() const;
-  /// Adds messages of another that has the same sources.
+  /// Adds the messages of another instance with the same sources.
   void take_messages(const std::vector<Diagnostic>& messages);
-  /// All messages, in the order in which they came.
+  /// All messages, in the order in which they were added.
   const std::vector<Diagnostic>& messages() const { return entries_; }
 
   int errors() const { return errors_; }
   int warnings() const { return static_cast<int>(entries_.size()) - errors_; }
 
-  /// Each message once, by source, line and column.
+  /// All messages, sorted by source, line and column.
   std::vector<Diagnostic> sorted() const;
 
-  /// "codend.toml:41:13", "--set parts.net.cells", or "" for nowhere.
+  /// A place as text: "codend.toml:41:13", "--set parts.net.cells", or "" if there is no file.
   std::string where(const Place& place) const;
 
-  /// For each: `codend.toml:41:13: error: message`, the line of source with the spot underlined, `  hint: …`.
-  /// At most `limit` of them are shown, followed by the number of the others. Control characters are not
-  /// passed on to a terminal.
+  /// All messages as text. Each consists of `codend.toml:41:13: error: message`, the source line with the
+  /// place underlined, and `  hint: …`. At most `limit` messages are shown, followed by the number of the
+  /// others. Control characters are replaced, so that none reaches a terminal.
   std::string render(bool color, std::size_t limit = 100) const;
 
  private:

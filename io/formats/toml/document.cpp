@@ -89,7 +89,7 @@ class Loader {
   Loader(std::vector<SourceFile>& files, Diagnostics& diagnostics)
       : files_(files), diagnostics_(diagnostics) {}
 
-  /// `named_at` is the entry in the including file; for the root it is no place.
+  /// Loads a file and its includes. `named_at` is the entry in the including file; for the root it is empty.
   Value load(const fs::path& path, const Place& named_at) {
     const std::string name = path.lexically_normal().string();
     FileText file = read_file(path);

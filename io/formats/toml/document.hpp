@@ -13,7 +13,7 @@ namespace netloft::formats {
 
 /// A file that was read, for the record of a run.
 struct SourceFile {
-  std::string path;  // as it was named: the root as given, an include relative to the file that names it
+  std::string path;  // the root as given; an include relative to the file that names it
   std::string text;
   std::string hash;  // "fnv1a64:" and 16 hexadecimal digits of the text; distinguishes versions, but is not a
                      // signature
@@ -21,9 +21,9 @@ struct SourceFile {
 
 /// A scene file with its includes and the overrides of the command line, as one table.
 ///
-/// `include = ["a.toml", …]` names files relative to the including one. They are laid down in that order, the
-/// file's own keys last: tables merge, `[[hold]]` appends, everything else replaces. A file is read once,
-/// where it is first named. Overrides ("path=value") come last.
+/// `include = ["a.toml", …]` names files relative to the including file. Files are merged in this order, and
+/// the keys of the including file last: tables merge, `[[hold]]` appends, everything else replaces. A file
+/// that is named several times is read once, at its first mention. Overrides ("path=value") come last.
 class Document {
  public:
   /// Errors go to `diagnostics`; after an error the document contains whatever could be read.
@@ -35,7 +35,7 @@ class Document {
 
   /// The complete table, without `include`.
   const Value& root() const { return root_; }
-  /// The root file first, then includes in the order they were read.
+  /// The root file, then the includes in the order in which they were read.
   const std::vector<SourceFile>& files() const { return files_; }
 
  private:

@@ -6,8 +6,8 @@
 
 namespace netloft::formats {
 
-/// TOML nests by brackets, which toml++ limits, and by dotted keys, which it does not: 200 000 of them
-/// overflow its stack.
+/// Largest number of parts of a dotted key. toml++ limits the nesting by brackets but not by dotted keys: a
+/// key with 200 000 parts overflows its stack.
 constexpr int kMostKeyParts = 32;
 
 struct DeepKey {
@@ -15,7 +15,7 @@ struct DeepKey {
   int column = 1;
 };
 
-/// The first dotted key with more than kMostKeyParts parts.
+/// The first dotted key with more than kMostKeyParts parts; nothing if there is none.
 std::optional<DeepKey> find_deep_key(std::string_view text);
 
 }  // namespace netloft::formats

@@ -8,11 +8,11 @@
 
 namespace netloft::formats {
 
-/// Lays `over` upon `base`: tables merge key by key, `[[hold]]` appends to the tables there are, everything
-/// else replaces. Each value keeps the place where it was written.
+/// Merges `over` into `base`: tables merge key by key, `[[hold]]` appends to an existing array of tables,
+/// everything else replaces. Each value keeps the place where it was written.
 void merge(Value& base, Value over);
 
-/// Adds a key that the table has not, at the place of its value.
+/// Adds a key that the table does not have; its place is that of its value.
 inline void put(Table& table, const std::string& key, Value value) {
   const Place place = value.place;
   table.members.push_back({key, place, std::move(value)});

@@ -8,10 +8,10 @@
 
 namespace netloft::formats {
 
-/// Tables and arrays nested deeper than this are refused, so that functions on the tree may recurse.
+/// Deepest nesting of tables and arrays. Deeper ones are refused, so that functions on the tree may recurse.
 constexpr int kDeepestValue = 64;
 
-/// The table in `text`; `file` is its number in `diagnostics`. Empty after an error.
+/// Reads the table in `text`; `file` is the index of the text in `diagnostics`. Empty after an error.
 std::optional<Value> parse_toml(const std::string& text, int file, Diagnostics& diagnostics);
 
 }  // namespace netloft::formats

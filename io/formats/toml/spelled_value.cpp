@@ -12,7 +12,7 @@ namespace netloft::formats {
 
 namespace {
 
-/// A basic string of TOML.
+/// Writes a text as a basic string of TOML.
 std::string quote(std::string_view text) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
   std::string quoted = "\"";
@@ -27,7 +27,7 @@ std::string quote(std::string_view text) {
   return quoted + '"';
 }
 
-/// Whether a text without quotes is read as that text: as a quantity with a unit, or as a word.
+/// Whether a text without quotes is read back as a text: it is a quantity with a unit, or a word.
 bool is_plain(const std::string& text) {
   constexpr std::array<std::string_view, 4> kValues = {"true", "false", "inf", "nan"};
   const auto is_of_words = [](char c) {
@@ -47,7 +47,7 @@ std::string bracketed(const Items& items, const char* brackets, const Spell& spe
   return brackets[0] + text + brackets[1];
 }
 
-/// Texts within an array or a table need their quotes.
+/// Writes a value within an array or a table, where texts need their quotes.
 std::string spell_inside(const Value& value) {
   const auto* text = value.as<std::string>();
   return text ? quote(*text) : spell_value(value);

@@ -6,8 +6,8 @@
 
 namespace netloft::formats {
 
-/// A value in the spelling in which `--set` reads it back. Texts have quotes only where they need them, so
-/// that "2.5 kn" and names of parts look as people write them.
+/// Writes a value so that `--set` reads it back. Texts have quotes only if necessary, so that "2.5 kn" and
+/// names of parts look as users write them.
 std::string spell_value(const Value& value);
 
 }  // namespace netloft::formats

@@ -72,7 +72,7 @@ std::string wanted_real(const std::string& unit) {
   return unit == "1" ? std::string("a number") : dimension_name(unit) + " in " + unit;
 }
 
-/// A value in the range, with which the caller can continue after an error.
+/// A value within the range, with which the caller continues after an error.
 double within(const Range& range) {
   if (range.contains(0)) return 0;
   if (std::isfinite(range.lo) && std::isfinite(range.hi)) return range.lo + (range.hi - range.lo) / 2;
@@ -155,8 +155,8 @@ bool check_count(const Spot& at, std::size_t n, const Count& count, const char* 
   return false;
 }
 
-/// Reads each item with `read_item`. It stops after a few errors, so that a wrong unit in a long column does
-/// not produce a flood of messages.
+/// Reads each item with `read_item`. Stops after a few errors, so that a wrong unit in a long column does not
+/// cause a flood of messages. Returns nothing after an error.
 template <class T, class ReadItem>
 std::optional<std::vector<T>> read_array(const Spot& at, const Count& count, const char* what,
                                          const std::string& wanted, const std::string& doc,
@@ -193,7 +193,7 @@ struct TableReader::State {
   Place place;
   std::string path;
   Diagnostics* diagnostics;
-  bool silent = false;                  // true: replaces a table whose absence has been reported
+  bool silent = false;                  // true for a table whose absence has been reported
   std::vector<std::string> known = {};  // keys that have been requested
   std::unordered_map<const Value*, std::shared_ptr<State>> opened = {};
 
@@ -300,7 +300,7 @@ std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& sp
   return result ? *result : std::vector<double>(stand_in_size(spec.count), within(spec.range));
 }
 
-/// Numbers with one unit for all of them: { unit = "deg", values = [0, 5, 10] }.
+/// Reads numbers with one unit for all of them: { unit = "deg", values = [0, 5, 10] }.
 std::vector<double> TableReader::values_in_unit(TableReader own, const RealsSpec& spec) {
   const std::string unit = own.text("unit", {.doc = "unit of the values, such as " + spec.unit});
   const Quantity one = unit.empty() ? Quantity{} : to_si("1 " + unit, spec.unit);
@@ -350,7 +350,8 @@ std::vector<std::string> TableReader::texts(std::string_view key, const TextsSpe
   return result ? *result : std::vector<std::string>(stand_in_size(spec.count));
 }
 
-/// Opening a table twice gives the same state, so that keys requested through either are known.
+/// Opens a table. Opening a table twice gives the same state, so that keys requested through either reader
+/// are known to both.
 TableReader TableReader::open(const Value& table, const std::string& path) {
   std::shared_ptr<State>& state = state_->opened[&table];
   if (!state) state = TableReader(table, diagnostics(), path).state_;

@@ -15,7 +15,7 @@
 
 namespace netloft::formats {
 
-/// The values that a quantity may take; the ends are included unless they are open.
+/// The allowed values of a quantity; the ends are included unless they are open.
 struct Range {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
@@ -30,8 +30,8 @@ inline Range between(double lo, double hi) { return {lo, hi, false, false}; }
 inline Range at_least(double lo) { return {.lo = lo}; }
 inline Range above(double lo) { return {.lo = lo, .lo_open = true}; }
 
-// The specification of a key. `doc` describes it in words, `unit` is the unit in which the value is returned
-// and in which the range is given. A key without a fallback is required.
+// The structs below specify a key. `doc` describes it in words; `unit` is the unit of the returned value and
+// of the range. A key without a fallback is required.
 
 struct RealSpec {
   std::string unit = "1";
@@ -103,11 +103,11 @@ struct TextsSpec {
 
 enum class Presence { required, optional };
 
-/// Reads a table key by key. Nothing throws: errors are added to the Diagnostics with their places, and a
-/// value within the range is returned, so that all errors are found at once. Check `errors()` before you use
-/// the values.
+/// Reads a table key by key. Nothing throws: after an error, a message with its place goes to the
+/// Diagnostics, and a value within the range is returned, so that reading continues and finds all errors.
+/// Check `errors()` before you use the values.
 ///
-/// Copies are cheap and refer to the same table; the Value and the Diagnostics must live longer.
+/// Copies are cheap and refer to the same table; the Value and the Diagnostics must outlive them.
 class TableReader {
  public:
   /// `table` is a table, for example Document::root(); `path` is its name in messages.
@@ -118,31 +118,31 @@ class TableReader {
   bool boolean(std::string_view key, const BooleanSpec& spec);
   std::string text(std::string_view key, const TextSpec& spec);
   std::string choice(std::string_view key, const ChoiceSpec& spec);
-  /// [0, "5 m"], or { unit = "m", values = [0, 5] } with one unit for all values.
+  /// Reads [0, "5 m"], or { unit = "m", values = [0, 5] } with one unit for all values.
   std::vector<double> reals(std::string_view key, const RealsSpec& spec);
   std::vector<std::vector<double>> rows(std::string_view key, const RowsSpec& spec);  // [[0, 1], ["2 m", 3]]
   std::vector<std::int64_t> integers(std::string_view key, const IntegersSpec& spec);
   std::vector<std::string> texts(std::string_view key, const TextsSpec& spec);
 
-  /// A missing optional table reads as an empty one; a missing required table is reported once and then read
-  /// without further messages.
+  /// Opens a table. A missing optional table reads as an empty one; a missing required table is reported
+  /// once, and reading it causes no further messages.
   TableReader table(std::string_view key, Presence presence = Presence::required,
                     const std::string& doc = {});
-  /// The tables of `[[hold]]`, one reader each.
+  /// Opens the tables of `[[hold]]`, with one reader each.
   std::vector<TableReader> tables(std::string_view key, Presence presence = Presence::optional,
                                   const std::string& doc = {});
 
   /// Whether the table has the key. Like every getter, it marks the key as known.
   bool has(std::string_view key);
-  /// The kind of a key's value, for keys that take a name or a table; empty if it is missing.
+  /// The kind of a key's value, for keys that take a name or a table; nothing if the key is missing.
   std::optional<Kind> kind(std::string_view key);
-  /// The unprocessed value, for callers that interpret it themselves; null if it is missing.
+  /// The unprocessed value, for callers that interpret it themselves; null if the key is missing.
   const Value* raw(std::string_view key);
-  /// All keys in the file. Does not mark them as known.
+  /// All keys of the table in the file. Does not mark them as known.
   std::vector<std::string> keys() const;
 
-  /// Reports an error found by the caller at the key's value, such as "parts.net.twine: no such entry in the
-  /// catalogue".
+  /// Reports an error that the caller has found in the value of a key, such as "parts.net.twine: no such
+  /// entry in the catalogue".
   void error(std::string_view key, const std::string& message, const std::string& hint = {});
   Place place() const;                      // of the table's header
   Place place(std::string_view key) const;  // of the value, or of the header if the value is missing
@@ -150,7 +150,7 @@ class TableReader {
   std::string path(std::string_view key) const;
   Diagnostics& diagnostics() const;
 
-  /// Reports every unknown key, here and in the tables that were opened from here. Call it once, at the end.
+  /// Reports every unknown key of this table and of the tables opened from it. Call it once, at the end.
   void finish() const;
 
  private:

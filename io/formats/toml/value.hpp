@@ -34,7 +34,7 @@ struct Date {
 
 enum class Kind { table, array, text, integer, real, boolean, date };
 
-/// A value of a file, with its place. Independent of the parser that read it.
+/// A value of a file with its place. It does not depend on the parser that read it.
 struct Value {
   Place place;
   std::variant<Table, Array, std::string, std::int64_t, double, bool, Date> data;  // in the order of Kind
@@ -69,10 +69,10 @@ inline Member* Table::find(std::string_view key) {
   return const_cast<Member*>(static_cast<const Table*>(this)->find(key));
 }
 
-/// Moves every place of a value from file `f` to file `f + by`.
+/// Adds `by` to the file index of every place in a value.
 void shift_files(Value& value, int by);
 
-/// A key in the spelling of a dotted path: bare, or quoted if necessary.
+/// A key as written in a dotted path: bare, or quoted if necessary.
 std::string spell_key(std::string_view key);
 
 /// Joins "parts.net" and "cells" to "parts.net.cells".

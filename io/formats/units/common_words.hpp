@@ -3,8 +3,8 @@
 
 namespace netloft::formats {
 
-/// Words for units that scenes, catalogues and the tables of plugins are full of: they are proposed where a
-/// word is unknown, and known without the database (known_words.hpp).
+/// Words for units that are common in scenes, catalogues and the tables of plugins. They are proposed in
+/// place of an unknown word, and known without reading the database (known_words.hpp).
 inline constexpr const char* kCommonWords[] = {
     "m",     "mm",      "cm",     "km",       "um",     "in",   "ft",     "fathom", "nmi",    "nautical_mile",
     "kg",    "g",       "t",      "tonne",    "lb",     "N",    "kN",     "MN",     "daN",    "kgf",

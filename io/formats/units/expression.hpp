@@ -10,13 +10,13 @@
 namespace netloft::formats {
 
 /// A product of units: "kg/m3", "N.m/rad", "kg m-3", "kN/(m.s)", "mm^2", "1/m", "" for a pure number.
-///   product = [ "1" ] ["/"] factor { ["." | "*" | "/"] factor }       worked off from the left: kg/m.s =
-///   (kg/m).s factor  = ( word | "(" product ")" ) [ ["^" | "**"] [sign] digit ]
-/// Only single words are given to UDUNITS: its own grammar reads "10 5 m" as 50 m and "3 s since 5" as a
-/// date, and loses memory at every syntax error.
+///   product = [ "1" ] ["/"] factor { ["." | "*" | "/"] factor }    from left to right: kg/m.s = (kg/m).s
+///   factor  = ( word | "(" product ")" ) [ ["^" | "**"] [sign] digit ]
+/// UDUNITS receives only single words: its own grammar reads "10 5 m" as 50 m and "3 s since 5" as a date,
+/// and leaks memory at every syntax error.
 struct ParsedUnit {
-  std::optional<Unit> unit;  // empty: it cannot be read
-  std::string unknown;       // the unknown word; empty: the grammar is wrong
+  std::optional<Unit> unit;  // empty if the text cannot be read
+  std::string unknown;       // the unknown word; empty after an error of grammar
 };
 
 ParsedUnit parse_unit(const UnitSystem& system, std::string_view text);

@@ -5,7 +5,7 @@
 
 namespace netloft::formats {
 
-/// "12.5 m", for a sentence.
+/// Writes a length as "12.5 m", for a sentence.
 inline std::string in_metres(double length, int digits = 4) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g m", digits, length);

@@ -8,8 +8,8 @@
 
 namespace netloft::formats {
 
-/// The common words with their units, as the database had them when Netloft was built
-/// (write_known_words.cpp). Reading the database takes as long as all else that reads a small scene.
+/// The common words with their units, copied from the database when Netloft was built
+/// (write_known_words.cpp). Reading the database takes as long as reading a small scene otherwise.
 const std::map<std::string, Unit>& known_words();
 
 }  // namespace netloft::formats

@@ -17,8 +17,8 @@ std::mutex& library_lock() {
   return lock;
 }
 
-/// Symbols are compared with their case, names without: "kn" must be a symbol, otherwise it takes kN for a
-/// knot.
+/// Symbols added to the database. UDUNITS compares symbols with their case and names without it: "kn" must be
+/// a symbol, because otherwise kN would be a knot.
 constexpr struct {
   const char* symbol;
   const char* definition;
@@ -28,8 +28,8 @@ constexpr struct {
     {"Rtex", "tex"},     {"rtex", "tex"},
 };
 
-/// UDUNITS has the fathom of 6 US survey feet, 2 ppm longer than the 6 international feet on charts and
-/// warps.
+/// Names added to the database. The fathom of UDUNITS has 6 US survey feet; it is 2 ppm longer than the 6
+/// international feet of charts and warps.
 constexpr struct {
   const char* name;
   const char* definition;
@@ -117,7 +117,7 @@ UnitSystem::~UnitSystem() {
 }
 
 const UnitSystem& UnitSystem::shared() {
-  // Never taken apart: freeing its thousands of units takes longer than reading them.
+  // Never destroyed: freeing its thousands of units takes longer than reading them.
   static const UnitSystem& system =
       std::getenv("UDUNITS2_XML_PATH") ? *new UnitSystem : *new UnitSystem(WhenNeeded{});
   return system;

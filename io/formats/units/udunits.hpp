@@ -17,24 +17,26 @@ struct Unit {
   double offset = 0;  // degC, degF
 };
 
-/// The UDUNITS-2 database, with words of the trade that it lacks or defines differently.
+/// The UDUNITS-2 database, with words of fishing and shipping that it lacks or defines differently.
 class UnitSystem {
  public:
-  /// Reads the database at the path `database` of udunits2.xml; empty: UDUNITS2_XML_PATH, then the installed
-  /// one.
+  /// Reads the database udunits2.xml at the path `database`. If the path is empty, reads that of
+  /// UDUNITS2_XML_PATH, or else the installed one.
   explicit UnitSystem(const std::string& database = {});
   ~UnitSystem();
   UnitSystem(const UnitSystem&) = delete;
   UnitSystem& operator=(const UnitSystem&) = delete;
 
-  /// The instance that all callers use. It reads its database when the first word is met that is no common
-  /// one (known_words.hpp); at once, if UDUNITS2_XML_PATH names another than the installed one.
+  /// The instance that all callers use. It reads its database at the first word that is not a common one
+  /// (known_words.hpp); if UDUNITS2_XML_PATH is set, it reads that database immediately.
   static const UnitSystem& shared();
 
-  /// A sentence about the error if the database could not be read; empty if it was, or has not been needed.
+  /// A sentence about the error if the database could not be read; empty if it could, or has not been needed
+  /// yet.
   const std::string& trouble() const { return trouble_; }
 
-  /// One word with its prefix, such as "mm". None: UDUNITS does not know it, or it is a logarithm.
+  /// The unit of one word with its prefix, such as "mm". Nothing if UDUNITS does not know it, or if it is a
+  /// logarithmic unit.
   std::optional<Unit> parse(const std::string& word) const;
 
  private:

@@ -32,7 +32,7 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
-/// Typographic signs as UDUNITS has them in ASCII, which is all it is ever given.
+/// Replaces typographic signs by their ASCII spelling in UDUNITS, which receives only ASCII.
 std::string in_ascii(std::string_view text) {
   constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
       {"°C", "degC"}, {"°", "deg"}, {"µ", "u"}, {"μ", "u"}, {"²", "2"},     {"³", "3"},
@@ -49,7 +49,8 @@ struct Written {
   std::string unit;
 };
 
-/// Takes the number off the front of `text`.
+/// Splits `text` into a number and the unit after it; returns an error if it does not begin with a finite
+/// number.
 Quantity split(std::string_view text, const std::string& example, Written& out) {
   std::string_view rest = text;
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
@@ -64,7 +65,7 @@ Quantity split(std::string_view text, const std::string& example, Written& out) 
   return {};
 }
 
-/// Words that mean one thing to UDUNITS and another at sea.
+/// The hint for a word that means one thing to UDUNITS and another at sea; empty for other words.
 std::string ambiguity(const std::string& word) {
   std::string lower(word.size(), ' ');
   std::transform(word.begin(), word.end(), lower.begin(), detail::lower);
@@ -109,7 +110,7 @@ std::string named(const Dimension& dimension, std::string_view unit) {
   return describe(dimension).name + " (" + std::string(unit) + ')';
 }
 
-/// The slips that are made every day.
+/// The cure for common mistakes; empty if none fits.
 std::string cure(const std::string& unit, const Dimension& got, const Dimension& wanted) {
   const std::string is = describe(got).name, should = describe(wanted).name;
   if (is == "a mass" && should == "a force") return "the weight of a mass is written with kgf, tonf or lbf";
@@ -119,8 +120,9 @@ std::string cure(const std::string& unit, const Dimension& got, const Dimension&
   return {};
 }
 
-/// The scale of a metric unit below its SI unit is the inverse of an integer; dividing rounds once where
-/// multiplying by 0.001 rounds twice: "35 mm" and 0.035 are the same number (144 of the first 1000 were not).
+/// Multiplies a number by the scale of a unit. The scale of a metric unit below its SI unit is the inverse of
+/// an integer; dividing rounds once where multiplying by 0.001 rounds twice: "35 mm" and 0.035 are the same
+/// number (144 of the first 1000 were not).
 double times(double number, double scale) {
   const double inverse = std::round(1 / scale);
   const bool divides = std::abs(scale) < 1 && std::abs(inverse * scale - 1) < 4e-16 && inverse <= 1e15;
@@ -133,7 +135,7 @@ struct KnownUnit {
   std::string name;
 };
 
-/// Scenes read few units many times, so the last ones are kept.
+/// The unit of a text. Scenes read few units many times, so the results are stored.
 const KnownUnit& unit_of(std::string_view text) {
   constexpr std::size_t kMostKept = 1000;
   thread_local std::map<std::string, KnownUnit, std::less<>> kept;
@@ -152,7 +154,7 @@ std::string example_of(std::string_view si_unit) {
   return "write it as \"10 " + std::string(si_unit == "m" ? "mm" : si_unit) + "\"";
 }
 
-/// Takes a text apart into a number and a unit that is known.
+/// Splits a text into a number and a known unit; returns an error if that fails.
 Quantity take_apart(const UnitSystem& units, std::string_view text, const std::string& example,
                     Written& written, Unit& unit) {
   if (Quantity bad = split(in_ascii(trim(text)), example, written); !bad.ok()) return bad;
@@ -214,7 +216,7 @@ std::string format(double value) {
   std::array<char, 32> buffer;
   const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   std::string text(buffer.data(), end);
-  // 1e+09 and 1e-05 are written 1e9 and 1e-5, as people do.
+  // 1e+09 and 1e-05 are written as 1e9 and 1e-5.
   if (const std::size_t e = text.find('e'); e != std::string::npos) {
     if (text[e + 1] == '+') text.erase(e + 1, 1);
     const std::size_t digits = text[e + 1] == '-' ? e + 2 : e + 1;

@@ -6,24 +6,24 @@
 
 namespace netloft::formats {
 
-/// The SI value of a text such as "10 mm", or a sentence with the reason why it has none.
+/// The SI value of a text such as "10 mm", or a sentence that explains why it has none.
 struct Quantity {
   double value = 0;   // in the requested unit; finite
-  std::string error;  // empty: value is good
-  std::string hint;   // the cure, where one is known
+  std::string error;  // empty if the value is valid
+  std::string hint;   // the cure, if one is known
   bool ok() const { return error.empty(); }
 };
 
-/// Reads number and unit: "10 mm", "-5N", "1.5e-3 m", "3 kn", "0.001 N.m/rad", "5 %", "1025 kg/m3".
-/// `si_unit` is the unit of the caller: "m", "N", "kg/m3", "rad", "1" for a pure number.
-/// Dimensions must agree, and an angle is not a pure number. Safe to call from several threads.
+/// Reads a number with a unit: "10 mm", "-5N", "1.5e-3 m", "3 kn", "0.001 N.m/rad", "5 %", "1025 kg/m3".
+/// `si_unit` is the unit of the result: "m", "N", "kg/m3", "rad", "1" for a pure number. Dimensions must
+/// agree, and an angle is not a pure number. Several threads may call this.
 Quantity to_si(std::string_view text, std::string_view si_unit);
 
-/// Number and unit as they are written: "2.5 kn" is 2.5 and "kn", "0.2" is 0.2 and "".
+/// A number and its unit as written: "2.5 kn" gives 2.5 and "kn", "0.2" gives 0.2 and "".
 struct WrittenQuantity {
   double number = 0;
-  std::string unit;   // one that to_si() takes
-  std::string error;  // empty: number and unit are good
+  std::string unit;   // a unit that to_si() accepts
+  std::string error;  // empty if number and unit are valid
   std::string hint;
   bool ok() const { return error.empty(); }
 };
@@ -32,7 +32,7 @@ WrittenQuantity read_as_written(std::string_view text);
 /// The name of a quantity in `unit`, with its article: "a force" for "N"; a unit without a name is "a value".
 std::string dimension_name(std::string_view unit);
 
-/// The shortest decimal that reads back as `value`.
+/// The shortest decimal number that is read back as `value`.
 std::string format(double value);
 /// The value as text, followed by its unit unless that is "1".
 std::string format(double value, std::string_view unit);

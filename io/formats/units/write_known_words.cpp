@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Run when Netloft is built: prints the common words as the entries of the table in known_words.cpp.
+// Runs when Netloft is built: prints the common words as entries of the table in known_words.cpp.
 #include <cstdio>
 
 #include "io/formats/units/common_words.hpp"

@@ -12,9 +12,10 @@
 
 namespace netloft::gears {
 
-/// One part as a catalogue describes it. Fibres, wires and links fill only a fraction of the cross-section of
-/// a line; water fills the rest. An element that treats a line as a homogeneous cylinder has the correct
-/// weight in water with the density
+/// One part as a catalogue describes it.
+///
+/// Fibres, wires and links fill only a fraction of the cross-section of a line; water fills the rest. An
+/// element that treats a line as a homogeneous cylinder has the correct weight in water with the density
 ///   ρ = ρ_w + m/A (1 − ρ_w/ρ_m),   A = π d²/4      (1)
 /// m [kg/m] mass of a metre, ρ_m [kg/m³] density of the material, d [m] diameter, ρ_w = 1025 kg/m³. (1) is
 /// not used for a part that states ρ itself. For pieces such as floats:

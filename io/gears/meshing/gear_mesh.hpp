@@ -61,12 +61,14 @@ struct GearMesh {
 using OnMeshing = std::function<void(const std::string& step, std::size_t nodes)>;
 
 /// Divides every panel into triangles between knots, in coordinates counted in meshes (section 2.2 of the
-/// paper), and ropes into bars. The knots of netting that is spread with an opening of one half form a
-/// lattice of equilateral triangles. Each triangle has one bar of each twine direction as a side, and every
-/// bar is a side of two triangles. Priour's triangle has the energy of ½ bar of each direction, so the
-/// triangles together have exactly the energy of the bars. Only along borders, which are straight where real
-/// cuttings go in steps, triangles have other shapes. Throws std::invalid_argument, with a sentence for the
-/// user, for a panel whose border crosses itself, and for a size that would give millions of nodes.
+/// paper), and ropes into bars.
+///
+/// The knots of netting that is spread with an opening of one half form a lattice of equilateral triangles.
+/// Each triangle has one bar of each twine direction as a side, and every bar is a side of two triangles.
+/// Priour's triangle has the energy of ½ bar of each direction, so the triangles together have exactly the
+/// energy of the bars. Only along borders, which are straight where real cuttings go in steps, triangles have
+/// other shapes. Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses
+/// itself, and for a size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness, const OnMeshing& on_meshing = {});
 
 }  // namespace netloft::gears

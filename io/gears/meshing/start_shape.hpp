@@ -22,7 +22,9 @@ struct KnownCoordinate {
 
 /// Makes initial positions of the nodes of a divided gear, 3 per node [m]: x aft, y to starboard, z up. They
 /// need not be accurate, but must be free of kinks and folds, on the correct side, and about as large as the
-/// gear. Two fields on the nodes of the netting are fitted by least squares over the sides of all triangles,
+/// gear.
+///
+/// Two fields on the nodes of the netting are fitted by least squares over the sides of all triangles,
 /// because panels that are sewn together need not fit:
 ///   a_j − a_i = cos β m (V_j − V_i)              metres aft                        (1)
 ///   s_j − s_i = ± sin β m (|U_j| − |U_i|)        metres of girth from the top      (2)
@@ -30,11 +32,14 @@ struct KnownCoordinate {
 /// the seams gives the sign in (2): it changes at seams of outer to outer or inner to inner sides, as from
 /// top to bottom. S(a), half the girth, is s on the lower middle line.
 ///   φ = π s/S,  y = ± w sin φ,  z = h cos φ,  h = k w                              (3)
-/// puts the netting on rings: half an ellipse with the arc length S on each side. At an end that is closed by
-/// a seam, z = 0. The whole gear is then shifted so that ropes to known points are straight, and its lowest
-/// point is as deep as the lowest known point. Known coordinates, including sketches of panels, then get
-/// their values; other nodes follow by displacements that are harmonic on the net. Ropes beside the netting
-/// are straight. Fields, factors and the last few shapes are stored for the next shape.
+/// (3) puts the netting on rings: half an ellipse with the arc length S on each side. At an end that is
+/// closed by a seam, z = 0.
+///
+/// The whole gear is then shifted so that ropes to known points are straight, and its lowest point is as deep
+/// as the lowest known point. Known coordinates, including sketches of panels, then get their values; other
+/// nodes follow by displacements that are harmonic on the net. Ropes beside the netting are straight.
+///
+/// Fields, factors and the last few shapes are stored for the next shape.
 class StartShapes {
  public:
   /// `gear` and its `mesh` must outlive this object.

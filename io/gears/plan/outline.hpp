@@ -24,10 +24,12 @@ struct OutlineEdge {
 
 /// The closed border of a panel with its corners: fore edge outwards, outer side aft, aft edge inwards, inner
 /// side (or the middle) forward. Edges without extent are left out, so that a panel has three corners or
-/// more. A middle panel is represented by its starboard half, with the middle at x = 0; a pair by its
-/// starboard panel, whose inner side begins at x = 0. If cuttings and counts disagree, which the check
-/// reports, counts are kept, because counted meshes are sewn: each side is moved by half of the difference,
-/// in proportion to the depth. Then sides are moved inwards by the meshes that selvedges gather.
+/// more.
+///
+/// A middle panel is represented by its starboard half, with the middle at x = 0; a pair by its starboard
+/// panel, whose inner side begins at x = 0. If cuttings and counts disagree, which the check reports, counts
+/// are kept, because counted meshes are sewn: each side is moved by half of the difference, in proportion to
+/// the depth. Then sides are moved inwards by the meshes that selvedges gather.
 struct Outline {
   std::vector<OutlineEdge> edges;
   std::vector<PanelPoint> corners() const;
