@@ -31,7 +31,7 @@ class Arnoldi {
   /// The Ritz pair that decides the verdict. Candidates are the pairs that are known and lie beyond the unit
   /// circle by more than `beyond`: those with |Im s| ≤ Re s precede the others, and the outermost is
   /// returned. Without candidates, the outermost of all pairs is returned. Pairs that are slow for A are
-  /// ignored. Its `theta` is NaN if A or its eigenvalues could not be computed.
+  /// ignored. The returned `theta` is NaN if A or its eigenvalues could not be computed.
   RitzPair outermost(double beyond) const;
 
  private:
