@@ -17,9 +17,9 @@ extern "C" {
 #define NETLOFT_READS_GROUND                                                          \
   (1u << 17) /* wants netloft_ground.velocity when the ground passes the gear; a host \
                 may give no memory then: what only slides remembers nothing */
-#define NETLOFT_READS_BED (1u << 18) /* wants netloft_ground.bed when the scene has a bed */
+#define NETLOFT_READS_BED (1u << 18) /* reads netloft_ground.bed if the scene has a bed */
 
-/* Input of a tile; its place is null where both arrays would be. */
+/* Input of a tile; its place is null if both arrays would be null. */
 typedef struct netloft_ground {
   uint32_t size;
   uint32_t reserved;

@@ -14,39 +14,39 @@ extern "C" {
 
 /* A scene that moves, as an integrator sees it: F(t, u, v, a) = 0; one step leads from t to t + h.
  * u are displacements of the unknowns from the start [m], v and a their rates. F is the residual: inertia and
- * all other forces, +dE/dx. The host chooses h, accepts or rejects what a step has found, and keeps the
+ * all other forces, +dE/dx. The host chooses h, accepts or rejects the result of a step, and keeps the
  * statistics. */
 typedef struct netloft_motion {
   uint32_t size;
   uint32_t unknowns;
   void* host;
   double t, h;                   /* [s] */
-  const double *u, *v, *a;       /* at t; a is whatever the integrator left there itself */
+  const double *u, *v, *a;       /* at t; a is what the integrator set as a_new */
   double *u_new, *v_new, *a_new; /* out: at t + h */
-  double* error; /* out: estimate of the error of u_new in this step [m]; zero if left alone */
+  double* error;                 /* out: estimate of the error of u_new in this step [m]; zero if not set */
 
   /* F(t, u, v, a) [N]. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */
   int (*residual)(void* host, double t, const double* u, const double* v, const double* a, double* residual);
-  /* a such that F(t, u, v, a) = 0; explicitly, by the masses of the nodes. */
+  /* Finds a such that F(t, u, v, a) = 0, explicitly by the masses of the nodes. */
   int (*accelerate)(void* host, double t, const double* u, const double* v, double* a);
-  /* u such that F(t, u, v0 + cv u, a0 + ca u) = 0, from the u given, by the solver of the analysis. OK, or
-   * NETLOFT_OUTSIDE_DOMAIN if it did not arrive: a shorter step may. */
+  /* Finds u such that F(t, u, v0 + cv u, a0 + ca u) = 0, from the given u, by the solver of the analysis.
+   * Returns NETLOFT_OK, or NETLOFT_OUTSIDE_DOMAIN if the solver did not converge: a shorter step may. */
   int (*solve)(void* host, double t, const double* v0, double cv, const double* a0, double ca, double* u);
-  /* Room for `unknowns` numbers, the same for the same index as long as the integration lasts. */
+  /* Memory for `unknowns` numbers, the same for the same index during the whole integration. */
   double* (*scratch)(void* host, uint32_t index);
 
-  char* message; /* room for a sentence of the integrator's */
+  char* message; /* memory for a sentence of the integrator */
   uint32_t message_size;
   uint32_t reserved;
 
-  /* u such that the mean forces of the step from `u` at t to that u at t + h are in balance, where
+  /* Finds u at t + h such that the mean forces of the step from the u at t are in balance, where
    *   v = v0 + cv u and a = a0 + ca u
-   * are the rates in the middle of the step. Means are F at the middle of both ends, but for forces with an
-   * energy: those do exactly the work over the step by which their energy falls, and push and turn nothing
-   * as a whole that they do not push and turn in the middle. Members (ext/members.h) resist a change of
-   * length from step to step in addition, with a tension
+   * are the rates in the middle of the step. The mean force is F at the middle of both ends. Forces with an
+   * energy have another mean: its work over the step is exactly the decrease of their energy, and its
+   * resultant force and moment vanish if those of the force in the middle do. In addition, members
+   * (ext/members.h) of stiffness k resist the change Dl of their length in the step by the tension
    *   T = damping/2 k (Dl - m),  m <- m + memory (Dl - m) once the step is accepted
-   * k their stiffness, Dl the change of their length in the step. Returns as `solve`. */
+   * Returns the same as `solve`. */
   int (*solve_between)(void* host, const double* v0, double cv, const double* a0, double ca, double damping,
                        double memory, double* u);
 } netloft_motion;
@@ -64,11 +64,11 @@ typedef struct netloft_integrator {
   uint32_t parameter_bytes;
   uint32_t parameter_count;
   const netloft_parameter* parameters;
-  /* One step. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN (a shorter step may do) or NETLOFT_ERROR. */
+  /* Takes a step. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN (a shorter step may do) or NETLOFT_ERROR. */
   int (*step)(const void* parameters, netloft_motion* motion);
-  /* Order of the error estimate: it shrinks with this power of the step. */
+  /* Order of the error estimate, which is proportional to this power of the step. */
   double (*order)(const void* parameters);
-  /* Longest step [s] that is stable where the highest angular frequency is `omega` [rad/s]; 0: any is. */
+  /* Longest stable step [s] if the highest angular frequency is `omega` [rad/s]; 0: all steps are stable. */
   double (*stable_step)(const void* parameters, double omega);
 } netloft_integrator;
 

@@ -20,8 +20,8 @@ enum netloft_law_kind {
   NETLOFT_SCREEN_LAW = 2 /* force of the water on netting as a screen, per square metre of it */
 };
 
-/* Up to 64 twines or screens in a flow. Arrays are [component][64]. The law ADDS nothing: it writes its
- * outputs, in lanes below `count`. Derivatives are null when not wanted. */
+/* Up to 64 twines or screens in a flow. Arrays are [component][64]. The law does not add but WRITES its
+ * outputs, in lanes below `count`. Derivatives that are not requested are null. */
 typedef struct netloft_law_tile {
   uint32_t size;
   uint32_t count;
@@ -41,10 +41,9 @@ typedef struct netloft_law_tile {
 
 /* Quantities of a flow in which a law may be valid over a range only. */
 enum netloft_law_quantity {
-  NETLOFT_REYNOLDS = 0,        /* |flow| D/viscosity */
-  NETLOFT_REYNOLDS_ACROSS = 1, /* the same of the flow across a twine */
-  NETLOFT_REYNOLDS_IN_MESHES =
-      2, /* |flow| D/(viscosity (1 - solidity)): of the flow through a screen's meshes */
+  NETLOFT_REYNOLDS = 0,           /* |flow| D/viscosity */
+  NETLOFT_REYNOLDS_ACROSS = 1,    /* the same for the flow across a twine */
+  NETLOFT_REYNOLDS_IN_MESHES = 2, /* |flow| D/(viscosity (1 - solidity)), for the flow through the meshes */
   NETLOFT_SOLIDITY = 3,
   NETLOFT_ATTACK = 4 /* angle between the flow and the twine or the netting, 0 to pi/2 [rad] */
 };

@@ -12,15 +12,15 @@ extern "C" {
 
 #define NETLOFT_EXT_SOLVER "netloft.solver/1"
 
-/* One more value of `want`, of a problem: residual of the conservative terms, gradient of the energy. */
+/* An additional value of `want`: residual of the conservative terms, which is the gradient of the energy. */
 #define NETLOFT_WANT_GRADIENT 32u
 
-/* Which matrix of the last evaluation a factorisation takes. With INDEFINITE added, any matrix that is not
- * singular will do (LU); without it, a symmetric matrix that is not positive definite is refused at no great
- * price. */
+/* The matrix of the last evaluation that is factorised. With INDEFINITE added, any matrix that is not
+ * singular is accepted (LU); without it, a symmetric matrix that is not positive definite is refused at
+ * little cost. */
 enum netloft_matrix { NETLOFT_EXACT = 0, NETLOFT_CONVEX = 1, NETLOFT_NONE = 2, NETLOFT_INDEFINITE = 16 };
 
-/* How a factorisation ended. */
+/* Result of a factorisation. */
 enum netloft_factor {
   NETLOFT_FACTOR_OK = 0,
   NETLOFT_NOT_POSITIVE = 1,
@@ -28,13 +28,14 @@ enum netloft_factor {
   NETLOFT_FACTOR_FAILED = 3
 };
 
-/* Answer of `progress`: go on, the point is good enough, or give up (limit reached, interrupted). */
+/* Result of `progress`: continue; stop, the point has converged; or stop because of a limit or an
+ * interruption. */
 enum netloft_progress { NETLOFT_GO_ON = 0, NETLOFT_ARRIVED = 1, NETLOFT_GIVE_UP = 2 };
 
-/* Why a solver returned. The host recomputes the residual and has the last word on convergence. */
+/* The reason why a solver returned. The host recomputes the residual and decides on convergence. */
 enum netloft_outcome {
-  NETLOFT_STOPPED = 0,        /* `progress` said ARRIVED or GIVE_UP */
-  NETLOFT_STEP_TOO_SHORT = 1, /* no step brings it closer */
+  NETLOFT_STOPPED = 0,        /* `progress` returned ARRIVED or GIVE_UP */
+  NETLOFT_STEP_TOO_SHORT = 1, /* no step reduces the residual */
   NETLOFT_LINEAR_SOLVE = 2,   /* the matrix could not be factorised */
   NETLOFT_LEFT_DOMAIN = 3,    /* an element has no force at the point */
   NETLOFT_NOT_FINITE = 4,     /* numbers overflowed */
@@ -49,37 +50,37 @@ typedef struct netloft_problem {
   uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC */
   uint32_t reserved;
   void* host;
-  double* u; /* in: where to start; out: where the solver ended */
+  double* u; /* in: initial guess; out: final point */
 
-  /* Evaluates at u: energy [J] and residual [N] as wanted (either may be null), and keeps the wanted matrix.
-   * Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */
+  /* Evaluates at u: energy [J] and residual [N] as requested (either may be null); stores the requested
+   * matrix. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */
   int (*evaluate)(void* host, uint32_t want, const double* u, double* energy, double* residual);
   /* Factorises `matrix` of the last evaluation + shift x metric. The metric is the linear stiffness. */
   int (*factorise)(void* host, int matrix, double shift);
-  /* Solves with the last good factor; rhs and x may be the same. */
+  /* Solves with the last successful factorisation; rhs and x may be the same. */
   int (*solve)(void* host, const double* rhs, double* x);
   /* y = (matrix + shift x metric) x, of the last evaluation. */
   int (*multiply)(void* host, int matrix, double shift, const double* x, double* y);
-  /* Counts an iteration at an accepted point u whose residual is given; says whether to go on. What was
-   * evaluated before does not matter. */
+  /* Counts an iteration at an accepted point u with the given residual. Returns a netloft_progress. The last
+   * evaluation need not have been at u. */
   int (*progress)(void* host, const double* u, double energy, const double* residual, const char* note);
-  /* Largest move of a node over the largest element length, of a step du: a pure number. */
+  /* Largest displacement of a node in the step du, divided by the largest element length. */
   double (*step_length)(void* host, const double* du);
 
-  char* message; /* room for a sentence of the solver's */
+  char* message; /* memory for a sentence of the solver */
   uint32_t message_size;
 
-  /* y[i] = sum of |entry| over row i of (matrix + shift x metric), of the last evaluation: bounds its largest
-   * eigenvalue, and fits masses. */
+  /* y[i] = sum of |entry| over row i of (matrix + shift x metric), of the last evaluation. They bound its
+   * largest eigenvalue, and serve as masses. */
   int (*row_sums)(void* host, int matrix, double shift, double* y);
   /* Negative eigenvalues of the last matrix factorised with INDEFINITE, or -1 if not known. */
   int (*negative_pivots)(void* host);
-  /* Factorises (1 - share) x exact + share x convex + shift x metric, both kept by evaluations at the same
-   * point; `share` in [0, 1]. */
+  /* Factorises (1 - share) x exact + share x convex + shift x metric, with `share` in [0, 1]. Evaluations at
+   * the same point must have stored both matrices. */
   int (*factorise_between)(void* host, double share, double shift);
-  /* Energy [J], residual [N] and gradient of the energy [N] at u, none of them null: the same bits as from
-   * two calls of `evaluate`, with and without NETLOFT_WANT_GRADIENT, for little more than the price of one.
-   * Keeps no matrix. Returns as `evaluate`. */
+  /* Computes energy [J], residual [N] and gradient of the energy [N] at u; none of them may be null. The bits
+   * are those of two calls of `evaluate`, with and without NETLOFT_WANT_GRADIENT, for little more than the
+   * cost of one. Stores no matrix. Returns the same as `evaluate`. */
   int (*evaluate_both)(void* host, const double* u, double* energy, double* residual, double* gradient);
 } netloft_problem;
 

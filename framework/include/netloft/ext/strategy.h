@@ -20,34 +20,34 @@ typedef struct netloft_variant {
   uint32_t level; /* mesh: 0 the scene's own, 1, 2, … each with about half as many cells along a side */
   double
       stiffness_cap; /* [N] stiffnesses of a part are lowered together until none exceeds it; 0: as written */
-  double compression; /* factor on the stiffness of what is slack, in [0, 1] */
+  double compression; /* factor on the stiffness of slack members, in [0, 1] */
   double current;     /* factor on the current, in [0, 1] */
 } netloft_variant;
 
-/* Traits of a search's scene, beside NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC. */
+/* Traits of the scene of a search, in addition to NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC. */
 enum netloft_search_trait {
   NETLOFT_SEARCH_REMEMBERS = 1 << 20,   /* elements remember (dry friction) */
   NETLOFT_SEARCH_FLOWS = 1 << 21,       /* there is a current */
-  NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of what is slack differs from zero */
+  NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of slack members is not zero */
   NETLOFT_SEARCH_MEMBERS =
       1 << 23 /* `members` works: tension is borne by members, on nodes that move freely */
 };
 
-/* How a stage ended, by the host. */
+/* The end of a stage, as assessed by the host. */
 enum netloft_ending {
-  NETLOFT_ENDED_CONVERGED = 0,     /* forces balance, and nothing was found that grows */
+  NETLOFT_ENDED_CONVERGED = 0,     /* forces balance, no growing disturbance was found */
   NETLOFT_ENDED_UNSTABLE = 1,      /* forces balance, and a small disturbance grows */
-  NETLOFT_ENDED_NOT_CONVERGED = 2, /* the solver found no way on */
+  NETLOFT_ENDED_NOT_CONVERGED = 2, /* the solver found no further step */
   NETLOFT_ENDED_OUT_OF_WORK = 3,   /* its budget of work or of iterations was used up */
-  NETLOFT_ENDED_UNSETTLED = 4,     /* it went farther than `path`, or away for ever */
-  NETLOFT_ENDED_INTERRUPTED = 5    /* by the user, or the user's time is over: return */
+  NETLOFT_ENDED_UNSETTLED = 4,     /* it moved farther than `path`, or without end */
+  NETLOFT_ENDED_INTERRUPTED = 5    /* by the user or the time limit: return */
 };
 
 enum netloft_stability {
   NETLOFT_STABILITY_UNKNOWN = 0,
   NETLOFT_STABLE = 1,
-  NETLOFT_NEUTRAL = 2,  /* something can move without any force */
-  NETLOFT_MARGINAL = 3, /* growth is not told from none: see growth.hpp of the host */
+  NETLOFT_NEUTRAL = 2,  /* some motion meets no resistance */
+  NETLOFT_MARGINAL = 3, /* growth cannot be distinguished from none: growth.hpp */
   NETLOFT_UNSTABLE = 4
 };
 
@@ -62,12 +62,12 @@ typedef struct netloft_stage {
   uint32_t size;
   uint32_t flags; /* netloft_stage_flag */
   netloft_variant variant;
-  const char* name;       /* what it is for, in a few words, for the report */
-  const char* solver;     /* "ptc"; null: that of the analysis, with its parameters */
-  const char* parameters; /* "method=classic,damping=1"; null: none but those */
+  const char* name;       /* purpose in a few words, for the report */
+  const char* solver;     /* "ptc"; null: the solver of the analysis, with its parameters */
+  const char* parameters; /* "method=classic,damping=1"; null: no others */
   double tolerance;       /* largest residual over the largest load; 0: that of the analysis */
-  double work;            /* budget; 0: whatever the search has left */
-  double path;            /* most that nodes may move in all, over the gear's size; 0: any */
+  double work;            /* budget; 0: all that is left of the search */
+  double path;            /* limit of the path of nodes over the gear's size; 0: none */
   uint32_t iterations;    /* limit; 0: that of the analysis */
   uint32_t reserved;
   double*
@@ -75,13 +75,13 @@ typedef struct netloft_stage {
 
   uint32_t ending, stability;    /* netloft_ending, netloft_stability */
   double residual, load, energy; /* largest residual and load on a node [N], [N]; [J] */
-  double rounding;               /* what rounding of the positions is worth [N] */
+  double rounding;               /* force by rounding of the positions [N] */
   double spent;                  /* work */
   uint32_t iterations_done, factorisations;
   const double*
       growing;        /* a disturbance that grows, as long as u; null: not known. Valid until the next call */
-  double growth_rate; /* of that [1/s]; zero where it is not known */
-  double growth_frequency; /* with which it swings as it grows [rad/s] */
+  double growth_rate; /* of the disturbance [1/s]; zero if it is not known */
+  double growth_frequency; /* of its oscillation [rad/s] */
 } netloft_stage;
 
 /* The members of a variant, separate from all its other forces, for methods in which the tension of a member
@@ -92,30 +92,31 @@ typedef struct netloft_members {
   uint32_t count;               /* members */
   uint32_t unknowns, dofs;      /* lengths of u, of a residual */
   uint32_t parts;               /* parts of the scene */
-  uint32_t traits;              /* NETLOFT_SYMMETRIC: the tangent of the other forces is */
-  void* host;                   /* valid until the search is asked for anything else */
+  uint32_t traits;              /* NETLOFT_SYMMETRIC: of the tangent of the other forces */
+  void* host;                   /* valid until another function of the search is called */
   const netloft_member* member; /* [count] */
   const uint32_t* part;         /* [count] part of the scene that a member belongs to */
-  double largest_coordinate;    /* [m] at the start, for the worth of rounding */
+  double largest_coordinate;    /* [m] at the start, to estimate rounding */
 
-  /* w[count][3]: chords of the members at displacements u [m]. */
+  /* Computes the chords w[count][3] of the members at displacements u [m]. */
   int (*chords)(void* host, const double* u, double* w);
-  /* w[count][3]: by how much a step of the unknowns changes the chords [m]. */
+  /* Computes the changes w[count][3] of the chords in a step of the unknowns [m]. */
   int (*changes)(void* host, const double* step, double* w);
-  /* Residual of all other forces at u [N], dofs long; keeps their tangent. NETLOFT_OK, or there are none. */
+  /* Computes the residual of all other forces at u [N], dofs long, and stores their tangent. Any result other
+   * than NETLOFT_OK: there are no forces at u. */
   int (*evaluate)(void* host, const double* u, double* residual);
   /* residual += sum of number c f over the members, f[count][3] [N]. */
   int (*add_forces)(void* host, const double* f, double* residual);
-  /* Starts a matrix: the tangent of the last evaluation + sum of number c c^T K, K[count][9] symmetric [N/m].
+  /* Sets the matrix: the tangent of the last evaluation + sum of number c c^T K, K[count][9] symmetric [N/m].
    */
   int (*set_matrix)(void* host, const double* K);
-  /* The same of members with K = a t t^T + b I, lines[count][6] = (t, f, a, b); adds number c f t to the
-   * residual, too. */
+  /* Sets the matrix for members with K = a t t^T + b I, lines[count][6] = (t, f, a, b), and adds number c f t
+   * to the residual. */
   int (*set_matrix_along)(void* host, const double* lines, double* residual);
-  /* Factorises the matrix; NETLOFT_INDEFINITE: any that is not singular will do. Returns a netloft_factor. */
+  /* Factorises the matrix; with NETLOFT_INDEFINITE, any that is not singular. Returns a netloft_factor. */
   int (*factorise)(void* host, int how);
   int (*solve)(void* host, const double* rhs, double* x);
-  /* Counts an iteration whose largest residual is given [N]; says whether to go on (netloft_progress). */
+  /* Counts an iteration with the given largest residual [N]. Returns a netloft_progress. */
   int (*progress)(void* host, double residual, const char* note);
 } netloft_members;
 
@@ -125,7 +126,7 @@ typedef struct netloft_members {
 typedef struct netloft_search {
   uint32_t size;
   uint32_t unknowns;
-  uint32_t levels; /* meshes there may be, at least one; `size_of` says which there are */
+  uint32_t levels; /* largest number of meshes, at least one; see `size_of` */
   uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC, netloft_search_trait */
   void* host;
   const double* start; /* displacements to start from, `unknowns` long; null: from the sketch */
@@ -138,10 +139,10 @@ typedef struct netloft_search {
   uint32_t message_size;
   char* message;
 
-  /* Unknowns of a level; zero where there is no such level. */
+  /* Number of unknowns of a level; zero if there is no such level. */
   uint32_t (*size_of)(void* host, uint32_t level);
   int (*solve)(void* host, netloft_stage* stage);
-  /* The same by another strategy: the variant is its scene, stage.work its budget. */
+  /* Lets another strategy solve a stage: the variant is its scene, stage.work its budget. */
   int (*call)(void* host, const char* strategy, const char* parameters, netloft_stage* stage);
   /* Interpolates displacements from one level to another. */
   int (*transfer)(void* host, uint32_t from, const double* u, uint32_t to, double* out);
@@ -149,10 +150,9 @@ typedef struct netloft_search {
   int (*assess)(void* host, netloft_stage* stage);
   /* Gives r(u) = 0 of a variant, with stage.u as its u and the budget stage.work, to a strategy with a method
    * of its own. The caller sets `problem->size` to the size of its struct, and the host to the size that it
-   * filled. The problem is valid until the next call of another function of the search; then call `assess`.
-   */
+   * filled. The problem is valid until another function of the search is called. Then call `assess`. */
   int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
-  /* Likewise, where the search has NETLOFT_SEARCH_MEMBERS. */
+  /* Gives the members of a variant in the same way, if the search has NETLOFT_SEARCH_MEMBERS. */
   int (*members)(void* host, netloft_stage* stage, netloft_members* members);
   /* Budget that is left; never negative. If it is zero, also after an interruption by the user, return. */
   double (*work_left)(void* host);
