@@ -11,8 +11,8 @@ namespace netloft::formats {
 ///
 ///   construct   creates NAME.hdf.part, or replaces that of a dead writer; throws if its writer is alive
 ///   finish()    appends checksums (seal.hpp), renames NAME.hdf to NAME.hdf~, and the .part to NAME.hdf;
-///               NAME.hdf exists throughout if it did
-///   before destroy     without finish(): the .part stays as it was flushed last
+///               an earlier NAME.hdf is never missing
+///   destroy     without finish(), the .part keeps the state of the last flush()
 ///
 /// HDF5 keeps readers out by the same lock as other writers, unless they set HDF5_USE_FILE_LOCKING=FALSE.
 class PartFile {

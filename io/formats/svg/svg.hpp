@@ -6,7 +6,7 @@
 namespace netloft::formats {
 
 struct PicturePoint {
-  double x, y;  // from the upper left corner, y downwards
+  double x, y;  // position from the upper left corner, y downwards
 };
 
 enum class Anchor { start, middle, end };

@@ -14,7 +14,7 @@ namespace netloft::formats {
 namespace {
 
 constexpr int kMostErrorsInAnArray = 5;
-constexpr int kMostUnknownKeys = 50;  // in one table
+constexpr int kMostUnknownKeys = 50;  // most that are reported in one table
 
 std::string listed(const std::vector<std::string>& words) {
   constexpr std::size_t kMostListed = 40;

@@ -73,7 +73,7 @@ inline Count exactly(std::size_t n) { return {n, n}; }
 struct RealsSpec {
   std::string unit = "1";
   std::string doc = {};
-  Range range = {};  // of each
+  Range range = {};  // range of each value
   Count count = {};
   std::optional<std::vector<double>> fallback = {};
 };
@@ -81,7 +81,7 @@ struct RealsSpec {
 struct RowsSpec {
   std::string unit = "1";
   std::string doc = {};
-  Range range = {};  // of each number
+  Range range = {};  // range of each number
   Count rows = {};
   Count columns = {};
   std::optional<std::vector<std::vector<double>>> fallback = {};
@@ -89,7 +89,7 @@ struct RowsSpec {
 
 struct IntegersSpec {
   std::string doc = {};
-  std::int64_t lo = std::numeric_limits<std::int64_t>::min();  // of each
+  std::int64_t lo = std::numeric_limits<std::int64_t>::min();  // limits of each integer
   std::int64_t hi = std::numeric_limits<std::int64_t>::max();
   Count count = {};
   std::optional<std::vector<std::int64_t>> fallback = {};
@@ -144,8 +144,8 @@ class TableReader {
   /// Reports an error that the caller has found in the value of a key, such as "parts.net.twine: no such
   /// entry in the catalogue".
   void error(std::string_view key, const std::string& message, const std::string& hint = {});
-  Place place() const;                      // of the table's header
-  Place place(std::string_view key) const;  // of the value, or of the header if the value is missing
+  Place place() const;                      // place of the table's header
+  Place place(std::string_view key) const;  // place of the value, or of the header if the key is missing
   std::string path() const;
   std::string path(std::string_view key) const;
   Diagnostics& diagnostics() const;

@@ -35,7 +35,7 @@ struct PanelMesh {
 /// A rope in bars, from its start to its end.
 struct RopeMesh {
   std::vector<std::uint32_t> nodes;  // own number -> gear node; own node i ends bar i-1
-  std::vector<double> rest_lengths;  // of the bars [m]; they add up to the rope's length
+  std::vector<double> rest_lengths;  // unstretched lengths of the bars [m]; their sum is that of the rope
   std::map<std::string, std::vector<std::uint32_t>> sets;  // start, middle (of a rope that has one), end
 };
 

@@ -48,7 +48,7 @@ class Curve {
 
  private:
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  double time_, value_;  // of the last sample
+  double time_, value_;  // time and value of the last sample
   double low_ = -kInfinite, high_ = kInfinite;
   std::vector<double> times_, values_;
 };

@@ -14,7 +14,7 @@ struct HauledBar {
   std::vector<double> times, shares;
 };
 
-/// How FEMNET's drums change the lengths of bars, step by step of its motion:
+/// Computes how FEMNET's drums change the lengths of bars in each time step of its motion:
 ///   r = s(t) Δt                                                                              (1)
 /// r > 0 shortens the first bar, counted from the drum, that is longer than `shortest`, down to `shortest`,
 /// and the rest of r shortens the next bar. −r > 0 lengthens the first bar, counted from the other end, that

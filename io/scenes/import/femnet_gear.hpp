@@ -105,7 +105,7 @@ struct Wanted {
 struct Environment {
   double direction = 0, speed = 0, depth = 0;                        // [degrees], [m/s], [m]
   double wave_period = 0, wave_height = 0, wave_direction = 0;       // [s], [m], [degrees]
-  double time_step = 0, record_step = 0, record_begin = 0, end = 0;  // of the motion [s]
+  double time_step = 0, record_step = 0, record_begin = 0, end = 0;  // times of the motion [s]
   double catch_volume = 0, catch_accuracy = 0, catch_coefficient = 0;
   double bed_friction = 0, bed_stiffness = 0;  // stiffness of every limit [N/m]
   double tolerance = 0;                        // [N]
@@ -159,7 +159,7 @@ struct MeshFile {
   struct Triangle {
     std::array<std::uint32_t, 3> nodes{};
     std::array<double, 6> UV{};
-    int panel = 0;  // from 0
+    int panel = 0;  // index of the panel, from 0
   };
   std::vector<Node> nodes;
   std::vector<Bar> bars;

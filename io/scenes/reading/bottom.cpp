@@ -14,7 +14,7 @@ namespace netloft::scenes {
 namespace {
 
 constexpr const char* kBottom = "bottom";
-constexpr double kMostFactor = 1e6;  // from mud to rock
+constexpr double kMostFactor = 1e6;  // largest factor, such as that of rock relative to mud
 
 const netloft_parameter& bottom_key() {
   return *std::ranges::find_if(bed_keys(),

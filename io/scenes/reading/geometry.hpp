@@ -11,7 +11,7 @@ namespace netloft::scenes {
 /// The geometry of a rigid body. Its own nodes are its origin and its points.
 struct BodyGeometry {
   double side = 1;                             // 1: starboard; -1: port, with y of its axes reversed
-  std::array<double, 3> rotation = {};         // at the start [rad]
+  std::array<double, 3> rotation = {};         // initial rotation vector [rad]
   std::uint8_t held_rotation = 0;              // bits of the components that cannot change
   std::vector<std::string> names;              // names of its points
   std::vector<std::array<double, 3>> r;        // positions of its points in its own axes [m]
@@ -41,7 +41,7 @@ struct GeometryKey {
   std::string name, unit, doc;
   Shape shape;
   formats::Range range;
-  formats::Count count;  // of integers or points
+  formats::Count count;  // allowed number of integers or points
   bool required = true;
   std::vector<std::string> words = {};  // allowed, the first being the default
 };

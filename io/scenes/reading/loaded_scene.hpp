@@ -45,7 +45,7 @@ struct ResultRequest {
                                      // of an attitude 0: heading, 1: heel, 2: trim
   std::uint32_t body = 0;            // index in Scene::bodies, for attitudes
   std::vector<std::uint32_t> nodes;  // of the scene
-  std::uint32_t part = 0;            // for outputs
+  std::uint32_t part = 0;            // index in Scene::parts, for outputs
 };
 
 /// How the scene is to be solved.
@@ -69,11 +69,11 @@ struct BillItem {
   std::string name;          // its name in the plan
   std::string part_name;     // name in the catalogue; empty if the plan states the numbers
   double number = 1;         // pieces in the whole gear
-  double length = 0;         // of one rope, unstretched [m]
-  double diameter = 0;       // of a twine, a rope or a piece [m]
+  double length = 0;         // unstretched length of one rope [m]
+  double diameter = 0;       // diameter of a twine, a rope or a piece [m]
   double breaking_load = 0;  // of a rope, or of the twines of a bar [N]
-  double mass = 0;           // of a piece or a body, in air [kg]
-  double area = 0;           // of a body, projected [m2]
+  double mass = 0;           // mass of a piece or a body in air [kg]
+  double area = 0;           // projected area of a body [m2]
 };
 
 /// The place of a panel on the drawing of its plan: the point (U, V) in meshes is at
@@ -96,7 +96,7 @@ struct GearInScene {
   /// Pairs of bodies by their name in the plan, as parts of the scene. Half a gear has only the body to
   /// starboard.
   std::map<std::string, std::vector<std::uint32_t>> pairs;
-  double ship_speed = 0;       // over the ground [m/s]; 0 without a ship
+  double ship_speed = 0;       // speed over the ground [m/s]; 0 without a ship
   double ship_efficiency = 0;  // towing power divided by the heat power of the fuel; 0: unknown
   std::vector<BillItem> bill;
   std::map<std::string, SheetPlace> sheet;  // by the name of the panel in the gear

@@ -58,8 +58,8 @@ struct OwnNodes {
     for (std::uint32_t i = 0; i < nodes.size(); ++i) own[nodes[i]] = i;
   }
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  std::vector<std::uint32_t> nodes;  // of the mesh, by own number
-  std::vector<std::uint32_t> own;    // by node of the mesh
+  std::vector<std::uint32_t> nodes;  // nodes of the mesh, by own number
+  std::vector<std::uint32_t> own;    // own number, by node of the mesh
 };
 
 void add_nodes(const formats::InputMesh& mesh, const formats::MeshRegion& region, const OwnNodes& numbers,
@@ -169,7 +169,7 @@ const formats::InputMesh* MeshParts::find_mesh(formats::TableReader& table) {
   }
   const int file = diagnostics_.add_source(name, *text);
   const int errors_before = diagnostics_.errors();
-  const bool is_binary = text->find('\0') != std::string::npos;  // results keep texts
+  const bool is_binary = text->find('\0') != std::string::npos;  // results store only text files
   files_.push_back({name, is_binary ? "" : *text, formats::fnv1a64(*text)});
   auto mesh = std::make_unique<formats::InputMesh>(
       formats::is_hdf5(*text) ? formats::read_vtkhdf(folder_ / name, file, diagnostics_)

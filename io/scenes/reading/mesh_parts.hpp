@@ -40,7 +40,7 @@ class MeshParts {
   struct Standing {
     std::size_t part;
     const formats::InputMesh* mesh;
-    std::vector<std::uint32_t> nodes;  // of the mesh, by own number
+    std::vector<std::uint32_t> nodes;  // nodes of the mesh, by own number
   };
 
   const formats::InputMesh* find_mesh(formats::TableReader& table);

@@ -42,7 +42,7 @@ class PanelsInRow {
 
  private:
   struct Panel {
-    std::vector<std::uint32_t> aft_edge;  // its nodes
+    std::vector<std::uint32_t> aft_edge;  // nodes of the aft edge
     double behind = 0;
     bool is_counted = false;
   };

@@ -5,8 +5,8 @@
 
 namespace netloft::scenes {
 
-/// Parts that stand on what is there already: floats along a headline, pressure on a cod-end, the seabed
-/// under a footrope. They have no nodes of their own.
+/// The functions below make the elements of riders, parts that stand on other parts: floats along a headline,
+/// pressure on a cod-end, the seabed under a footrope. Riders have no nodes of their own.
 
 /// The length of rope or twine of one part that each node of the scene carries [m]: half of each of its bars,
 /// a third of the twines of each of its triangles; zero at nodes outside the part.

@@ -7,8 +7,8 @@ namespace netloft::scenes {
 
 /// The displacement of a block at the distance `from_the_middle` to starboard [m] from the middle of the
 /// ship, or of the pair of ships. It is measured in a frame that moves steadily with the initial velocity of
-/// the ship: towards -x with the speed V₀. With the speed over the ground V and the heading ψ, positive to
-/// starboard,
+/// the ship: towards -x with the speed V₀. V is the speed over the ground, ψ the heading, positive to
+/// starboard:
 ///   way = ∫ (V₀ − V cos ψ, V sin ψ, 0) dt + from_the_middle (sin ψ, cos ψ − 1, 0)          (1)
 /// V and ψ are linear between the moments of the path. Each of two ships has its own path, and its block is
 /// in its middle.

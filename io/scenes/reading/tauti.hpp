@@ -7,12 +7,12 @@ namespace netloft::scenes {
 /// A model of a gear in a tank by the rule of M. Tauti, "A relation between experiments on model and on full
 /// scale of fishing net", Nippon Suisan Gakkaishi 3 (1934): lengths are divided by λ, bars and twines of the
 /// netting by λ' ≤ λ, so that there are fewer and larger meshes than similar ones. With the same water and
-/// the same materials,
+/// the same materials, velocities V and forces F scale by
 ///   V_F/V_M = √λ',   F_F/F_M = λ² λ'                                                       (1)
-/// for velocities and forces. The weight of ropes and the lift of floats scale by (1) if their diameters
-/// scale by
+/// The weight of ropes and the lift of floats scale by (1) if the diameters D of ropes and d of floats scale
+/// by
 ///   D_F/D_M = √(λ λ'),   d_F/d_M = (λ² λ')^⅓                                               (2)
-/// so that their drag, ∝ D L V² and d² V², is not similar. Scaled up to the size of the gear, such a rope is
+/// Their drag, ∝ D L V² and d² V², is then not similar. Scaled up to the size of the gear, such a rope is
 /// √(λ/λ') thicker than the rope of the gear, with a density nearer to that of water, and such a float is
 /// (λ/λ')^⅓ wider. Reynolds numbers are those of the model:
 ///   netting V d/ν λ'^−1.5,   ropes and floats V (λ D_M)/ν λ⁻¹ λ'^−0.5                      (3)
@@ -21,8 +21,8 @@ struct TautiModel {
 
   /// The viscosity at which full-size netting has the Reynolds number (3), divided by that of the tank.
   double viscosity_of_netting() const;
-  /// Gives the ropes and floats of a scene those of the model, scaled up to the size of the gear. The water
-  /// of the scene must have the viscosity above.
+  /// Replaces the ropes and floats of a scene by those of the model, scaled up to the size of the gear. The
+  /// water of the scene must have the viscosity above.
   void scale_ropes_and_floats(Scene& scene) const;
 };
 
