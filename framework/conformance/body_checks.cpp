@@ -14,7 +14,7 @@ constexpr double kTurn = 6.283185307179586;
 
 using V = Vec3<double>;
 
-/// Three rows of a field [dof][64], those of the origin or those of the rotation.
+/// Reads three rows of a field [dof][64], those of the origin or those of the rotation.
 V read(const std::vector<double>& field, std::size_t first, std::size_t lane) {
   return {field[at(first, lane)], field[at(first + 1, lane)], field[at(first + 2, lane)]};
 }
@@ -125,7 +125,7 @@ Finding body_turns_with_the_world(Bench& b) {
   return judged(worst, "all terms act from outside");
 }
 
-/// One or two additional full turns change nothing.
+/// Checks that one or two additional full turns change nothing.
 Finding full_turns_change_nothing(Bench& b) {
   if (!b.type.is_on_body()) return not_applicable(kNoBody);
   Worst worst(kMotionLimit);

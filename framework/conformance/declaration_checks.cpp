@@ -84,8 +84,8 @@ constexpr Input kInputs[] = {
     {NETLOFT_READS_BED, "the bed of the scene, which takes reads_bed"},
     {NETLOFT_READS_WAVES, "acceleration and surface of the water, which take reads_waves"}};
 
-/// The same states with other values of one input, which terms are given whatever they declare: no numbers,
-/// or numbers that differ from place to place.
+/// Returns the same states with other values of one input: NaN, or numbers that differ from place to place.
+/// All terms receive the input, whatever they declare.
 States with_other(const Bench& b, const States& from, std::uint32_t trait, bool no_numbers) {
   const auto value = [&](std::size_t i) {
     return no_numbers ? std::numeric_limits<double>::quiet_NaN() : 0.75 + 0.25 * static_cast<double>(i % 7);

@@ -206,7 +206,7 @@ bool PracticeSearch::is_itself(std::string strategy, const char* parameters,
                         : std::equal(start_.begin(), start_.end(), stage.u);
 }
 
-/// Any other strategy is one stage, or returns at once without work.
+/// Runs another strategy, which consists of one stage or returns at once without work.
 int PracticeSearch::call(const char* strategy, const char* parameters, netloft_stage* stage) {
   if (!strategy || !*strategy) note(Slip::out_of_range, "calls a strategy without a name");
   if (strategy && is_itself(strategy, parameters, *stage))

@@ -104,7 +104,7 @@ std::vector<double> near_the_answer(const PracticeScene& scene) {
   return u;
 }
 
-/// From this start, full Newton steps converge; from the initial shape, they do not.
+/// Full Newton steps converge from the given start, but not from the initial shape.
 Finding answers_from_a_start(StrategyBench& b) {
   PracticeScene scene = kGripped;
   scene.start = near_the_answer(kGripped);
@@ -194,7 +194,7 @@ Finding strategy_has_no_hidden_state(StrategyBench& b) {
 
 using Setting = std::pair<std::string, Value>;
 
-/// Both ends of every bounded range, and every word and truth value.
+/// Lists both ends of every bounded range, and every word and truth value.
 std::vector<Setting> bounds_of(const std::vector<netloft_parameter>& table) {
   std::vector<Setting> all;
   for (const auto& p : table)

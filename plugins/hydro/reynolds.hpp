@@ -19,7 +19,8 @@ namespace netloft::hydro {
 /// All pieces are joined without branches, for loops over lanes.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
-/// (1), constant above Re = kBlend, where it is not used: it has a pole at Re = 7.4.
+/// Returns (1) below Re = kBlend, and a constant above, where it is not used, because (1) has a pole at Re =
+/// 7.4.
 template <class T>
 T creeping_phi(const T& Re) {
   using std::log;

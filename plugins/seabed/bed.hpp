@@ -35,7 +35,7 @@ struct OnBed {
     Surface stiffness, friction;
   };
   static void gather(const Parameters& p, const Data&, Whole& whole);
-  /// A factor at a place; 1 if none is given.
+  /// Returns a factor at a place; 1 if no factors are given.
   template <class T>
   static T factor(const Surface& factors, const Vec3<T>& at) {
     return factors.empty() ? T(1) : factors.at(at.x, at.y);

@@ -32,9 +32,8 @@ struct Elimination {
 /// Number of pivots that are eliminated one by one before the rest is updated.
 inline constexpr std::ptrdiff_t kPivotBlock = 8;
 
-/// The number of pivots that are eliminated together once those before `end` are done: blocks are merged in
-/// pairs, pairs of pairs and so on. The same number of columns comes next and is updated by all of these at
-/// once.
+/// The number of pivots before `end` whose updates are applied together: blocks are merged in pairs, pairs of
+/// pairs and so on. They update the same number of following columns at once.
 constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
 /// The dense operations on a front, for the instruction set of this processor:

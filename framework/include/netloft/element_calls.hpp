@@ -234,7 +234,8 @@ Pose<T> pose_of(const Vec3<T>& x, const Vec3<T>& psi) {
   return {x, turned_axes(psi)};
 }
 
-/// The motion of one element; derivatives are with respect to the unknowns, by the factors of the tangent.
+/// Reads the motion of one element, with derivatives with respect to its unknowns times the factors of the
+/// tangent.
 template <class E, class T, std::uint32_t Traits>
 MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   constexpr int N = nodes_of<E>;

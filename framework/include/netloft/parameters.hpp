@@ -154,7 +154,8 @@ class OwnParameters {
     declared_ = std::move(declared);
     is_known_ = true;
   }
-  /// Returns the parameters; unchanged if no table describes them, because then the author calls directly.
+  /// Returns the parameters. If no table describes them, they are unchanged, because their author is the
+  /// caller.
   static Parameters from(const void* host) {
     if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};

@@ -6,15 +6,16 @@
  * is inside. No C++ type, exception or allocation crosses; the plugin links to nothing of ours. Authors
  * seldom need this file: netloft/element.hpp and its siblings write these structs for them.
  *
- * This header is the core, enough for an element such as a rope or a float. All else is an extension with a
- * header of its own in netloft/ext/ and an identifier such as "netloft.waves/1". Whoever does not know an
- * identifier ignores it: the function `extension` returns null, and so is the place in netloft_tile.inputs.
+ * This header is the core, which is sufficient for an element such as a rope or a float. Everything else is
+ * an extension with its own header in netloft/ext/ and an identifier such as "netloft.waves/1". Hosts and
+ * plugins ignore identifiers that they do not know: `extension` returns null for them, and their places in
+ * netloft_tile.inputs are null.
  *
- * Versions. A host takes plugins of its own major version whose minor version is not newer; both change only
- * with this header. Every struct begins with its size. Fields are only ever appended, here and in extensions:
- * a host reads what a shorter struct lacks as zero, and a plugin looks at the size before it reads a field of
- * an extension that was appended. Any other change of an extension changes the number in its identifier.
- * Arrays of structs are stepped through by the size of their first entry.
+ * Versions. A host accepts plugins of its own major version whose minor version is not newer; both change
+ * only with this header. Every struct begins with its size. Fields are only ever appended, here and in
+ * extensions: a host reads what a shorter struct lacks as zero, and a plugin looks at the size before it
+ * reads a field of an extension that was appended. Any other change of an extension changes the number in its
+ * identifier. The stride of an array of structs is the size of its first entry.
  *
  * Units are SI. World frame: z up, z = 0 at the water surface. Positions [m], velocities [m/s], forces [N].
  *
@@ -55,12 +56,12 @@ typedef struct netloft_table {
   uint32_t rows, columns;
 } netloft_table;
 
-/* Roles of a parameter. A host needs them to lead a solver to a hard answer over easier ones. */
+/* Roles of a parameter. A host uses them to solve easier problems before a difficult one. */
 enum {
   NETLOFT_REQUIRED = 1,
   NETLOFT_STIFFNESS = 2,   /* elastic forces grow in proportion to it: a host may start with less */
-  NETLOFT_COMPRESSION = 4, /* stiffness of what is slack: at zero, the elastic energy is convex */
-  NETLOFT_DAMPING = 8      /* tension per strain rate of what NETLOFT_STIFFNESS is the stiffness of */
+  NETLOFT_COMPRESSION = 4, /* stiffness of slack members: at zero, the elastic energy is convex */
+  NETLOFT_DAMPING = 8      /* tension per strain rate of the parts that NETLOFT_STIFFNESS describes */
 };
 
 /* One value that a user may set. Its name may hold dots: "twine.EA" is EA in the table `twine`. */
@@ -79,7 +80,7 @@ typedef struct netloft_parameter {
   const char* fallback_text;       /* for NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
   const char* const* column_units; /* their units, as many */
-  uint32_t arguments; /* leading columns of a table that the others are over; 0 means 1, 2 a grid */
+  uint32_t arguments; /* number of leading columns that are arguments of the others; 0 means 1, 2 a grid */
   uint32_t reserved;
 } netloft_parameter;
 
@@ -93,8 +94,7 @@ enum netloft_stencil {
   NETLOFT_TRIANGLE = 3 /* outer face seen counter-clockwise */
 };
 
-/* A number (or `width` numbers) that every element has of its own: rest length, twine coordinates of corners.
- */
+/* A number (or `width` numbers) of every element: rest length, twine coordinates of corners. */
 typedef struct netloft_datum {
   uint32_t size;
   uint32_t width;
@@ -103,15 +103,15 @@ typedef struct netloft_datum {
 
 /* Traits of a term. Bits that have no name here belong to extensions. */
 enum {
-  NETLOFT_CONSERVATIVE = 1 << 0,   /* force is the gradient of an energy, which it gives */
+  NETLOFT_CONSERVATIVE = 1 << 0,   /* force is the gradient of an energy, which the term computes */
   NETLOFT_SYMMETRIC = 1 << 1,      /* tangent is symmetric and packed as lower triangle */
   NETLOFT_CONSTANT = 1 << 2,       /* force does not depend on the state: no tangent */
-  NETLOFT_READS_VELOCITY = 1 << 3, /* wants tile.v when there is one */
+  NETLOFT_READS_VELOCITY = 1 << 3, /* reads tile.v if there is one */
   NETLOFT_READS_ACCELERATION = 1 << 4,
-  NETLOFT_READS_CURRENT = 1 << 5, /* wants tile.current and tile.current_dz when there is one */
-  NETLOFT_NEEDS_GRAVITY = 1 << 6, /* gives nothing without gravity */
-  NETLOFT_NEEDS_FLOW = 1 << 7,    /* gives nothing without a current or motion */
-  NETLOFT_NEEDS_MOTION = 1 << 8,  /* gives nothing in a static analysis */
+  NETLOFT_READS_CURRENT = 1 << 5, /* reads tile.current and tile.current_dz if there is one */
+  NETLOFT_NEEDS_GRAVITY = 1 << 6, /* zero without gravity */
+  NETLOFT_NEEDS_FLOW = 1 << 7,    /* zero without a current or motion */
+  NETLOFT_NEEDS_MOTION = 1 << 8,  /* zero in a static analysis */
   NETLOFT_FROM_OUTSIDE = 1 << 11, /* pushes against something that is no node (seabed, wall, pressure): the
                                      forces need not sum to zero, nor be the same in another place */
   NETLOFT_READS_TIME = 1 << 13,   /* force and energy may change with tile.time where nothing moves */
@@ -123,28 +123,29 @@ enum {
 enum { NETLOFT_WANT_ENERGY = 1, NETLOFT_WANT_FORCE = 2, NETLOFT_WANT_TANGENT = 4 };
 
 /* Up to 64 elements of one family. Arrays are [degree of freedom][64], lanes 0 ... count-1 in use; the degree
- * of freedom is 3*node + axis. Inputs that the term did not ask for, or that the scene does not have, are
- * null. A term ADDS to its outputs, in lanes below `count` only; outputs that are not wanted are null. */
+ * of freedom is 3*node + axis. Inputs that the traits of the term do not request, or that the scene does not
+ * have, are null. A term ADDS to its outputs, in lanes below `count` only; outputs that are not requested are
+ * null. */
 typedef struct netloft_tile {
   uint32_t size;
   uint32_t want;
   uint32_t first; /* index of lane 0 in the family; a multiple of 64 */
   uint32_t count;
-  double time;            /* [s] */
-  double cu, cv, ca;      /* factors of the tangent */
-  double water_density;   /* [kg/m3] */
-  double water_viscosity; /* kinematic [m2/s] */
-  double gravity;         /* [m/s2] */
-  const double* x;        /* positions [m] */
-  const double* x_low;    /* positions are x + x_low: digits that x has no room for, useful in differences of
-                             positions [m]; mostly null: not known. A term may ignore them */
-  const double *v, *a;    /* velocities, accelerations; null at rest */
-  const double* current;  /* velocity of the water at the nodes [m/s] */
+  double time;              /* [s] */
+  double cu, cv, ca;        /* factors of the tangent */
+  double water_density;     /* [kg/m3] */
+  double water_viscosity;   /* kinematic [m2/s] */
+  double gravity;           /* [m/s2] */
+  const double* x;          /* positions [m] */
+  const double* x_low;      /* low-order part: positions are x + x_low, which is useful in differences of
+                               positions [m]; usually null: not known. A term may ignore it */
+  const double *v, *a;      /* velocities, accelerations; null at rest */
+  const double* current;    /* velocity of the water at the nodes [m/s] */
   const double* current_dz; /* its derivative with z [1/s] */
   double* energy;           /* [64] [J] */
   double* force;            /* [dof][64] residual [N] */
   double* tangent; /* packed lower triangle, entry r(r+1)/2+c, if symmetric; else r*dofs+c; [entry][64] */
-  char* message;   /* room for a sentence when the status is not OK */
+  char* message;   /* memory for a sentence if the status is not OK */
   uint32_t message_size;
   uint32_t lane_at_fault;    /* set with a status that is not OK */
   const void* const* inputs; /* data of extensions in the order of netloft_element.inputs; null where the host
@@ -164,8 +165,8 @@ typedef struct netloft_term {
 enum netloft_output_role {
   NETLOFT_OUTPUT_PLAIN = 0,
   NETLOFT_OUTPUT_TENSION = 1, /* tension in a rope or in one twine [N], negative in compression */
-  NETLOFT_OUTPUT_DOUBT = 2 /* differs from zero where the element is used beyond what is known of it, as its
-                              sentence says; reports warn of it */
+  NETLOFT_OUTPUT_DOUBT = 2    /* not zero if the element is used beyond its known range of validity, as its
+                                 `doc` says; reports warn of it */
 };
 
 /* A number reported per element, in physical sign: tension is positive when the rope pulls. */
@@ -188,7 +189,7 @@ typedef struct netloft_create {
   uint32_t message_size;
   uint32_t reserved;
   void* host;
-  const void* (*extension)(void* host, const char* id); /* what the host gives for an extension, or null */
+  const void* (*extension)(void* host, const char* id); /* the host's data for an extension, or null */
 } netloft_create;
 
 typedef struct netloft_element {

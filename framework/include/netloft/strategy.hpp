@@ -140,7 +140,7 @@ class Search {
   double largest_load() const { return s_.largest_load; }  // on a node [N]
   double stiffness() const { return s_.stiffness; }        // largest axial stiffness [N]
 
-  /// The displacements of the scene's own unknowns to start from.
+  /// The initial displacements of the unknowns of the scene itself.
   Displacements start() const {
     Displacements u(s_.unknowns, 0.0);
     if (s_.start) std::copy_n(s_.start, u.size(), u.begin());

@@ -6,8 +6,8 @@ namespace netloft {
 
 /// Whether a point is in the convex hull of others, so that there are λ ≥ 0 with
 ///   Σ λ_i x_i = x,  Σ λ_i = 1                                                                     (1)
-/// by least squares with λ ≥ 0 (C. L. Lawson, R. J. Hanson, Solving least squares problems, 1974, ch. 23).
-/// Coordinates are of about the size of one; a distance of 1e-9 counts as none.
+/// The λ are found by least squares with λ ≥ 0 (C. L. Lawson, R. J. Hanson, Solving least squares problems,
+/// 1974, ch. 23). Coordinates are of about the size of one; a distance of 1e-9 counts as none.
 bool lies_in_hull(const std::vector<std::vector<double>>& points, const std::vector<double>& point);
 
 }  // namespace netloft

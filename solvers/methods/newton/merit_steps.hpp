@@ -31,18 +31,18 @@ class CurvedStep {
 /// Steps that are judged by the merit (3), by the rules (4), (5) and (8) of Newton.
 /// (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient decrease. (5)
 /// lets an iterate cross the kinks between slack and taut by a relaxed test, as in the watchdog technique
-/// (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point before. m
-/// counts as low as the sum of what all steps have lowered it by: after a step that raised m, no other may
-/// raise it until the sum has recovered. If every other step were allowed to go uphill, netting on a bed with
-/// friction would circle its equilibrium. For a step longer than an element, −r·s is so large that (5) would
-/// allow any rise. (8) is tried if (4) finds no t = 1, all forces have an energy and K is symmetric.
+/// (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point before. The sum
+/// of all decreases shows whether m is as low as it has ever been: after a step that raised m, no other step
+/// may raise it until the sum has recovered. If every other step were allowed to go uphill, netting on a bed
+/// with friction would circle its equilibrium. For a step longer than an element, −r·s is so large that (5)
+/// would allow any rise. (8) is tried if (4) finds no t = 1, all forces have an energy and K is symmetric.
 class MeritSteps {
  public:
   MeritSteps(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
   /// Moves u along s by (5), else by (4), or by (8) if (4) is too short and (8) gains more.
   Step take(Iterate& iterate, const Direction& direction);
-  /// Adds a decrease of m, by these steps or by (6).
+  /// Adds a decrease of m by these steps or by (6) to the sum.
   void add_gain(double gain) {
     gained_ += gain;
     most_gained_ = std::max(most_gained_, gained_);

@@ -44,7 +44,7 @@ class RoundOffSteps {
   /// definite, or unsymmetric, its step is tried by the same two rules. If all forces have an energy and K is
   /// nearly definite, u leaves along negative curvature, or by (7) along a step of K + σ M if there is none.
   Step fall_back(Iterate& iterate, double damping);
-  /// Lets (7) be tried again, because u has moved by the merit.
+  /// Allows (7) again, because u has moved by the merit.
   void reset_stall_count() { stall_.reset(); }
 
  private:

@@ -36,7 +36,7 @@ Displacements start_with_forces(Search& search) {
 
 /// The saddle displaced by t y along the growing motion y, to side 0 or side 1, so that no coordinate changes
 /// by more than the size of an element. t is the largest among 1, ½, ¼, … with which the force still points
-/// away:
+/// away from the saddle:
 ///   t y·r(u + t y) < 0                                                                    (2)
 /// because the gear comes to rest near the end of (2). If y is not known, the sides are two different
 /// perturbations.

@@ -15,7 +15,7 @@ class Budget {
   double spent() const { return begun_ - search_.work_left(); }
   double left() const { return search_.work_left() - end_; }
   bool is_used_up() const { return left() <= 0; }
-  /// A part of what is left, with at most this much work.
+  /// Returns a part of the budget that is left, with at most this much work.
   Budget split(double work) const { return Budget(search_, std::max(end_, search_.work_left() - work)); }
   /// Ends after this much more work, unless an end has been set before.
   void end_after(double work) {

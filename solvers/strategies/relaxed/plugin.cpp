@@ -8,9 +8,9 @@ namespace {
 using namespace netloft;
 
 /// For elements that stick and slide, whose tangent does not predict the next state: a matrix-free solver
-/// brings the gear close to equilibrium, and the solver of the analysis goes on. If that does not converge
-/// either, the matrix-free solver goes on to the end. Without a tangent an iteration costs next to nothing;
-/// the budget of work ends them.
+/// brings the gear close to equilibrium, and the solver of the analysis continues from there. If it does not
+/// converge, the matrix-free solver continues to the end. Iterations without a tangent cost next to nothing;
+/// therefore only the budget of work limits them.
 constexpr unsigned kAsManyAsItTakes = 10000000;
 
 struct Relaxed {
