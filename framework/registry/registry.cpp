@@ -142,7 +142,8 @@ std::vector<std::string> Registry::available() const {
   std::set<std::string> names;
   for (const auto& [name, describe] : builtin_) names.insert(name);
   for (const auto& [name, content] : opened_) names.insert(name);
-  for (const auto& folder : folders_) names.merge(names_of_builds(folder));
+  for (; searched_ < folders_.size(); ++searched_) in_folders_.merge(names_of_builds(folders_[searched_]));
+  names.insert(in_folders_.begin(), in_folders_.end());
   return {names.begin(), names.end()};
 }
 

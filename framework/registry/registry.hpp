@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string_view>
 
 namespace netloft {
@@ -37,7 +38,7 @@ class Registry {
   const LawType& law(const std::string& type);
   const PluginContent& plugin(const std::string& name);
 
-  /// Names of all plugins that could be opened, sorted; opens none.
+  /// Names of all plugins that could be opened, sorted; opens none. Each folder is searched once.
   std::vector<std::string> available() const;
   /// Plugins opened so far.
   std::vector<const PluginOrigin*> opened() const;
@@ -51,6 +52,8 @@ class Registry {
   [[noreturn]] void not_found(const std::string& name) const;
 
   std::vector<std::filesystem::path> folders_;
+  mutable std::set<std::string> in_folders_;  // names found in the first `searched_` folders
+  mutable std::size_t searched_ = 0;
   std::map<std::string, netloft_plugin_function> builtin_;
   std::map<std::string, std::unique_ptr<PluginContent>> opened_;
 };

@@ -26,14 +26,16 @@ class RopeWays {
     }
   }
 
-  /// Lengths of the shortest paths along ropes from one point to all points that can be reached (E. W.
-  /// Dijkstra 1959).
-  std::map<std::string, double> from(const std::string& start) const {
+  /// Lengths of the shortest paths along ropes from one point to all points that are at most `most` [m] away
+  /// (E. W. Dijkstra 1959).
+  std::map<std::string, double> from(const std::string& start,
+                                     double most = std::numeric_limits<double>::infinity()) const {
     std::map<std::string, double> reached;
     std::set<std::pair<double, std::string>> next = {{0, start}};
     while (!next.empty()) {
       const auto [length, at] = *next.begin();
       next.erase(next.begin());
+      if (length > most) break;
       if (!reached.emplace(at, length).second) continue;
       for (auto [way, end] = ways_.equal_range(at); way != end; ++way)
         next.emplace(length + way->second.length, way->second.to);
@@ -72,12 +74,11 @@ namespace {
 /// Refuses ropes whose ends are the same point and that take no edge: they would hang there as a loop.
 void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& diagnostics) {
   for (const auto& rope : gear.ropes) {
+    if (!rope.hung.empty() || rope.is_mirrored) continue;
     const bool is_across = !rope.middle.empty();
-    const auto reached = ways.from(rope.name + ".end");
-    const auto other = reached.find(rope.name + (is_across ? ".middle" : ".start"));
     const double length = is_across ? rope.length / 2 : rope.length;
-    if (!rope.hung.empty() || rope.is_mirrored || other == reached.end() || other->second >= length * 1e-6)
-      continue;
+    const auto reached = ways.from(rope.name + ".end", length * 1e-6);
+    if (!reached.contains(rope.name + (is_across ? ".middle" : ".start"))) continue;
     diagnostics.error(rope.rope->between_place,
                       fmt::format("ropes.{}.between: both ends of the rope are one point", rope.rope->name),
                       "a rope leads from one point to another");
