@@ -25,9 +25,9 @@ TileEvaluator::TileEvaluator(const Scene& scene, const ScenePlan& plan, const El
       tile_energy_(tiles.count),
       workers_(threads) {
   for (std::size_t w = 0; w < workers_.size(); ++w)
-    works_.push_back(std::make_unique<Work>(gatherer_.make_inputs(tiles.most_dofs()),
-                                            TileSums(tiles.most_dofs(), plan.symmetric),
-                                            mean_forces_.make_step_tile(), FaultNote()));
+    works_.push_back(std::make_unique<Work>(Work{gatherer_.make_inputs(tiles.most_dofs()),
+                                                 TileSums(tiles.most_dofs(), plan.symmetric),
+                                                 mean_forces_.make_step_tile(), FaultNote()}));
 }
 
 bool TileEvaluator::run(std::span<const double> x, const Request& request) {
