@@ -24,8 +24,7 @@ class PanelsInRow {
       }
     for (auto& panel : panels_) {
       std::ranges::sort(panel.aft_edge);
-      const auto repeats = std::ranges::unique(panel.aft_edge);
-      panel.aft_edge.erase(repeats.begin(), repeats.end());
+      panel.aft_edge.erase(std::unique(panel.aft_edge.begin(), panel.aft_edge.end()), panel.aft_edge.end());
     }
   }
 
