@@ -71,8 +71,7 @@ void read_at(formats::TableReader& table, HoldEntry& entry) {
   const auto kind = table.kind("at");
   if (!kind) return;
   if (*kind == formats::Kind::text) {
-    entry.as_sketched =
-        table.choice("at", {.allowed = {"sketch"}, .doc = "where the sketch has it, or points"}) == "sketch";
+    table.choice("at", {.allowed = {"sketch"}, .doc = "where the sketch has it, or points"});
     return;
   }
   const formats::Range range = formats::between(-1e6, 1e6);
@@ -135,11 +134,12 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
     table.error("at", std::to_string(nodes.size()) + " nodes cannot be held in one point",
                 "give two or more points of a line, along which they are spread");
   const auto points = places(entry, nodes);
+  const char* said_by = table.has("at") ? "at" : "on";
   bool is_told = false;
   Hold held{entry.name, nodes, {}};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!points.empty() && !is_told)
-      is_told = !put(nodes[i], {points[i], entry.axes, table.place("at")}, table);
+      is_told = !put(nodes[i], {points[i], entry.axes, table.place(said_by)}, table);
     if (entry.frame ? !turn(nodes[i], *entry.frame) : !holds_along_world_axes(nodes[i], entry.axes)) {
       table.error("on", "a node of \"" + entry.name + "\" is held in another way already",
                   "hold it in one place, or leave it out of one of the sets");
@@ -167,13 +167,14 @@ bool Holder::turn(std::uint32_t node, const std::array<double, 9>& frame) {
   return true;
 }
 
-/// The position of every node; empty if the entry leaves the nodes where they are.
+/// The position of every node: where it is sketched, if the entry gives no other place. Empty for an entry
+/// along a line or a plane, whose axes are not those of the world.
 std::vector<Holder::Point> Holder::places(const HoldEntry& entry,
                                           const std::vector<std::uint32_t>& nodes) const {
   std::vector<Point> points;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double* x = &sketch_[3 * std::size_t{nodes[i]}];
-    if (entry.as_sketched) points.push_back({x[0], x[1], x[2]});
+    if (entry.at.empty() && !entry.frame) points.push_back({x[0], x[1], x[2]});
     if (!entry.at.empty())
       points.push_back(along_line(entry.at, nodes.size() > 1 ? double(i) / double(nodes.size() - 1) : 0));
   }
@@ -185,10 +186,11 @@ std::vector<Holder::Point> Holder::places(const HoldEntry& entry,
 bool Holder::put(std::uint32_t node, const Put& put, formats::TableReader& table) {
   for (const Put& earlier : put_[node])
     if (!agree(put.point, earlier.point, put.axes & earlier.axes)) {
-      table.error("at",
+      table.error(table.has("at") ? "at" : "on",
                   scene_.node_name(node) + " is held at " + spell(put.point) + " here and at " +
                       spell(earlier.point) + " by " + table.diagnostics().where(earlier.said_at),
-                  "let both say the same place, or leave the key out of one");
+                  "give both the same place (without `at` a hold is where the sketch has it), or leave the "
+                  "node out of one of them");
       return false;
     }
   put_[node].push_back(put);

@@ -14,8 +14,7 @@ struct HoldEntry {
   std::string name;
   std::uint8_t axes = kAllAxes;
   std::optional<std::array<double, 9>> frame;  // axes of the hold, for `along` and `plane`
-  bool as_sketched = false;                    // at = "sketch"
-  std::vector<std::array<double, 3>> at;       // points of a line; empty if `at` is absent
+  std::vector<std::array<double, 3>> at;       // points of a line; empty: where it is sketched
 };
 
 /// Reads one hold; errors go to the diagnostics of `table`.

@@ -103,11 +103,28 @@ TEST_F(Holding, TakesTheSketchAtItsWord) {
   EXPECT_NE(last_error().find("rope node 0 is held at (0, 0, 0) m here"), std::string::npos) << last_error();
 }
 
-TEST_F(Holding, HasNoOpinionWithoutAPlace) {
+TEST_F(Holding, IsWhereItIsSketchedWithoutAPlace) {
   hold("on = \"a\"\nat = [1, 2, 3]", {0});
   hold("on = \"b\"", {0});
+  EXPECT_NE(last_error().find("rope node 0 is held at (0, 0, 0) m here and at (1, 2, 3) m"),
+            std::string::npos)
+      << last_error();
+}
+
+TEST_F(Holding, IsNotMovedByALaterHold) {
+  hold("on = \"a\"", {4});
+  hold("on = \"b\"\nat = [4, 1, 0]", {4});
+  EXPECT_NE(last_error().find("rope node 4 is held at (4, 1, 0) m here and at (4, 0, 0) m"),
+            std::string::npos)
+      << last_error();
+  EXPECT_EQ(at(4), (std::array<double, 3>{4, 0, 0}));
+}
+
+TEST_F(Holding, MayBeHeldElsewhereAlongOtherAxes) {
+  hold("on = \"a\"\naxes = \"y\"", {4});
+  hold("on = \"b\"\naxes = \"xz\"\nat = [5, 9, 1]", {4});
   EXPECT_EQ(last_error(), "");
-  EXPECT_EQ(at(0), (std::array<double, 3>{1, 2, 3}));
+  EXPECT_EQ(at(4), (std::array<double, 3>{5, 0, 1}));
 }
 
 TEST(HoldEntry, IsNamedAfterWhatItHolds) {
