@@ -17,7 +17,8 @@ inline constexpr KnownParameter kRopeDiameter{
     "rope.diameter", "is less than the rope is long, is drawn, and scaled in models"};
 inline constexpr KnownParameter kFloatDiameter{"float.diameter", "is drawn, and scaled in models"};
 inline constexpr KnownParameter kFloatArea{"float.area", "is scaled in models"};
-inline constexpr KnownParameter kRopeDensity{"rope.density", "is scaled in models"};
+inline constexpr KnownParameter kRopeDensity{"rope.density",
+                                             "is no greater than that of a chain, and scaled in models"};
 inline constexpr KnownParameter kRopeSurface{"rope.surface", "if not 0, no model by Tauti's rule"};
 inline constexpr KnownParameter kTwineSurface{"twine.surface", "if not 0, no model by Tauti's rule"};
 inline constexpr KnownParameter kBoxHeight{"box.height", "if not 0, no model by Tauti's rule"};
@@ -31,11 +32,20 @@ inline constexpr KnownParameter kBedSlopeX{"seabed.slope_x", "of that plane"};
 inline constexpr KnownParameter kBedSlopeY{"seabed.slope_y", "of that plane"};
 inline constexpr KnownParameter kBedSoftness{"seabed.softness", "how deep a gear may begin in that plane"};
 inline constexpr KnownParameter kLengthShare{"rope.length_share", "of a warp on a winch"};
+inline constexpr KnownParameter kTwineDensity{"twine.density", "is no greater than that of a chain"};
+inline constexpr KnownParameter kTwineEA{"twine.EA", "is no less than EA_compression"};
+inline constexpr KnownParameter kTwineEACompression{"twine.EA_compression", "is no greater than EA"};
+inline constexpr KnownParameter kRopeEA{"rope.EA", "is no less than EA_compression"};
+inline constexpr KnownParameter kRopeEACompression{"rope.EA_compression", "is no greater than EA"};
+inline constexpr KnownParameter kFloatBuoyancy{"float.buoyancy", "is compared with that of volume and mass"};
+inline constexpr KnownParameter kFloatVolume{"float.volume", "makes a buoyancy with the mass"};
+inline constexpr KnownParameter kFloatMass{"float.mass", "makes a buoyancy with the volume"};
 
-inline constexpr std::array kKnown = {kTwineDiameter, kRopeDiameter,     kFloatDiameter, kFloatArea,
-                                      kRopeDensity,   kRopeSurface,      kTwineSurface,  kBoxHeight,
-                                      kTwineEI,       kOpeningStiffness, kOpeningAngle,  kBedDepth,
-                                      kBedSlopeX,     kBedSlopeY,        kBedSoftness,   kLengthShare};
+inline constexpr std::array kKnown = {
+    kTwineDiameter,      kRopeDiameter, kFloatDiameter,     kFloatArea,        kRopeDensity,  kRopeSurface,
+    kTwineSurface,       kBoxHeight,    kTwineEI,           kOpeningStiffness, kOpeningAngle, kBedDepth,
+    kBedSlopeX,          kBedSlopeY,    kBedSoftness,       kLengthShare,      kTwineDensity, kTwineEA,
+    kTwineEACompression, kRopeEA,       kRopeEACompression, kFloatBuoyancy,    kFloatVolume,  kFloatMass};
 
 }  // namespace parameter
 }  // namespace netloft::scenes

@@ -4,6 +4,7 @@
 #include "io/scenes/reading/beds.hpp"
 #include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/halves.hpp"
+#include "io/scenes/reading/plausible.hpp"
 #include "io/scenes/reading/tow.hpp"
 #include "io/scenes/reading/water_checks.hpp"
 
@@ -115,6 +116,7 @@ void check_scene(formats::TableReader& root, const Draft& draft,
   types.insert(types.end(), companions.begin(), companions.end());
   check_held(draft.out, types, diagnostics);
   check_current(draft.out.scene, root);
+  check_plausible(draft.out, root);
   check_ground(draft, water.says_tow(), diagnostics);
   if (!draft.out.scene.bed.is_there) check_bed(draft, diagnostics);
   check_beds(draft.out, diagnostics);

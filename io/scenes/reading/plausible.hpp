@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/table_reader.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
+
+namespace netloft::scenes {
+
+/// Warns of numbers that a model can compute with and nobody means, such as a density in another unit; an
+/// error is a rope that is stiffer in compression than in tension. `root` is the table of the scene. The
+/// limits and their reasons are in plausible.cpp.
+void check_plausible(const LoadedScene& loaded, formats::TableReader& root);
+
+}  // namespace netloft::scenes
