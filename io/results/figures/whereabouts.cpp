@@ -2,6 +2,7 @@
 #include "io/results/figures/whereabouts.hpp"
 
 #include "framework/registry/element_outputs.hpp"
+#include "io/results/figures/gear_view.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,9 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace netloft::results {
 
@@ -137,12 +140,51 @@ class Whereabouts {
         resting, [](const auto& a, const auto& b) { return a.second.above < b.second.above; });
     if (none_rests)
       return all.push_back(
-          fmt::format("nothing rests on the bed: {}, the lowest of what would, is {:.3g} m above it",
-                      part(lowest->first).name, lowest->second.above));
+          fmt::format("nothing rests on the bed: {}, the lowest of what would, is {:.3g} m above it; {}",
+                      part(lowest->first).name, lowest->second.above, why_it_flies()));
     for (const auto& [p, one] : resting)
       if (one.force == 0 && stands_on_footrope(p))
         all.push_back(fmt::format("{} rests nowhere on the bed; its lowest point is {:.3g} m above it",
                                   loaded_.gear->footrope, one.above));
+  }
+
+  /// The two causes that keep a gear up: its buoyancy, and warps that do not reach the bed.
+  std::string why_it_flies() const {
+    const double up = net_buoyancy();
+    std::string why = fmt::format("its net buoyancy is {:.4g} N, {}", up,
+                                  up > 0 ? "upward: it floats" : "downward: it is heavier than water");
+    if (!loaded_.gear) return why;
+    const auto warps = loaded_.gear->roles.find("warp");
+    if (warps == loaded_.gear->roles.end() || warps->second.empty()) return why;
+    return why + fmt::format("; the longest warp is {:.4g} m, the depth at its start {:.4g} m",
+                             longest(warps->second).first, longest(warps->second).second);
+  }
+
+  /// Weight in water of all parts but warps, positive upward [N].
+  double net_buoyancy() const {
+    double up = 0;
+    for (const auto& f : answer_.forces)
+      if (f.is_weight() && !is_warp(f.part)) up += f.force[2];
+    return loaded_.gear ? loaded_.gear->times * up : up;
+  }
+
+  bool is_warp(const std::string& name) const {
+    if (!loaded_.gear) return false;
+    const auto warps = loaded_.gear->roles.find("warp");
+    return warps != loaded_.gear->roles.end() &&
+           std::ranges::any_of(warps->second, [&](auto p) { return part(p).name == name; });
+  }
+
+  /// Unstretched length of the longest rope, and the height of its start above the bed [m].
+  std::pair<double, double> longest(const std::vector<std::uint32_t>& ropes) const {
+    const GearView gear(loaded_, assembler_, answer_);
+    std::pair<double, double> most{0, 0};
+    for (const auto rope : ropes) {
+      const auto lengths = gear.rest_lengths(rope);
+      const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+      if (length > most.first) most = {length, above_bed(gear.nodes_of(rope).front())};
+    }
+    return most;
   }
 
   /// Whether all nodes of a part are nodes of the footrope. The name of the part does not matter.
