@@ -62,8 +62,9 @@ std::vector<double> largest_by_column(const SparsePattern& p, std::span<const do
   return largest;
 }
 
-/// The part of C that drives an unknown: the largest amount by which a diagonal entry is below zero, or by
-/// which an entry beside the diagonal exceeds the geometric mean of the two diagonal entries.
+/// For each unknown, by how much C fails to damp it, at least zero: the largest of minus its diagonal entry
+/// and, over the other entries of its column, of the excess of the entry over the geometric mean of the two
+/// diagonal entries.
 std::vector<double> driving_part(const SparsePattern& p, std::span<const double> C) {
   std::vector<double> drives(static_cast<std::size_t>(p.size));
   const auto damped = [&](std::int32_t i) { return std::max(0.0, C[find_slot(p, i, i)]); };

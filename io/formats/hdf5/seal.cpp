@@ -112,7 +112,7 @@ SealedFile parse(std::string_view lines, std::uint64_t length) {
       return file;
     }
     if (range.place < place || range.place > length || range.length > length - range.place)
-      throw FileError("it is damaged: its checksums are of bytes that it has not");
+      throw FileError("it is damaged: its table of checksums names bytes out of order or beyond its end");
     place = range.place + range.length;
     file.ranges.push_back(std::move(range));
     file.sums.push_back(sum);

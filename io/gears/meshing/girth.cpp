@@ -141,8 +141,9 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);
 }
 
-/// Collects S at all distances aft. Every node of a lower middle panel gives a value, and so do the sides of
-/// a tube. A net with neither has an open girth, and S is twice the largest s.
+/// Fills `bottom_`: the half girth S of start_shape.hpp at each distance aft at which it is known. Nodes of a
+/// lower middle panel give it, and so do nodes on the side edges of a tube, which meet in the middle below. A
+/// net without either is open below, and S is twice the largest s everywhere.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);

@@ -16,11 +16,11 @@ struct HauledBar {
 
 /// Computes how FEMNET's drums change the lengths of bars in each time step of its motion:
 ///   r = s(t) Δt                                                                              (1)
-/// r > 0 shortens the first bar, counted from the drum, that is longer than `shortest`, down to `shortest`,
-/// and the rest of r shortens the next bar. −r > 0 lengthens the first bar, counted from the other end, that
-/// is shorter than `longest`, up to `longest`, and the rest lengthens the next. Curves are thinned out as
-/// long as they stay within `kHauledWithin` of these lengths. Returns nothing if there are more than
-/// `kMostHauls` lengths to compute.
+/// with s(t) the hauling speed of the drum. If r > 0, the drum hauls r in: it shortens the bars one after
+/// another from its own end, each down to `Drum::shortest`, until r is used up. If r < 0, it pays out |r|: it
+/// lengthens them from the other end, each up to `Drum::longest`. Samples of length against time are dropped
+/// as long as straight lines between the others stay within `kHauledWithin` of them. Returns nothing if there
+/// are more than `kMostHauls` lengths to compute.
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
 inline constexpr double kMostHauls = 2e7;  // steps times bars: about a second of work

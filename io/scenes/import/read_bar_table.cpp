@@ -205,7 +205,8 @@ class TableOfBars {
     n.mass = number_or_zero(row, kMass);
     n.buoyancy = number_or_zero(row, kBuoyancy);
     if (n.mass != 0 && n.buoyancy != 0)
-      error(cell(row, kMass)->place, "a node has a mass or a buoyancy, which is net of its weight",
+      error(cell(row, kMass)->place,
+            "this node has a mass and a buoyancy; the buoyancy is a net force that includes the weight",
             "leave one of them blank");
     if (const CsvCell* hold = cell(row, kHold)) n.hold = axes_in(*hold);
     if (!node_named_.try_emplace(n.name, table_.nodes.size()).second)
@@ -257,9 +258,9 @@ class TableOfBars {
     };
     if (numbers(first) != numbers(rope))
       error(rope.place,
-            fmt::format("the rope {} has other numbers in line {}", formats::in_quotes(rope.name),
-                        first.place.line),
-            "a rope is of one material; give the other piece another name");
+            fmt::format("the rope {} has different properties here than in line {}",
+                        formats::in_quotes(rope.name), first.place.line),
+            "all bars of a rope have the same properties; give these bars another name");
     return first;
   }
 

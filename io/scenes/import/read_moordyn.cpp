@@ -227,10 +227,10 @@ class MooringReader {
     const std::string& own = body->second.attachment;
     if (own != "FIXED" && own != "COUPLED" && own != "VESSEL")
       return error(word.place, "bodies that move, such as " + shown(word) + ", cannot be imported",
-                   "hold the point where the body has it");
+                   "make the point Fixed, at the position that the body gives it");
     if (body->second.is_turned)
-      return error(word.place, "bodies that are turned, such as " + shown(word) + ", cannot be imported",
-                   "hold the point where the body has it");
+      return error(word.place, "bodies with a rotation, such as " + shown(word) + ", cannot be imported",
+                   "make the point Fixed, at the position that the body gives it");
     for (std::size_t axis = 0; axis < 3; ++axis) n.at[axis] += body->second.at[axis];
   }
 

@@ -52,9 +52,9 @@ struct Comparison {
   bool any_failed() const;  // whether the plugin of a method failed in a trial
 };
 
-/// Runs all trials. The caller must have opened the scene with every method before, to make sure that it has
-/// no errors. Throws std::runtime_error if it has some, std::invalid_argument for divisions that the scene
-/// does not have.
+/// Runs all trials. The caller must have opened the scene with every method before, to report its errors.
+/// Throws std::runtime_error if a scene still has errors, std::invalid_argument if its parts cannot be
+/// divided into `task.cells`.
 Comparison compare(const runs::CaseSource& source, Registry& registry, const ComparisonTask& task,
                    const runs::Watch& watch);
 

@@ -78,7 +78,8 @@ class Plotter {
     if (!wanted.empty()) {
       const std::size_t v = column(wanted);
       if (v == over_) throw StudyError(wanted + " is the axis; --by names another variable");
-      if (!is_listed(v)) throw StudyError(wanted + " is sampled; lines are of listed values");
+      if (!is_listed(v))
+        throw StudyError(wanted + " is sampled; --by needs a variable whose values are listed");
       if (values_of(v).size() > kMostLines)
         throw StudyError(
             fmt::format("{} has {} values; {} lines are the most", wanted, values_of(v).size(), kMostLines));

@@ -4,14 +4,13 @@
 
 namespace netloft::newton {
 
-/// A search along a line of negative curvature, on which no model predicts the length. t = 1 moves a node by
-/// one element. m falls at t if
+/// A search along a line of negative curvature, on which no model predicts how far to go. m is the merit, and
+/// t = 1 moves the farthest node by one element. A step t is accepted if
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise                                                       (D)
-/// The search returns the largest t found at which m falls. A small t is halved until m falls, or doubled
-/// until it does not; then secants of m' refine the bracket. t stays below
+/// A small first t is halved until it is accepted, and then doubled until it is not, or until it reaches
 ///   1/margin                                                                                (E)
-/// because in a longer bracket all new points, which keep `margin` of it from either end, would be farther
-/// than 1 from the start.
+/// the limit of one move. Secants of m' refine the bracket between the last accepted and the first refused t.
+/// The search returns the largest accepted t.
 struct DescentSearch {
   Refinement refinement = {};
   double longest() const { return 1 / refinement.margin; }  // (E)

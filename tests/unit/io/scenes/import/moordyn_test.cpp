@@ -246,7 +246,7 @@ TEST(MoorDyn, AnswersWhatIsWrongWithItsPlace) {
       {"2     Free ", "1     Free ", "there is a point \"1\" already"},
       {"1     Fixed ", "1     Nailed", "the attachment \"Nailed\" is not known"},
       {"1    Coupled     10", "1    Free        10", "bodies that move, such as \"Body1\""},
-      {"-5  0  0  0 ", "-5  0  9  0 ", "bodies that are turned, such as \"Body1\""},
+      {"-5  0  0  0 ", "-5  0  9  0 ", "bodies with a rotation, such as \"Body1\""},
       {"-100     0     -60 ", "-100     nan   -60 ", "a coordinate of the point = \"nan\" is no number"},
       {"200    3       1.5    0", "200    3", "words are given here, and 9 are needed"},
       {"- LINES -", "- LIES -", "there are no lines"},
