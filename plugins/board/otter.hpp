@@ -14,11 +14,11 @@ namespace netloft::boards {
 ///   F = q (f_D C_D w + f_L (C_L e_L + C_Z e_Z)),   e_L = (−w_y, w_x, 0)/cos β,   e_Z = z − w_z w, unit   (2)
 ///   at (chord (ξ − ½), 0, span η)                                                                        (3)
 /// One table gives C_L, C_D and C_Z over α and β, another gives ξ (from the nose) and η (above the middle)
-/// over α. If the first is over α alone, the flow across the span determines the force, as for a yawed wing
-/// of infinite span: C_L(α) and C_D(α) are multiplied by cos²β (R. T. Jones, NACA TN 1402, 1947), and C_Z =
+/// over α. If the first table is over α alone, only the flow across the span causes the force, as for a yawed
+/// wing of infinite span: C_L(α), C_D(α) are multiplied by cos²β (R. T. Jones, NACA TN 1402, 1947), and C_Z =
 /// 0. Without a table the board is a flat plate (plate.hpp) with an additional drag coefficient C_0,
 ///   F = q (f_D F_∥ + f_L F_⊥),  F_∥, F_⊥ the parts of C_N sgn(w_y) y + C_0 w along and across w         (4)
-/// The image of the board in the bed, if the scene has one, acts on the plate only, by plate.hpp (7). Beyond
+/// A bed under the board increases the force of the plate only, by plate.hpp (7), not that of a table. Beyond
 /// the edge of a table, the coefficients change to those of the plate within 20°, and the output `outside` is
 /// 1.
 ///
@@ -31,12 +31,12 @@ namespace netloft::boards {
 ///   F = ¼ chord s p f (ĝ·y) y,   f = (δ/0.1 m)^n, continued by its tangent beyond 0.1 m                 (5)
 /// n = 1 in clay, 2 in sand; s is the local factor of the ground, 1 by default; p is for calibration and zero
 /// by default. The tangent keeps the force moderate if an initial guess has boards metres deep in the ground.
-/// Ploughing does not carry the board: that is the contact of its shoe, by elements seabed/bed at points of
-/// the shoe.
+/// Ploughing does not support the board: its contact with the bed is a part of elements seabed/bed, at points
+/// of its shoe.
 ///
 /// Source of (1)-(3): the form of FAO, Otter board design and performance (1974). Two angles of the flow in
-/// the axes of the board determine the force on a body in a uniform flow; unlike attack, heel and trim on a
-/// rig, they have no singularity at working angles.
+/// the axes of the board determine the force on a body in a uniform flow; unlike attack, heel and trim as set
+/// on a test rig, they have no singularity at working angles.
 struct Otter {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters : solids::Solid {
@@ -87,7 +87,7 @@ struct Coefficients {
   T at_chord, at_span;  // (3) [m]
 };
 
-/// Returns i of plate.hpp (7), from the clearance of the lower edge of the board above the bed.
+/// Returns i of plate.hpp (7), the effect of the bed, from the clearance of the lower edge of the board.
 template <class T>
 T image_in_bed(const Otter::Parameters& p, const Body<T>& b) {
   if (!b.bed.is_there) return T(0);
@@ -172,7 +172,7 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
       const auto c = detail::coefficients_of(p, whole, w, image);
       const Vec3<T> along = dot(c.force, w) * w;
       Vec3<T> f = (0.125 * b.water.density * p.area * u * u) *
-                  (p.drag * along + p.lift * (c.force - along));  // (2), (4), a quarter
+                  (p.drag * along + p.lift * (c.force - along));  // a quarter of (2) or (4)
       f.y = d.side * f.y;
       push.push(b.to_world(f), b.to_world(Vec3<T>{r.x + c.at_chord, T(0), r.z + c.at_span}));
     }
@@ -181,7 +181,7 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
 
 namespace detail {
 
-/// f of (5) for δ/0.1 m > 0.
+/// f of (5); `depth` is δ/0.1 m, above zero.
 template <class T>
 T resistance(const T& depth, double power) {
   using std::pow;

@@ -8,7 +8,7 @@ namespace netloft::bodies {
 /// and inertia are those of plugins/common/solid.hpp. With W the velocity of the water past the origin and
 /// e_i the axes of the body,
 ///   F = ½ ρ |W| Σ_i A_i (W·e_i) e_i     at the centre of volume                                   (1)
-///   M = −½ ρ Σ_i B_i |Ω_i| Ω_i e_i      Ω the spin in its axes                                    (2)
+///   M = −½ ρ Σ_i B_i |Ω_i| Ω_i e_i      Ω_i angular velocity about e_i                            (2)
 /// A_i [m²] are the areas normal to the axes times their drag coefficients; B_i [m⁵] are the corresponding
 /// coefficients of rotation.
 struct BodySolid {

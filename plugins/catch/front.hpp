@@ -6,7 +6,7 @@
 
 namespace netloft::catches {
 
-/// Pressure of the flow that the catch stops, on all netting behind a plane across the flow, from inside:
+/// Pressure of the flow that the catch stops, from inside on all netting behind a plane across the flow:
 ///   p = p₀ + C_d ½ ρ V²                                                                        (1)
 ///   n = (x₂−x₁)×(x₃−x₁)                        outward normal, length twice the area             (2)
 ///   e = (cos ψ, sin ψ, 0),  s_i = e·x_i − ξ    distance of corner i behind the plane             (3)
@@ -58,7 +58,7 @@ struct Front {
   };
 };
 
-/// (8); corner `a` is alone on its side of the plane.
+/// Computes I and w by (8). Corner `a` is alone on its side of the plane.
 template <class T>
 Front::Behind<T> corner_behind(const std::array<T, 3>& s, std::size_t a) {
   const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;

@@ -6,7 +6,7 @@
 
 namespace netloft::catches {
 
-/// Pressure of the flow that the catch stops, on the netting behind the catch front, from inside:
+/// Pressure of the flow that the catch stops, from inside on the netting behind the catch front:
 ///   p = p₀ + C_d ½ ρ V²                                                                (1)
 ///   n = (x₂−x₁)×(x₃−x₁) = x₁×x₂ + x₂×x₃ + x₃×x₁     outward normal, length twice the area    (2)
 ///   r_i = −(φ_i p/2) n,  i = 1, 2, 3                  the part of the force on each corner   (3)
@@ -59,8 +59,8 @@ struct Pressure {
     double slope() const { return slope_at[0] + slope_at[1] + slope_at[2]; }
   };
 
-  /// Throws std::invalid_argument if there is neither pressure nor speed, if the front is given by both or
-  /// none of its parameters, or if there is a growth without a volume.
+  /// Throws std::invalid_argument if neither pressure nor speed is given, if both or neither of `meshes` and
+  /// `volume` are given, or if there is a growth without a volume.
   static void check(const Parameters& p, const Data& d);
   /// Throws std::invalid_argument if more meshes are filled than the netting has along its length.
   static void check_whole(const Parameters& p, const Whole& whole);

@@ -14,11 +14,11 @@ namespace netloft::axial {
 ///   ψ = ½ T (l − l₀)                                           (3)  energy, dψ/dl = T
 ///   A = ∂(T t)/∂w = k t tᵀ + g (I − t tᵀ),  k = dT/dl,  g = T/l (4)
 ///   A₊: g clamped at zero, positive semi-definite               (5)
-///   M = (max(EA, EA_c)/l₀) I, bounds A₊ for every w             (6)
+///   M = (max(EA, EA_c)/l₀) I, upper bound of A₊ for every w     (6)
 /// EA, EA_c [N] stiffness in tension and in compression; l₀ [m] unstretched length. Source: the linear spring
 /// of the trawl-gear paper, section 2.3; Priour, A Finite Element Method for Netting (Springer 2013), for the
-/// reduced stiffness of a slack twine. Below kCollapsed·l₀ the direction t is undefined; w/(kCollapsed l₀)
-/// replaces it, which is finite.
+/// reduced stiffness of a slack twine. For l < kCollapsed l₀, w/(kCollapsed l₀) replaces the direction t,
+/// which has no value at l = 0.
 inline constexpr double kCollapsed = 1e-9;
 
 struct Material {
@@ -50,7 +50,7 @@ struct Block {
   double v[6];
 };
 
-/// `lowest_T` is 0 for A₊ and −∞ for A.
+/// Computes A if `lowest_T` is −∞, and A₊ if it is 0.
 inline Block stiffness(const Bar& b, double wx, double wy, double wz, double factor, double lowest_T) {
   const double g = factor * std::max(b.T, lowest_T) * b.inverse;
   const double s = (factor * b.k - g) * b.inverse * b.inverse;
@@ -60,7 +60,7 @@ inline Block stiffness(const Bar& b, double wx, double wy, double wz, double fac
 /// Index of (row, column) of a symmetric 3 × 3 block among its six numbers.
 inline constexpr int kPlace[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};
 
-/// ψ for dual numbers: the reference implementation for tests of the kernels.
+/// ψ of (3) for any number type. Tests compare its derivatives, by dual numbers, with the functions above.
 template <class T>
 T energy(const Vec3<T>& w, double l0, const Material& m) {
   const T elongation = norm(w) - l0;

@@ -17,11 +17,11 @@ namespace netloft::bars {
 ///     W = ½ (c₀ + c₁) − ½ (v₀ + v₁), c the current at the nodes; f [N/m] the law of the part
 ///   T_d = N (η/l₀) dl/dt           damping along the bar             (4)
 ///   r_p = ½ V [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t]   inertia      (5)
-///     added mass only across the bar, of the chord t; masses lumped at the nodes
+///     added mass acts only across the bar, whose direction is t; masses are lumped at the nodes
 /// D [m] diameter, ρ [kg/m³] density of the material, ρ_w of the water, g [m/s²], η [N s] damping (EA times a
-/// relaxation time), C_a [1] added mass over displaced mass, N ≥ 0 any number, 1 for a rope. (5) has no
-/// acceleration of the water, which `add_waves` adds. Source: the trawl-gear paper, section 2.3 and eq. (2);
-/// Morison et al. 1950.
+/// relaxation time), C_a [1] added mass over displaced mass, N ≥ 0 any number, 1 for a rope. (5) is the force
+/// in water without acceleration; `add_waves` adds the rest. Source: the trawl-gear paper, section 2.3 and
+/// eq. (2); Morison et al. 1950.
 struct Lanes {
   double l0[kLanes];                          // [m]
   double EA[kLanes], EA_compression[kLanes];  // N EA, N EA_c [N]
@@ -32,8 +32,8 @@ struct Lanes {
   double surface[kLanes];                      // σ of surface.hpp
 };
 
-/// Fills one lane. The multiplicity N enters here and nowhere else. `P` has EA, EA_compression, diameter,
-/// density, damping, loss_factor and loss_frequency, added_mass and surface of one bar.
+/// Fills one lane, the numbers of one element. N, here `parallel`, enters nowhere else. `P` has EA,
+/// EA_compression, diameter, density, damping, loss_factor, loss_frequency, added_mass, surface of one bar.
 template <class P>
 void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::size_t lane) {
   lanes.l0[lane] = rest_length;
@@ -49,7 +49,8 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.surface[lane] = p.surface;
 }
 
-/// The N bars of an element as one Member. `P` has EA and EA_compression of one bar.
+/// The N bars of an element as one Member, for solvers that take tensions as unknowns. `P` has EA and
+/// EA_compression of one bar.
 template <class P>
 Member member(const P& p, double rest_length, double parallel) {
   return {{-1, 1, 0}, rest_length, p.EA, p.EA_compression, parallel};
@@ -60,7 +61,7 @@ inline void mass_of(const Lanes& p, const netloft_tile& t, double* values) {
   for (std::size_t i = 0; i < t.count; ++i) values[i] = p.density[i] * p.volume[i];
 }
 
-/// Adds ±A to the four blocks of a bar's packed tangent: [ A −A; −A A ]. `A` has six numbers per lane.
+/// Adds [ A −A; −A A ] to the tangent of a bar, a packed lower triangle. `A` has six numbers per lane.
 inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double* __restrict tangent) {
   int entry = 0;
   for (int r = 0; r < 6; ++r)
@@ -71,7 +72,7 @@ inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double
     }
 }
 
-/// Adds the metric, axial (6).
+/// Adds the metric, the constant upper bound (6) of the stiffness in axial.hpp.
 inline void add_metric(const Lanes& p, netloft_tile& t) {
   double A[6][kLanes];
   for (std::size_t i = 0; i < t.count; ++i) {
@@ -86,7 +87,7 @@ inline Status add_elastic(const Lanes& p, netloft_tile& t) {
     add_metric(p, t);
     return Status::ok;
   }
-  // Plain loops over lanes with one purpose each, because compilers vectorise those.
+  // Each loop over the lanes does one thing only, so that compilers vectorise it.
   double w[3][kLanes], inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
   find_spans(t, w);
   const double(&wx)[kLanes] = w[0], (&wy)[kLanes] = w[1], (&wz)[kLanes] = w[2];
@@ -129,7 +130,7 @@ inline Status add_weight(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// Half of (2) at both nodes, for any number type: the reference implementation for tests of the kernel.
+/// Energy of the weight (2) for any number type; tests compare its derivatives with add_weight.
 template <class T, class P>
 T weight_energy(const P& p, double rest_length, double parallel, const Water& w, const Points<T, 2>& x) {
   const double volume = parallel * std::numbers::pi / 4 * p.diameter * p.diameter * rest_length;

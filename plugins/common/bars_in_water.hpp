@@ -16,7 +16,7 @@ inline double entry(const double* field, int row, std::size_t lane) {
 /// Index of (node p, axis r; node q, axis c) in a full tangent.
 constexpr int place(int p, int r, int q, int c) { return 6 * (3 * p + r) + 3 * q + c; }
 
-/// Fills in W, t and D of (3) for a law.
+/// Fills in the arguments of a law of drag: W and t of (3), and the diameter.
 inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t, FlowLanes& flow) {
   const double *current = t.current, *v = t.v;
   const std::size_t count = t.count;
@@ -31,7 +31,7 @@ inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t
   std::fill_n(flow.solidity, count, 0.0);
 }
 
-/// Computes ½ ∂f/∂W dc/dz of row r and node q.
+/// Computes row r of ½ ∂f/∂W (dc/dz)_q: the effect of a sheared current if node q moves vertically.
 inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, double* shear) {
   std::fill_n(shear, t.count, 0.0);
   if (!t.current_dz) return;
@@ -40,7 +40,7 @@ inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, 
       shear[i] += 0.5 * f.d_flow[3 * r + c][i] * t.current_dz[at(3 * q + c, i)];
 }
 
-/// Computes ∂f/∂t (I − t tᵀ)/l.
+/// Computes row r of ∂f/∂t (I − t tᵀ)/l: the effect of the rotation of the bar.
 inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count, int r,
                       double (&turn)[3][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -51,7 +51,8 @@ inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count
   }
 }
 
-/// Adds -½ N l₀ ∂f to the rows of both nodes in the tangent. The derivative with respect to node q is
+/// Adds −½ N l₀ ∂f to the rows of both nodes in the tangent. With the tile's factors cu, cv of derivatives by
+/// position and by velocity, the derivative with respect to node q is (+ for the second node)
 ///   ∂f = cu [½ ∂f/∂W (dc/dz)_q e_zᵀ ± ∂f/∂t (I − t tᵀ)/l] − cv ½ ∂f/∂W
 inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLanes& f, netloft_tile& t) {
   const double cu = t.cu, cv = t.cv;
@@ -120,13 +121,13 @@ inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
   }
 }
 
-/// A tension c (dl/dt − g l) of every lane: dampers whose unstretched lengths grow at the rate g.
+/// A damper in every lane, with the tension c (dl/dt − g l); its unstretched length grows at the rate g.
 struct Dampers {
   double c[kLanes] = {}, slope[kLanes] = {};  // c, dc/dl
   double growth[kLanes] = {};                 // g [1/s]
 };
 
-/// With w the chord, w' its rate and y' = dl/dt − g l:
+/// Adds the dampers. With the chord w, its rate w' and y' = dl/dt − g l, the derivatives of the tension are
 ///  ∂(T_d t)/∂w = (c/l) [t (w' − (t·w') t)ᵀ + y' (I − t tᵀ)] + (dc/dl y' − c g) t tᵀ,  ∂(T_d t)/∂w' = c t tᵀ
 inline void add_dampers(const Chords& chord, const Dampers& d, netloft_tile& t) {
   for (std::size_t i = 0; i < t.count; ++i) {
@@ -179,7 +180,8 @@ inline Status add_loss(const Lanes& p, const double* growth, netloft_tile& t) {
   return Status::ok;
 }
 
-/// Adds (5), with ∂r_p/∂w = −½ V C_a ρ_w [t (a_p − (t·a_p) t)ᵀ + (t·a_p)(I − t tᵀ)]/l.
+/// Adds the inertia (5) of bars.hpp. Its derivative with respect to the chord w is
+///   ∂r_p/∂w = −½ V C_a ρ_w [t (a_p − (t·a_p) t)ᵀ + (t·a_p)(I − t tᵀ)]/l
 inline Status add_inertia(const Lanes& p, netloft_tile& t) {
   const Chords chord(t, p.l0);
   for (std::size_t i = 0; i < t.count; ++i) {

@@ -6,8 +6,8 @@ namespace netloft::bars {
 
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
-/// Computes x₁ − x₀ of the bars of a tile [m], including the low-order part of the positions if the tile has
-/// it.
+/// Computes x₁ − x₀ of the bars of a tile [m]. Positions are x + x_low; x_low, which a tile may lack, holds
+/// digits beyond those of a double.
 inline void find_spans(const netloft_tile& t, double (&__restrict w)[3][kLanes]) {
   for (int axis = 0; axis < 3; ++axis) {
     const double *first = t.x + at(axis, 0), *second = t.x + at(axis + 3, 0);
@@ -18,7 +18,8 @@ inline void find_spans(const netloft_tile& t, double (&__restrict w)[3][kLanes])
     for (std::size_t i = 0; i < t.count; ++i) w[axis][i] += t.x_low[at(axis + 3, i)] - t.x_low[at(axis, i)];
 }
 
-/// Length l, unit vector t and 1/l of the bars of a tile; t and 1/l of a collapsed bar as in axial.hpp.
+/// Length l, unit vector t and 1/l of the bars of a tile; for bars of almost no length, t and 1/l are the
+/// finite substitutes described in axial.hpp.
 struct Chords {
   Chords(const netloft_tile& tile, const double (&l0)[kLanes]) {
     find_spans(tile, t);

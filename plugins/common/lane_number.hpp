@@ -31,7 +31,7 @@ inline double log(double x) {
   constexpr std::uint64_t kOne = 0x3ff0000000000000, kRootHalf = 0x3fe6a09e00000000,
                           kMantissa = (1ull << 52) - 1;
   const std::uint64_t shifted = std::bit_cast<std::uint64_t>(x) + (kOne - kRootHalf);
-  // An integer below 2⁵² in the mantissa of 2⁵² is that number.
+  // With an integer n < 2⁵² as the mantissa, the bits of 2⁵² become those of 2⁵² + n.
   const double k = std::bit_cast<double>((shifted >> 52) | 0x4330000000000000) - (0x1p52 + 1023);
   const double f = std::bit_cast<double>((shifted & kMantissa) + kRootHalf) - 1;
   const double s = f / (2 + f), z = s * s, w = z * z, half = 0.5 * f * f;
@@ -52,8 +52,8 @@ inline double exp(double x) {
 
 }  // namespace lane
 
-/// A number that depends on one variable v, with its slope in ln v; it replaces Dual<1, 1> in loops over
-/// lanes. All powers of one number use one logarithm if the compiler recognises it.
+/// A number that depends on one variable v, and its derivative with respect to ln v, for loops over lanes,
+/// which Dual<1, 1> would slow down. A compiler may compute one logarithm for all powers of one number.
 struct LaneNumber {
   double value = 0, slope = 0;
 

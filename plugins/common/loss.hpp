@@ -14,19 +14,19 @@ namespace netloft::axial {
 /// per radian, so that its amplitude falls by the factor exp(−π η) per period. At other frequencies f the
 /// loss factor is η f/f₀, whereas that of fibres and wires is nearly constant: f₀ is the middle of the
 /// relevant band. A slack rope has no damping. Source: Kelvin and Voigt's solid, as in Clough and Penzien,
-/// Dynamics of Structures. The gradual onset over ε₁ is ours: a jump of the force would have no balance at
-/// the jump.
+/// Dynamics of Structures. The gradual onset over ε₁ is not in the source: if the force jumped, some states
+/// would have no equilibrium.
 ///
 /// ε₁ is small compared with the strains of a rope in use, 1e-3 and more, but large enough for an implicit
 /// step to resolve the onset.
 inline constexpr double kFullLossStrain = 1e-4;
 
-/// (η/(2π f₀)) EA of one bar [N s].
+/// Computes η EA/(2π f₀) of one bar, l₀ times the greatest c of (1) [N s].
 inline double loss_of(double EA, double loss_factor, double loss_frequency) {
   return EA * loss_factor / (2 * std::numbers::pi * loss_frequency);
 }
 
-/// c of (1) and dc/dl. `loss` is the result of loss_of [N s].
+/// The coefficient c of (1) and dc/dl. `loss` is the result of loss_of [N s].
 struct Damper {
   double c, slope;  // [N s/m], [N s/m²]
 };

@@ -9,13 +9,13 @@
 
 namespace netloft::solids {
 
-/// A symmetric tensor by its principal values and axes, so that it is never indefinite.
+/// A symmetric tensor, given by principal values and axes: without negative values it is not indefinite.
 struct Tensor {
   Vec3<double> values;
   std::array<Vec3<double>, 3> axes;
 
-  /// `turned`: the rotation vector from the axes of the body to the principal ones [rad]. For side = −1 it is
-  /// mirrored at the xz plane.
+  /// `turned`: the rotation vector from the axes of the body to the principal axes [rad]. For side = −1, the
+  /// rotation is mirrored at the xz plane.
   Tensor(const Vec3<double>& principal, const Vec3<double>& turned, double side)
       : values(principal), axes(turned_axes(Vec3<double>{side * turned.x, turned.y, side * turned.z})) {}
 
@@ -34,11 +34,11 @@ struct Tensor {
 /// Properties of a rigid body: mass and buoyancy with their centres, inertia, and added mass of the water.
 struct Solid {
   double mass = 0, volume = 0;                         // [kg], [m3]
-  double centre_x = 0, centre_y = 0, centre_z = 0;     // of mass, in the body's axes [m]
-  double float_x = 0, float_y = 0, float_z = 0;        // of volume [m]
+  double centre_x = 0, centre_y = 0, centre_z = 0;     // centre of mass, in the body's axes [m]
+  double float_x = 0, float_y = 0, float_z = 0;        // centre of volume [m]
   double inertia_x = 0, inertia_y = 0, inertia_z = 0;  // about the centre of mass [kg m2]
   double added_x = 0, added_y = 0, added_z = 0;        // added mass along the body's axes [kg]
-  double turning_x = 0, turning_y = 0, turning_z = 0;  // added inertia about them [kg m2]
+  double turning_x = 0, turning_y = 0, turning_z = 0;  // added inertia about these axes [kg m2]
   // Rotation vectors from the body's axes to the principal axes of inertia, and to those of added mass and
   // added inertia [rad].
   double inertia_turned_x = 0, inertia_turned_y = 0, inertia_turned_z = 0;
@@ -46,9 +46,9 @@ struct Solid {
   double added_at_x = 0, added_at_y = 0, added_at_z = 0;  // point at which added mass has no moment [m]
 };
 
-/// Datum of elements on bodies.
+/// The data of an element on a body.
 struct Sided {
-  double side = 1;  // −1: mirrored, y is reversed
+  double side = 1;  // −1: the body is mirrored, y reversed
 };
 
 inline Vec3<double> centre_of_mass(const Solid& p, const Sided& d) {
@@ -58,7 +58,7 @@ inline Vec3<double> centre_of_volume(const Solid& p, const Sided& d) {
   return {p.float_x, d.side * p.float_y, p.float_z};
 }
 
-/// E = m g z(c) − ρ V g z(b): weight at c, buoyancy at b.                                        (1)
+/// Weight at the centre of mass c, buoyancy at the centre of volume b:  E = m g z(c) − ρ V g z(b)    (1)
 struct Weight {
   template <class T>
   static T energy(const Solid& p, const Sided& d, const Water& w, const Pose<T>& pose) {
@@ -72,8 +72,8 @@ struct Weight {
 /// are those of inertia, added mass and added inertia:
 ///   F = −m a_c at the centre of mass,  M = −R (J Ω̇ + Ω×J Ω)                                     (2)
 ///   F = −R (A u̇ + Ω×A u) at a,  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                    (3)
-/// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity in the scene, not
-/// relative to the water: the effect of a steady flow is part of the coefficients of lift and moment.
+/// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity in the axes of the
+/// scene, not relative to the water: coefficients of lift and moment include the effect of a steady flow.
 struct Inertia {
   template <class T>
   static Wrench<T> force(const Solid& p, const Sided& d, const Body<T>& b) {
@@ -97,7 +97,7 @@ struct Inertia {
   }
 };
 
-/// A parameter of a Solid besides mass and volume.
+/// The declaration of one parameter of a Solid, for the table below.
 struct SolidRow {
   const char *name, *unit, *doc;
   double Solid::*member;

@@ -10,12 +10,12 @@ namespace netloft::surface {
 /// Drag and buoyancy that twines and ropes lose above the surface of the water, z = 0. Each node of an
 /// element is a cube of side h, of which the part below the surface is wet:
 ///   h³ = V/N,  w = clamp((h/2 − (z − η))/h, 0, 1)                  (1)
-///   r_p = −σ (1 − w_p) r_p^drag                                    (2)
+///   r_p = −σ (1 − w_p) r_p^drag                drag                (2)
 ///   r_p = σ (1 − w_p) (V/N) ρ_w g e_z          buoyancy of bars    (3)
 /// V [m³] volume of the twines or rope of the element, N its number of nodes, r^drag the residual of its
-/// drag, σ the fraction of the effect: 1, or 0 in water without a surface; η [m] height of the surface above
-/// z = 0 in waves. Source: partial immersion of bars and netting in FEMNET (D. Priour), where netting keeps
-/// its weight in water.
+/// drag under water, σ [1] factor on both losses, 0 in water without a surface; η [m] height of the surface
+/// above z = 0 in waves. Source: partial immersion of bars and netting in FEMNET (D. Priour), where netting
+/// keeps its weight in water.
 struct Cube {
   double side;  // h [m]
   double dry(double z) const { return side > 0 ? std::clamp(0.5 + z / side, 0.0, 1.0) : 0; }
@@ -36,7 +36,7 @@ inline double above_surface(const netloft_tile& t, int node, std::size_t i) {
   return t.x[at(3 * node + 2, i)] - (surface ? surface[at(node, i)] : 0);
 }
 
-/// Whether the cube of a node is under water, or the surface has no effect on it. `Lanes` has volume and
+/// Whether a node loses no drag or buoyancy: its cube is under water, or σ is 0. `Lanes` has volume and
 /// surface.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
@@ -44,7 +44,7 @@ bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
   return p.surface[i] == 0 || (!(z > 0) && !(8 * -z * z * z < p.volume[i] / N));
 }
 
-/// Whether all nodes of a tile are under water. Most tiles are, and need no more than this test.
+/// Whether all nodes of a tile are under water, so that (2) and (3) are zero, as they are in most tiles.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t) {
   for (int node = 0; node < N; ++node)
@@ -80,7 +80,7 @@ struct Drag {
   }
 };
 
-/// Adds (2). `drag(tile)` adds the drag of the elements as if they were under water.
+/// Adds (2). `drag_of(tile)` adds the drag of the elements as if they were under water.
 template <int N, class Lanes, class UnderWater>
 Status take_dry_drag(const Lanes& p, netloft_tile& t, UnderWater&& drag_of) {
   if (is_wet<N>(p, t)) return Status::ok;
@@ -97,7 +97,7 @@ Status take_dry_drag(const Lanes& p, netloft_tile& t, UnderWater&& drag_of) {
   return Status::ok;
 }
 
-/// Adds (3).
+/// Adds the lost buoyancy (3) of bars.
 template <class Lanes>
 Status take_dry_buoyancy(const Lanes& p, netloft_tile& t) {
   if (is_wet<2>(p, t)) return Status::ok;

@@ -16,9 +16,9 @@ namespace netloft::floats {
 /// L_x, L_y, H [m] sides, m [kg] mass, m_a [kg] added mass, C drag coefficients along the axes, W [m/s]
 /// velocity of the water relative to the node. Vertical drag is proportional to the immersed fraction d/H.
 /// Source: hydrostatics; Morison's equation for each axis. η [m] is the height of the surface above z = 0, u′
-/// [m/s²] the acceleration of the water at the node. Vertically, the pressure of waves that are long compared
-/// with the box is its buoyancy below η; its variation over the depth of the box, a fraction k d, is
-/// neglected, as are diffraction and the dependence of added mass on the period.
+/// [m/s²] the acceleration of the water at the node. The vertical pressure force of waves that are long
+/// compared with the box is in (2), through η. Its variation over the depth of the box, a fraction k d with
+/// the wave number k, is neglected, as are diffraction and the dependence of added mass on the period.
 struct Box {
   static constexpr auto stencil = NETLOFT_NODE;
 
@@ -30,7 +30,7 @@ struct Box {
   struct Data {
     double pieces = 0;  // s
   };
-  /// d of (1) and its derivative with z.
+  /// d of (1) and its derivative with respect to z.
   struct Depth {
     double d, slope;
   };

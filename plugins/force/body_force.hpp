@@ -9,8 +9,8 @@ namespace netloft::forces {
 /// A force that acts on a rigid body and rotates with it, such as that of a fin or a thruster, or a measured
 /// force in the axes of a board.
 ///   f = R F,   m = r × f                                                (1)
-/// F [N] in the axes of the body, y outward on either side of a gear; R its rotation, r the lever from its
-/// origin to the point of action. It has no energy, because its work depends on the path.
+/// F [N] in the axes of the body, y outward on either side of a gear; R rotation of the body, r lever from
+/// its origin to the point of action. The force has no energy, because its work depends on the path.
 struct OnBody {
   static constexpr auto stencil = NETLOFT_BODY;
 

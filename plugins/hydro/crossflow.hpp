@@ -7,7 +7,7 @@
 
 namespace netloft::hydro {
 
-/// Force of the water on a metre of twine: the sum of the forces by the flow across and along it.
+/// Force of the water on a metre of twine: the sum of the forces of the flow across and along the twine.
 ///   U = r W,  τ = U·t,  U_n = U − τ t,  s = ‖U_n‖,  û = U_n/s           (1)
 ///   F = k(s) U_n + κ |τ| τ t,  κ = ½ ρ D C_t                            (2)
 ///   ∂F/∂U = k (I − t tᵀ) + g û ûᵀ + 2 κ |τ| t tᵀ,  g = s dk/ds           (3)
@@ -40,7 +40,7 @@ Vec3<T> cross_flow_force(const CrossFlow& c, const Flow<T>& f, Across&& across) 
   return across(norm(U_n)) * U_n + (friction * abs(tau) * tau) * f.direction;
 }
 
-/// (1)–(5) in one lane. `across(s)` returns a Resistance.
+/// Computes (1)–(5) in lane i. `across(i, s)` returns the Resistance.
 template <bool Derivatives, class Across>
 inline void cross_flow_lane(const CrossFlow& c, const netloft_law_tile& f, std::size_t i, Across&& across) {
   const auto row = [i](const double* a, std::size_t r) { return a[r * kLanes + i]; };

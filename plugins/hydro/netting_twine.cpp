@@ -8,10 +8,10 @@ namespace {
 constexpr double kStillSpeed = 1e-150;  // speed below which its square is zero [m/s]
 
 struct Factors {
-  LaneNumber across, along, knots;  // k, g; a, h; m, n
+  LaneNumber across, along, knots;  // values k, a, m, and slopes g, h, n
 };
 
-/// (1) in one lane.
+/// The velocities (1) in one lane.
 struct Motion {
   Motion(double shielding, const netloft_law_tile& f, std::size_t i) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -45,7 +45,7 @@ void write_force(const netloft_law_tile& f, std::size_t i, const Motion& m, cons
   for (int axis = 0; axis < 3; ++axis) f.force[static_cast<std::size_t>(axis) * kLanes + i] = F[axis];
 }
 
-/// (6) to (8). All factors of t from the left are collected, so that a row is t_p times one vector.
+/// Writes the derivatives (6) to (8). Products t yᵀ with the same t are added up first, as one vector y.
 void write_derivatives(double shielding, const netloft_law_tile& f, std::size_t i, const Motion& m,
                        const Factors& c) {
   const double squared = NettingTwine::kAlong * NettingTwine::kAlong, k = c.across.value, a = c.along.value;

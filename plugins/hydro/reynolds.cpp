@@ -5,7 +5,7 @@ namespace netloft::hydro {
 
 namespace {
 
-/// (4) for φ of a Reynolds number.
+/// Computes the force in all lanes, with k and g of (4). `phi` is the function φ(Re).
 template <class Phi>
 void lanes_with(const MorisonReynolds::Parameters& p, const netloft_law_tile& f, const Phi& phi) {
   const double half = 0.5 * f.water_density * f.water_viscosity, per_viscosity = 1 / f.water_viscosity;

@@ -11,16 +11,16 @@ namespace netloft::hydro {
 ///   slow       φ = Re (1.45 + 8.55 Re^−0.9)                             1 < Re < 30      (2)
 ///   fast       φ = Re (1.1 + 4 Re^−½)                                   30 < Re < 10⁵    (3)
 /// Source: Choo and Casarella 1971, Hydrodynamic resistance of towed cables, J. Hydronautics 5(4), 126–131.
-/// Deviation from the source: the pieces have steps of 1.7 % at 1 and 1.1 % at 30; within a factor of 1.25 of
-/// each they are blended (smooth step in ln Re), which makes φ continuously differentiable. Below Re = 0.1 φ
-/// is continued along its tangent, so that drag is linear in the velocity. Above 10⁵ (3) continues, because
-/// ropes are too rough for a dependable drag crisis. Their formula for friction, π μ (0.55 Re^½ + 0.084
-/// Re^⅔), is a force per metre over the velocity along the cable and not a coefficient, and is not used here.
-/// All pieces are joined without branches, for loops over lanes.
+/// Deviation from the source: φ steps by 1.7 % at Re = 1 and by 1.1 % at 30; within a factor of 1.25 of each,
+/// the formulas are blended (smooth step in ln Re), which makes φ continuously differentiable. Below Re = 0.1
+/// φ is continued along its tangent, so that drag is linear in the velocity. Above 10⁵ (3) continues, because
+/// ropes are too rough for a dependable drag crisis. The source's formula for friction along a cable gives a
+/// force over a velocity, not a coefficient; netting_twine.hpp uses it. All formulas are joined without
+/// branches, for loops over lanes.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
-/// Returns (1) below Re = kBlend, and a constant above, where it is not used, because (1) has a pole at Re =
-/// 7.4.
+/// Returns φ by (1) below Re = kBlend. Above, where (1) has a pole at Re = 7.4, it returns a constant that is
+/// not used.
 template <class T>
 T creeping_phi(const T& Re) {
   using std::log;
@@ -29,7 +29,7 @@ T creeping_phi(const T& Re) {
   return (8 * 3.14159265358979323846 / sigma) * (1.0 - 0.87 / (sigma * sigma));  // (1)
 }
 
-/// The smooth step from `below` to `above` within a factor kBlend of `centre`.
+/// Returns `below` for small Re, `above` for large Re, and a blend within the factor kBlend of `centre`.
 template <class T>
 T joined(const T& below, const T& above, const T& Re, double centre) {
   using std::log;
@@ -40,7 +40,7 @@ T joined(const T& below, const T& above, const T& Re, double centre) {
 
 inline const double kSlopeAtRest = creeping_phi(Dual<1, 1>::variable(kCreepingBelow, 0)).gradient[0];
 
-/// (1) and (2), to Re = 30 / kBlend.
+/// φ by (1) and (2), for Re up to 30/kBlend.
 template <class T>
 T slow_phi(const T& reynolds) {
   using std::pow;

@@ -27,7 +27,7 @@ struct ScreenParameters {
 /// sin θ, so that the force is regular for all θ and without flow. C_D and λ are functions of c, the solidity
 /// S and the Reynolds number u D/ν: `Model::coefficients`.
 ///   ∂F/∂U = ½ρ [α (u I + U eᵀ) + U (∇α)ᵀ + λ n (q e + u n)ᵀ + q n (∇λ)ᵀ]   (4)
-///     ∇α = u ∂α/∂U = α_c (n − c e) + α_Re Re e, ∇λ the same
+///     ∇α = u ∂α/∂U = α_c (n − c e) + α_Re Re e, and ∇λ alike
 ///   ∂F/∂n = ½ρ u [(α_c U + λ_c q n) eᵀ + λ (q I + n Uᵀ)]                    (5)
 ///   ∂F/∂S = ½ρ u [α_S U + λ_S q n] + ∂F/∂U W dr/dS                          (6)
 template <class T>
@@ -35,7 +35,7 @@ struct ScreenCoefficients {
   T drag, lift;  // C_D and λ
 };
 
-/// C_D of Løland at normal incidence, which his wake model needs.
+/// C_D of LolandModel at normal incidence, θ = 0. The model of the wake, (14), uses it too.
 template <class T>
 T loland_drag(const T& S) {
   return S * (0.33 + S * (6.54 - 4.88 * S));
@@ -51,7 +51,7 @@ T rounded(const T& c) {
   return c < T(kGrazing) ? c * c * (2 * kGrazing - c) / (kGrazing * kGrazing) : c;
 }
 
-/// x limited to [lo, hi], with parabolas of half width d at both ends.                  (8)
+/// x limited to [lo, hi]; parabolas within d of lo and hi replace the kinks.             (8)
 template <class T>
 T held(const T& x, double lo, double hi, double d) {
   if (x < T(lo - d)) return T(lo);
@@ -137,7 +137,7 @@ struct KnottedParameters : ScreenParameters {
 /// acts along the flow. S is limited to 0.5.
 struct KnottedModel {
   using Parameters = KnottedParameters;
-  /// c^p above ε, a cubic in c that meets it with its slope below.                        (17)
+  /// c^p for c ≥ ε; below, a cubic in c with the same value and slope at ε.                (17)
   template <class T>
   static T power(const T& c, double p) {
     using std::pow;

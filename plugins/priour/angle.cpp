@@ -38,7 +38,7 @@ void add_force(const Triangle::Lanes& p, const Meshes& m, const Function& f, std
   }
 }
 
-/// (4) for the twines of one direction, `own`.
+/// Fills in ∂²E/∂U² or, alike, ∂²E/∂V² by (4) of angle.hpp, for the twines `own`.
 void fill_own(const Twines& own, const Twines& other, const Meshes& m, const Function& f, double cu,
               std::uint32_t count, double (&__restrict out)[6][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -53,7 +53,7 @@ void fill_own(const Twines& own, const Twines& other, const Meshes& m, const Fun
   }
 }
 
-/// (5)
+/// Fills in ∂²E/∂U∂V by (5) of angle.hpp.
 void fill_mixed(const Meshes& m, const Function& f, double cu, std::uint32_t count,
                 double (&__restrict out)[9][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -67,7 +67,7 @@ void fill_mixed(const Meshes& m, const Function& f, double cu, std::uint32_t cou
   }
 }
 
-/// Adds weight · y yᵀ, y = (U part, V part).
+/// Adds weight · y yᵀ with y = (U, V).
 void add_square(double weight, const Vec3<double>& U, const Vec3<double>& V, std::size_t i, Curvature& k) {
   for (int r = 0, n = 0; r < 3; ++r) {
     for (int s = 0; s <= r; ++s, ++n) {
@@ -88,7 +88,7 @@ Vec3<double> across(const Vec3<double>& u, const Vec3<double>& v) {
   return (1 / norm(p)) * p;
 }
 
-/// (9)
+/// Fills in the convex part (9) of angle.hpp.
 void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t count, Curvature& k) {
   k = {};
   for (std::size_t i = 0; i < count; ++i) {
@@ -98,7 +98,7 @@ void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t co
     const Vec3<double> u{m.u.t[0][i], m.u.t[1][i], m.u.t[2][i]}, v{m.v.t[0][i], m.v.t[1][i], m.v.t[2][i]};
     const Vec3<double> fu = across(u, v), w = cross(u, fu), fv = cross(w, v);
     const double iu = m.u.inverse[i], iv = m.v.inverse[i], lambda = h2 > 0 ? h2 + rho : h1 * h1 / (rho - h2);
-    // The eigenvector (σ, μ) = (λ, −h′) has the squared length 2λρ, by which λ is divided: 1/2ρ.
+    // The eigenvector (σ, μ) = (λ, −h′) of the eigenvalue λ has the squared length 2λρ: its weight is 1/2ρ.
     add_square(0.25 / rho, iu * (-h1 * u - lambda * fu), iv * (-h1 * v + lambda * fv), i, k);
     const double sign = h1 > 0 ? 1 : -1;  // (τ, κ)
     add_square(0.25 * std::abs(h1), iu * (fu + sign * u), iv * (fv - sign * v), i, k);
@@ -107,7 +107,7 @@ void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t co
   }
 }
 
-/// (6) on the packed lower triangle.
+/// Adds block (P, Q) of (6) to the packed lower triangle of the tangent.
 template <int P, int Q>
 void add_block(const Triangle::Lanes& p, const Curvature& k, std::uint32_t count,
                double* __restrict tangent) {

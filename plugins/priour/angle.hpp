@@ -14,19 +14,19 @@ namespace netloft::priour {
 ///   K_pq = a_p a_q E_UU + b_p b_q E_VV + a_p b_q E_UV + b_p a_q E_UVᵀ                             (6)
 /// U, V, a, b by triangle (1)–(3).
 ///
-/// Convex part, in closed form. Scaled by ‖U‖ and ‖V‖, the six directions fall into the plane of the twines
-/// (r along a twine, φ across it, counted from Û to V̂) and its normal w. With h′ = −s E′ and h″ = s²E″ −
-/// cE′, the derivatives after 2α, the second differential is
+/// Convex part, in closed form. Changes of U and V, divided by ‖U‖ and ‖V‖, have the components r along the
+/// twine, φ across it in the plane of the twines (positive from Û to V̂) and w along the normal. With h′ =
+/// −s E′ and h″ = s²E″ − cE′, the derivatives of E with respect to 2α, the second differential of E is
 ///   h″(φ_v−φ_u)² + 2h′(r_u φ_u − r_v φ_v)                        in the plane                      (7)
-///   −E′ (c w_u² − 2 w_u w_v + c w_v²)                            out of it                         (8)
-/// (7) is 2h″σ² − 2h′(μσ + κτ) in σ, τ = (φ_v ∓ φ_u)/√2 and μ, κ = (r_v ± r_u)/√2, two 2×2 matrices; (8) has
-/// the eigenvectors (1, ±1)/√2. Each of these three has one eigenvalue ≥ 0, and the convex part is their sum:
+///   −E′ (c w_u² − 2 w_u w_v + c w_v²)                            out of the plane                  (8)
+/// (7) is 2h″σ² − 2h′(μσ + κτ) in σ, τ = (φ_v ∓ φ_u)/√2 and μ, κ = (r_v ± r_u)/√2, two 2×2 matrices; (8) is a
+/// third, with the eigenvectors (1, ±1)/√2. Each has one eigenvalue ≥ 0; together they make the convex part:
 ///   h″ + ρ, ρ = √(h″²+h′²), of (σ, μ) ~ (h″+ρ, −h′);  |h′| of (τ, κ) ~ (1, −sgn h′);
 ///   −E′(1+c) of w_u = −w_v or E′(1−c) of w_u = w_v                                                (9)
-/// A metric would have to bound 1/‖U‖²: there is none.
+/// There is no metric, a constant upper bound of the stiffness, because 1/‖U‖² has no bound.
 namespace angle {
 
-/// The meshes of every lane. Throws OutsideDomain if a twine has no direction.
+/// The twines of every lane and the angle between them. Throws OutsideDomain if a twine has no direction.
 struct Meshes {
   Meshes(const Triangle::Lanes& lanes, netloft_tile& tile);
 
@@ -39,7 +39,7 @@ struct Function {
   double E[kLanes], E1[kLanes], E2[kLanes];
 };
 
-/// Adds the requested outputs of the tile.
+/// Adds what the tile requests: the energy, the residual (3), and the tangent (6) or its convex part (9).
 void add(const Triangle::Lanes& lanes, const Meshes& meshes, const Function& f, netloft_tile& t);
 
 /// cos 2α for dual numbers: the reference implementation for tests of the kernels.

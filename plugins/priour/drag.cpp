@@ -20,7 +20,6 @@ struct Force {
 
 enum class Turn { first, later };
 
-/// Sets or adds: to ← number, or to ← to + number.
 template <Turn turn>
 void put(double& to, double number) {
   to = turn == Turn::first ? number : to + number;
@@ -50,7 +49,7 @@ void add_law(const FlowLanes& f, const double* factor, const netloft_tile& t, Fo
     for (std::size_t i = 0; i < t.count; ++i) put<turn>(out.flow[k][i], factor[i] * f.d_flow[k][i]);
 }
 
-/// (2), (3) for the twines of one direction; `c` is a or b.
+/// Computes F by (2) and its derivatives by (3) for the twines of one direction; `c` is a or b.
 template <Turn turn>
 void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const double (&c)[3][kLanes],
                 const netloft_tile& t, FlowLanes& f, Force& out) {
@@ -80,7 +79,7 @@ Vec3<double> corner(const netloft_tile& t, int q, std::size_t i) {
   return {t.x[at(3 * q, i)], t.x[at(3 * q + 1, i)], t.x[at(3 * q + 2, i)]};
 }
 
-/// (4); fills in f.solidity and f.direction.
+/// Computes the area and, in `f`, normal and solidity of every triangle by (4).
 void fill_screen(const Triangle::Lanes& p, const netloft_tile& t, double* area, FlowLanes& f) {
   for (std::size_t i = 0; i < t.count; ++i) {
     const Vec3<double> o = corner(t, 0, i), N = cross(corner(t, 1, i) - o, corner(t, 2, i) - o);
@@ -90,7 +89,7 @@ void fill_screen(const Triangle::Lanes& p, const netloft_tile& t, double* area, 
   }
 }
 
-/// (6), (7)
+/// Computes ∂F/∂x by (6) and (7) of drag.hpp, without the shear of the current.
 void set_screen_tangent(const netloft_tile& t, const FlowLanes& f, Force& out) {
   for (std::size_t i = 0; i < t.count; ++i) {
     const Vec3<double> m{f.direction[0][i], f.direction[1][i], f.direction[2][i]};
@@ -174,8 +173,8 @@ void add_tangent(const Force& F, netloft_tile& t) {
       }
 }
 
-/// Adds the difference between the tangents in slowed water and in undisturbed water. Adding the one and
-/// subtracting the other would leave rounding errors of their size.
+/// Adds the difference between the tangents in slowed water and in undisturbed water. The difference is taken
+/// first, because adding one tangent and subtracting the other would leave rounding errors of their size.
 void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const Force& in_all,
                            netloft_tile& t) {
   double with[kLanes] = {}, without[kLanes] = {};

@@ -9,9 +9,9 @@ namespace netloft::priour {
 ///   α_k = atan(k/(2a)),  c_k = cos 2α_k                    half angle at which knots of size k touch     (1)
 ///   y = (|c| − c_k)/(1 − c_k), at least 0                  0 at contact, 1 for a closed mesh             (2)
 ///   E = (|d|/2) K y³,  K = EA a (1 − c_k)                                                               (3)
-/// c = cos 2α by angle (1); a [m] the bar. A mesh under tension T closes with 2 T a sin α per knot against
-/// (12 K/(1 − c_k)) y² sin α cos α: its equilibrium is y = √(T/6EA), about 4 % of 1 − c_k at T = EA/100. The
-/// ratio of the two increases during closing, so that no tension below 6 EA closes the mesh. Source: derived
+/// c = cos 2α by angle (1); a [m] length of a bar. Twines under the tension T close a mesh with the moment
+/// 2 T a sin α per knot; contact resists with (12 K/(1 − c_k)) y² sin α cos α. Equilibrium is at y =
+/// √(T/6EA), about 4 % of 1 − c_k at T = EA/100, and no tension below 6 EA closes the mesh. Source: derived
 /// for this program; the limit (1) is that of Priour's programs.
 struct KnotContact {
   /// y of (2): 0 without contact.

@@ -7,7 +7,7 @@ namespace netloft::priour {
 
 namespace {
 
-/// |d| of triangle (1) between the edge and corner k.
+/// |d| of triangle.hpp (1), for the triangle of the edge and corner k.
 double bars_beside(const Bending::Data& d, std::size_t k) {
   return std::abs(Triangle::determinant(d.u, d.v, k));
 }

@@ -11,11 +11,11 @@ namespace netloft::priour {
 ///   n_i = N_i/s_i,  s_i = √(‖N_i‖² + (δ M_i)²),  M_i the unstretched ‖N_i‖                           (2)
 ///   E = −κ L(w),  w = 1 − ¼‖n₁ − n₂‖²,  L = ln w,  κ = 4 k b/(h₁ + h₂)                               (3)
 ///   dE/dφ = k b/R,  R = (h₁ + h₂)/(4 tan(φ/2)),  φ the turning angle, 0 where the netting is flat    (4)
-/// Without δ = kClosed, n_i would be the unit normal and w = (1 + cos φ)/2. In closing meshes, a normal turns
-/// faster than bending can; therefore n_i fades below 1/1000 of the unstretched area (this changes E by 1e-6
-/// in open meshes and by 1 % at 1/100 of the area). If netting is drawn together in a plane, triangles turn
-/// over, φ from 0 to π, to which (3) would be a barrier: below w₀ = kFolded (φ above 176.4°), L is its Taylor
-/// polynomial ln w₀ + z − z²/2 with z = w/w₀ − 1 (5).
+/// Without δ = kClosed, n_i would be the unit normal and w = (1 + cos φ)/2. As meshes close, normals can turn
+/// without bending the netting; therefore n_i fades below 1/1000 of the unstretched area (this changes E by
+/// 1e-6 in open meshes and by 1 % at 1/100 of the area). Netting that is drawn together in a plane can turn
+/// triangles over, φ from 0 to π, where ln w is infinite. Therefore, below w₀ = kFolded (φ above 176.4°), L
+/// is the Taylor polynomial ln w₀ + z − z²/2 with z = w/w₀ − 1 (5).
 ///
 /// The unstretched altitudes h₁, h₂ over the edge correspond to the two bars of a rope. b is the unstretched
 /// edge, k [N m] the bending stiffness of a metre of it: the sum over both directions of twines of EI ×

@@ -9,8 +9,8 @@ namespace {
 
 Vec3<double> unit(const Twines& w, std::size_t i) { return {w.t[0][i], w.t[1][i], w.t[2][i]}; }
 
-/// t (y − (t·y) t)ᵀ + (t·y)(I − t tᵀ), the derivative of (t·y) t with respect to the direction of t, times
-/// ‖w‖.
+/// Entry (r, c) of t (y − (t·y) t)ᵀ + (t·y)(I − t tᵀ), which is ‖w‖ times the derivative of (t·y) t with
+/// respect to w, t = w/‖w‖.
 double turning(const Vec3<double>& t, const Vec3<double>& y, double along, int r, int c) {
   return t[r] * (y[c] - along * t[c]) + along * ((r == c ? 1 : 0) - t[r] * t[c]);
 }
@@ -41,7 +41,7 @@ void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf
   }
 }
 
-/// An acceleration of all nodes, and the density of the accelerated mass.
+/// An acceleration of all nodes, and the density of the mass that it accelerates.
 struct Accelerated {
   const double* a;
   double sign, ca;        // factor of the residual; of its derivative with respect to a
@@ -93,7 +93,7 @@ void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const doubl
   }
 }
 
-/// Adds the inertia, row by row over all lanes.
+/// Adds the inertia (3) of the twines of one direction, or the force (6) of waves, over all lanes at a time.
 void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Accelerated& by,
                 netloft_tile& t) {
   const Twines w(t, c, p.l0);

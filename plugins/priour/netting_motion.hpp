@@ -7,7 +7,7 @@ namespace netloft::priour {
 /// Damping of stretch: tension per strain rate, in the twines of both directions.
 ///   U′ = Σ a_p v_p,  T_d = (η/l₀) Û·U′,  r_p = n a_p T_d Û                                           (1)
 ///   ∂(T_d Û)/∂U = (η/l₀)/‖U‖ [Û (U′ − (Û·U′) Û)ᵀ + (Û·U′)(I − ÛÛᵀ)],  ∂(T_d Û)/∂U′ = (η/l₀) ÛÛᵀ      (2)
-/// n = |d|/2; v alike with b. η [N s] is EA times a relaxation time, as that of ropes.
+/// n = |d|/2; for V replace a by b. η [N s] is EA times a relaxation time, as for ropes.
 struct Damping {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };

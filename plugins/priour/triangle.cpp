@@ -127,7 +127,7 @@ struct Stretched {
   double inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
 };
 
-/// Plain loops over lanes with one purpose each, because compilers vectorise those.
+/// Each loop over the lanes does one thing only, so that compilers vectorise it.
 void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], const netloft_tile& t,
                        Stretched& __restrict s) {
   find_spans(t, c, s.w);
@@ -140,7 +140,7 @@ void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], c
   }
 }
 
-/// r_p += n c_p T t, (5).
+/// Adds the residual (5) of the bars of one direction: r_p += n c_p T t.
 void add_force(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Stretched& s,
                std::uint32_t count, double* __restrict force) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -162,7 +162,7 @@ void fill_stiffness(const Triangle::Lanes& p, const Stretched& s, double cu, boo
   }
 }
 
-/// K_pq += a_p a_q A_U + b_p b_q A_V on the packed lower triangle. (6)
+/// Adds block (P, Q) of the tangent (6), a_p a_q A_U + b_p b_q A_V, to the packed lower triangle.
 template <int P, int Q>
 void add_block(const Triangle::Lanes& p, const Blocks& U, const Blocks& V, std::uint32_t count,
                double* __restrict tangent) {

@@ -19,7 +19,7 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 ///   K_pq = (|d|/2) [a_p a_q A_U + b_p b_q A_V]                                                     (6)
 ///   W = |d| (π/4) t² l₀ (ρ − ρ_w) g                       weight in water, a third per corner      (7)
 /// t [m] twine diameter, ρ [kg/m³] twine density. With N twines side by side (double netting) there are N
-/// |d|/2 bars of each direction, in (4)–(7) and in all other terms; U and V are those of one. d may be
+/// |d|/2 bars of each direction, in (4)–(7) and in all other terms; U and V belong to one twine. d may be
 /// negative: forces use |d|; U and V use d itself. Source: Priour 1999; A Finite Element Method for Netting
 /// (Springer 2013), as used in the paper's section 2.4.
 struct Triangle {
@@ -46,7 +46,7 @@ struct Triangle {
     double loss[kLanes];      // of one twine, loss.hpp
     double surface[kLanes];   // σ of surface.hpp
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
-    // slowed.hpp: b, ξ, R and e; whether some lane has them.
+    // b, ξ, R and e of slowed.hpp, and whether the water is slowed in some lane.
     double slowed_by[kLanes], slowed_front[kLanes], slowed_radius[kLanes], slowed_x[kLanes], slowed_y[kLanes];
     bool slows = false;
   };
@@ -75,9 +75,9 @@ struct Triangle {
   /// Half the angle between Û and V̂ [rad].
   static double half_angle(const Data& d, const State<3>& s);
 
-  /// H of opening (1), given or of the twines' bending stiffness [N·m/rad].
+  /// H of opening.hpp (1), as given or by the twines' bending stiffness [N·m/rad].
   static double opening_stiffness(const Parameters& p, const Data& d);
-  /// c_k of knot contact (1).
+  /// c_k of knot_contact.hpp (1), the cosine of the angle between the twines when knots touch.
   static double touching_cosine(const Parameters& p, const Data& d);
 
   static void check(const Parameters&, const Data& d);

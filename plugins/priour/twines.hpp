@@ -4,9 +4,8 @@
 
 namespace netloft::priour {
 
-/// The vector of a twine in every lane of a tile, triangle (2) or (3) with its coefficients c [m]. If the
-/// tile has the low-order part of the positions, it is included; because Σ c = 0, only differences of
-/// positions matter.
+/// Computes the vector Σ c_p x_p of a bar in every lane, triangle.hpp (2) or (3) [m]. Positions are x +
+/// x_low; x_low, which a tile may lack, holds digits beyond those of a double.
 inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
                        double (&__restrict w)[3][kLanes]) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -24,8 +23,8 @@ inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
   }
 }
 
-/// The twines of one direction in every lane: unit vector and 1/length of a bar. For bars shorter than
-/// kCollapsed l₀ they are the substitutes described in axial.hpp. `c` is a or b of triangle (2), (3).
+/// Unit vector and 1/length of a bar of one direction in every lane. For bars shorter than kCollapsed l₀,
+/// both are the finite substitutes of axial.hpp. `c` is a or b of triangle.hpp (2), (3).
 struct Twines {
   Twines(const netloft_tile& tile, const double (&c)[3][kLanes], const double (&l0)[kLanes]) {
     find_spans(tile, c, t);

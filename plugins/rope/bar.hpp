@@ -11,8 +11,7 @@ namespace netloft::rope {
 ///   l₀(t) = σ(t) l₀                rope is paid out or hauled in     (2)
 /// T_c [N] tension that a winch or a weight over a pulley holds at any length; σ [1] from a table, linear
 /// between its times, the same for all bars of a rope. Length, weight, drag and mass are proportional to σ;
-/// the sag within a bar ignores it. If the weight in water w [N/m] is given, the weight is computed with the
-/// density
+/// sag.hpp uses l₀. If the weight in water w [N/m] is given, the weight is computed with the density
 ///   ρ = ρ_w + w/(g A),  A = (π/4) D²                                (3)
 /// and the density of the rope is used for inertia only.
 struct Bar {
@@ -31,15 +30,15 @@ struct Bar {
   struct Lanes : bars::Lanes {
     double constant_tension[kLanes], weight_in_water[kLanes];
     netloft_table length_share[kLanes];
-    bool changes, is_weighed;  // whether some lane has a table; a weight in water
+    bool changes, is_weighed;  // whether some lane has a table; whether some has a weight in water
   };
 
   /// σ of (2).
   static double factor_at(const netloft_table& table, double time);
-  /// (dσ/dt)/σ [1/s]; at a time of the table, the value of the segment before it.
+  /// (dσ/dt)/σ [1/s]. At a time that is a row of the table, it is that of the segment before the row.
   static double growth_at(const netloft_table& table, double time);
-  /// Returns the lanes at the time of the tile: `lanes` itself if no rope changes its length, else `room`,
-  /// filled by (2).
+  /// Returns the lanes at the time of the tile: `lanes` itself if no rope changes its length, else `room`
+  /// with the lengths (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
   /// The density for the weight of a rope [kg/m3]: (3), or `density` if no weight in water is given.
   static double density_by_weight(double weight_in_water, double density, double diameter,
@@ -48,7 +47,7 @@ struct Bar {
   static void check(const Parameters& p, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
-  /// The spring, without stiffness at constant tension.
+  /// The bar for solvers that take tensions as unknowns; at constant tension, its stiffness is zero.
   static std::array<Member, 1> members(const Parameters& p, const Data& d, double time);
 
   struct Elastic {
@@ -63,7 +62,7 @@ struct Bar {
     }
   };
 
-  /// (1); the elastic term is then zero.
+  /// The constant tension (1). A bar that has it has no elastic force.
   struct Tension {
     static Status tile(const Family<Bar>& family, netloft_tile& t);
     template <class T>

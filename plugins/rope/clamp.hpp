@@ -7,13 +7,13 @@
 namespace netloft::rope {
 
 /// A clamp between two ropes that meet at a node, which maintains the angle between the bars.
-///   δ = φ − β                       deviation of the turning angle φ of turn (1) from β at rest  (1)
+///   δ = φ − β           deviation of the turning angle φ (turn.hpp) from the angle β at rest     (1)
 ///   E = −2κ ln cos(δ/2),  κ = 4 EI/(L₁ + L₂)                                                     (2)
 ///   E = (2 EI/(L₁L₂)) (L₁ + L₂ − √Q),  Q = L₁² + L₂² + 2 L₁L₂ cos δ                              (3)
 ///   dE/dc = −E_φ/s,  d²E/dc² = E_φφ/s² − E_φ c/s³,  s = sin φ                                     (4)
-/// EI [N m²] bending stiffness, L [m] unstretched bars. (2) and (3) are bending (1) and (3) of a rope that is
-/// bent at rest, and equal to them for β = 0. If two bars are in line, the plane of a clamp with β > 0 is
-/// unknown: they have no force until something else bends them. Bars folded back on each other are outside
+/// EI [N m²] bending stiffness, L [m] unstretched bars. The energy is (2) or (3), by `curvature`: (1) or (3)
+/// of rope_bending.hpp, for a rope that is bent at rest. While the bars are in line, the plane in which a
+/// clamp with β > 0 bends them is unknown, and it exerts no force. Bars folded back on each other are outside
 /// the domain.
 struct Clamp {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;

@@ -4,14 +4,14 @@
 
 namespace netloft::rope {
 
-/// Two neighbouring bars, and forces by an energy E(c) of the cosine of the angle between them:
+/// Two neighbouring bars, and what an energy E(c) of the cosine of the angle between them needs:
 ///   w₁ = x₁ − x₀,  w₂ = x₂ − x₁,  t = w/l,  c = t₁·t₂ = cos φ,  φ the turning angle       (1)
 ///   ∂c/∂w₁ = (I − t₁t₁ᵀ) t₂/l₁ = g₁,  ∂c/∂w₂ = (I − t₂t₂ᵀ) t₁/l₂ = g₂                      (2)
 ///   ∂²c/∂w₁∂w₁ = −(t₁g₁ᵀ + g₁t₁ᵀ)/l₁ − c (I − t₁t₁ᵀ)/l₁²                                   (3)
 ///   ∂²c/∂w₁∂w₂ = (I − t₁t₁ᵀ)(I − t₂t₂ᵀ)/(l₁ l₂)                                            (4)
 /// 1 − c is computed from the chord t₂ − t₁, which avoids cancellation in a straight rope.
 struct Turn {
-  static constexpr double kShortest = 1e-9;  // bar over its unstretched length
+  static constexpr double kShortest = 1e-9;  // of its unstretched length: a shorter bar has no direction
 
   explicit Turn(const State<3>& s) {
     const Vec3<double> w[2] = {s.between(0, 1), s.between(1, 2)};

@@ -8,8 +8,8 @@
 
 namespace netloft::seabed {
 
-/// Contact and friction between the bed of the scene, of any shape, and a node that carries L metres of rope
-/// or twine of the radius r.
+/// Contact and friction between the bed of the scene, of any shape, and a node to which L metres of rope or
+/// twine with the radius r belong.
 ///   g = z − z_b(x, y) − r,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured vertically            (1)
 ///   E = k m L f(−g),  r = k L (f ∇m − m f' ∇g)                f of plane.hpp (2)
 ///   K = k L (m (f'' ∇g ∇gᵀ + f' ∇∇z_b) − f' (∇g ∇mᵀ + ∇m ∇gᵀ) + f ∇∇m)                              (2)
@@ -42,11 +42,11 @@ struct OnBed {
   }
   static void check(const Parameters&, const Data& d) { Plane::check({}, d); }
 
-  /// L of (2): a node that carries nothing counts as one metre per piece [m].
+  /// L of (2) [m]. A node without rope or twine counts as one metre per piece, such as a weight.
   static double metres_of(const Data& d) { return d.length > 0 ? d.length : d.pieces; }
   /// k L of (2).
   static double stiffness_of(const Parameters& p, const Data& d) { return p.stiffness * metres_of(d); }
-  /// N of (3), if there is a bed.
+  /// N of (3), in a scene with a bed.
   static double normal_force(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s) {
     const Bed& b = s.bed[0];
     const double slope = std::sqrt(1 + b.slope_x * b.slope_x + b.slope_y * b.slope_y);

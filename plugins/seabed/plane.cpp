@@ -81,8 +81,8 @@ Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
 
 namespace {
 
-/// The friction of one node on the bed: (4)–(7). After sliding, (7) leaves a node at the limit of (5), up to
-/// rounding; it counts as sticking, so that the nodes of a line at rest do not differ by rounding.
+/// The friction (4)–(7) of one node on the bed. After sliding, (7) places the anchor where (5) equals (6) up
+/// to rounding; such a node counts as sticking, or rounding would decide which nodes of a line at rest stick.
 struct Hold {
   double n[3], unit[3];       // normal, and d̂
   double way, limit, spring;  // |d|, μ N, κ L
@@ -138,7 +138,7 @@ void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i, double* st
   state_new[at(3, i)] = 1;
 }
 
-/// The friction of one node on a moving bed: (8), (9).
+/// The friction (8), (9) of one node on a moving bed.
 struct Drag {
   double n[3], w[3];   // normal, velocity over the bed
   Plane::Slip slip;    // of |w|
@@ -184,7 +184,7 @@ void drag_tile(const Plane::Lanes& p, netloft_tile& t) {
       if (t.force) t.force[at(axis, i)] += d.limit * d.slip.h * d.w[axis];  // (9)
       if (state_new) state_new[at(axis, i)] = t.x[at(axis, i)];
     }
-    if (state_new) state_new[at(3, i)] = 0;  // no past
+    if (state_new) state_new[at(3, i)] = 0;  // no past step, so no anchor
     if (t.tangent) add_tangent(d, t.cu, t.cv, i, t.tangent);
   }
 }

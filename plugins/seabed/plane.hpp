@@ -6,7 +6,7 @@
 
 namespace netloft::seabed {
 
-/// A plane seabed under a node that carries L metres of rope or twine: contact pushes the node out of the
+/// A plane seabed under a node to which L metres of rope or twine belong: contact pushes the node out of the
 /// bed, friction resists its motion along the bed.
 ///   n = (−s_x, −s_y, 1)/√(1 + s_x² + s_y²),  h = n·x + n_z D      height over the bed           (1)
 ///   δ = −h,  f(δ) = 0 | δ³/6ε | (δ − ε/2)²/2 + ε²/24  for  δ ≤ 0 | 0 < δ < ε | δ ≥ ε            (2)
@@ -17,7 +17,7 @@ namespace netloft::seabed {
 ///   a ← x where N = 0,  a where it sticks,  x − (μ N/κ L) d̂ where it slides                       (7)
 /// A bed that moves with the velocity g under a towed gear drags every node and leaves no anchor:
 ///   w = (I − n nᵀ)(v − g)                                         velocity over the bed              (8)
-///   r = μ N w h(|w|),  h(s) = 1/s | (2 − s/c)/c  for  s ≥ c | s < c,  c = g/100                      (9)
+///   r = μ N w h(|w|),  h(s) = 1/s | (2 − s/c)/c  for  s ≥ c | s < c,  c = |g|/100                    (9)
 /// In an equilibrium, v = 0, friction is therefore μ N along the motion of the bed. c is the speed below
 /// which a node that moves almost with the bed creeps instead of sticking. D [m] depth of the bed below z = 0
 /// at x = y = 0, s_x, s_y [1] its slopes dz/dx, dz/dy; k, κ [N/m²] stiffness per metre of rope against
@@ -37,7 +37,7 @@ struct Plane {
   };
   struct Data {
     double length = 0;  // of rope or twine at the node [m]
-    double pieces = 0;  // each counts as a metre if the node carries no length
+    double pieces = 0;  // each counts as one metre if length is zero
   };
   struct Lanes {
     double n[3][kLanes], offset[kLanes];     // (1): h = n·x + offset
@@ -56,8 +56,7 @@ struct Plane {
     double h, slope;
   };
   static Slip slip(double speed, double creep);
-  /// c/g of (9): the relative velocity at which friction reaches its limit, a hundredth of that of the
-  /// ground.
+  /// c/|g| of (9): friction reaches its limit at this fraction of the velocity of the ground.
   static constexpr double kCreep = 0.01;
   /// Relative rounding error of positions after the few sums of (1) to (4).
   static constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
