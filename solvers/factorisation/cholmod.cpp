@@ -152,7 +152,7 @@ cholmod_dense view_of(double* x, std::size_t size) {
 class CholmodFactors {
  public:
   virtual ~CholmodFactors() = default;
-  /// Returns false if the factor has more entries than there are indices.
+  /// Returns false if the factor has more entries than Index can count.
   virtual bool analyse(const SparsePattern& pattern, const NodeOrdering& ordering) = 0;
   virtual const char* name() const = 0;
   virtual FactorResult factorise(std::span<const double> values) = 0;
@@ -299,8 +299,8 @@ FactorResult FactorsOf<Index>::factorise(std::span<const double> values) {
 template <class Index>
 void FactorsOf<Index>::solve(std::span<const double> rhs, std::span<double> x) {
   assert(rhs.size() == factor_->n && x.size() == factor_->n);
-  // No memory pool here: the workspace is kept once it is made, and would occupy a block that `factorise`
-  // returns.
+  // The memory pool is not used here: the workspace stays allocated, and would keep a block that `factorise`
+  // has returned to the pool and needs again.
   cholmod_dense b = view_of(const_cast<double*>(rhs.data()), rhs.size());  // only read
   cholmod_dense result = view_of(x.data(), x.size());
   cholmod_dense* handle = &result;

@@ -21,7 +21,7 @@ constexpr int kTileColumns = Register::kLanes == 2   ? 3
                              : Register::kLanes == 4 ? 6
                                                      : 8;
 
-/// Entry (p, j) at at[p·down + j·across].
+/// A matrix whose entry (p, j) is at[p·down + j·across].
 struct Factor {
   const double* at;
   std::ptrdiff_t down, across;
@@ -166,14 +166,13 @@ NETLOFT_INLINE void exchange(double* x, double* y, std::ptrdiff_t count, std::pt
   }
 }
 
-/// y ← y − a x
 NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, double* y) {
   for (std::ptrdiff_t i = 0; i < count; ++i) y[i] -= a * x[i];
 }
 
 /// Computes a column of L below its pivot k, in the rows before n, and subtracts its contribution from the
-/// following columns before `end`. All pivots of a block use the same tiles of rows, so that each tile is
-/// read as it was written. Returns one over the pivot.
+/// following columns before `end`. All pivots of a block use the same tiles of rows, so that a tile is read
+/// with the width with which it was written. Returns one over the pivot.
 template <class Register>
 NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
                                        std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {

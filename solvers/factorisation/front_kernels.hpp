@@ -26,14 +26,14 @@ constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t other
 /// The result of the elimination of a front.
 struct Elimination {
   std::int32_t stopped_at = -1;  // first pivot that is zero or too small; -1: none
-  bool column_is_zero = false;   // whether all of its column is zero, too
+  bool column_is_zero = false;   // whether the whole column of that pivot is zero
 };
 
 /// Number of pivots that are eliminated one by one before the rest is updated.
 inline constexpr std::ptrdiff_t kPivotBlock = 8;
 
-/// The number of pivots before `end` whose updates are applied together: blocks are merged in pairs, pairs of
-/// pairs and so on. They update the same number of following columns at once.
+/// How many pivots before `end` update the columns after `end` in one product, and how many columns: blocks
+/// are merged in pairs, pairs of pairs and so on, so that it is the largest power of two that divides `end`.
 constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
 /// The dense operations on a front, for the instruction set of this processor:
@@ -47,7 +47,7 @@ struct FrontKernels {
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
   /// (2); the columns of C have the stride of `upper`.
   void (*update)(const FrontPanels& front, double* C);
-  /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) followed by kTileRows numbers; P has been applied.
+  /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) followed by kTileRows numbers. Apply P to y before.
   void (*forward)(const FrontPanels& front, double* y);
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); the numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);
@@ -71,7 +71,7 @@ struct FrontKernels {
   void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t from, std::ptrdiff_t to);
 };
 
-/// The best kernels for this processor; and all kernels that run on it, the best last.
+/// The best kernels for this processor. The second function returns all that run on it, the best last.
 const FrontKernels& front_kernels();
 std::vector<FrontKernels> front_kernels_here();
 

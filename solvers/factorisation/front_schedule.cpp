@@ -78,8 +78,8 @@ class Scheduler {
     stack(schedule_.trunk);
   }
 
-  /// Places the updates of some fronts on stacks after all existing updates. Updates of children before these
-  /// stacks belong to branches and are not removed.
+  /// Places the updates of `fronts` on two new stacks after all existing updates. Updates of children that
+  /// are not on these stacks belong to branches and are not removed.
   void stack(const std::vector<std::size_t>& fronts) {
     const std::size_t bottom[2] = {schedule_.room[0], schedule_.room[1]};
     std::size_t top[2] = {bottom[0], bottom[1]};
@@ -100,7 +100,7 @@ class Scheduler {
   std::size_t fronts_;
   FrontSchedule schedule_;
   std::vector<double> work_;        // [floating-point operations]
-  std::vector<std::size_t> first_;  // of the subtree of each front
+  std::vector<std::size_t> first_;  // first front of the subtree of each front
 };
 
 }  // namespace

@@ -111,7 +111,7 @@ class FrontTreeBuilder {
   Indices place_;         // unknown -> k
   Indices front_;         // k -> front
   Indices local_;         // k -> place in the current front
-  Indices row_, column_;  // the first entries of fronts
+  Indices row_, column_;  // row and column of the first entry of each FrontTree::of_matrix
   /// A piece of the entries of the matrix: three rows and columns, or one.
   struct Piece {
     std::int32_t row, column;
@@ -305,7 +305,6 @@ void FrontTreeBuilder::list_blocks() {
   matrix.columns.push_back({pattern_.size, matrix.blocks.size()});
 }
 
-/// Sorts the entries by fronts.
 void FrontTreeBuilder::sort_entries() {
   std::vector<std::size_t> next(tree_.fronts.size() + 1, 0);
   for (const Piece& piece : pieces_) ++next[front_of_entry(piece.row, piece.column) + 1];

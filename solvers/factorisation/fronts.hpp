@@ -27,7 +27,7 @@ class Room {
 };
 
 /// The numbers of a tree of fronts: values of the matrix, factors, updates, and a vector that is solved for.
-/// Operations on one front at a time. The caller keeps an order that front_schedule.hpp allows.
+/// Functions work on one front; the caller visits the fronts in an order that front_schedule.hpp allows.
 class Fronts {
  public:
   /// `values` is the number of values of the matrix. `tree` and `schedule` must outlive the last call.
@@ -43,8 +43,8 @@ class Fronts {
 
   /// Eliminates a front with this thread alone if `workers` is null, else with all `workers`.
   Elimination eliminate(std::size_t front, Workers* workers);
-  /// The steps of L y = b and U x = y that belong to a front, in by_place(): children first, then parents
-  /// first.
+  /// Solve the part of L y = b, or of U x = y, that belongs to a front, in by_place(). Call forward() for
+  /// children before parents, backward() for parents before children.
   void forward(std::size_t front);
   void backward(std::size_t front);
 

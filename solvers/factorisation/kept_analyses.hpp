@@ -4,11 +4,10 @@
 
 namespace netloft {
 
-/// Makes the same factorisations, but the result of `analyse` outlives each of them: the next one that
-/// analyses an equal pattern, for a matrix of the same class, reuses its order and its memory. A gear that is
-/// solved in several stages has one pattern. The last factorisation of each class is kept if its factor is
-/// not large, as long as the returned function or one of its factorisations exists. Threads may use it
-/// concurrently.
+/// Returns a function that makes the same factorisations as `make`, but keeps one when it is destroyed: the
+/// next one of the same class that analyses an equal pattern, as in the stages of one gear, reuses its order
+/// and its memory. The last factorisation of each class is kept if its factor is not large, as long as the
+/// returned function or one of its factorisations exists. Threads may use the function concurrently.
 MakeFactorisation keep_analyses(MakeFactorisation make);
 
 }  // namespace netloft

@@ -11,8 +11,8 @@ namespace netloft {
 /// MUMPS. Fits `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
-/// The same with `threads` threads for large matrices. The factors have the same bits for any number of
-/// threads.
+/// Returns a function like make_factorisation that uses `threads` threads for large matrices. The factors
+/// have the same bits for any number of threads.
 MakeFactorisation make_factorisation_with(int threads);
 
 }  // namespace netloft

@@ -11,7 +11,6 @@ namespace {
 
 using wide::Eight, wide::Four, wide::Two;
 
-/// y ← y + x
 template <class Register>
 NETLOFT_INLINE void add(const double* x, std::ptrdiff_t count, double* y) {
   using V = typename Register::V;
@@ -31,8 +30,8 @@ NETLOFT_INLINE void add(const double* x, std::ptrdiff_t count, double* y) {
   if (i < count) y[i] += x[i];
 }
 
-/// Columns of the child that are pivots are added to the left panel; in the other columns, rows that are
-/// pivots are added to the upper one.
+/// Adds the columns of a child that are pivots of the front to the left panel. In the other columns, the rows
+/// that are pivots are added to the upper panel.
 template <class Register>
 NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {
   const std::ptrdiff_t n = f.pivots, from = upper_stride(child.others), left = left_stride(n, f.others),

@@ -25,15 +25,16 @@ struct MatrixBlocks {
   std::vector<Entry> entries;  // entries outside blocks
 };
 
-/// Unknowns of a front that are consecutive among those of its parent, too; either all or none of them are
-/// pivots there.
+/// Unknowns of a front that are consecutive among the unknowns of its parent, too. Either all or none of them
+/// are pivots of the parent.
 struct UnknownRun {
   std::int32_t from = 0;   // among the others of the front
   std::int32_t place = 0;  // among the unknowns of the parent
   std::int32_t count = 0;
 };
 
-/// The update of a child front: its columns, with the stride of the child's `upper`, and their targets.
+/// The update of a child front: its columns, with the stride of the child's `upper`, and where its rows and
+/// columns are in the parent.
 struct ChildUpdate {
   const double* C;
   std::int32_t others;
@@ -44,14 +45,14 @@ struct ChildUpdate {
 struct MatrixKernels {
   /// Adds the update of a child to the panels, and to C, which has the stride of `upper`.
   void (*add_child)(const ChildUpdate& child, const FrontPanels& front, double* C);
-  /// to ← from. Returns false if some numbers are not finite.
+  /// Copies `from` to `to`. Returns false if some numbers are not finite.
   bool (*take)(std::span<const double> from, double* to);
   /// Computes A x and |A| |x|. Row i of each is the sum of the three numbers from 3 i on.
   void (*multiply)(const MatrixBlocks& A, const double* values, std::span<const double> x, double* products,
                    double* sizes);
 };
 
-/// The best kernels for this processor; and all kernels that run on it, the best last.
+/// The best kernels for this processor. The second function returns all that run on it, the best last.
 const MatrixKernels& matrix_kernels();
 std::vector<MatrixKernels> matrix_kernels_here();
 

@@ -10,7 +10,7 @@ namespace netloft {
 ///
 /// Every block is a plain malloc block, and the C library reports its size. Therefore free() may free a block
 /// of the pool, and the pool may take back a block of malloc. The pool never keeps more than twice the most
-/// memory that was in use at one time. It has one owner in one thread, and no lock.
+/// memory that was in use at one time. It has no lock, so that only one thread may use it.
 class MemoryPool {
  public:
   MemoryPool() = default;

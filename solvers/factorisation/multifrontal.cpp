@@ -19,10 +19,10 @@
 namespace netloft {
 namespace {
 
-constexpr double kLargestError = 1e-9;  // (2); above this, the fallback code solves
+constexpr double kLargestError = 1e-9;  // backward error (2) above which the spare factorisation solves
 // Below this [floating-point operations] a factorisation takes less than 5 ms, and threads would gain little.
 constexpr double kWorthThreads = 2e8;
-constexpr double kErrorToRefine = 1e-12;  // (2); a smaller error is not refined
+constexpr double kErrorToRefine = 1e-12;  // backward error (2) above which a solution is refined
 
 class MultifrontalFactorisation final : public Factorisation, public ForeseesMemory {
  public:
@@ -172,7 +172,7 @@ Elimination MultifrontalFactorisation::eliminate_branches(std::size_t& failed) {
   return {};
 }
 
-/// Factorises the same values with the fallback code.
+/// Factorises the same values with the spare factorisation.
 FactorResult MultifrontalFactorisation::hand_over() {
   if (!spare_) {
     spare_pattern_ = *pattern_;
@@ -208,7 +208,7 @@ void MultifrontalFactorisation::solve_alone(std::span<double> x) {
   for (std::size_t k = 0; k < by_place.size(); ++k) x[tree_.unknown[k]] = by_place[k];
 }
 
-/// Computes b − A x, and returns (2).
+/// Computes the residual b − A x, and returns the backward error (2).
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
   matrix_kernels_.multiply(tree_.matrix, fronts_.values().data(), x, products_.data(), sizes_.data());
   double error = 0;
@@ -230,7 +230,7 @@ void MultifrontalFactorisation::check(std::span<double> x) {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual_[i];
     error = find_residual(x, rhs_);
   }
-  // If the fallback fails as well, the present result is kept.
+  // If the spare factorisation fails as well, the present result is kept.
   if (!(error <= kLargestError) && hand_over().status == FactorStatus::ok) spare_->solve(rhs_, x);
 }
 

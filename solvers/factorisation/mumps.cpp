@@ -24,7 +24,8 @@ namespace {
 
 enum Job { kBegin = -1, kEnd = -2, kAnalyse = 1, kFactorise = 2, kSolve = 3 };
 
-/// Names and meanings from the users' guide of MUMPS 5.5, section 6; the numbers count from one there.
+/// An instance of MUMPS. Its numbers have the names of the users' guide of MUMPS 5.5, section 6, and count
+/// from one as they do there.
 class MumpsInstance {
  public:
   explicit MumpsInstance(bool symmetric);
@@ -80,7 +81,7 @@ class MumpsFactorisation final : public Factorisation, public ForeseesMemory {
   void solve(std::span<const double> rhs, std::span<double> x) override;
   double factor_entries() const override { return entries_; }
   double factor_flops() const override { return flops_; }
-  /// INFOG(17), of the analysis [10⁶ bytes].
+  /// The memory that the analysis predicts, INFOG(17) [10⁶ bytes].
   double factor_bytes() const override { return mumps_ ? 1e6 * mumps_->infog(17) : 0; }
 
  private:
@@ -175,8 +176,8 @@ FactorResult MumpsFactorisation::factorise(std::span<const double> values) {
   return {FactorStatus::ok, -1, !symmetric_ ? -1 : mumps_ ? mumps_->infog(12) : 0};
 }
 
-/// (1) or (2). Delayed pivots need more memory than the analysis of the pattern predicts; the amount is
-/// unknown, so it is increased step by step.
+/// Computes (1) or (2) of mumps.hpp. Delayed pivots need more memory than the analysis of the pattern
+/// predicts; the amount is unknown, so it is increased step by step.
 int MumpsFactorisation::factorise_with_room() {
   constexpr int kNoRoomForIntegers = -8, kNoRoomForReals = -9;
   constexpr int kMostRoom = 10000;  // [percent] in addition to the prediction

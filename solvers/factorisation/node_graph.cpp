@@ -46,7 +46,7 @@ struct Edge {
   std::int32_t low, high;
 };
 
-/// Edges seen from each vertex; each edge appears once per end that sees it.
+/// Lists the edges of each vertex. An edge that both its vertices see appears twice.
 std::vector<Edge> collect_edges(const SparsePattern& pattern, const Indices& vertex, const NodeGraph& graph) {
   std::vector<Edge> edges;
   Indices seen_from(graph.size, -1);
@@ -64,7 +64,7 @@ std::vector<Edge> collect_edges(const SparsePattern& pattern, const Indices& ver
   return edges;
 }
 
-/// Sorts the edges into columns by their lower end, then removes duplicates that both ends have seen.
+/// Sorts the edges into columns by their lower vertex, then removes edges that appear twice.
 void store_edges(const std::vector<Edge>& edges, NodeGraph& graph) {
   Indices start(graph.size + 1, 0);
   for (const Edge& edge : edges) ++start[edge.low + 1];

@@ -26,7 +26,7 @@ struct NodeGraph {
 /// Largest number of edges, counted from both ends, because METIS and CHOLMOD use 32-bit indices here.
 inline constexpr std::size_t kMostEdges = 0x7fffffff;
 
-/// Accepts symmetric patterns and unsymmetric ones; for these it uses the union with the transpose. Throws
+/// Makes the graph of a pattern, or of the union with its transpose if the pattern is unsymmetric. Throws
 /// std::runtime_error with a sentence if there are more than `most_edges` edges.
 NodeGraph make_node_graph(const SparsePattern& pattern, std::size_t most_edges = kMostEdges);
 

@@ -20,7 +20,8 @@ std::vector<std::int32_t> expand_to_unknowns(const NodeGraph& graph, const int* 
   return unknowns;
 }
 
-// Number of nodes below which a part is not divided. 100 gives 1 % fewer operations than CHOLMOD's 200.
+// Number of nodes below which a part of a dissection is not divided further. 100 gives 1 % fewer operations
+// than CHOLMOD's 200.
 constexpr std::size_t kSmallPart = 100;
 
 NodeOrdering order_by(int method, const char* name, NodeGraph& graph) {

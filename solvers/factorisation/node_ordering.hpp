@@ -17,12 +17,12 @@ enum class OrderingMethod { best, amd, metis, dissection };
 struct NodeOrdering {
   std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
   std::string method;                 // "METIS", "AMD" or "METIS and CAMD"
-  double flops = 0;                   // of a Cholesky factorisation of the node graph, one number per node
+  double flops = 0;                   // of a Cholesky factorisation if every node had one unknown
 };
 
 /// The method that `best` tries in addition to AMD, and the number of nodes from which it does so. On nets of
-/// 100 to 600 nodes, factorisations after METIS had 1.02 to 1.7 times the operations, and METIS took as long
-/// as two factorisations.
+/// 100 to 600 nodes, factorisations after METIS had 1.02 to 1.7 times the operations of those after AMD, and
+/// METIS took as long as two factorisations.
 struct LargeNets {
   std::int32_t nodes = 700;
   OrderingMethod method = OrderingMethod::metis;
@@ -32,7 +32,7 @@ struct LargeNets {
 /// operations; for smaller nets it uses AMD only. Throws std::runtime_error if there is not enough memory.
 NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method = OrderingMethod::best,
                          LargeNets large = {});
-/// The same for an existing graph.
+/// Orders an existing graph in the same way.
 NodeOrdering order_nodes(NodeGraph& graph, OrderingMethod method = OrderingMethod::best,
                          LargeNets large = {});
 

@@ -32,7 +32,7 @@ double product(std::ptrdiff_t a, std::ptrdiff_t b, std::ptrdiff_t c) {
   return 2.0 * static_cast<double>(a) * static_cast<double>(b) * static_cast<double>(c);
 }
 
-/// L₁₁\U₁₁ and L₂₁.
+/// Computes L₁₁, U₁₁ and L₂₁ of front_kernels.hpp (1).
 Elimination eliminate_left(const FrontKernels& kernels, const FrontPanels& f, double least_pivot,
                            std::int32_t* exchanged, Workers& workers) {
   const std::ptrdiff_t n = f.pivots, rows = n + f.others;

@@ -5,12 +5,12 @@
 
 namespace netloft {
 
-/// (1) of front_kernels.hpp by several threads, for large fronts: the same operations on every number as
-/// FrontKernels::eliminate, and so the same bits.
+/// Eliminates a large front with several threads, (1) of front_kernels.hpp. The result has the same bits as
+/// that of FrontKernels::eliminate, because the operations on every number are the same.
 Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& front, double least_pivot,
                                std::int32_t* exchanged, Workers& workers);
 
-/// (2), likewise.
+/// Computes the update (2) of front_kernels.hpp in the same way.
 void update_together(const FrontKernels& kernels, const FrontPanels& front, double* C, Workers& workers);
 
 }  // namespace netloft

@@ -23,7 +23,7 @@ const OpenMp& openmp() {
   return runtime;
 }
 
-thread_local int scopes_here = 0;  // of this thread
+thread_local int scopes_here = 0;  // open scopes of this thread
 
 }  // namespace
 

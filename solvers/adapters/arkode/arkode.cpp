@@ -18,8 +18,8 @@ namespace {
 
 using namespace sundials;
 
-/// A method table of ARKODE, and the power of h to which the error (4) is proportional: the lower of its two
-/// orders plus one.
+/// A method table of ARKODE, and the power of h to which the error (4) is proportional: one more than the
+/// lower order of the two formulas whose difference (4) is.
 struct Method {
   ARKODE_DIRKTableID table;
   double error_order;
@@ -31,13 +31,13 @@ constexpr std::array<Method, 3> kMethods = {
 
 const Method& method_of(const Arkode::Parameters& p) { return kMethods[static_cast<std::size_t>(p.method)]; }
 
-/// The motion as seen by ARKODE's callbacks, and the events in them.
+/// The motion as seen by ARKODE's callbacks, and what goes wrong in them.
 struct Host {
   explicit Host(Motion& m) : motion(m) {}
 
   Motion& motion;
-  std::exception_ptr failure;  // of the host
-  std::string complaint;       // of ARKODE
+  std::exception_ptr failure;  // exception in a callback
+  std::string complaint;       // error message of ARKODE
 
   std::span<double> u(N_Vector y) const { return {N_VGetArrayPointer_Serial(y), motion.size()}; }
   std::span<double> v(N_Vector y) const {
@@ -70,7 +70,7 @@ struct Stage {
   N_Vector predicted = nullptr, known = nullptr;
 };
 
-/// Solves (2). `correction` becomes y minus the prediction.
+/// Solves (2) of arkode.hpp for a stage. `correction` becomes y minus the prediction.
 Step find_stage(const Stage& stage, N_Vector correction, Host& host) {
   Motion& m = host.motion;
   const auto predicted_u = host.u(stage.predicted), predicted_v = host.v(stage.predicted);
@@ -132,7 +132,7 @@ void keep_error(void* arkode, N_Vector room, Host& host) {
   for (std::size_t i = 0; i < host.motion.size(); ++i) host.motion.error()[i] = std::abs(host.u(room)[i]);
 }
 
-/// (1) to (4); returns ARKODE's status, with the end of the step in y.
+/// Takes a step, (1) to (4) of arkode.hpp. Returns ARKODE's status; y becomes the state at the end.
 int run(const Method& method, Host& host, std::span<double> y) {
   const double t = host.motion.t(), h = host.motion.h();
   const Context context = make_context();

@@ -8,7 +8,7 @@ namespace netloft::arkode {
 /// 49(2), article 19; users' guide, "Butcher table data structure") on F(t, u, v, a) = 0, with y = (u, v) and
 /// y' = (v, a). Stage i is at tᵢ = tₙ + cᵢ h; with γ = h A_ii, and k from the earlier stages:
 ///   yᵢ = k + γ y'ᵢ,  k = yₙ + h Σ_{j<i} A_ij y'ⱼ                            (1)
-/// The two lines of (1) give v and a of the stage's u, which the solver of the analysis finds:
+/// The two parts of (1), for u and for v, give v and a in terms of u, which the solver of the analysis finds:
 ///   v = (u − k_u)/γ,  a = (v − k_v)/γ,  F(tᵢ, u, v, a) = 0                    (2)
 ///   y'ᵢ = (yᵢ − k)/γ                                                        (3)
 ///   yₙ₊₁ = yₙ + h Σ bᵢ y'ᵢ,  error of one step: ‖h Σ (bᵢ − b̂ᵢ) y'ᵢ‖           (4)

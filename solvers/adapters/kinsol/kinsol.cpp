@@ -16,7 +16,7 @@ namespace {
 
 using namespace sundials;
 
-/// The problem as seen by KINSOL's callbacks, and the events in them: no exception may pass through KINSOL.
+/// The problem as seen by KINSOL's callbacks. They store exceptions, because none may pass through KINSOL.
 struct Host {
   Host(Problem& p, const Kinsol::Parameters& how) : problem(p), parameters(how), residual(p.size()) {}
 
@@ -25,8 +25,8 @@ struct Host {
   std::vector<double> residual;  // at the accepted point
   double energy = 0;
   bool stopped = false;        // `progress` returned false
-  std::exception_ptr failure;  // of the host
-  std::string complaint;       // of KINSOL
+  std::exception_ptr failure;  // exception in a callback
+  std::string complaint;       // error message of KINSOL
 
   std::span<double> view(N_Vector v) const { return {N_VGetArrayPointer_Serial(v), problem.size()}; }
 };
@@ -136,8 +136,8 @@ Outcome outcome_of(int status, const Host& host) {
   }
 }
 
-/// Reports the last point. When KINSOL regards it as converged, it requests no tangent there, and the point
-/// has not been reported.
+/// Reports the last point to the host. If KINSOL regards the point as converged, it requests no tangent
+/// there, so that compute_tangent has not reported it.
 Outcome report_end(Host& host, Outcome outcome) {
   const auto u = host.problem.u();
   if (host.problem.evaluate(u, host.energy, host.residual) != Evaluation::ok) return Outcome::left_domain;

@@ -41,14 +41,14 @@ double correlation(Correlation kind, double squared_distance) {
   return (1 + r + r * r / 3) * std::exp(-r);  // (2)
 }
 
-/// ℓ and ν by their logarithms, ν last.
+/// ln ℓ of every coordinate, then ln ν, of kriging.hpp (1).
 struct Scales {
   Correlation kind = Correlation::matern;
   std::vector<double> logs;
   double scatter() const { return std::exp(logs.back()); }
 };
 
-/// A row per point; columns are coordinates over their lengths.
+/// Returns a row per point: its coordinates, each divided by its length ℓ.
 Matrix scaled(const Matrix& points, const Scales& scales) {
   Matrix all = points;
   for (Index j = 0; j < all.cols(); ++j) all.col(j) *= std::exp(-scales.logs[static_cast<std::size_t>(j)]);
@@ -115,7 +115,7 @@ Scales search(const Matrix& points, const Matrix& trend, const Vector& values, C
       for (const double direction : {-1.0, 1.0}) {
         Scales other = best;
         const double low = j < d ? kShortest : kLeastScatter, high = j < d ? kLongest : kMostScatter;
-        // ν changes by orders of magnitude where ℓ changes by factors
+        // a step in ln ν is three times that in ln ℓ, because ν ranges over more orders of magnitude
         other.logs[j] =
             std::clamp(other.logs[j] + direction * step * (j < d ? 1 : 3), std::log(low), std::log(high));
         if (other.logs[j] == best.logs[j]) continue;
@@ -144,7 +144,7 @@ std::vector<Index> choose(Index n, Index most) {
 
 }  // namespace
 
-/// Coordinates from zero to one, values with mean zero and deviation one.
+/// The model in scaled numbers: coordinates from zero to one, values with mean zero and deviation one.
 class Kriging::Model {
  public:
   Model(const std::vector<std::vector<double>>& points, const std::vector<double>& values,
@@ -200,7 +200,7 @@ class Kriging::Model {
   }
 
  private:
-  /// f of a point, and its correlations κ with all that are known.
+  /// Returns f of a point, and its correlations κ with the given points.
   std::pair<Vector, Vector> seen_from(const std::vector<double>& point) const {
     const Factorised& p = *process_;
     Eigen::RowVectorXd x = Eigen::Map<const Eigen::RowVectorXd>(point.data(), low_.size());

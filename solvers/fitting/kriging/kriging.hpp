@@ -13,7 +13,7 @@ struct KrigingValue {
   double deviation = 0;  // s of (4)
 };
 
-/// The scales of the correlation of values at two points, (1) and (2).
+/// The parameters of the correlation of values at two points, (1) and (2) of Kriging.
 struct KrigingScales {
   enum class Correlation { matern, gaussian };
   Correlation correlation = Correlation::matern;
@@ -21,8 +21,8 @@ struct KrigingScales {
   double scatter = 0;           // ν
 };
 
-/// Universal kriging: values y at n points are a plane f β, f = (1, x₁ … x_d), and a stationary normal
-/// process,
+/// Universal kriging: values y at n points are the sum of a plane f β, f = (1, x₁ … x_d), and of a stationary
+/// normal process,
 ///   cov(y(x), y(x')) = σ² (k(r) + ν [x = x']),   r² = Σ ((x_j − x'_j)/(ℓ_j w_j))²                  (1)
 /// with w_j the extent of the points in coordinate j and the likelier of two correlations,
 ///   k = (1 + √5 r + 5/3 r²) e^{−√5 r}   (Matérn's of order 5/2),   k = e^{−r²/2}                    (2)
@@ -62,7 +62,7 @@ class Kriging {
 
  private:
   class Model;
-  std::unique_ptr<Model> model_;  // none: all values are equal
+  std::unique_ptr<Model> model_;  // null if all values are equal
   double mean_ = 0;
 };
 

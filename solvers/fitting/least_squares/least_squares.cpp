@@ -86,7 +86,7 @@ class Fitter {
     return (parameters[j] - priors_[j].mean) / priors_[j].deviation;
   }
 
-  /// J_f, N and g of (2) and (4).
+  /// Computes J_f, N and g of (2) and (4).
   bool find_slopes() {
     const auto slopes = model_.slopes(point_.parameters);
     if (!slopes) return false;
@@ -165,7 +165,7 @@ class Fitter {
     return std::move(fit_);
   }
 
-  /// (3), (4)
+  /// Fills in the posterior (3) and the deviations of predictions (4).
   Fit finish(bool converged, std::string reason) {
     const Matrix covariance = normal_.ldlt().solve(Matrix::Identity(normal_.rows(), normal_.cols()));
     const std::size_t n = priors_.size();

@@ -33,17 +33,17 @@ class Model {
 };
 
 struct FitOptions {
-  int iterations = 30;      // steps at most, tried ones included
+  int iterations = 30;      // most steps, rejected ones included
   double tolerance = 0.01;  // of S: a smaller expected decrease ends the fit
 };
 
 /// A calibration by least squares:
 ///   S(θ) = Σ ((y_i − f_i)/σ_i)² + Σ ((θ_j − m_j)/s_j)²                                            (1)
 ///   (N + λ diag N) δ = −g,  N = JᵀJ + I,  g = Jᵀr + z,  z_j = (θ_j − m_j)/s_j, J = −(∂f/∂θ) s/σ       (2)
-/// in units of the prior's deviations s; r the first residuals of (1). Steps are those of K. Levenberg,
-/// Quart. Appl. Math. 2, 1944, and D. Marquardt, SIAM J. Appl. Math. 11, 1963, cut off at the ends of the
-/// range of the prior; a parameter at an end whose step points outward is fixed. The posterior is the normal
-/// distribution with
+/// y, σ are the measurements and their deviations, m, s those of the priors, r_i = (y_i − f_i)/σ_i; δ is a
+/// step of θ in units of s. Steps are those of K. Levenberg, Quart. Appl. Math. 2, 1944, and D. Marquardt,
+/// SIAM J. Appl. Math. 11, 1963, cut off at the ends of the range of the prior; a parameter at an end whose
+/// step points outward is fixed. The posterior is the normal distribution with
 ///   mean θ*, covariance N⁻¹ at λ = 0                                                              (3)
 /// exact for a linear model. Predictions of a measurement that is not yet made have the variance
 ///   J_f N⁻¹ J_fᵀ + σ²,  J_f = (∂f/∂θ) s                                                           (4)
@@ -53,7 +53,7 @@ struct Fit {
   std::vector<double> parameters;                 // θ*
   std::vector<double> deviations;                 // of the posterior
   std::vector<std::vector<double>> correlations;  // of the posterior
-  std::vector<bool> at_end;                       // of its prior's range
+  std::vector<bool> at_end;                       // whether θ*_j is at an end of the range of its prior
   std::vector<double> predictions;                // f(θ*)
   std::vector<double> model_deviations;           // of f, by (4) without σ²
   double misfit = 0, prior_misfit = 0;            // the two sums of (1)

@@ -9,17 +9,17 @@ namespace netloft {
 /// discrete energy-momentum method", ZAMP 43, 1992), so that the midpoint rule neither creates nor loses
 /// energy, even if members become slack or taut within the step:
 ///   M (v₁ − v₀)/h + F̄(u₀, u₁) = 0,  (u₁ − u₀)/h = ½ (v₀ + v₁)                                       (1)
-/// Motions too fast for h are damped on both sides, after F. Armero and I. Romero (Comput. Methods Appl.
+/// Motions too fast for h are damped in both equations, after F. Armero and I. Romero (Comput. Methods Appl.
 /// Mech. Engrg. 190, 2001): the damping is proportional to the difference between the rates of velocity and
 /// of stretch and their filtered values m,
 ///   (u₁ − u₀)/h = ½ (v₀ + v₁) + χ/2 (v₁ − v₀ − h m),  m ← m + ν ((v₁ − v₀)/h − m)                   (2)
-/// The host damps members in the same way, with χ and ν. Slow motions lose nothing to first order in h. At
-/// infinite frequency both sides are (1 + χ) λ² + (ν − 2 χ) λ + (ν − 1 + χ) = 0, with the double root −ρ
-/// where
+/// The host damps the rate of stretch of members, of stiffness k, in the same way. Slow motions lose nothing
+/// to first order in h. At infinite frequency, the factor λ per step satisfies in both equations
+/// (1 + χ) λ² + (ν − 2 χ) λ + (ν − 1 + χ) = 0, which has the double root −ρ if
 ///   χ = (1 − ρ)²/((3 − ρ)(1 + ρ)),  ν = 2 χ + 2 ρ (1 + χ)                                           (3)
 /// ρ = 1: no damping, ν = 2, and m is the acceleration of the trapezoidal rule; ρ = 0: such motions vanish
-/// within two steps. With χ > 0, E + χ/(2 ν) (h² m·M m + Σ k (h m)²) never grows: a·(a − m₀) sums to that and
-/// squares, for a = v₁ − v₀. The scheme is of second order. The error of one step is
+/// within two steps. With χ > 0, E + χ/(2 ν) (h² m·M m + Σ k (h m)²) never grows, because damping takes the
+/// growth of the second part, plus squares, from E. The scheme is of second order. The error of one step is
 ///   (ν/12 + χ/2) h² ((v₁ − v₀)/h − m)                                                              (4)
 struct EnergyMomentum {
   struct Parameters {

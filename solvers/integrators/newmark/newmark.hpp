@@ -11,15 +11,15 @@ namespace netloft::newmark {
 ///   q̇ₙ₊₁ = q̇ₙ + h [(1 − γ) q̈ₙ + γ q̈ₙ₊₁]                                  (9)          (3)
 ///   β = (1 − χ)²/4,  γ = (1 − 2χ)/2                                    (11), (12)     (4)
 ///
-/// "fixed-point", the paper's, χ = −0.3: predictor q̈ₙ₊₁ = q̈ₙ, then (2), (3) and q̈ₙ₊₁ from (1) in turn, until
-/// β h² q̈ₙ₊₁ settles. No linear system. For a linear spring of frequency ω an error of q̈ₙ₊₁ is multiplied by
-/// −β h² ω² in every turn, so that the iteration converges if
+/// Corrector "fixed-point", the paper's, χ = −0.3: predictor q̈ₙ₊₁ = q̈ₙ, then (2), (3) and q̈ₙ₊₁ from (1) in
+/// turn, until β h² q̈ₙ₊₁ settles. It solves no linear system. For a linear spring of frequency ω, every turn
+/// multiplies an error of q̈ₙ₊₁ by −β h² ω², so that the iteration converges if
 ///   h < 1/(√β ω_max)                                                                    (5)
-/// "solve", χ = 0: (2) solved for q̈ₙ₊₁ makes (1) a problem in qₙ₊₁, with ũ the terms of (2) at tₙ:
+/// Corrector "solve", χ = 0: (2) solved for q̈ₙ₊₁ makes (1) a problem in qₙ₊₁, with ũ the terms of (2) at tₙ:
 ///   q̈ = (q − ũ)/(β h²),  q̇ = q̇ₙ + h (1 − γ) q̈ₙ + γ (q − ũ)/(β h)                        (6)
-/// Stable for any h if χ ≤ 0. First order if χ < 0, second if χ = 0.
+/// It is stable for any h if χ ≤ 0, and of first order if χ < 0, of second order if χ = 0.
 ///
-/// Error of one step, from the Taylor series of (2) and (3), where the error of (3) has an effect during the
+/// The error of one step follows from the Taylor series of (2) and (3); that of (3) has an effect during the
 /// whole motion: h² (|β − 1/6| + |γ − 1/2|) (q̈ₙ₊₁ − q̈ₙ)                                           (7)
 struct Newmark {
   enum Corrector { kSolve, kFixedPoint };

@@ -8,7 +8,7 @@ namespace netloft::newmark {
 
 namespace {
 
-constexpr double kOwn = 1;  // χ that belongs to the corrector
+constexpr double kOwn = 1;  // in place of χ: the default χ of the corrector
 
 struct Scheme {
   double beta, gamma;  // (4)
@@ -20,7 +20,7 @@ Scheme scheme_of(const Newmark::Parameters& p) {
   return {(1 - chi) * (1 - chi) / 4, (1 - 2 * chi) / 2};
 }
 
-/// (2) and (3), with the current q̈ₙ₊₁
+/// Computes qₙ₊₁ and its rate by (2) and (3) from the present q̈ₙ₊₁.
 void move(const Scheme& s, Motion& m) {
   const double h = m.h();
   for (std::size_t i = 0; i < m.size(); ++i) {
@@ -36,7 +36,7 @@ double largest(std::span<const double> x, std::span<const double> y) {
   return most;
 }
 
-/// The predictor, and corrections until they settle.
+/// The corrector "fixed-point": predictor, then corrections until they settle.
 Step correct_by_fixed_point(const Newmark::Parameters& p, const Scheme& s, Motion& m) {
   const double h = m.h();
   auto before = m.scratch(0);
@@ -55,7 +55,7 @@ Step correct_by_fixed_point(const Newmark::Parameters& p, const Scheme& s, Motio
   return Step::shorter;
 }
 
-/// (6)
+/// The corrector "solve": solves (1) for qₙ₊₁, with velocity and acceleration by (6).
 Step correct_by_solving(const Scheme& s, Motion& m) {
   const double h = m.h(), ca = 1 / (s.beta * h * h), cv = s.gamma / (s.beta * h);
   auto v0 = m.scratch(0), a0 = m.scratch(1);

@@ -29,9 +29,9 @@ struct Chord {
 
 namespace {
 
-// Damping never needs to exceed the linear stiffness by much; below the lower end it no longer matters.
+// Range of μ: damping never needs to exceed the linear stiffness by much, and a smaller μ has no effect.
 constexpr double kLargestDamping = 64, kSmallestDamping = 1e-8, kFirstDamping = 1e-3;
-constexpr double kDampingToKeep = 1e-5;  // a factor with more of it is too slow to be used again
+constexpr double kDampingToKeep = 1e-5;  // a factor with more damping converges too slowly to be kept
 
 Factor factorise_at_u(Problem& problem, double damping) {
   if (problem.evaluate(problem.u(), Matrix::exact) != Evaluation::ok) return Factor::failed;
@@ -132,7 +132,7 @@ class Chords {
     return true;
   }
 
-  /// (4)
+  /// Changes the damping μ by (4).
   void adapt_damping(double t) {
     if (t > 0.9) mu_ = 0.1 * mu_ < kSmallestDamping ? 0 : 0.1 * mu_;
     if (t < 0.25) raise_damping();

@@ -6,7 +6,8 @@
 
 namespace netloft::lbfgs {
 
-/// The last pairs of a limited-memory BFGS method, (2) and (3) of Lbfgs.
+/// The last pairs s, y of a limited-memory BFGS method, and the matrix H that they define, (2) and (3) of
+/// lbfgs.hpp.
 class Memory {
  public:
   Memory(std::size_t pairs, std::size_t unknowns);
@@ -14,12 +15,11 @@ class Memory {
   bool is_empty() const { return count_ == 0; }
   void clear() { count_ = 0; }
 
-  /// Adds s, y and B y. Returns false and changes nothing if (4) leaves the pair out.
+  /// Adds s, y and B y. Returns false and changes nothing if (4) of lbfgs.hpp leaves the pair out.
   bool add(std::span<const double> s, std::span<const double> y, std::span<const double> By);
 
-  /// Writes H r to p, given B r: two loops over the pairs, Nocedal and Wright, alg. 7.4. With
-  /// B q = B r − Σ α_i B y_i in place of B q itself, a step costs one application of B, γ included. `q` is
-  /// scratch.
+  /// Writes H r to p, given B r: two loops over the pairs, Nocedal and Wright, alg. 7.4. B q is computed as
+  /// B r − Σ α_i B y_i, so that a step applies B only once, γ included. `q` is scratch.
   void multiply(std::span<const double> r, std::span<const double> Br, std::span<double> q,
                 std::span<double> p);
 
@@ -28,7 +28,7 @@ class Memory {
     std::vector<double> s, y, By;
     double sy = 0, alpha = 0;
   };
-  /// i = 0 is the newest.
+  /// The pair that was added i pairs before the newest.
   Pair& pair(std::size_t i) { return pairs_[(newest_ + pairs_.size() - i) % pairs_.size()]; }
 
   std::vector<Pair> pairs_;

@@ -17,7 +17,7 @@ namespace {
 
 enum Preconditioner { stiffness, diagonal, none };
 
-/// Largest move of a node in the first step, over the largest element, because no curvature is known then.
+/// Largest move of a node in the first step, over the largest element: no curvature is known then.
 constexpr double kFirstReach = 1;
 
 class Minimiser {
@@ -81,7 +81,7 @@ class Minimiser {
       std::copy(v.begin(), v.end(), Bv.begin());
   }
 
-  /// (1)
+  /// Computes the direction p of (1).
   void find_direction() {
     memory_.multiply(r_, Br_, scratch_, step_);
     for (double& v : step_) v = -v;
@@ -108,7 +108,7 @@ class Minimiser {
     return {t, energy, dot(r_trial_, step_)};
   }
 
-  /// Moves to the trial and keeps the pair that led there.
+  /// Moves to the trial point and stores the pair s, y of this step.
   void learn() {
     std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
     std::swap(r_, r_trial_);
@@ -123,7 +123,7 @@ class Minimiser {
     std::swap(Br_, scratch_);
   }
 
-  /// Begins again with the preconditioner alone. False if there is nothing to forget.
+  /// Begins again with the preconditioner alone. Returns false if the memory is empty already.
   bool forget() {
     if (memory_.is_empty()) return false;
     note_ = "memory cleared";

@@ -8,10 +8,10 @@
 
 namespace netloft::newton {
 
-/// The range of μ in (2), and how μ rises and falls. Below `least_damping` there is no damping, except for an
-/// unsymmetric K, whose definiteness is unknown: its μ rises from 0 to the square root of a double's
-/// rounding, and falls down to the rounding itself, because soft parts of a gear need less damping than stiff
-/// ones, by the ratio of their stiffnesses.
+/// The range of the damping μ of K + μ M, and how μ rises and falls. Below `least_damping`, μ becomes 0. For
+/// an unsymmetric K, whose definiteness is unknown, μ rises from 0 to the square root of a double's rounding,
+/// and falls down to the rounding itself, because soft parts of a gear need less damping than stiff ones, by
+/// the ratio of their stiffnesses.
 struct DampingRange {
   double least, most, factor;
   double end;  // a smaller μ becomes 0

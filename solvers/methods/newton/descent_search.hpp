@@ -15,8 +15,8 @@ struct DescentSearch {
   Refinement refinement = {};
   double longest() const { return 1 / refinement.margin; }  // (E)
 
-  /// `merit(t)` gives a Sample, or nothing if elements are not defined there. Returns nothing if m does
-  /// not fall at all.
+  /// `merit(t)` gives a Sample, or nothing if elements have no forces there. Returns nothing if no t is
+  /// accepted.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start, double noise) const {
     const auto falls = [&](const Sample& s) { return s.slope < 0 && s.value <= start.value + noise; };
@@ -43,7 +43,7 @@ struct DescentSearch {
   }
 
  private:
-  /// A sample for a t without forces, with which the secant halves the bracket.
+  /// The sample for a t at which elements have no forces: with its slope, the secant halves the bracket.
   static Sample as_steep_uphill(double t, const Sample& low) { return {t, low.value, -low.slope}; }
 };
 

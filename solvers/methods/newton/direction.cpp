@@ -28,7 +28,7 @@ Direction Directions::find(Iterate& iterate, double damping) {
                                        : find_unsymmetric(iterate, damping);
 }
 
-/// The factorisation finds out whether the matrix is positive definite.
+/// Finds a step for a symmetric K: Cholesky's factorisation shows whether a matrix is positive definite.
 Direction Directions::find_symmetric(Iterate& iterate, double damping) {
   const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
   if (factor == Factor::ok) {
@@ -41,9 +41,9 @@ Direction Directions::find_symmetric(Iterate& iterate, double damping) {
 }
 
 /// K + σ M with a tiny σ changes Newton's step only in the few directions of negative curvature, along which
-/// (6) leaves; a convex part changes it in all directions. If K is far from definite, trying σ costs up to
-/// five factorisations. If none succeeds, or damping matters anyway, σ is therefore not tried again until
-/// K + μ M has been positive definite.
+/// NegativeCurvature leaves the point; a convex part changes the step in all directions. If K is far from
+/// definite, trying σ costs up to five factorisations. Therefore, if none succeeds or μ ≥ kMatters, σ is not
+/// tried again until K + μ M has been positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
   if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kMatters) {
     tests_near_definite_ = false;
@@ -78,7 +78,7 @@ Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   return factor;
 }
 
-/// Raises μ until s leads downhill; the factors do not show whether an unsymmetric matrix is definite.
+/// Raises μ until s leads downhill, because factors do not show whether an unsymmetric matrix is definite.
 Direction Directions::find_unsymmetric(Iterate& iterate, double damping) {
   for (const char* note = "";; note = "more damping", damping = range_.raised(damping)) {
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);

@@ -10,7 +10,7 @@
 
 namespace netloft::newton {
 
-/// A step s of (2) of Newton, and the matrix it belongs to; or why there is none.
+/// A step s by newton.hpp (2) and the damping of its matrix, or the reason why there is no step.
 struct Direction {
   std::span<const double> s = {};
   double damping = 0;            // μ as requested; with a convex part it may have been larger
@@ -20,18 +20,18 @@ struct Direction {
   explicit operator bool() const { return !failure; }
 };
 
-/// Finds steps s along which the merit falls, by (2) of Newton. With θ = 1 and μ = 1 a step cannot raise a
-/// convex energy (Levenberg 1944, in the metric of the linear stiffness).
+/// Finds steps s along which the merit falls: (K + θ (K₊ − K) + μ M) s = −r, (2) of newton.hpp. With θ = 1
+/// and μ = 1 a step cannot raise a convex energy (Levenberg 1944, in the metric of the linear stiffness).
 class Directions {
  public:
   Directions(const DampingRange& range, const Problem& problem, NearlyDefinite& nearly_definite)
       : range_(range), nearly_definite_(nearly_definite), s_(problem.size()) {}
 
-  /// Newton's own step, θ = μ = 0, if it leads downhill and moves no node by more than the length of an
-  /// element, because the start may be close to an equilibrium; otherwise the step of `find`.
+  /// Returns Newton's own step, θ = μ = 0, if it leads downhill and moves no node by more than the length of
+  /// an element, because the start may be close to an equilibrium. Otherwise it returns the step of `find`.
   Direction find_first(Iterate& iterate, double damping);
-  /// A step with at least the damping μ. It fails if no matrix could be factorised, or no s leads downhill.
-  /// The vector is valid until the next search.
+  /// Returns a step with the damping μ or more. It fails if no matrix could be factorised, or no s leads
+  /// downhill. The vector s is valid until the next search.
   Direction find(Iterate& iterate, double damping);
 
  private:
@@ -46,7 +46,7 @@ class Directions {
   NearlyDefinite& nearly_definite_;
   std::vector<double> s_;
   double convex_fraction_ = 1;       // last θ
-  bool tests_near_definite_ = true;  // the last K + μ M was positive definite, or K nearly so
+  bool tests_near_definite_ = true;  // the last K + μ M was positive definite, or the last K nearly definite
 };
 
 }  // namespace netloft::newton

@@ -12,13 +12,13 @@ namespace netloft::newton {
 
 namespace {
 
-/// Limit of t for trust in the model: a larger t means that the model is good up to there, a smaller t that
-/// it is not.
+/// The model of the step counts as good if the line search accepts a larger t, and as bad if only a smaller
+/// one.
 constexpr double kTrusted = 0.5;
 
-/// μ for the next direction: lower after a step by the merit with t > ½ or by ‖r‖, multiplied by 1/(2 t)
-/// after a shorter step by the merit, higher if no step was found. After a step by (7) or by (6) alone it is
-/// the damping of that step's matrix.
+/// Returns μ for the next direction: lower after a step by the merit with t > ½ or by ‖r‖, multiplied by
+/// 1/(2 t) after a shorter step by the merit, higher if no step was found. After a step by the slope, or
+/// along negative curvature alone, it is the damping of that step's matrix.
 double damping_after(const Step& step, const DampingRange& range) {
   if (!step) return range.raised(step.damping);
   if (step.rule == Step::Rule::residual) return range.lowered(step.damping);
@@ -27,8 +27,8 @@ double damping_after(const Step& step, const DampingRange& range) {
                                 : range.raised(step.damping, kTrusted / step.length);
 }
 
-/// The iteration. It fails if no step is found with μ at `most_damping`, if no matrix can be factorised, or
-/// if elements have no force at the point.
+/// The globalised iteration. It fails if no step is found with μ at `most_damping`, if no matrix can be
+/// factorised, or if elements have no forces at the point.
 class Globalised {
  public:
   Globalised(const Newton::Parameters& parameters, Problem& problem)
@@ -71,8 +71,8 @@ class Globalised {
     return step;
   }
 
-  /// Continues with (6) after a step by K + σ M, whether that step was accepted or not. The factor is that of
-  /// the point before the step, over which the direction of the most negative curvature changes little.
+  /// Moves along negative curvature, (6), after a step by K + σ M, whether that step was accepted or not. The
+  /// factor is still that of the point before the step, because the direction changes little over the step.
   bool leave_saddle(double sigma) {
     const auto v = curvature_.find_direction(iterate_.problem(), sigma);
     return v && curvature_.leave_along(*v, iterate_);

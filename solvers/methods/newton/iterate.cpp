@@ -59,17 +59,17 @@ std::optional<Sample> Iterate::merit(const Path& path, double t) {
 
 bool Iterate::try_move(const Path& path, double t) {
   if (keep_tangent_of_trial(path, t)) return accept_trial(), true;
-  evaluate();  // the tangent kept is that of the trial
+  evaluate();  // restores the tangent at u, which that of the trial point has replaced
   return false;
 }
 
 bool Iterate::try_move_if_residual_below(const Path& path, double t) {
   if (keep_tangent_of_trial(path, t) && dot(r_trial_, r_trial_) <= dot(r_, r_)) return accept_trial(), true;
-  evaluate();  // the tangent kept is that of the trial
+  evaluate();  // restores the tangent at u, which that of the trial point has replaced
   return false;
 }
 
-/// Evaluates at u(t), unless that has the same bits as the last trial point and `wanted` is known there.
+/// Evaluates at u(t), unless u(t) has the same bits as the last trial point and `wanted` is known there.
 bool Iterate::evaluate_trial(const Path& path, double t, Known wanted) {
   if (!move_trial(path, t) && known_ >= wanted) return true;
   known_ = Known::nothing;
@@ -99,7 +99,7 @@ void Iterate::accept_trial() {
   ++count_;
 }
 
-/// Moves the trial point to u(t). Returns false if it is there already.
+/// Moves the trial point to u(t). Returns false if it was there already.
 bool Iterate::move_trial(const Path& path, double t) {
   bool moves = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {

@@ -23,8 +23,8 @@ struct Path {
   std::span<const double> s, a = {};
 };
 
-/// The point u with its residual r, energy E and nonconservative forces d, and a trial point on a path from
-/// it.
+/// The point u with its residual r, its energy E and the forces d without an energy, and a trial point on a
+/// path that begins at u.
 class Iterate {
  public:
   explicit Iterate(Problem& problem);
@@ -33,34 +33,34 @@ class Iterate {
   std::size_t size() const { return r_.size(); }
   double energy() const { return energy_; }
   std::span<const double> residual() const { return r_; }
-  /// Whether all forces have an energy, so that there are no d.
+  /// Whether all forces have an energy, so that d = 0.
   bool is_conservative() const { return d_.empty(); }
   double slope(const Path& path) const { return dot(r_, path.s); }
   /// The rounding error of the merit along a path [J].
   double round_off(const Path& path) const;
-  /// Whether the decrease that the slope predicts for a step along a path is no more than that.
+  /// Whether the decrease that the slope predicts for a step along a path is no more than round_off(path).
   bool promises_round_off(const Path& path) const;
   /// Points accepted so far.
   std::size_t count() const { return count_; }
 
-  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if elements are not defined
+  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if elements have no forces
   /// there.
   bool evaluate(Matrix matrix = Matrix::exact);
-  /// d = r − g of (3).
+  /// Computes d = r − g for the merit; g is the gradient of E.
   bool split_residual();
   bool report(const char* note) { return problem_.progress(problem_.u(), energy_, r_, note); }
 
   /// s = −A⁻¹ r with the last factor A.
   void solve(std::span<double> s);
-  /// r at u(t); nothing if elements are not defined there.
+  /// Returns r at u(t), or nothing if elements have no forces there.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
-  /// (3) and its derivative. Forces at the last trial point are kept: a second call for the same point, and a
-  /// step that ends there, do not evaluate them again. Call split_residual() first.
+  /// Returns the merit m(t), (3) of newton.hpp, and its derivative. Forces at the last trial point are kept:
+  /// a second call for this point, and a step to it, do not evaluate them again. Call split_residual() first.
   std::optional<Sample> merit(const Path& path, double t);
-  /// Moves u to u(t) and evaluates the tangent there. Returns false if elements are not defined there; u and
-  /// the tangent are then unchanged.
+  /// Moves u to u(t) and evaluates the tangent there. If elements have no forces there, returns false and
+  /// leaves u and the tangent unchanged.
   bool try_move(const Path& path, double t);
-  /// The same, but only if ‖r‖ does not rise.
+  /// Does the same as try_move, but only if ‖r‖ does not rise.
   bool try_move_if_residual_below(const Path& path, double t);
 
  private:
@@ -78,7 +78,7 @@ class Iterate {
   std::size_t count_ = 0;
   std::vector<double> r_, trial_, r_trial_, gradient_;
   std::vector<double> d_;  // empty, as is the gradient, if all forces have an energy
-  bool is_split_ = false;  // d is that of u
+  bool is_split_ = false;  // d_ belongs to u
   Known known_ = Known::nothing;
 };
 

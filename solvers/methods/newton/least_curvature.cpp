@@ -16,7 +16,7 @@ using Few = std::array<double, LeastCurvature::kSteps>;
 // Relative increase of θ by a longer basis below which v is accurate enough.
 constexpr double kFound = 0.01;
 
-/// The upper left n × n of a tridiagonal matrix T: its diagonal a, and b beside it.
+/// The upper left n × n of a symmetric tridiagonal matrix T with the diagonal a and the off-diagonal b.
 struct Tridiagonal {
   std::span<const double> a, b;
   std::size_t n() const { return a.size(); }
@@ -44,7 +44,7 @@ struct Tridiagonal {
     return high;
   }
 
-  /// Inverse iteration just above θ.
+  /// Returns the eigenvector of the eigenvalue θ, by inverse iteration just above θ.
   Few eigenvector(double theta) const {
     Few y{}, pivots{};
     std::fill_n(y.begin(), n(), 1.0);
@@ -108,7 +108,7 @@ void LeastCurvature::lengthen(Problem& problem) {
   if (length_ < kSteps) keep_orthogonal(problem);
 }
 
-/// Makes w orthogonal to the basis and adds it; twice, because rounding leaves a remainder the first time.
+/// Makes w orthogonal to the basis, twice because rounding leaves a remainder the first time, and adds it.
 void LeastCurvature::keep_orthogonal(Problem& problem) {
   for (int time = 0; time < 2; ++time)
     for (std::size_t i = 0; i < length_; ++i) axpy(-dot(w_, image(i)), basis(i), w_);

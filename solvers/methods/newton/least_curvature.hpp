@@ -17,13 +17,13 @@ namespace netloft::newton {
 /// ch. 13 and 15.
 class LeastCurvature {
  public:
-  /// A limit, which bounds the memory of a search to twenty vectors.
+  /// Limit of the steps, which bounds the memory of a search to twenty vectors.
   static constexpr std::size_t kSteps = 10;
 
-  /// Memory for `size` unknowns is reserved, and touched by the first search.
+  /// Reserves memory for `size` unknowns, which only a search fills.
   explicit LeastCurvature(std::size_t size);
 
-  /// λ of (C1) with the last factor, which is that of K + `shift` M. NaN if M cannot be used.
+  /// Returns λ of (C1), or NaN if M cannot be used. The last factor must be that of K + `shift` M.
   double find(Problem& problem, double shift);
   /// v of (C1), after a search.
   std::span<const double> direction() const { return w_; }
@@ -37,10 +37,11 @@ class LeastCurvature {
   std::span<double> basis(std::size_t i) { return {basis_.data() + i * w_.size(), w_.size()}; }
   std::span<double> image(std::size_t i) { return {images_.data() + i * w_.size(), w_.size()}; }
 
-  std::size_t size_, length_ = 0;         // of a vector; vectors in the basis
-  std::vector<double> basis_, images_;    // orthonormal vectors q in the inner product of M; M q of each
-  std::vector<double> w_;                 // while searching the next q, not yet orthonormal; afterwards v
-  std::array<double, kSteps> a_{}, b_{};  // the tridiagonal matrix of (C2) in that basis: diagonal, beside it
+  std::size_t size_, length_ = 0;       // of a vector; vectors in the basis
+  std::vector<double> basis_, images_;  // orthonormal vectors q in the inner product of M; M q of each
+  std::vector<double> w_;               // while searching the next q, not yet orthonormal; afterwards v
+  std::array<double, kSteps> a_{},
+      b_{};  // the tridiagonal matrix of (C2) in the basis: diagonal, off-diagonal
 };
 
 }  // namespace netloft::newton

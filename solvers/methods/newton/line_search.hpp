@@ -15,13 +15,13 @@ struct Sample {
 /// Steps t below this, the square root of the machine's epsilon, are not tried: half of the digits of u no
 /// longer change.
 inline constexpr double kShortest = 0x1p-26;
-/// Step of differences of r, the square root of kShortest: it balances the rounding of r and the error of a
-/// second derivative.
+/// Step t for second derivatives of r by differences, the square root of kShortest: it balances the rounding
+/// of r and the error of the difference.
 inline constexpr double kDifference = 0x1p-13;
 
 /// How far a search along a line refines its bracket.
 struct Refinement {
-  double margin = 0;  // fraction of its bracket that a new t keeps from either end
+  double margin = 0;  // least distance of a new t from either end, as a fraction of the bracket
   int most = 0;       // evaluations for a better t after an acceptable one was found
 
   double within(double fraction) const { return std::clamp(fraction, margin, 1 - margin); }
@@ -35,9 +35,9 @@ struct LineSearch {
   /// The best t in (0, 1] found:
   ///   m(t) ≤ m(0), and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) < 0, or refinements spent      (L)
   /// with η `flatness`, by secants of m' within a bracket, by parabolas while m is too high (Nocedal & Wright
-  /// 2006, ch. 3). Their sufficient decrease, 1e-4 of the slope, is left out: it changed no bit of 537 hard
-  /// cases. `start` is m at t = 0; `merit(t)` returns a Sample, or nothing if elements have no forces there:
-  /// t is then shortened. Returns nothing if no t is found.
+  /// 2006, ch. 3). The usual condition of sufficient decrease, 1e-4 of the slope, is left out: it changed no
+  /// bit of 537 hard cases. `start` is m at t = 0; `merit(t)` returns a Sample, or nothing if elements have
+  /// no forces there, and t is then shortened. Returns nothing if no t is found.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     std::optional<Sample> best, high;
@@ -77,7 +77,7 @@ struct LineSearch {
 
 /// A search along a line for a t at which m is flat, if rounding hides how m changes but not its slope.
 struct SlopeSearch {
-  double noise = 0;     // rounding: m may rise by as much
+  double noise = 0;     // rounding error of m, by which m may rise
   double flatness = 0;  // fraction of the slope at the start that m' may keep
   Refinement refinement = {};
 

@@ -11,38 +11,39 @@
 
 namespace netloft::newton {
 
-/// The vector a of (8), which bends a path along s so that stiff members keep their length to second order
-/// ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
+/// The vector a of the curved path u + t s + ½ t² a, (8) of newton.hpp, on which stiff members keep their
+/// length to second order ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
 class CurvedStep {
  public:
-  /// Memory for `size` unknowns is reserved, and touched by the first search.
+  /// Reserves memory for `size` unknowns, which only find() fills.
   explicit CurvedStep(std::size_t size) {
     minus_second_derivative_.reserve(size);
     a_.reserve(size);
   }
-  /// Computes a from differences of r over ± t s and the last factor. Returns an empty vector if elements are
-  /// not defined at one of these points.
+  /// Computes a from differences of r over ± t s and the last factor. Returns an empty vector if elements
+  /// have no forces at one of these points.
   std::span<const double> find(Iterate& iterate, std::span<const double> s, double t);
 
  private:
   std::vector<double> minus_second_derivative_, a_;
 };
 
-/// Steps that are judged by the merit (3), by the rules (4), (5) and (8) of Newton.
-/// (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient decrease. (5)
-/// lets an iterate cross the kinks between slack and taut by a relaxed test, as in the watchdog technique
-/// (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point before. The sum
-/// of all decreases shows whether m is as low as it has ever been: after a step that raised m, no other step
-/// may raise it until the sum has recovered. If every other step were allowed to go uphill, netting on a bed
-/// with friction would circle its equilibrium. For a step longer than an element, −r·s is so large that (5)
-/// would allow any rise. (8) is tried if (4) finds no t = 1, all forces have an energy and K is symmetric.
+/// Steps that the merit m judges: the whole step (5), the line search (4) and the curved path (8) of
+/// newton.hpp. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
+/// decrease. (5) lets an iterate cross the kinks between slack and taut by a relaxed test, as in the watchdog
+/// technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point
+/// before. The sum of all decreases shows whether m is as low as it has ever been: after a step that raised
+/// m, no other step may raise it until the sum has recovered. If every other step were allowed to go uphill,
+/// netting on a bed with friction would circle its equilibrium. (5) excludes steps longer than an element,
+/// whose −r·s is so large that it would allow any rise. (8) is tried if (4) finds no t = 1, all forces have
+/// an energy and K is symmetric.
 class MeritSteps {
  public:
   MeritSteps(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
   /// Moves u along s by (5), else by (4), or by (8) if (4) is too short and (8) gains more.
   Step take(Iterate& iterate, const Direction& direction);
-  /// Adds a decrease of m by these steps or by (6) to the sum.
+  /// Adds a decrease of m to the sum: that of a step, or of a move along negative curvature.
   void add_gain(double gain) {
     gained_ += gain;
     most_gained_ = std::max(most_gained_, gained_);
@@ -53,7 +54,7 @@ class MeritSteps {
 
   const Newton::Parameters& p_;
   CurvedStep curved_;
-  double gained_ = 0, most_gained_ = 0;  // of m, along the path so far
+  double gained_ = 0, most_gained_ = 0;  // sum of all decreases of m, and its largest value so far
 };
 
 }  // namespace netloft::newton

@@ -9,16 +9,16 @@
 
 namespace netloft::newton {
 
-/// Leaves a saddle along the direction of the most negative curvature, (6) of Newton (J. J. Moré and D. C.
-/// Sorensen, Math. Programming 16, 1979). All forces have an energy. No node moves farther than 1/`margin`
-/// elements.
+/// Leaves a saddle along the direction of the most negative curvature, (6) of newton.hpp (J. J. Moré and D.
+/// C. Sorensen, Math. Programming 16, 1979). All forces must have an energy. No node moves farther than
+/// 1/`margin` elements.
 class NegativeCurvature {
  public:
-  /// Memory for the directions is reserved, and touched by the first of them.
+  /// Reserves memory for the directions, which only a search fills.
   NegativeCurvature(const Newton::Parameters& parameters, const Problem& problem);
 
-  /// The direction v of the most negative curvature of K, if there is any, from the factor of K + σ M.
-  /// The vector is valid until the next search.
+  /// Returns the direction v of the most negative curvature of K, if there is any. The last factor must be
+  /// that of K + σ M. The vector is valid until the next search.
   std::optional<std::span<const double>> find_direction(Problem& problem, double sigma);
   /// Moves along ±v until the energy no longer falls. Returns false if it does not fall at all.
   bool leave_along(std::span<const double> v, Iterate& iterate);

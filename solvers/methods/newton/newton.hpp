@@ -12,22 +12,22 @@ namespace netloft::newton {
 ///
 /// "globalised" is for forces that have an energy E [J], all or in part: r = g + d, with the gradient g of E
 /// and the forces d without an energy (drag). K is the tangent, the derivative of r; K₊ a positive
-/// semi-definite part of it, which elements give; M the linear stiffness, which is constant and bounds that
-/// part, s·K₊s ≤ s·Ms. μ, σ and θ have no unit.
+/// semi-definite part of K, which elements give; M the linear stiffness, which is constant and bounds K₊,
+/// s·K₊s ≤ s·Ms. μ, σ and θ have no unit.
 ///   (K + θ (K₊ − K) + μ M) s = −r, with θ in [0, 1] so that the matrix is positive definite (2)
 ///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
 ///   t by (L) of line_search.hpp: m does not rise, and is nearly flat                      (4)
 ///   before (4): t = 1 if s moves no node by more than the length of an element and m(1) ≤ m(0) + b, with
 ///   b = −c r·s, c the option `uphill`, if m is as low as it has ever been, else b = 0     (5)
 ///   u ± t v, K v = λ M v with the least λ < 0, t by (D) of descent_search.hpp             (6)
-///   t by (S) of line_search.hpp: m is nearly flat and not above m(0) but for rounding     (7)
+///   t by (S) of line_search.hpp: m is nearly flat, and above m(0) by rounding at most     (7)
 ///   u + t s + ½ t² a, a = −(K + θ (K₊ − K) + μ M)⁻¹ r″(s, s)                              (8)
-/// The second term of (3) is the work of d along the path (trapezoidal rule). The slope is that of the work
-/// itself, which differs by ¼ t² s·d″ and is exact at t = 0. A dead load d(u) in its place would not turn
-/// with the gear.
+/// The second term of (3) is the work of d along the path (trapezoidal rule). m' is the slope with the exact
+/// work instead, which differs by ¼ t² s·d″ and is equal at t = 0. With a constant d(u) in (3), drag would
+/// not turn with the gear.
 ///
-/// See for the rules: (2) in direction.hpp, μ in globalised.cpp, (4), (5) and (8) in
-/// merit_steps.hpp, (6) in negative_curvature.hpp, (7) in round_off_steps.hpp.
+/// Headers explain when which rule is used: direction.hpp (2), globalised.cpp μ, merit_steps.hpp (4), (5),
+/// (8), negative_curvature.hpp (6), round_off_steps.hpp (7).
 struct Newton {
   struct Parameters {
     std::int64_t method = 0;

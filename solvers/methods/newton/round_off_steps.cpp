@@ -36,7 +36,7 @@ Step RoundOffSteps::fall_back(Iterate& iterate, double damping) {
   return step;
 }
 
-/// Steps by the undamped matrix, or by K + σ M if K is nearly definite.
+/// Tries a step by the undamped K, or by K + σ M if K is nearly definite.
 Step RoundOffSteps::take_with_another_matrix(Iterate& iterate) {
   Problem& problem = iterate.problem();
   if (problem.factorise(Matrix::exact, 0) == Factor::ok) return take_newton_step(iterate);
@@ -60,7 +60,7 @@ Step RoundOffSteps::take_newton_step(Iterate& iterate) {
   return take_by_slope(iterate, s, 0);
 }
 
-/// Steps by (7): the slope has significant digits when changes of the energy have none.
+/// Tries (7) along s, because the slope has significant digits when changes of the energy have none.
 Step RoundOffSteps::take_by_slope(Iterate& iterate, std::span<const double> s, double damping) {
   const Step none{.damping = damping};
   const Path path{s};

@@ -27,12 +27,12 @@ class StallCount {
 
  private:
   std::int64_t most_steps_, steps_without_halving_ = 0;     // in a row
-  double least_ = std::numeric_limits<double>::infinity();  // decrease that was the last to halve it
+  double least_ = std::numeric_limits<double>::infinity();  // the decrease that must be halved next
 };
 
-/// Steps whose predicted decrease of the energy is less than its rounding. The whole step is taken if it does
-/// not raise ‖r‖; otherwise, if μ = 0, the slope decides, (7) of Newton: the approximate Wolfe conditions (W.
-/// W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
+/// Steps whose predicted decrease of the energy is less than the rounding of the energy. The whole step is
+/// taken if it does not raise ‖r‖; otherwise, if μ = 0, the slope decides, by (7) of newton.hpp: the
+/// approximate Wolfe conditions (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
 class RoundOffSteps {
  public:
   RoundOffSteps(const Newton::Parameters& parameters, Problem& problem, NearlyDefinite& nearly_definite,
@@ -40,11 +40,11 @@ class RoundOffSteps {
 
   /// Moves u by the whole step, or by (7).
   Step take(Iterate& iterate, const Direction& direction);
-  /// After damped steps that have not moved u, once at every point, factorises K undamped. If K is positive
-  /// definite, or unsymmetric, its step is tried by the same two rules. If all forces have an energy and K is
-  /// nearly definite, u leaves along negative curvature, or by (7) along a step of K + σ M if there is none.
+  /// Tries the undamped K, once at every point, after a damped step that has not moved u. If K is positive
+  /// definite or unsymmetric, its step is tried by the same two rules. If all forces have an energy and K is
+  /// nearly definite, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
   Step fall_back(Iterate& iterate, double damping);
-  /// Allows (7) again, because u has moved by the merit.
+  /// Allows (7) again after stalled steps, because a step judged by the merit has moved u.
   void reset_stall_count() { stall_.reset(); }
 
  private:
@@ -58,8 +58,8 @@ class RoundOffSteps {
   NearlyDefinite& nearly_definite_;
   NegativeCurvature& curvature_;
   StallCount stall_;
-  std::optional<std::size_t> fell_back_at_;  // count of points
-  std::vector<double> s_;                    // of fall_back; reserved
+  std::optional<std::size_t> fell_back_at_;  // Iterate::count() when fall_back was last used
+  std::vector<double> s_;                    // step of fall_back
 };
 
 }  // namespace netloft::newton

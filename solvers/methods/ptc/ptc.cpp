@@ -12,7 +12,7 @@ namespace {
 // With a shorter step, M/δ leaves K only half of its digits; with a longer one, M/δ is lost in the rounding
 // of K.
 constexpr double kShortestStep = 0x1p-26, kLongestStep = 0x1p52;
-// Limit of the growth of the driving force during a step.
+// Limit in (3) of the growth of the driving force during a step.
 constexpr double kMostGrowth = 2;
 
 class ImplicitSteps {
@@ -48,7 +48,7 @@ class ImplicitSteps {
     std::fill(moved_.begin(), moved_.end(), 0.0);
   }
 
-  /// Solves (1).
+  /// Solves (1) by corrections (2) for one step in time, and adapts δ.
   bool take_step() {
     for (std::int64_t corrections = 1; corrections <= p_.corrections; ++corrections) {
       if (!correct()) return false;
@@ -60,7 +60,7 @@ class ImplicitSteps {
     return false;
   }
 
-  /// (2)
+  /// Takes one correction s of (2), and evaluates there.
   bool correct() {
     if (problem_.factorise(Matrix::exact, 1 / delta_) != Factor::ok) return false;
     problem_.multiply(Matrix::none, 1 / delta_, moved_, unbalanced_);
@@ -71,7 +71,7 @@ class ImplicitSteps {
     return evaluate_here();
   }
 
-  /// (3)
+  /// Whether (3) holds: a step against it does not follow the motion.
   bool follows_motion() { return dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_); }
 
   void adapt_step(std::int64_t corrections) {
@@ -89,7 +89,7 @@ class ImplicitSteps {
   Problem& problem_;
   double delta_ = 1, energy_ = 0;
   const char* note_ = "";
-  std::vector<double> r_, r_before_;  // here, and where the step began
+  std::vector<double> r_, r_before_;  // residual at u, and where the step began
   std::vector<double> before_, moved_, unbalanced_, s_;
 };
 

@@ -11,11 +11,11 @@ namespace netloft::relaxation {
 
 namespace {
 
-/// The limit of λ in (5), and the λ to which heavier masses reduce it if it is exceeded: half of the limit,
-/// the bound of λ with (1).
+/// The limit of λ in (5). If λ exceeds it, heavier masses reduce λ to kWantedRate, half of the limit, which
+/// is the bound of λ with the masses (1).
 constexpr double kLargestRate = 4, kWantedRate = 2;
-/// Least mass as a fraction of the heaviest, half of the digits: lighter nodes, which the linear stiffness
-/// does not hold, would move too far.
+/// Least mass as a fraction of the heaviest, half of the digits of a double. Nodes that the linear stiffness
+/// does not hold would have no mass and move too far.
 constexpr double kLightest = 0x1p-26;
 /// Limit of the increase of all masses. With heavier masses, a step moves nodes by less than rounding; if
 /// elements still have no forces, the method fails.
@@ -51,7 +51,7 @@ class Motion {
     return problem_.progress(problem_.u(), energy_, r_, note);
   }
 
-  /// (1)
+  /// Computes the masses (1), at least kLightest of the heaviest.
   void fit_masses() {
     problem_.row_sums(Matrix::none, 1, m_);
     const double heaviest = m_.empty() ? 0 : *std::max_element(m_.begin(), m_.end());
@@ -78,7 +78,7 @@ class Motion {
     axpy(1, v_, problem_.u());
   }
 
-  /// (2), and (3) with it.
+  /// Updates the velocity by (2) and the kinetic energy (3).
   void accelerate() {
     double sum = 0;
     for (std::size_t i = 0; i < v_.size(); ++i) {
@@ -101,7 +101,7 @@ class Motion {
 
   bool is_past_peak() const { return kinetic_[2] < kinetic_[1]; }
 
-  /// Returns to the peak by (4); the velocity there is the one that led to u, a step before v.
+  /// Returns to the peak by (4). The velocity of (4) led to u: it is that before the last update, v + r/m.
   bool return_to_peak() {
     const auto [before, peak, after] = kinetic_;
     const double q = (peak - after) / (2 * peak - after - before);
@@ -111,7 +111,7 @@ class Motion {
     return true;
   }
 
-  /// (5)
+  /// Whether λ exceeds the stability limit (5).
   bool is_too_fast() {
     rate_ = (dot(r_, v_) - work_) / (2 * kinetic_[2]);
     return rate_ > kLargestRate;
@@ -135,7 +135,7 @@ class Motion {
   const Relaxation::Parameters& p_;
   Problem& problem_;
   std::vector<double> r_, v_, m_, rest_;
-  std::array<double, 3> kinetic_{};  // (3) of the last three half steps, the oldest first
+  std::array<double, 3> kinetic_{};  // kinetic energy (3) of the last three half steps, the oldest first
   double energy_ = 0, work_ = 0, rate_ = 0, heavier_ = 1;
   const char* note_ = "";
 };

@@ -17,8 +17,8 @@ namespace netloft::relaxation {
 /// Aided Design of Cable Membrane Structures", Saxe-Coburg 2007. T₋₁, T₀, T₁ are (3) of three successive half
 /// steps, v that of T₀: (4) is the top of the parabola through them.
 ///
-/// M is the linear stiffness, assembled once: slack netting has the stiffness of taut netting in it. Masses
-/// in proportion to the actual stiffness would vanish in slack netting. With (1), λ of M is below 2
+/// M is the linear stiffness, assembled once; in M, slack netting is as stiff as taut netting. Masses in
+/// proportion to the actual stiffness would vanish in slack netting. With (1), λ of M is below 2
 /// (Gershgorin). If the tangent becomes larger than M (pressure, drag, stiffening springs), the stability
 /// limit (5) is exceeded along the motion, and all masses are raised (P. Underwood, "Dynamic relaxation", in
 /// Computational Methods for Transient Analysis, 1983).

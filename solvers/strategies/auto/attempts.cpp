@@ -27,10 +27,11 @@ struct Row {
   bool (*suits)(const Kind& kind);
 };
 
-/// The attempts with the scenes that they suit. Their order was chosen on random variants of the hard cases.
+/// The attempts in their order, each with a test of which scenes it suits. The order was chosen on random
+/// variants of the hard cases of tests/stability.
 const Row kTable[] = {
-    // This strategy solves the coarser mesh, too, with the options of the user, and so on to the coarsest
-    // mesh that is worth its cost. It remains to determine which members are slack: Newton's method does so
+    // `by=auto` solves the coarser mesh with this strategy, which begins with a still coarser mesh if there
+    // is one. On the finer mesh it remains to determine which members are slack: Newton's method does so
     // member by member, tension/only for all at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
@@ -40,8 +41,8 @@ const Row kTable[] = {
      [](const Kind& k) { return k.has_meshes && !k.has_loaded_members; }},
     {{"tension-stages", "tension/stages", "", "with tensions as unknowns stiff members turn at once"},
      [](const Kind& k) { return k.has_loaded_members; }},
-    // It follows the first two, because a relaxation takes more steps on a finer mesh. Long lines of 12 000
-    // unknowns took eight times as long as by the stages of tensions.
+    // Relaxation follows the attempts above, because it takes more steps on a finer mesh. For long lines with
+    // 12 000 unknowns it took eight times as long as tension-stages.
     {{"relaxed", "relaxed", "", "elements stick and slide, which no tangent foresees"},
      [](const Kind& k) { return k.sticks; }},
     {{"direct", "direct", "", "the start may be near"}, [](const Kind&) { return true; }},
@@ -51,7 +52,7 @@ const Row kTable[] = {
      [](const Kind& k) { return !k.sticks; }},
 };
 
-/// The parts that the user leaves out: "restarts+direct".
+/// The parts of the strategy that the user leaves out, for example "restarts+direct".
 std::vector<std::string> left_out(const Options& options) {
   std::vector<std::string> names;
   std::istringstream parts(options.without);

@@ -13,8 +13,8 @@ namespace netloft::automatic {
 struct Attempt {
   const char* name;        // used in `without` and in the report
   const char* strategy;    // the strategy that runs
-  const char* parameters;  // of that strategy
-  const char* because;     // reason for its place in the order
+  const char* parameters;  // of the strategy
+  const char* because;     // why it is tried, printed by `netloft plan`
 };
 
 /// The attempts that suit a scene, in the order in which they are tried.

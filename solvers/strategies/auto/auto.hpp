@@ -6,8 +6,8 @@
 
 namespace netloft::automatic {
 
-/// The default: attempts that suit the scene, in slices of work, until one converges; then restarts if there
-/// may be several equilibria. README.md explains what happens when attempts fail.
+/// The default strategy. It runs the attempts that suit the scene, in slices of work, until one converges;
+/// then it restarts if there may be several equilibria. README.md explains what happens when attempts fail.
 struct Auto {
   using Parameters = Options;
   static void run(const Options& options, Search& search);

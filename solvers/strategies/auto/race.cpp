@@ -12,11 +12,11 @@ namespace netloft::automatic {
 
 namespace {
 
-/// g of (1), which minimises the bound on the cost.
+/// g of (1): the growth of slices that minimises the bound on the cost in race.hpp.
 constexpr double kGrowth = 2;
 
-/// Perturbation used to leave a stationary point, as a fraction of the element size; equilibria that are
-/// closer together are one. It is small because an element can be as long as a whole warp.
+/// Perturbation used to leave a stationary point, as a fraction of the element size; equilibria closer
+/// together than this count as one. It is small because an element can be as long as a whole warp.
 constexpr double kBeside = 1e-3;
 
 double little(const Search& search) { return kBeside * search.element_size(); }
@@ -27,18 +27,19 @@ bool is_one_place(const Search& search, const Displacements& a, const Displaceme
   return apart <= little(search);
 }
 
-/// The start of the search, perturbed if elements have no forces there, because a solver cannot leave it.
+/// Returns the start of the search. If elements cannot compute their forces there, no solver can leave it,
+/// and the start is perturbed.
 Displacements start_with_forces(Search& search) {
   const Stage start = search.assess({.name = "the start"}, search.start());
   if (start.has_forces() || start.is_stationary()) return search.start();
   return perturbed(search.start(), little(search));
 }
 
-/// The saddle displaced by t y along the growing motion y, to side 0 or side 1, so that no coordinate changes
-/// by more than the size of an element. t is the largest among 1, ½, ¼, … with which the force still points
-/// away from the saddle:
+/// Returns the saddle displaced by t y to side 0 or side 1, where y is the growing motion, scaled so that no
+/// coordinate changes by more than the size of an element. t is the largest of 1, ½, ¼, … for which the force
+/// still points away from the saddle:
 ///   t y·r(u + t y) < 0                                                                    (2)
-/// because the gear comes to rest near the end of (2). If y is not known, the sides are two different
+/// because the gear comes to rest near the greatest such t. If y is not known, the sides are two different
 /// perturbations.
 Displacements beside(Search& search, const Stage& saddle, const Ask& ask, int side) {
   const double largest = largest_of(saddle.growing);
@@ -96,8 +97,8 @@ void Race::run_slice(Runner& runner, double slice) {
   keep_better(with_compensated_positions(std::move(stage)));
 }
 
-/// Moves off an unstable equilibrium to one side and, if that does not converge, to the other. If this leads
-/// to an unstable one that was not met before, both sides of that one are tried instead. An equilibrium with
+/// Moves off an unstable equilibrium to one side and, if that does not converge, to the other side. If this
+/// leads to a new unstable equilibrium, both sides of the new one are tried instead. An equilibrium with
 /// flutter is not left, because the motion comes back to it from either side.
 Stage Race::off_saddle(Stage saddle, const Budget& budget) {
   const auto ask = [&] { return Ask{.name = "off an unstable equilibrium", .work = budget.left()}; };
@@ -131,7 +132,8 @@ Stage Race::with_compensated_positions(Stage stage) {
   return next.has_converged() && next.residual <= stage.residual ? std::move(next) : std::move(stage);
 }
 
-/// Prefers a converged stage to an unstable one, and otherwise the better balanced of the two.
+/// Keeps the better of two stages at an equilibrium: a converged one before an unstable one, then the better
+/// balanced one.
 void Race::keep_better(Stage stage) {
   if (!stage.is_stationary()) return;
   const bool is_better = stage.has_converged() != best_.has_converged()

@@ -7,7 +7,7 @@
 
 namespace netloft::automatic {
 
-/// Work of a search, or a part of it, from now on.
+/// The work that a search may still spend when the object is made, or a part of that work.
 class Budget {
  public:
   explicit Budget(Search& search, double end = 0) : search_(search), begun_(search.work_left()), end_(end) {}
@@ -27,13 +27,14 @@ class Budget {
   double begun_, end_;  // work left in the search at the start and at the end of this budget
 };
 
-/// Attempts run in slices of work. All slices of one length come before the next longer ones, except after an
-/// attempt that was cut off close to balance:
+/// Runs attempts in slices of work, so that no attempt can use up the budget before the others have been
+/// tried. All attempts get a slice of one length before any gets the next longer one, except an attempt that
+/// was cut off close to balance:
 ///   w₀, g w₀, g² w₀, …,   g = 2                                                          (1)
-/// No attempt can use up the budget before the others have been tried. If one of n attempts succeeds with
-/// work w ≥ w₀, no saddle is met and no attempt is nearly in balance, the race costs at most about n w g² /
-/// (g − 1), which is least with this g (as in M. Luby, A. Sinclair and D. Zuckerman, Optimal speedup of Las
-/// Vegas algorithms, Inf. Process. Lett. 47, 1993). README.md explains the rules.
+/// If one of n attempts succeeds with work w ≥ w₀, no saddle is met and no attempt is cut off close to
+/// balance, the race costs at most about n w g²/(g − 1), which is least with this g (as in M. Luby, A.
+/// Sinclair and D. Zuckerman, Optimal speedup of Las Vegas algorithms, Inf. Process. Lett. 47, 1993).
+/// README.md explains the rules.
 class Race {
  public:
   Race(Search& search, const Options& options);
@@ -43,7 +44,7 @@ class Race {
   Stage run();
 
  private:
-  /// `again_at_once`: the attempt was cut off close to balance.
+  /// `again_at_once`: the attempt was cut off close to balance and gets a slice of double length at once.
   enum class Fate { out, again, again_at_once };
   struct Runner {
     Attempt attempt;
@@ -62,7 +63,7 @@ class Race {
   Budget budget_;
   Displacements start_;
   std::vector<Runner> runners_;
-  Stage best_;  // among equilibria
+  Stage best_;  // the best equilibrium so far
 };
 
 }  // namespace netloft::automatic

@@ -10,13 +10,14 @@ namespace netloft::automatic {
 
 namespace {
 
-/// Largest force on a node that only resistance to compression bears, over the largest load: the imbalance of
-/// an equilibrium without resistance to compression.
+/// Largest force on a node that only resistance to compression bears, over the largest load: the imbalance at
+/// the equilibrium `at` if resistance to compression is removed.
 double borne_by_compression(Search& search, const Stage& at) {
   return search.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
 
-/// Whether other equilibria are possible. Compression below the tolerance of an initial guess counts as none.
+/// Whether other equilibria are possible. Compression that bears less than kOnlyAStart of the load counts as
+/// none.
 bool may_have_other_shapes(Search& search, const Options& options, const Stage& at) {
   return may_restart(search, options) &&
          (options.everywhere || borne_by_compression(search, at) > kOnlyAStart);

@@ -10,9 +10,9 @@ using namespace netloft;
 
 /// Grid sequencing: the strategy `by` brings a coarser mesh of the same gear to equilibrium, possibly with
 /// still coarser meshes, and the strategy `then` solves the scene itself from there. W. Hackbusch, Multi-Grid
-/// Methods and Applications, 1985, section 5 (nested iteration). A coarser mesh gets half of the work at
-/// most. If it does not converge by then, it does not save work, and the caller keeps the other half. Without
-/// this limit, each of several meshes could use up its budget before the next finer one began.
+/// Methods and Applications, 1985, section 5 (nested iteration). A coarser mesh gets at most half of the
+/// work; if it has not converged by then, the strategy gives up and leaves the other half to its caller.
+/// Without this limit, each of several meshes could use up the budget before the next finer one began.
 struct CoarseToFine {
   struct Parameters {
     const char *by = nullptr, *then = nullptr;
@@ -45,11 +45,11 @@ struct CoarseToFine {
  private:
   static constexpr const char* kFromCoarser = "from a coarser mesh";
   /// Largest fraction of the work for the coarser mesh. With 1 the hard cases cost a fifth to a quarter more
-  /// factorisations, with ¼ as many as with ½ (tests/bench/sensitivity.md).
+  /// factorisations than with ½, with ¼ as many (tests/bench/sensitivity.md).
   static constexpr double kMostOfCoarser = 0.5;
 
-  /// Assesses the start first, so that there is a stage even if the strategy is cut off before it has solved
-  /// anything.
+  /// Solves the scene by the strategy `then`. It assesses the start first, so that there is a result even if
+  /// that strategy is cut off before it has solved anything.
   static Stage called_from(const Displacements& start, const Parameters& p, Search& search) {
     Stage fine = search.assess({.name = kFromCoarser}, start);
     const Specification then = specification_of(p.then);

@@ -76,7 +76,7 @@ struct Deflation {
     }
   }
 
-  /// τ of (2).
+  /// Computes τ of (2), the multiple of the Newton step s.
   static double multiple(std::span<const double> u, std::span<const double> s,
                          const std::vector<Displacements>& known, double L) {
     double sum = 0;

@@ -7,10 +7,10 @@ namespace {
 
 using namespace netloft;
 
-/// For elements that stick and slide, whose tangent does not predict the next state: a matrix-free solver
-/// brings the gear close to equilibrium, and the solver of the analysis continues from there. If it does not
-/// converge, the matrix-free solver continues to the end. Iterations without a tangent cost next to nothing;
-/// therefore only the budget of work limits them.
+/// A strategy for elements that stick and slide, whose tangent does not predict the next state: a matrix-free
+/// solver brings the gear close to equilibrium, and the solver of the analysis continues from there. If the
+/// latter does not converge, the matrix-free solver continues to the end. Its iterations cost next to
+/// nothing; therefore only the budget of work limits them.
 constexpr unsigned kAsManyAsItTakes = 10000000;
 
 struct Relaxed {

@@ -8,8 +8,8 @@ namespace {
 
 using namespace netloft;
 
-/// Continuation in the stiffness. If bars must turn and hardly stretch, Newton's method can take only short
-/// steps; soft bars turn in one step. The scene is solved with a cap on all axial stiffnesses,
+/// Continuation in the stiffness. If stiff bars must turn, Newton's method can take only short steps; soft
+/// bars turn in one step. The scene is solved with a cap on all axial stiffnesses,
 ///   C₁ = f F,  C_{k+1} = f C_k until C_k reaches the largest stiffness                    (1)
 /// F the largest load on a node (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods,
 /// 2003, ch. 6). The first cap without an equilibrium is the last; the scene itself is solved from the end of
@@ -42,7 +42,7 @@ struct StiffnessSteps {
  private:
   static double first_cap(const Parameters& p, Search& search) { return p.factor * search.largest_load(); }
 
-  /// The last of the equilibria with the caps of (1), or the end of the first stage that failed.
+  /// Returns the equilibrium with the last cap of (1), or the state in which the first failed solve ended.
   static Displacements stiffened(const Parameters& p, Search& search, double cap) {
     Displacements u = search.start();
     for (; cap < search.stiffness() && search.work_left() > 0; cap *= p.factor) {

@@ -8,7 +8,7 @@ namespace netloft::tension {
 
 namespace {
 
-/// Limit of μ and of the residual, over the load.
+/// Limit of μ and of the residual at convergence, over the load.
 constexpr double kSolved = 0x1p-26;
 
 /// Returns at most one, and NaN for NaN.
@@ -45,7 +45,7 @@ InteriorPoint::Ending InteriorPoint::solve(std::span<double> u, double load) {
   return Ending::no_forces;
 }
 
-/// Sets a first point on the path of (2) for any u; (1) need not hold.
+/// Sets a first point that satisfies (2) for the given u, but not (1).
 void InteriorPoint::begin(std::span<const double> u) {
   is_indefinite_ = false;
   members_.find_chords(u, w_);
@@ -94,7 +94,7 @@ void InteriorPoint::set_members() {
   for (std::size_t e = 0; e < members_.size(); ++e) set_member(e);
 }
 
-/// K and q of (3).
+/// Computes the stiffness and the force q of one member in (3).
 void InteriorPoint::set_member(std::size_t e) {
   const double l0 = members_[e].rest_length;
   const cone::Point& y = states_[e].y;
@@ -107,7 +107,7 @@ void InteriorPoint::set_member(std::size_t e) {
   forces_[e] = {-y[1], -y[2], -y[3]};
 }
 
-/// Factorises the matrix; as an indefinite one after other forces have once made it indefinite.
+/// Factorises the matrix as a positive definite one, until r has made it indefinite once.
 bool InteriorPoint::factorise() {
   if (!is_indefinite_) {
     const Factor factor = members_.factorise();
@@ -117,7 +117,7 @@ bool InteriorPoint::factorise() {
   return members_.factorise_indefinite() == Factor::ok;
 }
 
-/// (5) and (6): the step and its length.
+/// Computes the step by (5) and returns its length (6).
 double InteriorPoint::find_step() {
   predict();
   const double reached = at_most_whole(longest_step());
@@ -144,7 +144,7 @@ void InteriorPoint::correct(double mu) {
   solve_for_step();
 }
 
-/// (3).
+/// Solves (3) for the step with the present g of every member.
 void InteriorPoint::solve_for_step() {
   rhs_ = residual_;
   for (std::size_t e = 0; e < members_.size(); ++e) {

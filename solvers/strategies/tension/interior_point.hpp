@@ -5,10 +5,10 @@
 
 namespace netloft::tension {
 
-/// Equilibrium of members that bear tension only, by an interior-point method. Whether a member is slack or
-/// taut is the complementarity of two points of a second-order cone K, which is solved for together with the
-/// positions, so that no step has to guess which members are slack. With r all other forces, n and c those of
-/// netloft_member:
+/// Equilibrium of members that bear tension only, by an interior-point method. Two complementary points z, y
+/// of the second-order cone K (z ∘ y = 0) state whether a member is slack or taut; they are solved for
+/// together with the positions, so that no step has to guess which members are slack. r are all other forces,
+/// w is the chord of a member, n and c are its number and coefficients in netloft_member:
 ///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
 ///   z ∘ y = μ e,  μ → 0                                                                     (2)
 /// At μ = 0, either T = 0 and the member may have any shorter length, or w has the length l₀ (1 + T/EA) and q
@@ -19,13 +19,13 @@ namespace netloft::tension {
 /// H₃₀), H̄ is the other 3 × 3 block:
 ///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀)]) s = −(r + Σ n c [q − ḡ + h ζ])               (3)
 ///   ζ = (EA (1 − z₀) + T + g₀)/(EA + H₀₀)                                                   (4)
-///   g = −y to find the length a₀ of a step, then W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)), v = W z,
-///   σ = (1 − a₀)³, with the same matrix                                                     (5)
+///   g = −y for a trial step, which reaches the boundary of K at the length a₀; then, with the same matrix,
+///   g = W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)),  v = W z,  σ = (1 − a₀)³,  v \ x solves v ∘ y = x   (5)
 ///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
-/// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag has no convex problem;
-/// it is linearised at every step like all of r. The method ends if a step becomes shorter than the distance
-/// that (6) keeps from the boundary. It has converged if μ and the residual are below the load by half of the
+/// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag belongs to no convex
+/// problem; it is linearised at every step like all of r. The method fails if a step becomes shorter than
+/// 1 − `to_boundary`. It has converged if μ and the residual are less than 2⁻²⁶ of the load, half of the
 /// digits of a double; Newton's method finds the other digits in one step. The method neglects the resistance
 /// of members to compression.
 class InteriorPoint {
@@ -33,7 +33,7 @@ class InteriorPoint {
   /// The options, which strategies.cpp explains.
   struct Parameters {
     double to_boundary = 0;  // (6)
-    /// Distance that a step keeps from the boundary, and z₀ of the first point.
+    /// Fraction of the way that a step leaves to the boundary, and z₀ − ‖z̄‖ of a taut member at the start.
     double room() const { return 1 - to_boundary; }
   };
 
@@ -85,7 +85,7 @@ class InteriorPoint {
   std::vector<Vector> w_, forces_, changes_;
   std::vector<double> rest_, residual_, rhs_, step_;
   double mu_ = 0;               // [N]
-  bool is_indefinite_ = false;  // (3), because of r
+  bool is_indefinite_ = false;  // whether r has made the matrix of (3) indefinite
 };
 
 }  // namespace netloft::tension

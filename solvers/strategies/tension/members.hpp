@@ -19,7 +19,7 @@ inline bool all_finite(std::span<const double> v) {
   return sum == 0;
 }
 
-/// K of a member, row by row.
+/// The stiffness K of a member, row by row.
 using Block = std::array<double, 9>;
 
 /// The force f t [N] of a member with unit vector t, and its stiffness K = a t tᵀ + b I [N/m].
@@ -28,7 +28,8 @@ struct Line {
   double f, a, b;
 };
 
-/// netloft_members with types: the members of a scene, and its other forces r(u).
+/// netloft_members with C++ types: the members of a scene, straight lines that bear tension, and all other
+/// forces r(u). f is the force vector of a member, n its number and c its coefficients in netloft_member.
 class Members {
  public:
   explicit Members(netloft_members& m) : m_(m) {}
@@ -49,8 +50,8 @@ class Members {
   void find_changes(std::span<const double> step, std::vector<Vector>& w) {
     check(m_.changes(m_.host, step.data(), w.data()->data()));
   }
-  /// Computes r(u) over all degrees of freedom and stores its tangent. Returns false if there are no forces
-  /// at u.
+  /// Computes r(u) over all degrees of freedom and stores its tangent. Returns false if elements cannot
+  /// compute their forces at u.
   bool evaluate(std::span<const double> u, std::vector<double>& residual) {
     const int status = m_.evaluate(m_.host, u.data(), residual.data());
     check(status);

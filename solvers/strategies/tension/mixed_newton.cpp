@@ -75,14 +75,14 @@ void MixedNewton::follow_positions() {
   for (std::size_t e = 0; e < members_.size(); ++e) T_[e] = tension_at(e, geometry_[e].strain);
 }
 
-/// Computes r and its tangent; at the start of a stage, those of the last stage are still valid. Returns
-/// false if there are no forces.
+/// Computes r and its tangent, unless the last stage has computed them at this u. Returns false if elements
+/// cannot compute their forces.
 bool MixedNewton::find_rest(std::span<const double> u) {
   if (!knows_rest_) knows_rest_ = members_.evaluate(u, rest_);
   return knows_rest_;
 }
 
-/// Whether the stage has ended. Computes the residual unless the stage `is_between`.
+/// Whether the stage has reached its end. Computes the residual unless the stage `is_between`.
 bool MixedNewton::has_converged(const Stage& stage) {
   if (stage.is_between) return took_whole_step_;
   return find_residual() && is_balanced(stage.tolerance);
@@ -100,7 +100,7 @@ bool MixedNewton::find_residual() {
   return all_finite(residual_);
 }
 
-/// Uses the last residual.
+/// Whether the residual that find_residual() computed last is small against the largest reaction.
 bool MixedNewton::is_balanced(double tolerance) const {
   const auto unknowns = static_cast<std::ptrdiff_t>(step_.size());
   const double largest = largest_of({residual_.begin(), residual_.begin() + unknowns}),
@@ -108,7 +108,7 @@ bool MixedNewton::is_balanced(double tolerance) const {
   return largest <= tolerance * reaction;
 }
 
-/// Computes the matrix and the right-hand side of (2). Returns false if the latter is not finite.
+/// Computes the matrix and the right-hand side of (2). Returns false if the right-hand side is not finite.
 bool MixedNewton::assemble() {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];
@@ -147,7 +147,7 @@ double MixedNewton::largest_turn() const {
   return std::sqrt(square);
 }
 
-/// (3).
+/// Takes the step (3), shortened so that no member turns too far, and adapts the damping.
 void MixedNewton::take(const Stage& stage, std::span<double> u) {
   const double a = std::min(1.0, stage.farthest_turn / largest_turn());
   took_whole_step_ = a == 1;
@@ -161,8 +161,8 @@ void MixedNewton::take(const Stage& stage, std::span<double> u) {
     adapt_damping(a);
 }
 
-/// Updates the tensions by (3). If the step makes a slack member taut, its stretch in the linearisation is
-/// arbitrary: its tension is limited to that of a strain that does not matter.
+/// Updates the tensions by (3). If the step makes a slack member taut, its linearised stretch is arbitrary;
+/// therefore it counts as the strain kMatters at most.
 void MixedNewton::move_tensions(double a) {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];

@@ -7,7 +7,7 @@ namespace netloft::tension {
 /// Newton's method with the tension of every member as an additional unknown: a point consists of positions u
 /// and tensions T, which need not be consistent before convergence.
 ///   r(u) + Σ n c T t = 0,  T = k ε(u),  k = EA where T > 0, else EA_c                              (1)
-/// r are all other forces; n and c are those of netloft_member. Linearised in u and T, with T eliminated:
+/// r are all other forces; n, c are number and coefficients of netloft_member. Linearised, T eliminated:
 ///   (∂r/∂u + Σ n c cᵀ [k/l₀ t tᵀ + T/l (I − t tᵀ)] + D) s = −(r + Σ n c k ε(u) t)                   (2)
 ///   T ← T + a (k (ε + t·Σ c s / l₀) − T),  u ← u + a s                                             (3)
 /// The standard Newton matrix has k ε(u) instead of T. After a step in which a stiff bar turns by θ, k ε(u)
@@ -23,7 +23,7 @@ namespace netloft::tension {
 ///   and B. van Leer, J. Comput. Phys. 59 (1985) 232-246).
 class MixedNewton {
  public:
-  /// μ above which steps no longer depend on anything else.
+  /// Largest μ: D is then as stiff as all members, and a larger D alone would determine the steps.
   static constexpr double kMostDamping = 1;
 
   /// The options of all stages, which strategies.cpp explains.
@@ -38,7 +38,7 @@ class MixedNewton {
     bool is_far = false;         // T = k ε(u), and μ follows the residual
     double damping = 0;          // first μ
     double farthest_turn = 0;    // of any member in one step [rad]
-    bool is_between = false;     // ends after the first whole step; else
+    bool is_between = false;     // ends after the first whole step, without a tolerance
     double tolerance = 0;        // ends if no residual exceeds this fraction of the largest reaction
     std::int64_t iterations = 0;
   };
@@ -92,9 +92,9 @@ class MixedNewton {
   std::vector<Vector> w_, changes_, forces_;
   std::vector<Line> lines_;
   std::vector<double> T_;                               // by member; empty before the first stage
-  std::vector<double> rest_, residual_, mixed_, step_;  // r; (1); right-hand side of (2); s
+  std::vector<double> rest_, residual_, mixed_, step_;  // r; residual of (1); right-hand side of (2); s
   double damping_ = 0;                                  // μ
-  double norm_ = 0;                                     // of the last residual
+  double norm_ = 0;                                     // norm of the last residual
   bool took_whole_step_ = false;
   bool knows_rest_ = false;  // rest_ and its tangent belong to u
 };

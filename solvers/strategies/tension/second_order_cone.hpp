@@ -9,8 +9,8 @@
 
 namespace netloft::tension::cone {
 
-/// Points of R⁴ and the cone K of those with x₀ ≥ ‖x̄‖, x̄ being the other three. Notation and formulas after
-/// L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010), sections 4 and 5.
+/// Points x = (x₀, x̄) of R⁴; the cone K contains those with x₀ ≥ ‖x̄‖. Notation and formulas after L.
+/// Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010), sections 4 and 5.
 using Point = std::array<double, 4>;
 
 /// J x: x₀, −x̄.
@@ -18,7 +18,7 @@ inline Point mirrored(const Point& x) { return {x[0], -x[1], -x[2], -x[3]}; }
 
 inline double length(const Point& x) { return std::sqrt(x[1] * x[1] + x[2] * x[2] + x[3] * x[3]); }
 
-/// x₀² − ‖x̄‖², positive inside; as a product, which keeps its digits near the boundary.
+/// x₀² − ‖x̄‖², positive inside K, as a product, which keeps its digits near the boundary of K.
 inline double determinant(const Point& x) { return (x[0] - length(x)) * (x[0] + length(x)); }
 
 /// a ∘ b = (a·b, a₀ b̄ + b₀ ā).
@@ -26,7 +26,7 @@ inline Point product(const Point& a, const Point& b) {
   return {dot(a, b), a[0] * b[1] + b[0] * a[1], a[0] * b[2] + b[0] * a[2], a[0] * b[3] + b[0] * a[3]};
 }
 
-/// The x of v ∘ x = r.
+/// Solves v ∘ x = r for x.
 inline Point quotient(const Point& r, const Point& v) {
   Point x;
   x[0] = dot(mirrored(v), r) / determinant(v);
@@ -34,7 +34,7 @@ inline Point quotient(const Point& r, const Point& v) {
   return x;
 }
 
-/// The largest step a for which x + a d is in K; infinity if all are. x is inside.
+/// The largest step a for which x + a d is in K, or infinity; x must be inside K.
 inline double step_to_boundary(const Point& x, const Point& d) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const double a = dot(mirrored(d), d), b = dot(mirrored(x), d), c = determinant(x);
@@ -47,7 +47,7 @@ inline double step_to_boundary(const Point& x, const Point& d) {
   return least;
 }
 
-/// The scaling of Nesterov and Todd for z and y inside K: W z = W⁻¹ y,
+/// The scaling W of Nesterov and Todd for z and y inside K, defined by W z = W⁻¹ y. J x = (x₀, −x̄):
 ///   W = β (2 v vᵀ − J),  W² = β² (2 p pᵀ − J)                                             (1)
 class Scaling {
  public:

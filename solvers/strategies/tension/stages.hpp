@@ -6,22 +6,22 @@ namespace netloft::tension {
 
 /// Brings a scene from a drawing to its equilibrium through softer scenes: first with a small factor on all
 /// stiffness, then with the stiffness of every part limited to a multiple of its tension, then unchanged.
-/// Tensions are unknowns in all stages (mixed_newton.hpp). A common cap for all parts would not soften parts
-/// that carry little; this one strains all parts alike.
+/// Tensions are unknowns in all stages (mixed_newton.hpp). The limit of a part depends on its own tension,
+/// because a common limit would not soften parts with little tension.
 class Stages {
  public:
   /// The options, which strategies.cpp explains with their sources.
   struct Parameters : MixedNewton::Parameters {
-    double softest = 0;          // first factor
-    double ratio = 0, last = 0;  // multiples of the tension
+    double softest = 0;          // factor on all stiffness in the first stage
+    double ratio = 0, last = 0;  // first and last multiple of the tension
     double damping = 0, turn = 0, tolerance = 0;
     std::int64_t iterations = 0;
   };
 
   Stages(const Parameters& parameters, netloft_members& members);
 
-  /// Solves from u, which it changes. Returns the ending of the last stage, or of the stage that the host
-  /// ended.
+  /// Solves from u, which it changes. Returns how the last stage ended. The first stage is the last if it
+  /// does not converge, and any stage if the host calls it off.
   MixedNewton::Ending solve(std::span<double> u);
 
  private:

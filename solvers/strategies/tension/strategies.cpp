@@ -17,7 +17,7 @@ std::string counted(std::size_t members) {
   return std::to_string(members) + (members == 1 ? " member" : " members");
 }
 
-/// Whether some member can be slack; one that resists compression as much as tension cannot.
+/// Whether some member can be slack: a member that resists compression less than tension.
 bool some_can_be_slack(const netloft_members& members) {
   return std::any_of(members.member, members.member + members.count,
                      [](const netloft_member& m) { return m.EA_compression < m.EA; });
@@ -60,8 +60,8 @@ std::string Only::explain(const Parameters&, Search& search) {
          "are";
 }
 
-// Dampings are fractions of the linear stiffness. Values marked as fitted were chosen on four real gears,
-// from thousands of random sets and a grid: tests/validation/README.md, "How sure it is".
+// Damping is a fraction of the linear stiffness. Values marked as fitted were chosen on four real gears, from
+// thousands of random sets of values and a grid: tests/validation/README.md, "How sure it is".
 void FromSoft::describe(StrategyTable<FromSoft>& t) {
   using P = Parameters;
   t.needs(NETLOFT_SEARCH_MEMBERS);
@@ -72,8 +72,8 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
                        const char* doc, double least = 1e-16) {
     t.real(name, member, unit, doc, {.lo = least, .hi = 1e9, .fallback = fallback});
   };
-  // Least factor of repeated multiplications: with one they would not end; with this, `last` is reached from
-  // one in 104 steps.
+  // Least value of a factor that is applied repeatedly: with 1 the stages would never end, with 1.1 they
+  // reach the default of `last` from 1 in 104 steps.
   constexpr double kLeastGrowth = 1.1;
   add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");
   add("ratio", &P::ratio, "1", 5,
