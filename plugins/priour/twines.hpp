@@ -5,7 +5,7 @@
 namespace netloft::priour {
 
 /// Computes the vector Σ c_p x_p of a bar in every lane, triangle.hpp (2) or (3) [m]. Positions are x +
-/// x_low; x_low, which a tile may lack, holds digits beyond those of a double.
+/// x_low; x_low, which a tile may lack, adds digits beyond those of a double.
 inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
                        double (&__restrict w)[3][kLanes]) {
   for (int axis = 0; axis < 3; ++axis) {
