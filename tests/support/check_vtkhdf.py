@@ -45,7 +45,7 @@ def count(check, root, name):
 
 
 def check_topology(check, root):
-    """Returns the numbers of points and cells."""
+    """Checks points, cells and their types. Returns the numbers of points and cells."""
     n_points, n_cells = count(check, root, "NumberOfPoints"), count(check, root, "NumberOfCells")
     n_ids = count(check, root, "NumberOfConnectivityIds")
     connectivity, offsets, types = (root.get(name) for name in ("Connectivity", "Offsets", "Types"))
@@ -65,7 +65,7 @@ def check_topology(check, root):
 
 
 def check_slots(check, name, dataset, offsets, rows, n_steps):
-    """Every step finds its rows inside the dataset. Returns the offsets."""
+    """Checks that the rows of every step are inside the dataset. Returns the offsets."""
     if not check.is_int64(offsets, (n_steps,), f"Steps offsets of {name}"):
         return None
     starts = offsets[:]

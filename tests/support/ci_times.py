@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the time of a build and its tests goes: the heaviest sources and the longest tests, in seconds.
+"""Lists the sources that take longest to compile and the longest tests, in seconds.
 
     ci_times.py BUILD_FOLDER [ROWS]
 
-Sources are timed by ninja's log, the latest run of each; objects that came out of the cache count as what they took then.
-Tests are timed by the output of ctest, which .ci/run keeps beside the folder as ci-NAME.log.
+Times of sources are those of the latest build of each in ninja's log; an object out of the compiler cache has the short time that
+it took from there. Times of tests are those in the output of ctest, which .ci/run stores beside the folder as ci-NAME.log.
 """
 import re
 import sys
@@ -13,7 +13,7 @@ from pathlib import Path
 
 
 def times_of_sources(folder):
-    """Output of each step of the build to seconds."""
+    """Returns the seconds of each step of the build, by its output."""
     latest = {}
     for line in (folder / ".ninja_log").read_text().splitlines()[1:]:
         begin, end, _, output, _ = line.split("\t")
@@ -23,7 +23,7 @@ def times_of_sources(folder):
 
 
 def times_of_tests(folder):
-    """Name of each test to seconds; empty where no log was kept."""
+    """Returns the seconds of each test by name; empty if there is no log."""
     log = folder.parent / f"ci-{folder.name}.log"
     if not log.exists():
         return {}

@@ -5,7 +5,7 @@
 
 namespace netloft::test {
 
-/// Whether this build counts calls: not with a sanitizer, nor with a C library other than glibc.
+/// Whether this build counts calls. A build with a sanitizer, or with a C library other than glibc, does not.
 bool malloc_is_counted();
 
 /// Number of calls of malloc and similar functions so far, by all threads.

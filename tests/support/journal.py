@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads the journal NAME.hdf.part of a motion as io/formats/hdf5/LAYOUT.md describes it, independently of the program.
 
-    journal.py FILE...      prints how many outputs each holds and how the motion stands
+    journal.py FILE...      prints the number of outputs in each file and the status of its motion
 """
 import struct
 import sys
@@ -23,7 +23,7 @@ def is_whole_head(head):
 
 
 def records_of(data):
-    """(kind, content) of every whole record; the remainder of one at the end is left out."""
+    """Yields kind and content of every complete record; an incomplete record at the end is left out."""
     if len(data) < 16 or not data.startswith(MAGIC) or not is_whole_head(data[:16]):
         raise Damaged("no journal")
     at = 16
@@ -43,7 +43,7 @@ def records_of(data):
 
 
 class Content:
-    """Plain data, one after the other."""
+    """Reads plain data one after the other from the content of a record."""
 
     def __init__(self, data):
         self.data, self.at = data, 0
@@ -114,7 +114,7 @@ class Journal:
         self.status = (c.text(), c.text())
 
     def series(self):
-        """Names to arrays [state, ...]."""
+        """Returns arrays [state, ...] by name."""
         return {name: np.array([out[name] for out in self.outputs]) for name in (self.outputs[0] if self.outputs else {})}
 
 

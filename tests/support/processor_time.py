@@ -3,6 +3,6 @@ import resource
 
 
 def of_children():
-    """Processor time of all programs that this one has waited for [s]."""
+    """Returns the processor time of all child processes that have ended [s]."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime

@@ -23,7 +23,7 @@ def parse(argv):
     parser.add_argument("--step", type=int)
     parser.add_argument("--size", type=numbers, default=[1400, 900])
     parser.add_argument("--width", type=float, default=4.0, help="of lines, in pixels")
-    # argparse takes "-1,0,0" for an option
+    # argparse would read a value such as "-1,0,0" as an option
     joined, words = [], iter(argv)
     for word in words:
         joined.append(f"{word}={next(words, '')}" if word == "--from" else word)
@@ -59,7 +59,7 @@ def find_array(reader, name):
 
 
 def show(source, where, name, view, width):
-    """Draws with fine edges; lines and vertices once more on top, thick."""
+    """Draws the cells with fine edges, and lines and vertices again on top, thick."""
     thin = draw(source, where, name, view, "Surface With Edges", 1.0)
     thin.EdgeColor = [0.35, 0.35, 0.35]
     ropes = pv.ExtractCellsByType(Input=source)
@@ -67,7 +67,7 @@ def show(source, where, name, view, width):
     ropes.UpdatePipeline()
     if ropes.GetDataInformation().GetNumberOfCells():
         draw(ropes, where, name, view, "Surface", width).PointSize = 2.5 * width
-    # the colours span the whole model, not the ropes drawn last
+    # the range of the colours is that of the whole model, not of the ropes that are drawn last
     information = source.PointData if where == "POINTS" else source.CellData
     array = information[name]
     span = array.GetRange(-1 if array.GetNumberOfComponents() > 1 else 0)
@@ -101,7 +101,7 @@ def unit(a):
 
 
 def look(view, source, direction):
-    """Parallel projection that just holds the corners of the model's box, left of the colour bar."""
+    """Sets a parallel projection into which the bounding box of the model just fits, left of the colour bar."""
     box = source.GetDataInformation().GetBounds()
     toward = unit(direction)
     up = [0.0, 1.0, 0.0] if abs(toward[2]) > 0.999 else [0.0, 0.0, 1.0]
@@ -113,7 +113,7 @@ def look(view, source, direction):
     half_width, half_height, half_depth = ((max(span) - min(span)) / 2 for span in spans)
     aspect = view.ViewSize[0] / view.ViewSize[1]
     scale = 1.08 * max(half_height, half_width / (aspect * 0.85)) or 1.0
-    middle[0] += 0.12 * scale * aspect  # room for the bar
+    middle[0] += 0.12 * scale * aspect  # leaves room for the colour bar
     centre = [sum(m * axis[i] for m, axis in zip(middle, (right, up, toward))) for i in range(3)]
     view.CameraParallelProjection = 1
     view.CameraFocalPoint = centre

@@ -8,7 +8,7 @@
 
 namespace netloft::test {
 
-/// Rows of a table on a page, below this heading row. `page` is relative to the checkout.
+/// Returns the rows of the table whose first row is `heading`. `page` is relative to the checkout.
 inline std::vector<std::string> rows_below(const std::string& page, const std::string& heading) {
   std::ifstream in(source_folder() + "/" + page);
   std::string line;

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables of keys on a page, from what the program says of them:
+"""Writes the tables of keys on a page from what `netloft describe` prints:
 
     /usr/bin/python3 scene_tables.py NETLOFT PAGE.md [--write]
 
-A block of the page looks so; what stands between its two lines is made of `netloft describe NAME --json`:
+A block of the page looks like this; the lines between the two comments are made of `netloft describe NAME --json`:
 
     <!-- keys of analysis, from integrator -->
     <!-- end of keys -->
 
-NAME is a table of the scene (water, analysis, gear), or an element, of which the block has the geometry. `from KEY`
-and `before KEY` take a part of its rows. Without --write the page is compared, and 1 returned if it differs.
+NAME is a table of the scene (water, analysis, gear), or an element, whose block lists the keys of its geometry. `from KEY`
+and `before KEY` select a part of the rows. Without --write the page is compared, and the exit code is 1 if it differs.
 """
 import difflib
 import json

@@ -28,7 +28,7 @@ class LanguageServer:
         return json.loads(self.process.stdout.read(length))
 
     def handle(self, message):
-        """Answers what the server asks, keeps what it finds."""
+        """Answers a request of the server, or stores the diagnostics that it sends."""
         if message.get("method") == "textDocument/publishDiagnostics":
             self.diagnostics[message["params"]["uri"]] = message["params"]["diagnostics"]
         if "method" in message and "id" in message:
@@ -48,7 +48,7 @@ class LanguageServer:
         self.send({"method": method, "params": params})
 
     def open(self, name, text):
-        """Opens a text under a name and waits for what is found in it."""
+        """Opens a text under a name and waits for its diagnostics."""
         uri = (self.folder / name).as_uri()
         (self.folder / name).write_text(text)
         self.notify("textDocument/didOpen", {"textDocument": {"uri": uri, "languageId": "toml", "version": 1, "text": text}})

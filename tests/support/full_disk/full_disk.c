@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * A full disk without a disk, and other faults of the system: LD_PRELOAD this library, and writes to regular files fail.
+ * Simulates a full disk and other faults of the system in a program that loads this library by LD_PRELOAD:
  *
- *   NETLOFT_DISK_BYTES=n   files may grow by n bytes in all; what would need more fails with ENOSPC
+ *   NETLOFT_DISK_BYTES=n   regular files may grow by n bytes in all; a write that needs more fails with ENOSPC
  *   NETLOFT_FAIL_WRITE=k   the k-th write (from 1) and all later ones fail with ENOSPC; 0 counts them only
- *   NETLOFT_FULL_KILLS=1   what would fail with ENOSPC kills the program instead, as a loss of power would
+ *   NETLOFT_FULL_KILLS=1   a write that would fail with ENOSPC kills the program instead, as a loss of power would
  *   NETLOFT_COUNT_FILE=f   at the end the number of writes is written into f
  *   NETLOFT_SHORT_READS=1  every read of a regular file returns at most half of what was asked for
  *   NETLOFT_SHORT_WRITES=1 every write to a regular file takes at most half of what it is given
- *   NETLOFT_CLOCK_BACK=s   the clock on the wall goes back by s seconds whenever it is read
+ *   NETLOFT_CLOCK_BACK=s   the clock of the system goes back by s seconds whenever it is read
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>

@@ -62,7 +62,7 @@ void add(Plugin& plugin, const char* name) {
   e.template term<Weight<Harm>, conservative | symmetric | from_outside>("pull", "its weight");
 }
 
-/// Small steps against the residual, which are accepted but lead to no equilibrium.
+/// Takes small steps against the residual, which are accepted but lead to no equilibrium.
 bool creep(Problem& problem, std::vector<double>& r, int steps) {
   double energy = 0;
   for (int i = 0; i < steps; ++i) {

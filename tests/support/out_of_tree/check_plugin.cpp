@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// check_plugin FILE.so: runs the conformance suite over a plugin and prints the answers; 1 if any is no.
+// check_plugin FILE.so: runs the conformance suite over a plugin and prints the results. The exit code is 1
+// if a check fails.
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/registry.hpp"
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A cord in plain C that knows the core of the boundary alone. On its nodes p
+ * A cord in plain C that uses only plugin.h, the core of the plugin interface. Per node:
  *   E = k/2 (l - l0)^2,   G = w z/2,   F = c |W| W/2,   W = u - v
- * k [N/m] stiffness, w [N] weight in water, c [N s2/m2] drag of the whole cord; u, v [m/s] velocities of
- * water, node. */
+ * k [N/m] stiffness, w [N] weight in water, c [N s2/m2] drag of the whole cord; u, v [m/s] velocities of the
+ * water and of the node. */
 #include <netloft/plugin.h>
 
 #include <math.h>
@@ -16,7 +16,7 @@ typedef struct Parameters {
   double k, w, c;
 } Parameters;
 
-/* [element] */
+/* Arrays by element. */
 typedef struct Cords {
   const Parameters** parameters;
   double* rest_length;

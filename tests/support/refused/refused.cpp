@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A plugin in plain C, whole when FLAW is FLAW_NONE; CMakeLists.txt builds one module for every flaw.
+// A plugin through the C interface, correct if FLAW is FLAW_NONE. CMakeLists.txt builds one module for every
+// flaw.
 #include <netloft/ext/ground.h>
 #include <netloft/ext/laws.h>
 #include <netloft/ext/members.h>
@@ -66,7 +67,7 @@ constexpr Flaw kFlaw = FLAW_OF(FLAW);
 constexpr bool has(Flaw flaw) { return kFlaw == flaw; }
 
 #if defined(__x86_64__)
-/// Sets flush-to-zero like crtfastmath.o.
+/// Makes the processor flush subnormal numbers to zero, as crtfastmath.o of GCC does.
 __attribute__((constructor)) void flush_to_zero() {
   if (has(FLAW_flushes_to_zero)) _mm_setcsr(_mm_getcsr() | 0x8040);
 }
@@ -94,11 +95,11 @@ int create(netloft_create*, void** self) {
 }
 void destroy(void*) {}
 
-/// Structs one after the other, `Step` bytes each, as a plugin of another minor version would lay them.
+/// Structs one after the other, `Step` bytes each, as in a plugin of another minor version.
 template <class T, std::size_t Count, std::size_t Step>
 struct Array {
   explicit Array(const T (&rows)[Count]) {
-    std::memset(bytes, 0x5a, sizeof bytes);  // fields nobody knows
+    std::memset(bytes, 0x5a, sizeof bytes);  // fields that the host does not know
     for (std::size_t i = 0; i < Count; ++i) {
       T row = rows[i];
       row.size = Step;
@@ -109,7 +110,7 @@ struct Array {
   alignas(8) char bytes[Count * Step];
 };
 
-/// The size of a struct in a newer or older interface; `known` is where the older one ended.
+/// The size of a struct in a newer or older interface. In the older one, the struct ended at `known`.
 constexpr std::size_t step_of(std::size_t size, std::size_t known) {
   return has(FLAW_longer) || has(FLAW_longer_and_newer) ? size + 24 : has(FLAW_older) ? known : size;
 }

@@ -32,7 +32,7 @@ struct DragByLaw {
       return field ? field[at(row, lane)] : 0;
     }
 
-    /// Mean velocity, direction and a diameter of 1 cm; returns one over the length.
+    /// Fills in mean velocity, direction and a diameter of 1 cm; returns one over the length of the bar.
     static double fill_lane(const netloft_tile& t, std::size_t i, FlowLanes& f) {
       double w[3], square = 0;
       for (std::size_t a = 0; a < 3; ++a) {
@@ -46,7 +46,7 @@ struct DragByLaw {
       return inverse;
     }
 
-    /// Half of the force of a metre to each node, and its derivatives.
+    /// Adds half of the force on a metre to each node, and its derivatives.
     static void add_lane(const FlowLanes& f, double inverse, std::size_t i, netloft_tile& t) {
       for (std::size_t r = 0; r < 3; ++r) {
         double along = 0;

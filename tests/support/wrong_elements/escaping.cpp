@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A plugin written without the author layer: nobody catches its exceptions, and its parameters are what the
-// host left there.
+// A plugin that does not use element.hpp: nothing catches its exceptions, and its parameters keep the values
+// that the host left in their memory.
 #include <netloft/ext/laws.h>
 
 #include <cstddef>
@@ -28,7 +28,7 @@ netloft_element element() {
   return e;
 }
 
-/// The tables of the plugin declare only the coefficient of these parameters.
+/// The tables of the plugin declare only `coefficient`, so that `number` has no default.
 struct Parameters {
   double coefficient, number;
 };
@@ -46,7 +46,7 @@ int create_with_number(netloft_create* in, void** self) {
   return NETLOFT_OK;
 }
 
-/// A weight of 1 N, times number + 1.
+/// A weight of (number + 1) N.
 int pull_down(const void* self, netloft_tile* t) {
   const auto& p = *static_cast<const Parameters*>(self);
   for (std::uint32_t i = 0; i < t->count; ++i) {
@@ -69,7 +69,7 @@ netloft_element element_with_number() {
   return e;
 }
 
-/// Along the flow in proportion to it.
+/// A force along the flow, proportional to its velocity.
 int push_in_proportion(const void* parameters, const netloft_law_tile* f) {
   const auto& p = *static_cast<const Parameters*>(parameters);
   const double k = p.coefficient * (p.number + 1);

@@ -11,7 +11,7 @@ struct Data {
   double rest_length = 0;
 };
 
-/// An element on two nodes for every term, so that each has a table of its own.
+/// The element of one term, on two nodes: every term gets an element, and thereby a table, of its own.
 template <class Term>
 struct On {
   static constexpr auto stencil = NETLOFT_BAR;
@@ -57,7 +57,8 @@ inline Status evaluate_spring(const Parameters& p, const Data& d, const State<2>
   return Status::ok;
 }
 
-/// Force and tangent of a linear law f = C w with a diagonal C, energy of the one it claims to be.
+/// Force and tangent of the linear law f = C w with the diagonal `force` of C, and the energy of the law with
+/// the diagonal `energy`.
 inline Status evaluate_diagonal(const State<2>& s, Local<2>& out, const double (&energy)[3],
                                 const double (&force)[3]) {
   const Vec3<double> w = s.x[1] - s.x[0];
@@ -67,7 +68,7 @@ inline Status evaluate_diagonal(const State<2>& s, Local<2>& out, const double (
   return Status::ok;
 }
 
-/// A spring in every lane of a tile, changed by `change(lane, local)` before it is added.
+/// Computes a spring in every lane of a tile. `change(lane, local)` changes the result before it is added.
 template <class E, class Change>
 Status each_lane(const Family<E>& f, netloft_tile& t, bool packed, Change&& change) {
   for (std::size_t lane = 0; lane < t.count; ++lane) {

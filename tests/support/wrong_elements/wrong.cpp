@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Elements that are wrong in one place each. The sentence of each names the check that must find it, and no
-// other may: tests/unit/framework/conformance/wrong_elements_test.cpp reads it from there.
+// Elements that are wrong in one place each. The description of an element is the name of the only check that
+// must fail: tests/unit/framework/conformance/wrong_elements_test.cpp reads it.
 #include "tests/support/wrong_elements/drag_by_law.hpp"
 #include "tests/support/wrong_elements/spring.hpp"
 
@@ -42,7 +42,7 @@ struct EnergyDoubled {
   }
 };
 
-struct EnergyJumps {  // by a constant where the bar goes slack
+struct EnergyJumps {  // the energy jumps by a constant where the bar goes slack
   static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
     evaluate_spring(p, d, s, out);
     if (Spring(p, d, s).T < 0) out.energy += 0.2 * p.EA * d.rest_length;
@@ -69,7 +69,7 @@ struct IgnoresFactor {
   }
 };
 
-struct Asymmetric {  // f = k w_z² w: along the bar, the same about z, and the gradient of nothing
+struct Asymmetric {  // f = k w_z² w: along the bar, symmetric about z, but not the gradient of an energy
   static Status evaluate(const Parameters& p, const Data&, const State<2>& s, Local<2>& out) {
     const Vec3<double> w = s.x[1] - s.x[0];
     const double g = p.EA * w.z * w.z;
@@ -85,13 +85,13 @@ struct NotConstant {
   }
 };
 
-struct ConvexNotPositive {  // the exact tangent, which is negative across a slack bar
+struct ConvexNotPositive {  // gives the exact tangent, which is negative across a slack bar
   static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
     return evaluate_spring(p, d, s, out);
   }
 };
 
-/// Convex part and metric of a spring; the metric is `Metric::of` times k I.
+/// A spring with its convex part; its metric is `Metric::of` times k I.
 template <class Metric>
 struct WithMetric {
   static Status tile(const Family<On<WithMetric>>& f, netloft_tile& t) {
@@ -162,8 +162,8 @@ struct SloppyEnergy {
 };
 
 struct SharedScratch {
-  /// Waits for the other thread if it has been here since the last call of this one, because it will then
-  /// soon be here again, even on a busy machine.
+  /// Waits for the other thread if that thread called this function last, because it will then soon call
+  /// again, even on a busy machine.
   static void let_another_write() {
     static std::atomic<std::thread::id> writer;
     const auto self = std::this_thread::get_id();
@@ -189,7 +189,7 @@ struct StartsThread {
   }
 };
 
-struct KeepsThread : On<KeepsThread> {  // as long as the family lives
+struct KeepsThread : On<KeepsThread> {  // keeps a thread as long as the family lives
   struct Lanes {
     std::jthread worker;
   };
@@ -299,7 +299,7 @@ struct Drag {
   }
 };
 
-/// Drag without a tangent by velocity if nothing moves.
+/// Drag whose tangent lacks the derivative with respect to velocity if nothing moves.
 struct UndampedAtRest {
   static Status tile(const Family<On<UndampedAtRest>>& f, netloft_tile& t) {
     for (std::size_t lane = 0; lane < t.count; ++lane) {

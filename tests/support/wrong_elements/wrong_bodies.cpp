@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Elements on rigid bodies that are wrong in one place each, as in wrong.cpp: the sentence of each names the
-// check that must find it.
+// Elements on rigid bodies that are wrong in one place each, as in wrong.cpp: the description of an element
+// is the name of the check that must fail.
 #include <netloft/element.hpp>
 
 using namespace netloft;
 
 namespace {
 
-/// A plate at one arm, a mass at another; y of both is reversed on the other side.
+/// A plate and a mass, each at an arm from the origin; on the other side of a gear, y of both arms is
+/// reversed.
 struct Board {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters {
@@ -24,7 +25,7 @@ using D = Board::Data;
 Vec3<double> mass_at(const D& d) { return {0.2, 0.3 * d.side, -0.4}; }
 Vec3<double> plate_at(const D& d) { return {-0.5, 0.2 * d.side, 0.3}; }
 
-/// An element of its own for every term, so that each has a table of its own.
+/// The element of one term: every term gets an element, and thereby a table, of its own.
 template <class Term>
 struct On : Board {};
 
@@ -72,7 +73,7 @@ struct InertiaOfWhatDoesNotTurn {
   }
 };
 
-/// The gradient of the weight with twice its moment.
+/// The weight, but with twice its moment in the residual.
 struct DoubledMoment {
   static Status evaluate(const P& p, const D& d, const State<2>& s, Local<2>& out) {
     using T = Dual<6>;
@@ -91,7 +92,7 @@ struct DoubledMoment {
   }
 };
 
-/// The tangent of the push without rotation.
+/// The push, but its tangent lacks the effect of rotation.
 struct ForgetsSpin {
   static Status tile(const Family<On<ForgetsSpin>>& f, netloft_tile& t) {
     for (std::size_t lane = 0; lane < t.count; ++lane) {
@@ -111,7 +112,7 @@ struct ForgetsSpin {
   }
 };
 
-/// A force along its own axis that increases with the length of its rotation vector.
+/// A force along the body's own axis that increases with the length of the rotation vector.
 struct CountsTurns {
   static Status evaluate(const P& p, const D&, const State<2>& s, Local<2>& out) {
     using T = Dual<6, 1>;
@@ -140,7 +141,7 @@ struct OneSided {
   }
 };
 
-/// `Description` is the check that finds it.
+/// `found_by` is the check that must fail.
 template <class Term, std::uint32_t Traits>
 void add(Plugin& plugin, const char* name, const char* found_by) {
   auto& table = plugin.element<On<Term>>(name, found_by);

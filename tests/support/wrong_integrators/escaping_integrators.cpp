@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An integrator that goes round the author's layer and lets an exception out.
+// An integrator that does not use integrator.hpp and lets an exception out.
 #include <netloft/ext/integrator.h>
 
 #include <cstring>

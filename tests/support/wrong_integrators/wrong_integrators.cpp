@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Integrators that are wrong in one place each: the trapezoidal rule, or central differences, with a flaw.
-// The sentence of each names the check that must find it, and no other may:
-// tests/unit/framework/conformance/wrong_integrators_test.cpp reads it from there.
+// The description of an integrator is the name of the only check that must fail:
+// tests/unit/framework/conformance/wrong_integrators_test.cpp reads it.
 #include <netloft/integrator.hpp>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ enum class Flaw {
 template <Flaw F>
 struct Wrong {
   struct Parameters {
-    double share = 0;  // of the acceleration at the end in the displacement
+    double share = 0;  // weight of the final acceleration in the displacement, 2β of Newmark
   };
   static constexpr bool has(Flaw flaw) { return F == flaw; }
   static constexpr bool kIsExplicit = has(Flaw::old_velocity) || has(Flaw::overreaches);
@@ -58,7 +58,7 @@ struct Wrong {
     return step;
   }
 
-  /// Central differences, with forces at the velocity of the start.
+  /// Central differences, with forces at a predicted velocity, or with a flaw at that of the start.
   static Step differ(Motion& m, double h) {
     auto predicted = m.scratch(0);
     for (std::size_t i = 0; i < m.size(); ++i) {
@@ -75,7 +75,7 @@ struct Wrong {
   static Step solve(const Parameters& p, Motion& m, double h) {
     const double beta = 0.5 * p.share, gamma = 0.5;
     const double ca = 1 / (beta * h * h), cv = gamma * h * ca;
-    const double shown = has(Flaw::halves_velocity) ? 0.5 : 1;  // part of the velocity that is given out
+    const double shown = has(Flaw::halves_velocity) ? 0.5 : 1;  // fraction of the velocity that is returned
     auto v0 = m.scratch(0), a0 = m.scratch(1);
     for (std::size_t i = 0; i < m.size(); ++i) {
       const double v = m.v()[i] / shown;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Laws that are wrong in one place each. The sentence of each names the check that must find it, and no other
-// may: tests/unit/framework/conformance/wrong_laws_test.cpp reads it from there.
+// Laws that are wrong in one place each. The description of a law is the name of the only check that must
+// fail: tests/unit/framework/conformance/wrong_laws_test.cpp reads it.
 #include <netloft/law.hpp>
 
 using namespace netloft;
@@ -24,7 +24,7 @@ T speed(const Flow<T>& f) {
   return norm(f.flow) > T(0) ? norm(f.flow) : T(0);
 }
 
-/// A correct law; each wrong one has one flaw.
+/// The correct law. Each wrong law differs from it in one place.
 template <class T>
 Vec3<T> right(const Parameters& p, const Flow<T>& f) {
   const T k = p.C * f.density * f.diameter * (1.0 + f.solidity);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A solver that goes round the author's layer and lets an exception out.
+// A solver that does not use solver.hpp and lets an exception out.
 #include <netloft/ext/solver.h>
 
 #include <cstring>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Solvers that are wrong in one place each: gradient descent with a flaw. The sentence of each names the
-// check that must find it, and no other may: tests/unit/framework/conformance/wrong_solvers_test.cpp reads it
-// from there.
+// Solvers that are wrong in one place each: gradient descent with a flaw. The description of a solver is the
+// name of the only check that must fail: tests/unit/framework/conformance/wrong_solvers_test.cpp reads it.
 #include <netloft/solver.hpp>
 
 #include <algorithm>
@@ -32,7 +31,7 @@ enum class Flaw {
   keeps_threads
 };
 
-/// u ← u − t M⁻¹ r with halved t until the step is neither uphill nor too long.
+/// Descends by u ← u − t M⁻¹ r; t is halved until the step is neither uphill nor too long.
 template <Flaw F>
 struct Descent {
   struct Parameters {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Strategies that go round the author's layer: one stage of the scene as it is written, with a flaw that the
-// layer would not let pass. The sentence of each names the check that must find it.
+// Strategies that do not use strategy.hpp: they solve the unchanged scene once, with a flaw that strategy.hpp
+// would prevent. The description of a strategy is the name of the check that must fail.
 #include <netloft/ext/strategy.h>
 
 #include <algorithm>

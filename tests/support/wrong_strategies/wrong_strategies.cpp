@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Strategies that are wrong in one place each: at once, otherwise from soft to stiff, with a flaw. The
-// sentence of each names the check that must find it, and no other may:
-// tests/unit/framework/conformance/wrong_strategies_test.cpp reads it from there.
+// Strategies that are wrong in one place each. The description of a strategy is the name of the only check
+// that must fail: tests/unit/framework/conformance/wrong_strategies_test.cpp reads it.
 #include <netloft/strategy.hpp>
 
 #include <chrono>
@@ -37,13 +36,13 @@ enum class Flaw {
   keeps_threads
 };
 
-/// From the coarsest mesh at once; if that fails, over caps on stiffness, each `ratio` times the previous
-/// one; if the result is unstable, again from a perturbed point.
+/// Solves the scene at once, from a coarser mesh if there is one. If that fails, it solves with caps on the
+/// stiffness that rise to the full stiffness; if the result is unstable, again from a perturbed point.
 template <Flaw F>
 struct Wrong {
   struct Parameters {
     double softest = 0;       // cap on stiffness in the first stage, over the largest stiffness
-    std::int64_t stages = 0;  // from there to the scene
+    std::int64_t stages = 0;  // number of stages from there to the full stiffness
   };
   static constexpr bool has(Flaw flaw) { return F == flaw; }
 
@@ -81,8 +80,8 @@ struct Wrong {
     if (!is_over(search, stage)) go_on_from(search, stage);
   }
 
-  /// Starts from a coarser mesh if there is one. Returns the stage of the scene, or of the mesh at which it
-  /// had to stop.
+  /// Starts from a coarser mesh if there is one. Returns the stage of the scene, or an empty one if the
+  /// search ended before.
   static Stage at_once(Search& search) {
     Displacements u = has(Flaw::ignores_start) ? Displacements(search.size(), 0.0) : search.start();
     if (search.levels() > 1) {
