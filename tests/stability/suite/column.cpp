@@ -37,7 +37,7 @@ std::string component_of(const std::string& specification) {
   return specification.substr(0, specification.find(':'));
 }
 
-/// The solver and strategy of a column apply in any case: no other setting replaces them.
+/// The solver and strategy come last, so that no other setting of the column replaces them.
 std::vector<std::string> overrides_of(const Column& column) {
   std::vector<std::string> all = column.overrides;
   const auto choose = [&](const char* key, const std::string& specification) {

@@ -5,25 +5,25 @@
 
 namespace netloft::hard_cases {
 
-/// A column of the matrix: a strategy, a solver, and what else the analysis is given.
+/// A column of the matrix: a strategy, a solver, and other settings of the analysis.
 struct Column {
   std::string solver;    // "newton:method=classic"; empty: that of the analysis
   std::string strategy;  // "auto:without=restarts"; empty: the solver alone
   std::vector<std::string> overrides = {};
-  std::vector<std::string> sizes = {};  // that it is run at unless asked for by name; empty: all
-  std::string title = {};               // at its head; empty: the strategy and the solver
+  std::vector<std::string> sizes = {};  // sizes at which it runs if no option names it; empty: all
+  std::string title = {};               // its heading; empty: the strategy and the solver
 
   std::string head() const;
 };
 
-/// A solver alone, "newton:method=classic".
+/// Returns the column of a solver alone, such as "newton:method=classic".
 Column column_of(const std::string& solver);
 
-/// Takes attempts away from the strategy auto, with those that the column leaves out itself: its parameter
-/// `without`. Other columns stay as they are.
+/// Adds `parts` to the attempts that the strategy auto leaves out, its parameter `without`. Columns of other
+/// strategies stay as they are.
 void leave_out(const std::vector<std::string>& parts, Column& column);
 
-/// Name of a component in "newton:method=classic".
+/// Returns the name of the component in a specification: "newton" in "newton:method=classic".
 std::string component_of(const std::string& specification);
 
 /// Settings, path=value, that replace the analysis of a scene by that of the column. Throws

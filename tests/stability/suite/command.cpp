@@ -24,7 +24,7 @@ using namespace program;
 
 namespace {
 
-/// The columns that --strategy and --solver name; else the suite's.
+/// The columns that --strategy and --solver name, or those of the suite if the options name none.
 std::vector<Column> named_columns(const Suite& suite, const SuiteOptions& options) {
   std::vector<Column> columns;
   for (const auto& strategy : options.strategies) columns.push_back({"", strategy});
@@ -32,7 +32,7 @@ std::vector<Column> named_columns(const Suite& suite, const SuiteOptions& option
   return columns.empty() ? suite.columns : columns;
 }
 
-/// The settings of the suite for a solver of that name.
+/// The settings that the suite has for a solver of this name.
 std::vector<std::string> overrides_in(const Suite& suite, const std::string& solver) {
   const auto same = std::find_if(suite.columns.begin(), suite.columns.end(), [&](const auto& column) {
     return component_of(column.solver) == component_of(solver);
@@ -52,7 +52,8 @@ std::vector<Column> wanted_columns(const Suite& suite, const SuiteOptions& o) {
 
 bool is_asked_for(const SuiteOptions& o) { return !o.solvers.empty() || !o.strategies.empty(); }
 
-/// Throws UsageError for a column that was asked for by name and is not there, or cannot be understood.
+/// Whether the components of a column exist. If not, or if the column cannot be understood, a column that an
+/// option names is a UsageError.
 bool is_there(const Column& column, Registry& registry, bool asked_for) {
   try {
     overrides_of(column);
@@ -82,7 +83,8 @@ std::vector<Column> find_columns(const Suite& suite, const SuiteOptions& options
   return columns;
 }
 
-/// Returns `code`, or kOther where the page cannot be written. There is none of a suite that was interrupted.
+/// Prints the matrix and writes the page, unless the suite was interrupted. Returns `code`, or kOther if the
+/// page cannot be written.
 int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const std::vector<Row>& rows,
                  program::Terminal& terminal, int code) {
   std::puts((options.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
@@ -91,7 +93,7 @@ int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const st
   return program::write_last(terminal, code, [&] { formats::write_whole(page, matrix_html(title, rows)); });
 }
 
-/// Whether the first column got all of it right.
+/// Whether the first column got all cases right.
 bool first_is_right(const std::vector<Row>& rows) {
   return std::all_of(rows.begin(), rows.end(),
                      [](const Row& row) { return is_right(row.cells.front().verdict.where); });

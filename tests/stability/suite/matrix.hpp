@@ -8,14 +8,14 @@ namespace netloft::hard_cases {
 struct Tally {
   std::string solver;
   std::size_t cases = 0;
-  std::size_t right = 0, claimed_wrong = 0;  // as judge.hpp has it
-  std::size_t unconfirmed = 0;               // right, but no other solver knows a stable equilibrium
+  std::size_t right = 0, claimed_wrong = 0;  // as defined in judge.hpp
+  std::size_t unconfirmed = 0;               // right, but no other solver has found a stable equilibrium
   std::size_t factorisations = 0;
   double cpu_seconds = 0;
 };
 std::vector<Tally> tally(const std::vector<Row>& rows);
 
-/// Tallies of one kind of case, i.e. of one file of the suite, in the order of the rows.
+/// The tallies of one kind of case, which is one file of the suite, in the order of the rows.
 struct KindTally {
   std::string kind;
   std::vector<Tally> columns;

@@ -14,7 +14,7 @@ struct SuiteOptions : program::PluginOptions {
   std::vector<std::string> set;  // --set, may be repeated
   int threads = 1;               // --threads
   std::string suite = "tests/stability";
-  std::vector<std::string> solvers;     // --solver, may be repeated; none: those of the suite
+  std::vector<std::string> solvers;     // --solver, may be repeated; none: the columns of the suite
   std::vector<std::string> strategies;  // --strategy, may be repeated
   std::vector<std::string> without;     // --without, may be repeated
   std::vector<std::string> sizes;       // --size
@@ -22,7 +22,7 @@ struct SuiteOptions : program::PluginOptions {
   std::string html;                     // --html FILE
   std::uint64_t seed = 1;               // --seed
   double seconds = 0;                   // --seconds-per-case; 0: the default of the size
-  double work = 0;                      // --work; 0: any
+  double work = 0;                      // --work; 0: no limit
   bool update_references = false;       // --update-references
 };
 

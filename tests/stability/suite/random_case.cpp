@@ -46,7 +46,7 @@ RandomTexts random_texts(TableReader vary, scenes::Dice& dice) {
 
 void fill_in(formats::Value& value, const RandomTexts& random) {
   if (auto* text = value.as<std::string>()) {
-    // From behind, so that $across_aft is not taken for $across.
+    // From the last name to the first, so that $across_aft is not taken for $across.
     for (auto d = random.rbegin(); d != random.rend(); ++d) replace_all(*text, "$" + d->first, d->second);
   }
   if (auto* array = value.as<Array>())

@@ -8,7 +8,7 @@
 
 namespace netloft::hard_cases {
 
-/// The numbers of a random case by their names, written as texts. They are read from a table of entries:
+/// The random values of a case by name, written as texts. The table `vary` has an entry for each:
 ///   across = { whole = [20, 60] }          whole numbers, both ends included, all equally likely
 ///   bar = { from = 0.1, to = 0.6 }         uniform
 ///   EA = { from = 1e3, to = 1e6, log = true }    uniform in its logarithm
@@ -16,7 +16,7 @@ namespace netloft::hard_cases {
 using RandomTexts = std::map<std::string, std::string>;
 RandomTexts random_texts(formats::TableReader vary, scenes::Dice& dice);
 
-/// Replaces $name by its number, in every text of a value.
+/// Replaces $name by its random value, in every text within a value.
 void fill_in(formats::Value& value, const RandomTexts& random);
 
 }  // namespace netloft::hard_cases

@@ -65,7 +65,7 @@ void References::forget(const std::string& name, const std::string& size) {
   if (sizes->second.empty()) all_.erase(sizes);
 }
 
-/// One answer a line, so that a change shows what changed.
+/// Writes one reference per line, so that a diff shows what changed.
 void References::save() const {
   std::ostringstream out;
   out << "{";

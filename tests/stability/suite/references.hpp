@@ -6,10 +6,11 @@
 
 namespace netloft::hard_cases {
 
-/// Answers kept as data beside the suite, by name of the answer and size: references.json.
+/// The best known equilibria, by name and size, in the file references.json of the suite.
 class References {
  public:
-  /// An absent file is an empty book. Throws std::runtime_error, naming the file, if it cannot be read.
+  /// Reads the file; if there is none, there are no references. Throws std::runtime_error, naming the file,
+  /// if it cannot be read.
   explicit References(const std::filesystem::path& file);
 
   std::optional<Reference> find(const std::string& name, const std::string& size) const;

@@ -22,11 +22,11 @@ constexpr std::size_t kHistoryKept = 24;
 struct Attempt {
   Ended ended;
   bool ran = false;
-  bool is_refused_anyhow = false;  // as the suite has it, whatever the column asks for
-  std::string status, why_not;     // where it did not run
+  bool is_refused_anyhow = false;  // the case is refused in the same way without the settings of the column
+  std::string status, why_not;     // the reason why it did not run
 };
 
-/// Stable equilibria of a case: the best, and which solvers found one.
+/// The best stable equilibrium of a case, and which solvers have found a stable one.
 struct Answers {
   std::optional<Reference> best;
   std::set<std::string> solvers;
@@ -39,7 +39,7 @@ struct Answers {
 constexpr const char* kFromTheSketch = " from the sketch";
 constexpr const char* kFromTheStart = " from the start of ";
 
-/// "newton" of "newton from the sketch".
+/// Returns "newton" of "newton from the sketch".
 std::string solver_of(const std::string& found_by) { return found_by.substr(0, found_by.find(" from the ")); }
 
 Stability find_stability(runs::PreparedScene& one, const Ended& e) {
@@ -117,7 +117,7 @@ class SuiteRun {
       e.solution = runs::find_equilibrium(one, options_.watch);
     } catch (const PluginRefused&) {
       throw;
-    } catch (const std::runtime_error& failed) {  // of a plugin, in this case: others may go well
+    } catch (const std::runtime_error& failed) {  // a plugin fails in this case, and may succeed in others
       a.ran = false, a.status = "failed", a.why_not = failed.what();
       return a;
     }
@@ -133,8 +133,8 @@ class SuiteRun {
     return all.empty() ? "" : diagnostics.where(all[0].place) + ": " + all[0].message;
   }
 
-  /// The known answer, or the best of this run; that of a random case also from its sketch, by as many
-  /// solvers as it takes until two agree that there is one.
+  /// Returns the known equilibrium, or the best of this run, which includes a solve from the sketch. For a
+  /// random case, further solvers start from the sketch until two have found a stable equilibrium.
   Answers find_answers(const HardCase& c, const std::string& size, const std::vector<Attempt>& attempts) {
     Answers all;
     if (c.expected == Expected::none) return all;
@@ -151,7 +151,7 @@ class SuiteRun {
     return all;
   }
 
-  /// Removes an old answer if no stable equilibrium was found and it turned out to be unstable.
+  /// Removes an old reference if no stable equilibrium was found and the reference proved to be unstable.
   void renew(const HardCase& c, const std::string& size, const Answers& all,
              const std::vector<Attempt>& attempts) {
     const auto old = references_.find(c.reference, size);
@@ -165,7 +165,8 @@ class SuiteRun {
       references_.forget(c.reference, size);
   }
 
-  /// While references are renewed, only what this run has written counts, and may be bettered.
+  /// Adds the reference of a case and returns whether it is final. While references are renewed, only those
+  /// that this run has written are used, and better ones may replace them.
   bool add_known(Answers& all, const HardCase& c, const std::string& size) const {
     if (c.is_random || (options_.update && !renewed_.contains({c.reference, size}))) return false;
     all.best = references_.find(c.reference, size);
@@ -235,7 +236,7 @@ class SuiteRun {
     return some;
   }
 
-  /// Places where solvers say that the gear is in stable equilibrium, each counted once.
+  /// Counts the different stable equilibria among the results.
   static std::size_t count_shapes(const std::vector<Attempt>& attempts) {
     std::vector<Reference> found;
     const HardCase any;

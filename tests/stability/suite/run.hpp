@@ -8,19 +8,19 @@
 
 namespace netloft::hard_cases {
 
-/// One case, one size, one column: what became of it.
+/// The result of one case at one size in one column.
 struct Cell {
   std::string name, size, solver;
   Expected expected = Expected::stable;
   std::size_t unknowns = 0;
   Verdict verdict;
-  bool confirmed = true;  // if it is an answer, another solver knows a stable equilibrium of the case, too
+  bool confirmed = true;  // false: an equilibrium was found, but no other solver has found a stable one
   std::string status, stability, reason;
   int iterations = 0, factorisations = 0;
   double cpu_seconds = 0, energy = 0;
-  std::vector<StageRecord> stages;       // what was solved on the way, if it was not solved at once
-  Shapes shapes;                         // those that the solver was told to look for
-  std::vector<IterationRecord> history;  // some of it: the first, the last, and some between
+  std::vector<StageRecord> stages;       // stages before the last, if there were several
+  Shapes shapes;                         // other equilibria that restarts have found
+  std::vector<IterationRecord> history;  // the first iterations, the last ones, and some between
 };
 
 /// All solvers on one case at one size.
@@ -28,21 +28,21 @@ struct Row {
   const HardCase* about = nullptr;
   std::string size;
   std::vector<Cell> cells;
-  std::size_t shapes = 0;  // stable shapes that were found, told apart by energy and place
+  std::size_t shapes = 0;  // number of stable equilibria that differ in energy or place
 };
 
 struct RunOptions {
   std::vector<std::string> sizes;  // of kSizes
   std::string pattern;             // only cases whose name contains it
-  double seconds = 0;              // for one case; 0: 10, of large ones 60
-  double work = 0;                 // the same in iterations of Newton's method for the scene; 0: any
+  double seconds = 0;              // limit for one case; 0: 10 s, for large ones 60 s
+  double work = 0;                 // limit for one case, in iterations of Newton's method; 0: none
   int threads = 1;
-  bool update = false;  // the book of references
+  bool update = false;  // whether the references are renewed
   runs::Watch watch;
   std::function<void(const Row&)> on_row;
 };
 
-/// Runs the suite, case by case; an interrupt ends it after the case at hand, which is left out.
+/// Runs the suite, case by case. An interrupt ends it during a case, which is then left out.
 std::vector<Row> run_suite(const Suite& suite, const std::vector<Column>& columns, References& references,
                            Registry& registry, const RunOptions& options);
 

@@ -40,7 +40,8 @@ int read_axis(TableReader& table) {
   return axis.empty() ? 0 : axis[0] - 'x';
 }
 
-/// Which of the keys noise, scale, turn, shift, shuffle stands there; exactly one must.
+/// Finds which of the keys noise, scale, turn, shift and shuffle a step has; it must have exactly one of
+/// them.
 int find_kind(TableReader& table) {
   int found = -1, count = 0;
   for (std::size_t k = 0; k < kKinds.size(); ++k)
@@ -84,7 +85,7 @@ Point position(const Scene& scene, std::size_t node) {
   return {scene.positions[3 * node], scene.positions[3 * node + 1], scene.positions[3 * node + 2]};
 }
 
-/// Nodes that are not part of a rigid body and free along some axis.
+/// Nodes that do not belong to a rigid body and are free along some axis.
 std::vector<std::uint32_t> movable_nodes(const Scene& scene) {
   std::vector<bool> rigid(scene.node_count(), false);
   for (const auto& body : scene.bodies) {
@@ -97,7 +98,7 @@ std::vector<std::uint32_t> movable_nodes(const Scene& scene) {
   return nodes;
 }
 
-/// Adds to a node what of a move its hold allows.
+/// Adds to a node the part of a move that its hold allows.
 void move(Scene& scene, std::uint32_t node, const Point& by) {
   const auto frame = scene.frames.find(node);
   for (std::size_t own = 0; own < 3; ++own) {
@@ -121,7 +122,7 @@ Point turned(const Point& x, int axis, double angle) {
   return y;
 }
 
-/// Target of one node without its hold.
+/// Returns where a step moves a node if the node is not held.
 Point target(const StartStep& s, const Point& x, scenes::Dice& dice) {
   Point y = x;
   for (std::size_t i = 0; i < 3; ++i) y[i] -= s.about[i];
@@ -135,7 +136,7 @@ Point target(const StartStep& s, const Point& x, scenes::Dice& dice) {
   return y;
 }
 
-/// Fisher and Yates.
+/// Shuffles by the algorithm of Fisher and Yates.
 std::vector<std::uint32_t> shuffled(std::vector<std::uint32_t> nodes, scenes::Dice& dice) {
   for (std::size_t i = nodes.size(); i > 1; --i) std::swap(nodes[i - 1], nodes[dice.index(i)]);
   return nodes;

@@ -54,7 +54,7 @@ class GroupReader {
     table.finish();
   }
 
-  /// A [[case]], or as many as `count` says if it is random.
+  /// Reads a [[case]]. A random one makes as many cases as its `count` says.
   void read_entry(const formats::Value& entry) {
     TableReader plain(entry, diagnostics_, "case");
     if (!plain.has("vary")) return read_case(entry, "", 1, false);

@@ -10,22 +10,23 @@
 
 namespace netloft::hard_cases {
 
-/// The right answer of a case. unique: one place, that of the reference. stable: the reference or another
-/// stable equilibrium of no higher energy. none: there is no equilibrium, and the program has to report that.
+/// The right answer of a case. unique: there is one equilibrium, the reference. stable: the reference or
+/// another stable equilibrium of no higher energy. none: there is no equilibrium, and the program has to
+/// report that.
 enum class Expected { unique, stable, none };
 
-/// One hard case: a scene, how it is changed, and the start it is given.
+/// One hard case: a scene, the changes to it, and how its start is spoilt.
 struct HardCase {
   std::string name;   // "panel/noise-of-two-meshes"
   std::string about;  // a sentence
   std::filesystem::path scene;
-  std::vector<std::string> overrides;                     // of all sizes
+  std::vector<std::string> overrides;                     // for all sizes
   std::map<std::string, std::vector<std::string>> sizes;  // "small" -> overrides
   std::vector<StartStep> start;
   Expected expected = Expected::stable;
-  bool neutral = false;    // something may move without force: only the energy is compared
-  bool is_random = false;  // made of random numbers: its reference is the best answer of the run
-  std::string reference;   // cases that share one answer share this name
+  bool neutral = false;    // some motion meets no force: only the energy is compared
+  bool is_random = false;  // made of random numbers: its reference is the best equilibrium of the run
+  std::string reference;   // name of the reference, which several cases may share
 };
 
 struct Suite {
@@ -37,8 +38,8 @@ struct Suite {
 /// Sizes in the order they are run.
 inline const std::vector<std::string> kSizes{"small", "medium", "large"};
 
-/// Reads solvers.toml and every other TOML file of the folder. `number` is the seed: another one
-/// changes all random numbers of random cases. Use what is returned only if there are no errors.
+/// Reads solvers.toml and every other TOML file of the folder. `number` is the seed of all random numbers of
+/// random cases. The returned suite is valid only if there are no errors.
 Suite read_suite(const std::filesystem::path& folder, std::uint64_t number,
                  formats::Diagnostics& diagnostics);
 
