@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast statics arrives: over how many iterations, in units of one factorisation of the same tangent, how
-// the time grows with the number of unknowns, what a small change and one iteration of Newton's method cost,
-// and what a second thread brings. The panels are those of fig. 6a and 6b of the trawl-gear paper.
+// How fast equilibria are found: iterations, time in units of one factorisation of the same tangent, how the
+// time grows with the number of unknowns, the cost of a small change and of one iteration of Newton's method,
+// and the gain by a second thread. The panels are those of fig. 6a and 6b of the trawl-gear paper.
 //
-//   bench_arrival [LARGEST [NODES…]]    most unknowns of a scene, else 1e5; nodes of the 83-112, else 1000
+//   bench_arrival [LARGEST [NODES…]]    most unknowns of a scene (1e5); nodes of the trawl 83-112 (1000)
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ void open(runs::PreparedScene& scene, const Change& change = {}) {
   std::exit(2);
 }
 
-/// The tangent at x.
+/// Returns the values of the tangent at x.
 std::vector<double> tangent(runs::PreparedScene& scene, const std::vector<double>& x) {
   std::vector<double> values(scene.assembler().value_slots());
   scene.assembler().evaluate(x, {.matrix = MatrixKind::exact, .values = values.data()});
@@ -116,7 +116,7 @@ Row arrive(const char* file, const Overrides& overrides) {
   return print_row(scene, s, cpu_seconds() - begun);
 }
 
-/// t ~ n^p between the first and the last row.
+/// Prints p of t ~ nᵖ between the first and the last row.
 void print_exponent(const std::vector<Row>& rows) {
   if (rows.size() > 1)
     std::printf("  CPU time grows with the power %.2f of the unknowns\n",
@@ -135,7 +135,7 @@ void panels(const char* what, const char* file, double largest) {
   print_exponent(rows);
 }
 
-/// The body of a pelagic trawl in cells: across a panel, along its fore and its aft half, along a bridle.
+/// Numbers of cells of a pelagic trawl: across a panel, along its fore and its aft half, along a bridle.
 Overrides trawl_cells(int across, int fore, int aft, int bridle) {
   Overrides all;
   const auto cells = [](int a, int b) { return "[" + std::to_string(a) + "," + std::to_string(b) + "]"; };
@@ -150,7 +150,7 @@ Overrides trawl_cells(int across, int fore, int aft, int bridle) {
 
 constexpr const char* kTrawl = "tests/stability/scenes/pelagic-trawl.toml";
 
-/// From its crude sketch at 1.5 m/s, and from there at half a per cent more.
+/// Solves the trawl from its crude sketch at 1.5 m/s, and from there at half a per cent more speed.
 void trawl(Overrides overrides) {
   overrides.push_back("water.current=[1.5,0,0]");
   runs::PreparedScene first(source(kTrawl, overrides), plugins());
@@ -171,7 +171,7 @@ void trawl(Overrides overrides) {
   print_row(next, changed, cpu_seconds() - begun);
 }
 
-/// Newton's method on the mesh itself, from the equilibrium at half a per cent less speed.
+/// Newton's method alone, on the mesh of the scene, from the equilibrium at half a per cent less speed.
 void newton(int nodes) {
   const char* file = "gear-library/scenes/83-112-flume-3.0kn.toml";
   const Overrides overrides{"gear.nodes=" + std::to_string(nodes)};
@@ -224,7 +224,7 @@ void threads() {
   open(big_one), open(big_two);
   const std::vector<double> x = big_one.assembler().start();
   double best_one = assembly_time(big_one, x), best_two = assembly_time(big_two, x);
-  for (int i = 0; i < 4; ++i) {  // in turns, so that a busy machine harms both
+  for (int i = 0; i < 4; ++i) {  // in turns, so that a busy machine slows down both
     best_one = std::min(best_one, assembly_time(big_one, x));
     best_two = std::min(best_two, assembly_time(big_two, x));
   }

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What statics costs, as ratios: bench_arrival, and whole runs of the 83-112, beside those of another program.
+"""Measures the cost of equilibria: bench_arrival, and whole runs of the trawl 83-112, with ratios to another version of the program.
 
     arrival.py NETLOFT BUILD/bin/bench_arrival SOURCE_FOLDER [--against OTHER_NETLOFT OTHER_SOURCE_FOLDER] [--largest 1e5]
                [--newton 1000,2000,8000] [--knots 2.0,3.0,4.0] [--nodes 2000,8000] [--times 5]
 
-First bench_arrival: panels of fig. 6a and 6b of the trawl-gear paper up to --largest unknowns, with the power by which their time grows, and one
-iteration of Newton's method for the 83-112 in factorisations of its tangent, at --newton nodes. Then `netloft run` of the 83-112: processor
-time of the whole program, the median of --times runs, that of the search, and that of the judgement of stability. Against another program
-the two run in turn, each with the scenes of its own sources, and the ratio is the median of pairs.
+First bench_arrival: panels of fig. 6a and 6b of the trawl-gear paper up to --largest unknowns, with the power of the unknowns by which their time
+grows, and the cost of one iteration of Newton's method for the 83-112, in factorisations of its tangent, at --newton nodes. Then `netloft run`
+of the 83-112: processor time of the whole program, of the search for the equilibrium, and of the assessment of stability, the medians of --times
+runs. With --against, the two programs run in turn, each with the scenes of its own sources, and the ratio is the median of pairs.
 """
 import argparse
 import json
@@ -27,7 +27,7 @@ def numbers(text):
 
 
 def run(program, source, knots, nodes):
-    """Its report, with the processor time of the whole program."""
+    """Returns the report of a run, with the processor time of the whole program."""
     with tempfile.TemporaryDirectory() as folder:
         before = processor_time.of_children()
         done = subprocess.run([program, "run", Path(source) / f"gear-library/scenes/83-112-flume-{knots}kn.toml", "--json",

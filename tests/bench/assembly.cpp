@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Cost of assembly: ns per bar and per triangle for the residual, and for residual and tangent, gather and
-// scatter included; and its share of one Newton step (assembly, factorisation, solve) at growing size. Best
-// of repeats, one thread. Compare rows of one run only, because the machine may be shared.
+// scatter included; and the fraction of assembly in one Newton step (assembly, factorisation, solve) at
+// growing size. Best of repeats, one thread. Compare rows of one run only: the machine may be shared.
 #include "framework/judging/verdict.hpp"
 #include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// priour/triangle with nothing but tension and weight: what a scene without current, opening, contact and
-// bending would pay if the library had no more.
+// priour/triangle with tension and weight only. idle_terms.cpp compares its cost with that of the full
+// triangle in a scene that needs no other terms.
 #include "plugins/priour/triangle.hpp"
 
 using netloft::priour::Triangle;

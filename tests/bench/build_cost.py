@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a cold build of the program costs, by room: objects, preprocessed lines and processor time.
+"""Measures the cost of a cold build, for each top-level folder and plugin: objects, preprocessed lines and processor time.
 
   build_cost.py BUILD [--time] [--check TABLE.md]
 
 BUILD is a configured build folder. --time compiles every object once, without a cache, and adds its processor time.
---check compares objects and lines with a table that this script printed, and fails where a room has grown by a tenth.
+--check compares objects and lines with a table that this script has printed, and fails if a folder has grown by a tenth.
 """
 import argparse
 import collections
@@ -19,11 +19,11 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-MOST_GROWTH = 1.1  # of objects and of lines of a room: less is noise, or a new feature of some size
+MOST_GROWTH = 1.1  # allowed growth of the objects and lines of a folder; an ordinary new feature stays below
 
 
 def objects_of(build):
-    """(room, command, folder) of every object of the program and of its plugins."""
+    """Yields folder in the sources, command and working folder for every object of the program and its plugins."""
     targets = subprocess.run(["ninja", "-C", build, "-t", "commands", "netloft", "netloft_plugins"],
                              check=True, capture_output=True, text=True).stdout
     wanted = set(re.findall(r" -o (\S+\.o) -c ", targets))
@@ -54,7 +54,7 @@ def processor_time(command, folder):
 
 
 def measure(build, timed):
-    """Objects, lines and seconds by room."""
+    """Returns objects, lines and seconds for each folder of the sources."""
     def one(item):
         room, command, folder = item
         return room, preprocessed_lines(command, folder), processor_time(command, folder) if timed else 0.0
@@ -75,7 +75,7 @@ def print_table(rooms, timed):
 
 
 def grown(rooms, table):
-    """A sentence for every room that has grown by a tenth over a printed table, or is missing in it."""
+    """Returns a sentence for every folder that has grown by a tenth over the printed table, or is missing in it."""
     known = {row[0]: (int(row[1]), int(row[2]))
              for row in re.findall(r"^\| (\S+) \| (\d+) \| (\d+) \|", table, re.MULTILINE)}
     for room, (objects, lines, _) in rooms.items():

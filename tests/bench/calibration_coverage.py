@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Do the intervals of a calibration hold the truth as often as they say?
+"""Tests whether the 90 % intervals of a calibration contain the true values in 90 % of all cases.
 
     calibration_coverage.py NETLOFT LIBRARY [--draws 200] [--seed 1]
 
-Draws a truth from the prior, lets the model measure it with noise, calibrates, and counts how often the 90 % intervals
-of the variables, and the bands of a row that was held back, hold the truth. Drag and mass of a towed wire, from four
-measurements of two speeds.
+Draws true values from the prior, makes measurements of them by the model and adds noise, calibrates, and counts how often
+the 90 % intervals of the variables contain the true values, and those of the predictions a measurement that the calibration
+did not use. The variables are drag and mass of a towed wire, from four measurements at two speeds.
 """
 import argparse
 import json
@@ -60,7 +60,7 @@ def study(scene, rows):
 
 
 def draw(program, scene, folder, random_numbers):
-    """Which of the intervals hold, by name."""
+    """Makes one calibration and returns, by name, whether each interval contains the true value."""
     truth = {name: random_numbers.gauss(mean, deviation) for name, (_, _, _, mean, deviation) in VARIABLES.items()}
     rows = measure(program, scene, folder, truth, random_numbers)
     (folder / "study.toml").write_text(study(scene, rows))

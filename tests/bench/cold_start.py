@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a visitor waits for: the README's two commands in a fresh clone without a compiler cache.
+"""Measures the README's two commands in a fresh clone without a compiler cache.
 
   cold_start.py [--commit REVISION] [--second] [--folder FOLDER]
 
-Prints processor time and time on the clock of the first command, the memory of the largest process in it and the disk that
-the build takes, and with --second those of the second one after it. Packages should be there already; the machine should have
-nothing else to do.
+Prints processor time and wall time of the first command, the memory of its largest process and the disk space of the build;
+with --second, also those of the second command. The packages should be installed already, and the machine should be idle.
 """
 import argparse
 import os
@@ -20,7 +19,7 @@ COMMANDS = {"first": ["run", "gear-library/scenes/83-112-flume-3.0kn.toml"], "se
 
 
 def measure(clone, words):
-    """Of one command of ./bootstrap: exit status, processor time and time on the clock [s], memory and disk [MB]."""
+    """Runs one command of ./bootstrap. Returns exit status, processor time and wall time [s], memory and disk [MB]."""
     environment = os.environ | {"CCACHE_DISABLE": "1"}
     begin = time.monotonic()
     process = subprocess.Popen(["./bootstrap", *words], cwd=clone, env=environment,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangles and lumped-mass net on one panel: error against CPU time. The hanging panel of the paper's fig.
-// 6a, 40 x 40 meshes, against the same net twine by twine (independent program); and the same panel in a
-// current across it, against itself twine by twine (lumped/net with one mesh a cell, the row that has no
-// error); and the cod-end with a catch, against the axisymmetric membrane. Best of three, one thread; run
-// with OMP_THREAD_LIMIT=1, and compare rows of one run only.
+// Error against CPU time of netting by triangles and by lumped masses, in three cases: the hanging panel of
+// fig. 6a of the trawl-gear paper, 40 x 40 meshes, against every twine modelled by an independent program;
+// the same panel in a current across it, against lumped/net with one mesh per cell (the row without an
+// error); a cod-end with a catch, against an axisymmetric membrane. Times are the best of three on one
+// thread; run with OMP_THREAD_LIMIT=1, and compare rows of one run only.
 #include "tests/verification/scene_file.hpp"
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 using namespace netloft;
 using test::SolvedFile;
 
-/// The figures by which rows are compared.
+/// The results that rows compare.
 struct Shape {
   double lowest_z = 0, mid_width = 0;  // [m]
 };
@@ -66,8 +66,8 @@ void compare(const char* what, const Shape& want, const std::vector<std::string>
       print_row(type, cells, run(type, cells, more), want);
 }
 
-/// A cod-end of the library, from a crude cylinder: length, largest radius and drag against the axisymmetric
-/// membrane.
+/// A cod-end of the library: stiffness of a twine, and the axisymmetric membrane's length, largest radius and
+/// drag.
 struct Codend {
   double EA, length, radius, drag;  // [N], [m], [m], [N]
 };

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Are error bars honest? Twenty gears are solved with `netloft run --error` and again with ten times the nodes.
+"""Tests the error bars of `netloft run --error` on twenty gears, which are solved again with ten times the nodes.
 
     error_bars.py NETLOFT LIBRARY [--nodes 300] [--times 10] [--jobs 1] [--only N,M] [--that-chose]
 
-Prints, for every gear and in all, how many figures have an error within their bar, the median of bar over error,
-and what the report says does not converge. Figures that do not vary with the mesh are left out. None of the twenty served
-to choose the rule; tests/bench/error_bars.md lists them. --that-chose: the eleven that chose its factor of safety instead.
+Prints, for every gear and for all, how many results (figures) have an error within their bar, the median of bar over error,
+and the figures that do not converge by the report. Figures that do not vary with the mesh are left out. None of the twenty
+gears was used to choose the rule for the bars; tests/bench/error_bars.md lists them. --that-chose: tests the eleven gears with
+which its factor of safety was chosen.
 """
 import argparse
 import concurrent.futures
@@ -18,7 +19,7 @@ import subprocess
 import sys
 import tempfile
 
-SAME = 1e-9  # relative: a figure that varies less does not depend on the mesh
+SAME = 1e-9  # relative; a figure that varies less does not depend on the mesh
 
 
 def gears(library, that_chose=False):
@@ -35,7 +36,7 @@ def gears(library, that_chose=False):
     def panel(speed, *words):
         return four, [f'water.current=["{speed} m/s", 0, 0]', *words]
 
-    def codend(*words):  # the current says which of two mirrored shapes it takes
+    def codend(*words):  # the current determines which of two mirrored shapes the cod-end takes
         return bag, ['water.current=["0.2 m/s", 0, 0]', *words]
 
     if that_chose:
@@ -73,7 +74,7 @@ def run(program, gear, nodes, *flags):
 
 
 def figures(result):
-    """Name -> (value, bar or none, whether it is said not to converge)."""
+    """Returns for each name: value, error bar or None, and whether the report says that it does not converge."""
     said = result["mesh_note"] or ""
     errors = dict(result["errors"], **result["gear"]["errors"])
     values = dict(result["results"], **result["gear"]["figures"])

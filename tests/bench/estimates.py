@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Are the errors of estimates honest? A study that was computed is asked for places between its points, which are solved, too.
+"""Tests the errors of `netloft study estimate`: estimates between the points of a computed study are compared with solves there.
 
     estimates.py NETLOFT FOLDER [--places 20] [--seed 1] [--figure NAME]
 
-Places lie at random in the middle nine tenths of every variable. Prints, for every figure, the largest and the root mean square difference
-between estimate and solve, the median error that was told, the range over the study, and how many solves lie within their errors. Variables
-without numbers are not varied.
+Places are random, within the middle nine tenths of the range of every variable. Prints, for every figure, the largest and the root mean square
+difference between estimate and solve, the median error that the estimates report, the range over the study, and how many solves are within the
+reported error. Variables without numbers are not varied.
 """
 import argparse
 import json
@@ -24,7 +24,7 @@ def manifest_of(folder):
 
 
 def values_of(head, items):
-    """All numbers of each variable, in the order of the manifest: those of items, then those of points."""
+    """Returns all numbers of each variable, in the order of the study's manifest: those of items, then those of points."""
     values = [[] for _ in head["variables"]]
     for item in items:
         for point in item["points"]:
@@ -49,7 +49,7 @@ def estimated(options, head, at):
 
 
 def solved(options, head, at):
-    """What a study of the one point says: figures have its names."""
+    """Solves one point as a study, so that figures have the names of the study, and returns the figures."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         scene = (options.folder / head["scene"]).resolve()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Orderings and factorisations against each other on tangents of the hanging panel and on nets like cod-ends,
-// in one run, because only ratios travel between machines.
+// Compares orderings and factorisations on tangents of the hanging panel and on nets like cod-ends, in one
+// run, because only ratios of times can be compared between machines.
 //
 //   bench_factorisation [SIDE…]    cells or nodes along one side; 3·SIDE² unknowns
 #include <malloc.h>
@@ -27,7 +27,7 @@
 namespace netloft {
 namespace {
 
-/// CPU time of `work`, the best of several [s]. CPU and not wall, so that a busy machine does less harm.
+/// CPU time of `work`, the best of several [s]. A busy machine changes it less than wall time.
 double time_of(const std::function<void()>& work, int repeats) {
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < repeats; ++i) {
@@ -67,7 +67,7 @@ Cost measure(Factorisation& factorisation, const TestMatrix& matrix) {
   return cost;
 }
 
-/// Lines of one table; the first is what the others are compared with.
+/// Lines of one table; the others are compared with the first.
 class Table {
  public:
   explicit Table(const char* what, const TestMatrix& matrix) {

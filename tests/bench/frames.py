@@ -1,17 +1,17 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a frame (an output) of a motion costs in processor time of the whole program, the result at the end included.
+"""Measures the cost of a frame (an output) of a motion in processor time of the whole program, the result at the end included.
 
     frames.py NETLOFT SOURCE_FOLDER [PAIRS]
 
-The panel of gear-library/scenes/dynamics/panel-in-current.toml in 31 x 31 cells, 1024 nodes, goes through the same time in the
-same steps with many frames and with two, in turn, on one thread. A frame costs the difference between the least times of both over
-the frames that one has more; beside it stands by how much the times of one kind differ, over the same frames.
+The panel of gear-library/scenes/dynamics/panel-in-current.toml in 31 x 31 cells, 1024 nodes, moves for the same time in the same
+steps with many frames and with two frames, in turn, on one thread. The cost of a frame is the difference between the least times of
+both kinds of runs, divided by the difference in frames; beside it is printed the scatter of the times of one kind, divided likewise.
 
-between steps         dense output: positions between two ends of steps
-at ends, implicit     equal steps of generalized-alpha, an output at every one
-at ends, explicit     steps of central differences that are bounded by stability, all as long as the longest that is
-                      asked for, an output at every fourth one
+between steps         frames at times between the ends of two steps (dense output)
+at ends, implicit     equal steps of generalized-alpha, a frame at the end of every step
+at ends, explicit     steps of central differences, limited by stability and equal to the longest allowed step, a frame at the end
+                      of every fourth step
 """
 import json
 import os
@@ -34,7 +34,7 @@ WAYS = {
 
 
 def run(folder, settings, interval):
-    """Processor time of the program [s], its frames and its steps."""
+    """Returns processor time of the program [s], number of frames and number of steps."""
     words = [NETLOFT, "run", SCENE, "--json", "--threads", "1", "--overwrite", "-o", Path(folder) / "out.hdf",
              "--set", "parts.net.cells=[31,31]", "--set", f"analysis.output_interval={interval}"]
     for key, value in settings.items():
@@ -49,7 +49,7 @@ def run(folder, settings, interval):
 
 
 def measure(folder, settings, interval):
-    """Milliseconds a frame, how far runs of one kind are apart over the frames, frames and steps."""
+    """Returns milliseconds per frame, scatter of runs of one kind per frame, number of frames and of steps."""
     with_frames, without = [], []
     for _ in range(PAIRS):
         many, frames, steps = run(folder, settings, interval)

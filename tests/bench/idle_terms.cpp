@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cost of terms that a scene does not use: the hanging panel with priour/triangle as shipped, and with the
-// same triangle that has tension and weight only.
+// Cost of terms that a scene does not use: the hanging panel with priour/triangle as shipped, over the same
+// triangle with tension and weight only (bare_netting.cpp).
 //
-// Both are evaluated in pairs, one right after the other and in random order, so that a busy machine hits
-// both alike, on one core and in processor time. A pair gives a ratio; the median of many does not care how
-// far off the disturbed ones are. Where memory happens to lie costs or saves a per cent, the same for all
-// pairs of the same two panels: panels are built anew many times, in turns, and it is from the medians of
-// these builds that the median and its interval of confidence come. The ratio of the best stands beside it.
+// Both are evaluated in pairs, one right after the other and in random order, so that a busy machine disturbs
+// both alike, on one core and in processor time. A pair gives a ratio. The median of many ratios does not
+// depend on how large the disturbances are. The addresses of the memory cost or save a per cent, the same for
+// all pairs of two panels; therefore both panels are built anew many times, and the printed median and its
+// confidence interval are those of the medians of these builds. The ratio of the best times is printed, too.
 #include "framework/assembler/assembler.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
@@ -24,7 +24,7 @@ namespace {
 
 using namespace netloft;
 
-constexpr int kBuilds = 60;                // of two panels of each size
+constexpr int kBuilds = 60;                // how often the two panels of each size are built
 constexpr double kSecondsPerBuild = 0.15;  // [s]
 constexpr double kSecondsPerTurn = 1e-4;   // [s]
 
@@ -62,7 +62,7 @@ struct Panel {
   std::vector<double> residual, values;
 };
 
-/// Median with its two-sided 95 % interval: the order statistics n/2 ± 0.98 √n, whatever the distribution.
+/// Median with its two-sided 95 % interval, the order statistics n/2 ± 0.98 √n, for any distribution.
 struct Median {
   explicit Median(std::vector<double> of) {
     std::sort(of.begin(), of.end());

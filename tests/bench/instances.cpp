@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene with one other number costs once its file has been read (io/scenes/reading/scene_source.hpp),
-// over reading the file with that number: processor time, the least of several, each with a number that was
-// not there before.
+// Cost of a scene in which one number changes after its file has been read
+// (io/scenes/reading/scene_source.hpp), over the cost of reading the file with the changed number: processor
+// time, the least of several, each with a value that has not been used before.
 //
 //   bench_instances [SCENE [NODES…]]
 #include "framework/balance/statistics.hpp"
@@ -21,14 +21,14 @@ namespace {
 
 using Changes = std::vector<formats::Change>;
 
-/// A number of a scene, by its key.
+/// A number of a scene, given by its key.
 struct Number {
   const char *kind, *path;
   double value;
   std::string unit;
   std::string part = "", key = "";  // "{ part = "16mm", " and "diameter = ", for a number of a named part
 
-  /// One of many values, all within 1 %.
+  /// Returns the change to the i-th value of the number; all values are within 1 %.
   formats::Change at(int i) const {
     const double other = value * (1 + 5e-5 * i);
     const std::string text = unit.empty() ? formats::format(other) : '"' + formats::format(other, unit) + '"';
@@ -36,7 +36,7 @@ struct Number {
   }
 };
 
-/// A gear of the library, its numbers that leave the mesh, and those that change it.
+/// A gear of the library, numbers of it that do not change the mesh, and numbers that do.
 struct GearScene {
   const char* file;
   std::vector<Number> numbers, of_mesh;
@@ -44,7 +44,7 @@ struct GearScene {
 
 constexpr const char* kWire = "{ part = \"6x19-fc-16mm\", ";
 
-/// Numbers that every gear has.
+/// Returns a gear with its own numbers and those that every gear has.
 GearScene gear_scene(const char* file, std::vector<Number> own, const char* panel_mesh, double mesh,
                      double footrope) {
   own.insert(own.end(), {{"stiffness in [elements]", "elements.netting.twine.EA_compression", 10, "N"},
@@ -100,7 +100,7 @@ std::size_t read(const scenes::SceneSource& source, const Changes& changes) {
   std::exit(2);
 }
 
-/// Processor time, the least of several [s]. `run` is given another number each time.
+/// The least processor time of several runs [s]. `run` receives another index each time.
 double least(int times, const std::function<void(int)>& run) {
   double best = std::numeric_limits<double>::infinity();
   for (int i = 1; i <= times; ++i) {

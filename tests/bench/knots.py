@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What triangles cost in accuracy: a gear with every knot a node against the same gear in triangles.
+"""Measures the error of netting by triangles: a gear in which every knot is a node against the same gear in triangles.
 
     knots.py NETLOFT SCENE.toml [--nodes 2000,30000] [--set KEY=VALUE] [--results FOLDER]
 
-Prints nodes, unknowns, time and peak memory of each, and every figure of the report by knots with what it is by triangles, in per cent of
-it. Results that are in the folder already are not computed again.
+Prints nodes, unknowns, time and peak memory of each, and every figure of the report by knots, with the figure by triangles in per cent of
+that by knots. Results that are in the folder already are not computed again.
 """
 import argparse
 import json
@@ -18,7 +18,7 @@ import time
 
 
 def run(options, nodes, folder):
-    """Runs once; keeps what the program says, with wall clock, processor time and memory."""
+    """Runs the gear once; stores the program's answer with wall time, processor time and memory."""
     kept = folder / f"{nodes}.json"
     if kept.exists():
         return json.loads(kept.read_text())
@@ -39,7 +39,7 @@ def run(options, nodes, folder):
 
 
 def figures_of(said):
-    """Numbers of the report by name: results of the scene, and of the gear what is no table of parts."""
+    """Returns numbers of the report by name: results of the scene, and those of the gear that are not tables of parts."""
     figures = dict(said["results"])
 
     def add(name, value):

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a study of thousands of points costs, and whether every engine makes the same table of it.
+"""Measures the cost of a study of thousands of points, and compares the tables that different engines make of it.
 
     large_study.py NETLOFT STUDY.toml [--samples 50] [--nodes 300] [--set KEY=VALUE] [--jobs 2] [--engines pool,parallel,slurm] [--points-of 2]
 
-Prints, for every engine, points, wall clock, the sum of processor time over the jobs, the load of the machine before it, and
-whether table.csv and table.hdf are those of the first engine, to the bit. With --points-of N the first N samples are solved again
-with every point by itself: factorisations along paths against those.
+Prints, for every engine, points, wall time, the sum of processor time over the jobs, the load of the machine before the run, and
+whether table.csv and table.hdf are the same bits as those of the first engine. With --points-of N, the first N samples are solved
+again with every point solved separately, and the factorisations are compared with those along paths.
 """
 import argparse
 import csv
@@ -32,7 +32,7 @@ def call(*words, code=(0,), **how):
 
 
 def write_study(options, folder, samples, alone=False):
-    """A copy of the study file with other samples and other nodes."""
+    """Writes a copy of the study file with another number of samples and of nodes."""
     text = options.study.read_text()
     scene = (options.study.parent / re.search(r'^scene = "(.*)"', text, re.MULTILINE)[1]).resolve()
     sets = ", ".join(f'"{word}"' for word in [f"gear.nodes={options.nodes}", *options.set] if options.nodes)
@@ -55,7 +55,7 @@ def by_parallel(options, folder):
 
 
 def by_slurm(options, folder):
-    """The daemons belong to the engine: their time counts."""
+    """Runs the study by Slurm. The time of Slurm's daemons counts, because they belong to the engine."""
     slurm = local_slurm.LocalSlurm(str(folder / "slurm"))
     try:
         if why_not := slurm.start():
@@ -65,7 +65,7 @@ def by_slurm(options, folder):
         call(local_slurm.find("sbatch"), "slurm.sh", cwd=folder / "s.study",
              env={**os.environ, "SLURM_CONF": slurm.environment["SLURM_CONF"]})
         while call(options.netloft, "study", "missing", "s.study", cwd=folder, code=(0, 1, 3)).strip():
-            time.sleep(0.5)  # sbatch --wait looks every half minute
+            time.sleep(0.5)  # sbatch --wait would look only every half minute
     finally:
         slurm.stop()
     return ""
@@ -80,7 +80,7 @@ def rows_of(folder):
 
 
 def cost_of(folder):
-    """Processor time of all items by their own account [s]."""
+    """Returns the processor time of all items, as the items report it [s]."""
     with open(folder / "s.study/costs.csv", newline="") as f:
         return sum(float(row["cpu [s]"]) for row in csv.DictReader(f))
 
@@ -93,7 +93,7 @@ def compute(options, folder, engine):
     cpu = processor_time.of_children() - cpu
     call(options.netloft, "study", "collect", "s.study", cwd=folder, code=(0, 1, 3))
     items = cost_of(folder)
-    sum_of_cpu = max(cpu, items)  # what Slurm starts are no children of ours
+    sum_of_cpu = max(cpu, items)  # processes that Slurm starts are not children of this one
     converged = sum(row["status"] == "converged" for row in rows_of(folder))
     print(f"{engine:<9} {len(rows_of(folder)):>6} {converged:>9} {wall:>8.1f} {sum_of_cpu:>8.1f} {items:>9.1f} "
           f"{wall * options.jobs / sum_of_cpu:>10.2f} {load:>6.1f}", end="", flush=True)
@@ -121,7 +121,7 @@ def factorisations_by_draw(rows):
 
 
 def compare_points(options, folder):
-    """Factorisations along paths and of points by themselves, of the same samples."""
+    """Compares the factorisations of the same samples along paths and with every point solved separately."""
     counts = {}
     for name, alone in (("path", False), ("points", True)):
         write_study(options, folder / name, options.points_of, alone)

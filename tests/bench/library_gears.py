@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the strategy `auto` takes for whole gears, which are not in the suite of hard cases.
+"""Measures the cost of the strategy `auto` for whole gears, which are not in the suite of hard cases.
 
     library_gears.py NETLOFT LIBRARY [--nodes 500,1000,1500] [--only TEXT]
 
-solves every scene of LIBRARY/scenes that has a whole gear from its sketch, with so many nodes each, and prints how it ended,
-factorisations and processor time, and their sums.
+Solves every scene of LIBRARY/scenes that has a whole gear, from its sketch and with each number of nodes. Prints how each solve
+ended, its factorisations and processor time, and the sums.
 """
 import argparse
 import json
@@ -14,7 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-PIECES = ("codend-from-plan", "dead-weight-panel", "hanging-rope")  # scenes of no whole gear
+PIECES = ("codend-from-plan", "dead-weight-panel", "hanging-rope")  # scenes without a whole gear
 DONE, NOT_CONVERGED = 0, 3
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How near is the memory that `netloft plan` foresees to what `netloft run` takes?
+"""Compares the memory that `netloft plan` predicts with the memory that `netloft run` takes.
 
     memory.py NETLOFT SCENE.toml [--nodes 3400,34000,340000 | --nodes as-it-is] [--set KEY=VALUE] [--threads 1]
 
-Prints, for every mesh, unknowns, the memory foreseen, the largest that the run had (resident), and their ratio.
+Prints, for every mesh, the unknowns, the predicted memory, the largest resident memory of the run, and their ratio.
 """
 import argparse
 import json

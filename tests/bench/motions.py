@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Errors of motions against `accuracy`, and which motions end right, wrong or lost, scheme by scheme.
+"""Measures errors of motions against the requested `accuracy`, and counts motions that end right, wrong or lost, by time scheme.
 
     motions.py NETLOFT SOURCE_FOLDER [--scenes snap,chain] [--schemes "newmark|arkode"] [--accuracies 1e-1,1e-2,1e-3,1e-4]
                [--seconds 120]
 
-Prints two tables as Markdown. Errors are those of the node that is worst at any output, and of one that a person looks at (the
-ball, an end, a corner), over the extent of all paths, against a run of the energy-momentum scheme at a tenth of the finest
-accuracy; `reference` is how far generalized-alpha is from it at the same accuracy. The order is the slope of the second error.
-Every motion is checked (`check = true`), so that it claims an error of its path: `*` marks errors of paths that it says are not
-known as well as was asked. `made` is energy out of nothing over what was given.
+Prints two tables as Markdown. Errors are those of the worst node at any output, and of one typical node (the ball, an end, a
+corner), over the extent of all paths, against a reference run of the energy-momentum scheme at a tenth of the finest accuracy;
+`reference` is the difference of generalized-alpha from the reference at the same accuracy. The order is the slope of the second
+error. Every motion is checked (`check = true`), so that the program reports an error of its path: `*` marks motions whose reported
+error is larger than requested. `made` is the energy that the scheme created, over the energy that was put in.
 
-A motion that claims what was asked has ended right if no node is further off than that at any output, over the longest element,
-and wrong if one is. Schemes that leave the damping of the material out, and say so, are held against a reference without it.
+A motion whose reported error is as small as requested has ended right if no node deviates by more at any output, over the longest
+element, and wrong if a node does. Schemes that report that they leave out material damping are compared with a reference without it.
 """
 import argparse
 import json
@@ -27,12 +27,12 @@ SCHEMES = {
     "generalized-alpha": [], "gen.-alpha, radius 0.8": ["analysis.generalized-alpha.spectral_radius=0.8"],
     "newmark": [], "central-difference": [], "energy-momentum": [], "arkode": [],
 }
-UNDAMPED = {"central-difference"}  # its steps are bounded: it leaves the damping of the material out, and says so
-WATCHED = {"snap": 4, "chain": 16, "heave": 10, "gust": -1, "bars": -1, "panel": -1}  # node
+UNDAMPED = {"central-difference"}  # explicit: it leaves out material damping, and reports it
+WATCHED = {"snap": 4, "chain": 16, "heave": 10, "gust": -1, "bars": -1, "panel": -1}  # the typical node of a scene
 
 
 def run(asked, scene, scheme, accuracy, folder, more=()):
-    """Answer as JSON, or the sentence of a run that did not end, and places of nodes by output."""
+    """Returns the answer as JSON, or the message of a run that failed, and the positions of nodes by output."""
     out = Path(folder) / "out.hdf"
     name = "generalized-alpha" if scheme.startswith("gen") else scheme
     words = [asked.netloft, "run", scene, "--json", "--threads", "1", "--overwrite", "-o", out]
@@ -59,19 +59,19 @@ def extent(paths):
 
 
 def error(paths, reference, node):
-    """Of the node that is worst, and of one that a person looks at [m]."""
+    """Returns the error of the worst node and that of the typical node [m]."""
     all_nodes = np.linalg.norm(paths - reference, axis=-1)
     return all_nodes.max(), all_nodes[:, node].max()
 
 
 def made(answer):
-    """Energy that came out of nothing, over what moved at the most [1]; none: not known."""
+    """Returns the energy that the scheme created over the energy that was put in [1], or None if it is not known."""
     loss = answer.get("numerical_loss")
     return max(0.0, -loss["lost"]) / loss["given"] if loss and loss["given"] else None
 
 
 def row(asked, file, scheme, accuracies, folder, reference, count):
-    """Cells of a scheme in one scene; what became of its motions is added to `count`."""
+    """Returns the cells of a scheme in one scene, and adds how its motions ended to `count`."""
     errors, most, cells, cpu, size = [], 0.0, [], 0.0, extent(reference)
     for accuracy in accuracies:
         answer, paths = run(asked, file, scheme, accuracy, folder, ["analysis.check=true"])

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// bench_outputs [FOLDER]: what an output of a motion costs on its way to the disk, the result at the end
-// included, and how many calls of the system read or write. Beside it stands the plain way that keeps each
-// output from a kill, too: an HDF5 file that is flushed at every output.
+// bench_outputs [FOLDER]: the cost of writing an output of a motion to the disk, the result at the end
+// included, and the number of system calls that read or write. For comparison it measures the simplest other
+// way in which outputs survive a kill: an HDF5 file that is flushed at every output.
 #include "io/formats/hdf5/fold.hpp"
 #include "io/formats/hdf5/result_file.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 using namespace netloft;
 using Clock = std::chrono::steady_clock;
 
-/// A rope for few nodes, netting for many.
+/// The size of a result: that of a rope has few nodes, that of netting many.
 struct Gear {
   const char* name;
   std::size_t nodes, cells, outputs;
@@ -28,7 +28,7 @@ struct Cost {
   double microseconds, processor, processor_at_the_end, calls, megabytes;
 };
 
-/// Calls that read and that write, of this process.
+/// Number of system calls of this process that read or write.
 double count_calls() {
   std::ifstream counts("/proc/self/io");
   double sum = 0;
@@ -73,10 +73,10 @@ std::vector<formats::SeriesState> make_states(const Gear& gear, const formats::S
   return states;
 }
 
-/// Seconds of the processor, which other programs on the machine do not lengthen.
+/// Processor time [s], which other programs on the machine hardly change.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Runs `write(i)` for every output and then `finish`, and counts.
+/// Measures `write(i)` for every output and then `finish`.
 template <class Write, class Finish>
 Cost measure(const Gear& gear, const std::filesystem::path& result, Write&& write, Finish&& finish) {
   const auto seconds = [begun = Clock::now()] {

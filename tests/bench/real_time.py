@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A trawl of 5000 nodes in real time: how fast, and how far from a reference by another scheme.
+"""Measures speed and error of a trawl of 5000 nodes that moves in real time, against a reference by another scheme.
 
     real_time.py NETLOFT SOURCE_FOLDER [REPEATS]
 
-The scene runs as it stands in the library, on two threads. The reference is made by another family of schemes in steps of equal
-length (ARKODE's ESDIRK3, on one thread: three CPU minutes), once with h and once with h/2: what lies between these two is the
-reference's own error, and has to be far below the one that is told. Errors are distances between places at equal times, over
-all outputs, in parts of the way that the middle of the headline goes.
+The scene of the library runs unchanged on two threads. The reference is made by another family of schemes in steps of equal
+length (ARKODE's ESDIRK3, on one thread: three CPU minutes), once with h and once with h/2: the difference between these two is the
+error of the reference, and has to be far below the reported error. Errors are distances between positions at equal times, over
+all outputs, as fractions of the distance that the middle of the headline moves.
 """
 import json
 import os
@@ -26,12 +26,12 @@ NETLOFT, SOURCE = sys.argv[1], Path(sys.argv[2])
 REPEATS = int(sys.argv[3]) if len(sys.argv) > 3 else 1
 SCENE = SOURCE / "gear-library" / "scenes" / "dynamics" / "trawl-speeds-up.toml"
 HEADLINE = ("mouth_x", "mouth_y", "mouth_height")
-STEP = 0.25  # of the coarser reference [s]; no longer than outputs are apart
+STEP = 0.25  # step of the coarser reference [s], at most the time between outputs
 OTHER_SCHEME = ["analysis.integrator=arkode", "analysis.adaptive=false", "analysis.dense=false", "analysis.tolerance=1e-5"]
 
 
 class Run:
-    """One run of the scene, with the CPU time of the whole program beside that of the motion."""
+    """One run of the scene, with the CPU time of the whole program and that of the motion."""
 
     def __init__(self, threads, *settings):
         words = [NETLOFT, "run", SCENE, "--json", "--threads", str(threads)]

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the numbers that steer a strategy are worth: each is halved and doubled with a fresh seed of the hard cases.
+"""Measures how much the parameters of a strategy matter: each is halved and doubled on hard cases with a new seed.
 
     sensitivity.py NETLOFT SUITE --seed 2041 [--strategy auto] [--of auto] [--of tension/stages] [--of newton] [--size small] [--case TEXT] [--jobs 1]
 
-prints a Markdown table: right / claimed wrong / work at half, at the default, and at double. A number whose row says
-"changes nothing" is no parameter but noise, and may go. Draws that a number was chosen by say nothing about it.
+Prints a Markdown table: right / claimed wrong / work with half the default, the default, and twice the default. A parameter
+whose row says "changes nothing" can be removed. The seed must not be one with which the parameter was chosen.
 """
 import argparse
 import json
@@ -17,12 +17,12 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-LITTLE = 0.05  # of the work: machines and seeds differ by more
+LITTLE = 0.05  # relative change of the work that counts as none: machines and seeds differ by more
 DONE, NOT_ALL_RIGHT = 0, 3
 
 
 class Outcome:
-    """What one run of the suite came to."""
+    """The result of one run of the suite."""
 
     def __init__(self, matrix):
         self.cells = [(c["name"], c["size"], c["where"], c["iterations"], c["factorisations"]) for c in matrix["cases"]]
@@ -38,7 +38,7 @@ class Outcome:
 
 
 class Parameter:
-    """A number of a component, with what it may be."""
+    """A number among the options of a component, with its range."""
 
     def __init__(self, component, described):
         self.component, self.name = component, described["name"]
@@ -48,7 +48,7 @@ class Parameter:
         self.lo, self.hi = float(lo.replace("∞", "inf")), float(hi.replace("∞", "inf"))
 
     def scaled(self, factor):
-        """The default times a factor as the program reads it, or None where that is the default again."""
+        """Returns the default times a factor, as text for the program, or None if that is the default again."""
         value = min(max(self.default * factor, self.lo), self.hi)
         if self.is_whole:
             value = math.floor(value) if factor < 1 else math.ceil(value)
@@ -61,7 +61,7 @@ class Parameter:
 
 
 def is_number(described):
-    """Numbers that have a default between two ends."""
+    """Whether an option is a number with a range and a default."""
     has_range = re.match(r"[\[(].+,.+[\])]", described["allowed"])
     return described["kind"] in ("real", "integer") and has_range and re.fullmatch(r"[-+0-9.e]+", described["default"])
 
@@ -78,7 +78,7 @@ class Bench:
         return json.loads(ended.stdout)
 
     def parameters(self):
-        """Numbers of all components that were named, and what of them is none."""
+        """Returns the numbers among the options of all named components, and the options that are not numbers."""
         numbers, others = [], []
         for component in self.words.of:
             for described in self.answer(self.words.netloft, "describe", component, "--json")["parameters"]:
@@ -109,7 +109,7 @@ class Bench:
 
 
 def note(base, *others):
-    """What a change of a number does, in a word."""
+    """Returns in a few words what changes of a number do to the results."""
     tried = [o for o in others if o]
     if not tried:
         return "not scaled: its double and its half are the default"

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The longest step of the paper's fixed point, by an assembly of its own in a few lines of NumPy.
+"""Computes the longest stable step of the fixed-point scheme of the trawl-gear paper, independently in a few lines of NumPy.
 
     stability_limit.py NETLOFT SOURCE_FOLDER
 
-Nothing but the nodes' places at rest comes from NETLOFT. Stiffness and masses of Priour's triangle are made here anew, the
-stiffness from the energy alone (first derivatives by complex steps, second ones by differences), and the highest frequency by
-power iteration:
+Only the positions of the nodes at rest come from NETLOFT. Stiffness and masses of Priour's triangle are computed here, the
+stiffness from the energy alone (first derivatives by complex steps, second derivatives by differences), and the highest
+frequency by power iteration:
     h < 1/(√β ω_max),  ω_max² the largest eigenvalue of M⁻¹ K,  √β = 0.65                                  (1)
-for two conventions of the mass: the twine alone, as in the paper, and with the water that it takes along across itself.
+for two conventions of the mass: the twine alone, as in the paper, and with the added mass of water across the twine.
 """
 import subprocess
 import sys
@@ -27,7 +27,7 @@ PANELS = {"dead-weight-panel": (1e4, 1.0, 0.6, 0.01, 0.0, 40, 40),
 
 
 def places(scene, n):
-    """Nodes at rest, row by row."""
+    """Returns the positions of the nodes at rest, row by row."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "rest.hdf"
         subprocess.run([NETLOFT, "run", SCENES / (scene + ".toml"), "-o", file, "--set", f"parts.net.cells=[{n},{n}]"],
@@ -37,7 +37,7 @@ def places(scene, n):
 
 
 def triangles(n):
-    """The rule of divisions: in cell (i, j) the diagonal runs (i, j)-(i+1, j+1) if i+j is even."""
+    """Returns the triangles of n x n cells. The diagonal of cell (i, j) is (i, j)-(i+1, j+1) if i+j is even."""
     at = lambda i, j: j * (n + 1) + i
     for j in range(n):
         for i in range(n):
@@ -55,7 +55,7 @@ def twine_vectors(t, n, across, along):
 
 
 def energy(w, bars, EA, EAc, l0, H):
-    """Of every triangle, from its two twine vectors (6 numbers)."""
+    """Returns the energy of every triangle from its two twine vectors (6 numbers)."""
     U, V = w[:, :3], w[:, 3:]
     L = [np.sqrt((x * x).sum(axis=1)) for x in (U, V)]
     spring = sum(np.where(x.real > l0, EA, EAc) / (2 * l0) * (x - l0) ** 2 for x in L)
@@ -64,7 +64,7 @@ def energy(w, bars, EA, EAc, l0, H):
 
 
 def stiffness(w, *material):
-    """Second derivatives by the twine vectors, 6 x 6."""
+    """Returns the second derivatives of the energy with respect to the twine vectors, 6 x 6."""
     def gradient(at):
         columns = []
         for k in range(6):
@@ -86,14 +86,14 @@ def highest_frequency(scene, n, added_mass):
     x, t = places(scene, n), np.array(list(triangles(n)))
     cu, cv, bars = twine_vectors(t, n, across, along)
     w = np.hstack([np.einsum("ec,ecr->er", cu, x[t]), np.einsum("ec,ecr->er", cv, x[t])])
-    # Corners from twine vectors: 6 x 9.
+    # The matrix from the corners to the twine vectors, 6 x 9.
     B = np.concatenate([np.einsum("ec,rs->ercs", c, np.eye(3)).reshape(len(t), 3, 9) for c in (cu, cv)], axis=1)
     K = np.einsum("eia,eij,ejb->eab", B, stiffness(w, bars, EA, EAc, l0, H), B)
     dof = (3 * t[:, :, None] + np.arange(3)).reshape(len(t), 9)
     size = 3 * len(x)
     K = coo_matrix((K.ravel(), (np.repeat(dof, 9, axis=1).ravel(), np.tile(dof, (1, 9)).ravel())), (size, size)).tocsr()
     M = np.zeros((len(x), 3, 3))
-    third = bars * np.pi / 4 * diameter ** 2 * l0 / 3  # of each direction
+    third = bars * np.pi / 4 * diameter ** 2 * l0 / 3  # volume per corner of the twines of each direction
     for a in (w[:, :3], w[:, 3:]):
         s = a / np.linalg.norm(a, axis=1)[:, None]
         block = third[:, None, None] * (RHO * np.eye(3) + added_mass * WATER * (np.eye(3) - s[:, :, None] * s[:, None, :]))

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run costs beside its solution: processor time of the program's start, of its plugins and of the result file.
+"""Measures the cost of a run apart from its solution: processor time of the program's start, of plugins and of the result file.
 
     start_up.py PROGRAM [OTHER-PROGRAM…] [--times N]
 
-Runs take turns, so that a busy machine slows all of them down alike; of each the least of all times counts, and the ratio
-to a start of Python. The scene is a rope of two bars: its solution takes half a millisecond.
+Runs take turns, so that a busy machine slows all of them down alike. For each run the least time is printed, and its ratio to
+a start of Python. The scene is a rope of two bars, whose solution takes half a millisecond.
 """
 import argparse
 import os
@@ -30,7 +30,7 @@ on = "rope.end"
 
 
 def milliseconds(command, folder):
-    """Processor time of a command and of what it started [ms]."""
+    """Returns the processor time of a command and of its child processes [ms]."""
     child = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     text = child.stderr.read()
     _, status, usage = os.wait4(child.pid, 0)

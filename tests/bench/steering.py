@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every number that steers the way of the strategy `auto`, as its sources have it.
+"""Lists every number that influences what the strategy `auto` does, as found in the sources.
 
     steering.py SOURCE_FOLDER [--lines] [--write] [--check]
 
-prints Markdown tables: numbers in option tables, constants with a name, numbers without one, with file, value and reason. Apart from them
-stand what rounding, formulas and measurements of the machine leave no choice about, each with its reason below. `--write` puts the tables
-into tests/bench/steering.md, `--check` compares them with it, and says which number of no table is neither named nor explained.
+Prints Markdown tables: numbers in option tables, constants with a name, numbers without a name, with file, value and reason. Separate tables
+list numbers that rounding, formulas or measurements of the machine determine; their reasons are given below. `--write` writes the tables
+to tests/bench/steering.md, `--check` compares them with that page and prints the rows that differ.
 
-What decides is read: the strategies that `auto` calls, the solvers that these name, the assessment of an equilibrium and the choice among
-several. What finds winch settings, branches of studies and motions lies outside, as do methods that `auto` does not ask for.
+The script reads the strategies that `auto` calls, the solvers that these use, the assessment of an equilibrium and the choice among several.
+It does not read the search for winch settings, branches of studies, motions, and methods that `auto` does not use.
 """
 import argparse
 import re
@@ -25,16 +25,16 @@ framework/balance/work.*
 framework/search/running_search.* framework/search/search_host.*
 framework/search/known_stages.* framework/search/shapes.* framework/include/netloft/strategy.hpp
 framework/include/netloft/imbalance.hpp framework/include/netloft/scatter.hpp""".split()
-# Methods that `auto` does not ask for, and what users ask of an analysis besides.
+# Options that do not influence `auto`, by file: none but those of ONLY in files that ONLY names.
 NOT_ITS_OWN = {
     "io/scenes/reading/keys.cpp": None,
 }
 ONLY = {"io/scenes/reading/keys.cpp": {"tolerance", "max_iterations", "work"}}
-# Formulas of members' geometry, with nothing to decide.
+# Files with formulas of geometry only.
 GEOMETRY = {"solvers/strategies/tension/second_order_cone.hpp", "solvers/strategies/tension/members.hpp"}
 INDEX = re.compile(r"\[|std::size_t|axis|std::array|sizeof|char |squared\(|reserve\(")
 
-# A fragment of the line, what it is: no other number would do as well, or any other would.
+# Fragments of lines, and the reason why their numbers are no parameters.
 EXPLAINED = {  # names of constants, fragments of lines
     "rounding": {
         "epsilon()": "multiples of the rounding of a double",
@@ -123,7 +123,7 @@ def end_of_call(text, at):
 
 
 def options(file, text):
-    """Numbers of an option table, and the stretches of text that these took."""
+    """Returns the numbers of an option table, and the ranges of text that they occupy."""
     found, taken = [], []
     for call in CALL.finditer(text):
         end = end_of_call(text, call.end() - 1)
@@ -145,7 +145,7 @@ def options(file, text):
 
 
 def comment_at(lines, at):
-    """The comment of a line, or the one that ends above it."""
+    """Returns the comment of a line, or the comment that ends above the line."""
     if "//" in lines[at]:
         return lines[at].split("//", 1)[1].strip(" /")
     above = []

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Benefit of the exact tangent of drag: iterations, factorisations and time to 1e-8 for the hanging panel
-// across a current, with the whole tangent of drag, with its symmetric part, and without it. Times are of one
-// run on one machine: compare rows.
+// Benefit of the exact tangent of drag: iterations, factorisations and time to a tolerance of 1e-8 for the
+// hanging panel across a current, with the whole tangent of drag, with its symmetric part, and without it.
+// Compare the times of one run only.
 #include "framework/judging/verdict.hpp"
 #include "solvers/factorisation/make_factorisation.hpp"
 #include "tests/folders.hpp"

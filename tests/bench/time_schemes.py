@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time schemes side by side: where explicit ones lose their stability, and what an error costs with each.
+"""Compares time schemes: the stability limits of explicit ones, and the CPU time that each takes for an error.
 
     time_schemes.py NETLOFT SOURCE_FOLDER limits|factor|panel
     time_schemes.py NETLOFT SOURCE_FOLDER work [FILE.svg]
 
-limits   predicted and found longest step of the paper's fixed point, on the paper's two panels
+limits   longest stable step of the paper's fixed-point scheme, predicted and found, on the paper's two panels
 work     CPU seconds against the error of a path, all schemes on the same three scenes
-factor   a trawl and a panel of 5000 nodes, and a smaller panel: time that passes over time that it takespanel    CPU seconds of the whole program, frames with it, for the panel of 20 x 20 meshes, which takes MoorDyn 64.3 s
+factor   simulated time over CPU time, for a trawl and a panel of 5000 nodes and for a smaller panel
+panel    CPU seconds of the whole program, frames included, for the panel of 20 x 20 meshes, which takes MoorDyn 64.3 s
 """
 import json
 import subprocess
@@ -28,7 +29,7 @@ FIXED_POINT = ["analysis.integrator=newmark", "analysis.newmark.corrector=fixed-
 
 
 def run(scene, *settings, check=False, options=()):
-    """The answer of the program, and the series of its file."""
+    """Returns the answer of the program, and the time series of its result file."""
     output = Path(FOLDER.name) / "out.hdf"
     output.unlink(missing_ok=True)
     words = [NETLOFT, "run", SCENES / scene, "--json", "-o", output, *options]
@@ -43,7 +44,7 @@ def run(scene, *settings, check=False, options=()):
 
 
 def found_limit(scene, settings, predicted):
-    """Longest step with which 20 steps settle, from the equilibrium and in a current that sets in, within 2 %."""
+    """Returns, within 2 %, the longest step with which 20 steps converge after a current sets in at the equilibrium."""
     low, high = 0.25 * predicted, 4 * predicted
     while high / low > 1.02:
         h = (low * high) ** 0.5
@@ -81,7 +82,7 @@ SCHEMES = {
     "newmark, fixed-point": (FIXED_POINT, [1e-1]),
     "central-difference": (CENTRAL, [1e-1]),
 }
-GOOD = 1e-2  # the error at which lengths of steps are compared
+GOOD = 1e-2  # error for which step lengths are compared
 
 
 def path_of(series, names):
@@ -89,16 +90,16 @@ def path_of(series, names):
 
 
 def path_error(path, reference):
-    """Largest distance between two paths at equal times, over the extent of the way."""
+    """Returns the largest distance between two paths at equal times, over the extent of the path."""
     return np.linalg.norm(path - reference, axis=1).max() / np.ptp(reference, axis=0).max()
 
 
 def measure(scene):
-    """Of every run that came to its end: scheme, accuracy, mean step [s], CPU time [s], error; and sentences of the others."""
+    """Returns scheme, accuracy, mean step [s], CPU time [s] and error of every complete run, and messages of the others."""
     names, seconds = PATHS[scene], SECONDS[scene]
     common = ["analysis.energy_budget=false", "analysis.dense=true", "analysis.tolerance=1e-4", f"analysis.duration={seconds}"]
     answer, series = run("dynamics/" + scene, *common, *CENTRAL, check=True)
-    fine = 0.25 * answer["longest_step"]  # central differences far below what stability asks
+    fine = 0.25 * answer["longest_step"]  # central differences with steps far below the stability limit
     _, series = run("dynamics/" + scene, *common, *CENTRAL, "analysis.adaptive=false", f"analysis.step={fine}", check=True)
     reference, rows, failures = path_of(series, names), [], []
     for scheme, (settings, accuracies) in SCHEMES.items():
@@ -113,7 +114,7 @@ def measure(scene):
 
 
 def print_work(plot):
-    """As Markdown, for the README of the scenes."""
+    """Prints the table of `work` as Markdown, for the README of the scenes."""
     found = {}
     print("| scene | scheme | accuracy | mean step [s] | over the fixed point's | CPU s | error |\n|---|---|---|---|---|---|---|")
     for scene in PATHS:
@@ -130,7 +131,7 @@ def print_work(plot):
 
 
 def draw(found, file):
-    """Errors over mean steps and over CPU time, a column per scene."""
+    """Draws errors over mean steps and over CPU time, one column per scene."""
     import matplotlib
     matplotlib.use("svg")
     import matplotlib.pyplot as plt
@@ -154,7 +155,7 @@ def draw(found, file):
 
 
 def print_factor():
-    """Errors against a run that is far more accurate."""
+    """Prints the table of `factor`. Errors are those against a far more accurate run."""
     panel, trawl = "dynamics/panel-in-current.toml", "dynamics/trawl-speeds-up.toml"
     for name, scene, names, settings, fine in (
             ("trawl of 5000 nodes", trawl, ("mouth_x", "mouth_y", "mouth_height"), [], ["analysis.accuracy=5e-4", "analysis.tolerance=1e-4"]),
@@ -174,7 +175,7 @@ MOORDYN = 64.3  # CPU seconds of MoorDyn for 5 s of the same panel
 
 
 def print_panel():
-    """Of generalized-alpha, as the scene stands but for its accuracy; the least of five runs, on one thread."""
+    """Prints the least CPU time of five runs with generalized-alpha on one thread; only the accuracy of the scene is changed."""
     panel, names = "dynamics/panel-in-current.toml", PATHS["panel-in-current.toml"]
     _, series = run(panel, "analysis.accuracy=1e-4", "analysis.tolerance=1e-4", check=True, options=("--threads", "1"))
     reference = path_of(series, names)

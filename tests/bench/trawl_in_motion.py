@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A bottom trawl that speeds up, turns on held tension and hauls: how fast, how far from a run in finer steps, and killed and resumed.
+"""Measures speed and error of a bottom trawl that speeds up, turns with winches at constant tension and hauls, and resumes a killed run.
 
     trawl_in_motion.py NETLOFT SOURCE_FOLDER [--nodes 1000] [--accuracy 0.01] [--finer 10] [--set KEY=VALUE]... [--keep FOLDER]
 
 Runs gear-library/scenes/dynamics/83-112-in-motion.toml on one thread at the accuracy, and at one that is `finer` times finer; --set
-holds for both. The error of a node is its largest distance from itself in the finer run, at outputs of a stage, over the way that it
-has gone until the end: of the node in the middle, and of the worst one, with its part and the time. Energy is what the scheme took,
-over what ship and winches gave; the error of tensions at the blocks is the root of the mean square over their mean, smoothed over 10 s.
-The coarser run is then killed half way, resumed, and compared to the bit. With --keep, runs that are in the folder are not made again.
+applies to both. The error of a node is its largest distance from its position in the finer run, at the outputs of a stage, over the
+length of its path: for the node in the middle and for the worst node, with part and time. Energy is the part that the scheme dissipates
+of the work of ship and winches; the error of tensions at the blocks is the root mean square over the mean, smoothed over 10 s. The
+coarser run is then killed half way, resumed, and compared bit by bit. With --keep, runs that are in the folder are not repeated.
 """
 import argparse
 import json
@@ -22,12 +22,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-STAGES = (("speeds up", 0, 20), ("turns", 20, 145), ("hauls", 145, 200))  # [s], of the scene
+STAGES = (("speeds up", 0, 20), ("turns", 20, 145), ("hauls", 145, 200))  # begin and end in the scene [s]
 WARPS = "starboard-warp", "port-warp"
 
 
 class Run:
-    """Answer of the program, times, places of nodes and tensions at the blocks, by output."""
+    """One run: the program's answer and, by output, times, positions of nodes and tensions at the blocks."""
 
     def __init__(self, file):
         self.answer = json.loads(file.with_suffix(".json").read_text())
@@ -66,7 +66,7 @@ def smoothed(values, seconds):
 
 
 def print_errors(coarse, fine):
-    shared = min(len(coarse.times), len(fine.times))  # one of them may have been given up
+    shared = min(len(coarse.times), len(fine.times))  # one of the runs may have ended early
     assert np.array_equal(coarse.times[:shared], fine.times[:shared])
     apart = np.linalg.norm(coarse.places[:shared] - fine.places[:shared], axis=-1)
     way = np.linalg.norm(np.diff(fine.places[:shared], axis=0), axis=-1).sum(axis=0)
@@ -84,7 +84,7 @@ def print_errors(coarse, fine):
 
 
 def print_resumed(asked, accuracy, whole, folder):
-    """Killed once half of the outputs are there."""
+    """Kills a run when half of its outputs are written, resumes it, and prints whether the result has the same bits."""
     sys.path.insert(0, str(asked.source / "tests" / "support"))
     from journal import Damaged, Journal
     file, seen = folder / "killed.hdf", 0
@@ -95,7 +95,7 @@ def print_resumed(asked, accuracy, whole, folder):
         try:
             seen = len(Journal(part).outputs)
         except (OSError, Damaged):
-            pass  # not there yet
+            pass  # the file does not exist yet
     running.send_signal(signal.SIGKILL)
     running.wait()
     done = subprocess.run(command(asked, accuracy, file, "--resume"), capture_output=True, text=True, check=True)

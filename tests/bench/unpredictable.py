@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What can be predicted of a chaotic motion: a slack chain that falls and snaps taut, in air, with damped bars, and in water.
+"""Shows which results of a chaotic motion are predictable: a slack chain falls and snaps taut, in air, with damped bars, and in water.
 
     unpredictable.py NETLOFT
 
-Each motion is run from two starts that differ by 1e-9 m at one end. Columns: the largest distance of a node between both, over the length of an
-element, at the end of the motion; then, for each start, the largest tension, the lowest point, and the mean height of all nodes over the second half.
+Each motion is run from two starts that differ by 1e-9 m at one end. Columns: the largest distance of a node between both runs at the end, over the
+length of an element; then, for each start, the largest tension, the lowest point, and the mean height of all nodes over the second half.
 """
 import subprocess
 import sys

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The model of work (framework/balance/work.hpp) against measured CPU time, on panels in still water and in a
-// current and on a trawl: operations by the model over microseconds measured, which would be the same number
-// in all columns if the model were exact; and the price of each operation in factorisations, by the model
-// and as measured.
+// Compares the model of work (framework/balance/work.hpp) with measured CPU time, on panels in still water
+// and in a current and on a trawl. It prints operations by the model over measured microseconds, which would
+// be the same number in all columns if the model were exact, and the cost of each operation in
+// factorisations, by the model and as measured.
 //
-//   bench_work_model [LARGEST]    most unknowns of a scene; else 100 000
+//   bench_work_model [LARGEST]    most unknowns of a scene, 100 000 if left out
 #include "framework/assembler/assembler.hpp"
 #include "framework/balance/work.hpp"
 #include "framework/registry/registry.hpp"
