@@ -31,7 +31,7 @@ class Netting {
     const double l2 = ((b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1])) / twice;
     return {1 - l1 - l2, l1, l2};
   }
-  /// The first triangle that contains the place; if none does, the triangle with the least distance outside.
+  /// The first triangle that contains the place; if none does, the triangle to which the place is nearest.
   std::size_t triangle_at(const Place& p) const {
     for (const std::uint32_t t : cells_[cell(p)])
       if (depth(t, p) >= 0) return t;
@@ -42,7 +42,7 @@ class Netting {
   }
   std::uint32_t node(std::size_t triangle, std::size_t k) const { return part_.nodes[3 * triangle + k]; }
 
-  /// Fills the grid. Must be called before triangle_at().
+  /// Fills the grid of cells in which triangle_at() searches. Must be called before it.
   void make_grid() {
     for (const std::size_t k : {0u, 1u}) {
       const auto [low, high] = std::minmax_element((k ? v_ : u_).begin(), (k ? v_ : u_).end());
@@ -80,12 +80,12 @@ class Netting {
   const std::vector<double>&u_, &v_;
   Place low_{}, side_{};
   std::size_t count_ = 1;
-  std::vector<std::vector<std::uint32_t>> cells_;  // triangles whose box touches the cell, in order
+  std::vector<std::vector<std::uint32_t>> cells_;  // by cell: triangles whose bounding box touches it
 };
 
 std::size_t at(std::uint32_t node) { return 3 * std::size_t{node}; }
 
-/// The fraction of a rope's length at each node, beginning with zero.
+/// The distance of each node from the start of the rope, as a fraction of the unstretched length.
 std::vector<double> shares_of(const Part& rope) {
   std::vector<double> shares{0};
   for (const double length : rope.data.at(datum::kRestLength.name)) shares.push_back(shares.back() + length);

@@ -17,8 +17,7 @@ bool is_divided(const scenes::PartGeometry& part) { return !part.cells.empty(); 
 
 int half_of(int cells) { return (cells + 1) / 2; }
 
-/// Whether a part may get half its cells. A part with a node that something refers to by its number may not,
-/// because the number would then mean another place.
+/// Whether a part gets half its cells (see halved_cells).
 bool can_halve(const scenes::PartGeometry& part, Halved which) {
   if (part.is_numbered) return false;
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
@@ -50,7 +49,8 @@ bool has_middles(const scenes::PartGeometry& part) {
   return middles_of(part) > 0 && part.nodes.size() == corners_of(part) + middles_of(part);
 }
 
-/// The shape of a part in another division of it, at positions x.
+/// The shape of a part, from the node positions x of a scene that has it. Nodes of another division of the
+/// part find their positions here.
 class Shape {
  public:
   Shape(const scenes::PartGeometry& part, const std::vector<double>& x) : part_(part), x_(x) {}
@@ -64,7 +64,7 @@ class Shape {
     const auto [cell, t] = locate(s, part_.cells[0]);
     return mix({{{cell, 1 - t}, {cell + 1, t}, {cell, 0.0}}});
   }
-  /// The position at fractions s across and t along a panel, interpolated in the triangle there.
+  /// The position at fractions s across and t along a panel, interpolated in the triangle that contains it.
   Point on_panel(double s, double t) const {
     const auto [i, a] = locate(s, part_.cells[0]);
     const auto [j, b] = locate(t, part_.cells[1]);
@@ -117,7 +117,7 @@ bool is_structured(const scenes::PartGeometry& part) {
   return part.nodes.size() == corners_of(part) || has_middles(part);
 }
 
-/// The fraction along a rope, or the fractions across and along a panel, at node `own` of the part.
+/// The place of node `own` of the part: its fraction along a rope, or its fractions across and along a panel.
 std::array<double, 2> shares_of(const scenes::PartGeometry& part, std::size_t own) {
   if (part.cells.size() == 1) return {static_cast<double>(own) / part.cells[0], 0};
   const bool is_middle = own >= corners_of(part);
@@ -132,7 +132,7 @@ std::array<double, 2> shares_of(const scenes::PartGeometry& part, std::size_t ow
 
 namespace {
 
-constexpr std::size_t kFewestNodes = 120;  // least number of nodes of a coarser gear
+constexpr std::size_t kFewestNodes = 120;  // a coarser gear has at least so many nodes
 
 bool is_numbered(const scenes::GearInScene& gear, const std::vector<scenes::PartGeometry>& parts) {
   const auto numbered = [&](std::uint32_t p) { return parts[p].is_numbered; };
@@ -147,7 +147,8 @@ std::vector<formats::Change> coarser_gear(const scenes::GearInScene& gear, const
   return {formats::make_change({"gear", "nodes"}, {{}, static_cast<std::int64_t>(gear.nodes / 4)})};
 }
 
-/// Copies the origins and points of rigid bodies. Sites::transfer copies their rotations.
+/// Copies the positions of origins and points of rigid bodies. VariantProblems::transfer copies the
+/// rotations.
 void carry_bodies(const Scene& from, const std::vector<double>& x, const Scene& to,
                   std::vector<double>& positions) {
   const auto copy = [&](std::uint32_t source, std::uint32_t target) {

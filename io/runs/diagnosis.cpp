@@ -38,7 +38,7 @@ struct Tensions {
   std::vector<double> of_elements;  // least tension of each element [N]
 };
 
-/// Makes the diagnosis. Each member function finds one kind of sentence.
+/// Makes the diagnosis. Each member function `say_…` adds the sentences about one kind of fault.
 class Diagnosis {
  public:
   Diagnosis(const Scene& scene, Assembler& assembler, const Solution& solution)
@@ -126,7 +126,7 @@ class Diagnosis {
       }
   }
 
-  /// Counts triangles with a common side and opposite normals.
+  /// Counts pairs of triangles with a common side and opposite normals.
   void count_folds_of_netting(const ElementFamily& family, std::map<std::uint32_t, int>& folds) const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> first;
     for (std::size_t e = 0; e < family.size(); ++e)

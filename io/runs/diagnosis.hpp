@@ -8,12 +8,13 @@
 
 namespace netloft::runs {
 
-/// Describes a point that is no equilibrium, in sentences about parts by name:
+/// Describes the last point of a search that found no equilibrium. Each sentence names a part and one fault:
 ///   slack         no element of the part has tension, so that nothing holds the part in place
 ///   pressed       elements are in compression, and the gear may be balanced on them
 ///   folded        neighbouring elements of a part are turned back on one another
-///   gone          the part that moved furthest, if it moved further than the gear is long
-/// Only outputs of elements ("tension") are used, so that this works for parts of any plugin.
+///   gone          the node that moved furthest, if it moved more than twice the size of the gear
+/// The element outputs named "tension" are the only source of forces, so that this works for parts of any
+/// plugin.
 std::vector<std::string> diagnose(const Scene& scene, Assembler& assembler, const Solution& solution);
 
 }  // namespace netloft::runs

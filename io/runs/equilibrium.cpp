@@ -14,9 +14,9 @@ namespace netloft::runs {
 
 namespace {
 
-constexpr int kFromElsewhere = 100;  // most iterations from a point that a user gives
+constexpr int kFromElsewhere = 100;  // limit of iterations from an initial guess of the user
 
-/// Announces the time allowed for a search, and at the end of its lifetime that there is no limit any more.
+/// Reports the time allowed for a search to the caller, and when destroyed, that there is no limit any more.
 class AllowedTime {
  public:
   AllowedTime(const Watch& watch, double seconds) : watch_(watch) { announce(seconds); }
@@ -51,8 +51,8 @@ StrategyUse strategy_of(PreparedScene& scene) {
   return {&scene.registry().strategy(analysis.strategy), analysis.strategy_parameters};
 }
 
-/// Rejects equilibria in which the half gear has crossed its own plane of symmetry, since the whole gear has
-/// none there. Nodes held beyond the plane do not count, because the user put them there.
+/// Rejects equilibria of a half gear, one side of the plane of symmetry, that has crossed this plane: the
+/// whole gear has no such equilibrium. Nodes that the user holds beyond the plane do not count.
 void reject_crossed_halves(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   if (!is_stationary(s) || !loaded.gear || loaded.gear->times != 2) return;
   for (const scenes::Crossing& crossing : scenes::find_crossings(loaded, assembler.node_positions(s.x)))
@@ -83,7 +83,7 @@ Solution find_equilibrium(PreparedScene& scene, const Watch& watch, const std::v
   return s;
 }
 
-// For an analysis by settling motion, `u` is its initial state, at rest.
+// If the analysis lets a motion settle instead of calling a solver, the motion starts at rest from `u`.
 Solution continue_equilibrium(PreparedScene& scene, const std::vector<double>& u, int iterations,
                               const Watch& watch) {
   const scenes::Analysis& analysis = scene.loaded().analysis;

@@ -9,8 +9,8 @@ namespace netloft::runs {
 
 namespace {
 
-/// A parameter without effect, the reason ("rope.damping", "the analysis is static"), and the parts
-/// concerned.
+/// A setting without effect ("rope.damping"), the reason ("the analysis is static"), and the parts that have
+/// it.
 struct IdleChoice {
   std::string what, reason;
   std::vector<std::string> parts;
@@ -21,9 +21,9 @@ bool needs(const netloft_term& term, const std::string& parameter) {
   return std::find(names.begin(), names.end(), parameter) != names.end();
 }
 
-/// The reason why all terms that need the parameter are left out; empty if one of them acts, or if none needs
-/// it. Parameters of drag, such as a diameter, have other uses, too. If forces have no energy, damping
-/// matters for the motion after a small disturbance.
+/// The reason why all terms (forces) that need the parameter are left out; empty if one of them is evaluated,
+/// or if none needs it. Two kinds of terms never give a reason: terms of the flow, because a parameter such
+/// as a diameter has other uses too, and damping, if the stability of an equilibrium is judged by its motion.
 std::string why_idle(const FamilyPlan& family, const std::string& parameter, bool motion_is_asked_for) {
   std::string reason;
   for (std::size_t t = 0; t < family.terms.size(); ++t) {

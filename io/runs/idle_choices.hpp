@@ -6,8 +6,9 @@
 
 namespace netloft::runs {
 
-/// Warns of settings without effect: parameters for terms that the plan leaves out, and laws of flow in still
-/// water. All parts with the same reason share one warning, located at the first.
+/// Warns of settings without effect: parameters of forces that this analysis does not evaluate, and drag laws
+/// in still water. Parts with the same setting and the same reason share one warning, placed at the first of
+/// them.
 void warn_of_idle_choices(const scenes::LoadedScene& loaded, const ScenePlan& plan,
                           formats::Diagnostics& diagnostics);
 

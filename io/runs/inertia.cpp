@@ -21,7 +21,8 @@ bool is_zero(const Part& part, const netloft_parameter& p) {
   return number_or(0, part.parameters, p.name) == 0;
 }
 
-/// Names of parameters that are zero but must be positive: "body.inertia_x, body.inertia_y".
+/// Names of the parameters that would give the missing inertia, but are zero: "body.inertia_x,
+/// body.inertia_y".
 std::string keys_of(const Scene& scene, Registry& registry, const MissingInertia& missing) {
   std::string keys;
   std::set<std::string> named;

@@ -5,9 +5,9 @@
 
 namespace netloft::runs {
 
-/// Finds bodies and nodes without the inertia that a motion needs. The faults name the part and the missing
-/// keys: the parameters of its elements with the unit of the missing inertia. `is_explicit`: the integrator
-/// divides by nodal masses.
+/// Finds bodies and nodes without the inertia that a motion needs. Each fault names the part and the
+/// parameters of its elements that would give this inertia. `is_explicit`: the integrator divides by nodal
+/// masses.
 std::vector<SceneFault> find_missing_inertia(const Scene& scene, const ScenePlan& plan, Registry& registry,
                                              Assembler& assembler, bool is_explicit);
 

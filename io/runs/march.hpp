@@ -7,12 +7,12 @@
 
 namespace netloft::runs {
 
-/// Marches through time by the analysis of the scene, from the state `from`, or from the start of the scene
-/// if that is null. `work` bounds the sum over all steps (unit: step_methods.hpp).
+/// Integrates the motion of the scene in time as its analysis says, from the state `from`, or from the start
+/// of the scene if that is null. `work` bounds the sum over all steps (unit: work_of_steps).
 MarchResult march(PreparedScene& scene, const MarchWatch& outputs, const Watch& watch = {},
                   const MarchState* from = nullptr, double work = std::numeric_limits<double>::infinity());
 
-/// Makes elements store displacements `u` as the last accepted state.
+/// Makes the elements remember displacements `u` as the last accepted step.
 void remember(PreparedScene& scene, std::span<const double> u);
 
 }  // namespace netloft::runs

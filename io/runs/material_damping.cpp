@@ -13,11 +13,11 @@ namespace netloft::runs {
 
 namespace {
 
-// Names of the three parameters that an element with a loss factor has in one table: `rope.loss_factor`,
+// An element with a loss factor has three parameters with a common prefix: `rope.loss_factor`,
 // `rope.loss_frequency`, `rope.damping`.
 constexpr const char *kLoss = ".loss_factor", *kFrequency = ".loss_frequency", *kOwn = ".damping";
 
-/// Names of the tables in which the elements of a part have a loss factor: "rope".
+/// Prefixes of the parameters of a part's elements that are loss factors: "rope".
 std::vector<std::string> tables_with_loss(const Part& part, Registry& registry) {
   std::vector<std::string> tables;
   for (const auto& p : registry.element(part.type).parameters)
@@ -26,7 +26,7 @@ std::vector<std::string> tables_with_loss(const Part& part, Registry& registry) 
   return tables;
 }
 
-/// The value in the part, or the default of its element; 0 if the element has no such parameter.
+/// The value of a parameter of the part, or its default; 0 if the elements have no such parameter.
 double value_of(const Part& part, const std::string& name, Registry& registry) {
   const auto& known = registry.element(part.type).parameters;
   const auto at = std::ranges::find_if(known, [&](const auto& p) { return name == p.name; });

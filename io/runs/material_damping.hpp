@@ -8,15 +8,16 @@
 
 namespace netloft::runs {
 
-/// Decides whether the loss factors of materials count in an analysis. They count in motions, and in the
-/// motion after a small disturbance of an equilibrium. Exceptions are `material_damping` = false, and
-/// integrators with steps bounded by stability, because the damping of stiff twines would make the steps far
-/// too short. Loss factors that do not count, and those of parts with their own damping, are removed from the
-/// scene. Returns a sentence for the plan; empty if no part has a loss factor.
+/// Decides whether the loss factors of materials count: in a motion, and if the stability of an equilibrium
+/// is judged by the motion after a small disturbance. They do not count if the scene says `material_damping`
+/// = false, and not with integrators whose steps are bounded by stability, because the damping of stiff
+/// twines would make the steps far too short. Loss factors that do not count, and those of parts with a
+/// damping of their own, are removed from the scene. Returns a sentence for the plan of the scene; empty if
+/// no part has a loss factor.
 std::string choose_material_damping(Scene& scene, const scenes::Analysis& analysis, Registry& registry);
 
-/// Removes the loss factors from a static scene whose forces have an energy, because its stability needs no
-/// motion.
+/// Removes the loss factors from a static scene whose forces have an energy: its stability follows from the
+/// tangent, without a motion.
 void take_out_losses(Scene& scene, Registry& registry);
 
 }  // namespace netloft::runs

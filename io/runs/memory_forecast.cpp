@@ -21,13 +21,13 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 // Numbers of matrices and vectors held at the same time by a problem and by the check of its stability
 // (framework/balance: StaticProblem, find_growth). tests/bench/memory.py compares them with measured memory.
 constexpr double kMatrices = 4, kVectors = 40;
-// Sum of a geometric series: strategies keep meshes that each have a quarter of the nodes of the finer one.
+// 1 + 1/4 + 1/16 + …: strategies keep coarser meshes, each with a quarter of the nodes of the next finer one.
 constexpr double kWithCoarser = 4.0 / 3;
 // Vectors of positions and velocities in the Krylov space of the stability check
 // (framework/judging/growth.cpp).
 constexpr double kKrylov = 2 * 49;
 
-/// Memory of this process [bytes]: its address space, and the part in memory.
+/// Memory of this process [bytes]: the size of its address space, and its pages that are in main memory.
 struct Pages {
   double addressed = 0, resident = 0;
 };
@@ -40,8 +40,8 @@ Pages pages() {
   return {found.addressed * size, found.resident * size};
 }
 
-/// Whether the strategy may use the tensions of members as unknowns. That problem has its own factor, kept
-/// beside that of the scene.
+/// Whether the strategy may solve the problem with the tensions of members as unknowns. The factor of that
+/// problem is kept beside the factor of the scene.
 bool may_ask_for_tensions(PreparedScene& scene) {
   return !scene.loaded().analysis.strategy.empty() &&
          std::ranges::any_of(scene.assembler().families(), [](const auto& family) {
@@ -64,7 +64,7 @@ double number_in(const std::string& file) {
   return in >> number ? number : kUnlimited;
 }
 
-/// Memory that the control group of this process leaves [bytes]; infinite without a limit.
+/// Memory that the limit of this process's control group leaves [bytes]; infinite without a limit.
 double left_by_group() {
   std::ifstream in("/proc/self/cgroup");
   std::string line;
@@ -89,7 +89,8 @@ MemoryForecast foresee_memory(PreparedScene& scene) {
       scene.factorisations()(pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   const double factor = factor_bytes_of(*factorisation), size = static_cast<double>(pattern.size);
-  // The stability of a scene with an energy follows from the factor of its tangent, without other unknowns.
+  // If the forces have an energy, the factor of the tangent decides the stability, and nothing more is
+  // stored.
   const bool is_judged_by_motion =
       !pattern.symmetric && scene.loaded().analysis.kind == AnalysisKind::statics;
   MemoryForecast forecast;

@@ -4,19 +4,20 @@
 
 namespace netloft::runs {
 
-/// Forecast of the memory for solving a scene, from its pattern before any factorisation [bytes].
+/// Forecast of the memory that solving a scene needs [bytes], made from the pattern of its matrix before any
+/// factorisation.
 struct MemoryForecast {
   double taken = 0;      // memory in use now: plugins, scene, mesh, pattern, elimination order
-  double factor = 0;     // factor of the tangent, and of the system of a strategy with other unknowns
+  double factor = 0;     // factor of the tangent, and of the system with tensions as unknowns
   double stability = 0;  // additional memory for the stability check of the equilibrium
   double numbers = 0;    // values of matrices, and vectors over the unknowns
   double total() const { return taken + factor + stability + numbers; }
 };
 
-/// Analyses the pattern of the scene, on its own mesh, as the first factorisation will. The forecast includes
-/// the factor of the scene, that of a strategy with tensions as unknowns, and that of the stability check
-/// with its Krylov space. It excludes the coarser meshes of a strategy and a second factorisation to
-/// which the first one passes a matrix. tests/bench/memory.py compares it with runs.
+/// Orders and analyses the matrix pattern of the scene, as its first factorisation will. The forecast
+/// includes the factor of the scene, that of a strategy with tensions as unknowns, and that of the stability
+/// check with its Krylov space. It excludes the coarser meshes of a strategy, and a second factorisation that
+/// takes over if the first one gives up. tests/bench/memory.py compares it with runs.
 MemoryForecast foresee_memory(PreparedScene& scene);
 
 /// Total memory available to this process [bytes]: its present memory, plus what the machine, its control

@@ -9,11 +9,11 @@ namespace netloft::runs {
 
 namespace {
 
-// Cells are counted by int, so no mesh can be halved more often.
+// The number of cells is an int, which can be halved no more often than this.
 constexpr unsigned kMostLevels = 32;
 
-/// Moves free nodes of the coarse scene to their positions on the finer mesh. Held nodes do not move. False
-/// if the scenes are not divisions of the same parts.
+/// Moves the free nodes of the coarse scene to where the finer scene has them at the start. Held nodes do not
+/// move. Returns false if the scenes do not have the same parts.
 bool start_like(const scenes::LoadedScene& finer, scenes::LoadedScene& coarse) {
   const auto positions = carried_over(finer, finer.scene.positions, coarse);
   if (!positions) return false;
@@ -44,7 +44,8 @@ const scenes::LoadedScene* Meshes::loaded(unsigned level) {
   return coarser_[level - 1].get();
 }
 
-/// Halves all cells; if the parts do not fit then, leaves odd numbers of cells as they are.
+/// Halves the cells of all parts. If the parts then no longer fit, halves only those with even numbers of
+/// cells.
 std::unique_ptr<scenes::LoadedScene> Meshes::read_coarser(const scenes::LoadedScene& finer) {
   for (const Halved which : {Halved::all, Halved::even_only})
     if (auto coarse = read_halved(finer, halved_cells(finer, which))) return coarse;

@@ -7,8 +7,9 @@
 
 namespace netloft::runs {
 
-/// Coarser meshes of a case: each has half as many cells along a side as the previous one, where cells can be
-/// halved (coarser.hpp). A mesh is read on first use.
+/// The meshes of a scene for strategies that start on coarse ones. Level 0 is the scene itself; each next
+/// level has half as many cells along a side of a part, where cells can be halved (coarser.hpp). A mesh is
+/// read on first use.
 class Meshes : public Levels {
  public:
   Meshes(const CaseSource& source, const scenes::LoadedScene& finest, Registry& registry);
@@ -27,7 +28,8 @@ class Meshes : public Levels {
   const scenes::LoadedScene& finest_;
   Registry& registry_;
   unsigned most_;
-  std::vector<std::unique_ptr<scenes::LoadedScene>> coarser_;  // level 1, 2, …; null: there is none
+  std::vector<std::unique_ptr<scenes::LoadedScene>>
+      coarser_;  // levels 1, 2, …; null: the level does not exist
 };
 
 }  // namespace netloft::runs

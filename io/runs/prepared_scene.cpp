@@ -66,7 +66,7 @@ PreparedScene::State PreparedScene::assemble() {
   return State::ready;
 }
 
-/// Plans the terms of the analysis, after setting the damping that it uses.
+/// Sets the damping that the analysis uses, and then decides which forces (terms) it evaluates.
 void PreparedScene::plan_terms() {
   const scenes::Analysis& analysis = loaded_.analysis;
   const scenes::Dynamics& dynamics = analysis.dynamics;
@@ -106,7 +106,7 @@ void PreparedScene::adopt(const Solution& s) {
   if (s.status == SolveStatus::converged) assembler_->remember(s.x);
 }
 
-/// Sets the length of a rope in the bill of materials to the value found.
+/// Sets the length of a rope in the bill of materials to the value that the search found.
 void PreparedScene::set_length_in_bill(const Setting& setting) {
   if (!loaded_.gear) return;
   for (scenes::BillItem& item : loaded_.gear->bill)

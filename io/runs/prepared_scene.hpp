@@ -17,7 +17,7 @@ namespace netloft::runs {
 
 class Meshes;
 
-/// The scene of a case, its changes, and the number of threads. Copies share the data read from the scene.
+/// A scene file, the changes to it, and the number of threads. Copies share the data read from the file.
 struct CaseSource {
   /// `set`: "path=value", in the syntax of `--set`.
   CaseSource(std::filesystem::path file, const std::vector<std::string>& set = {}, int thread_count = 1)
@@ -28,8 +28,9 @@ struct CaseSource {
   int threads;  // threads of the assembly and of large factorisations
 };
 
-/// A scene that is ready to be evaluated: read, checked, planned and assembled. equilibrium.hpp and march.hpp
-/// solve it. It cannot be moved, because the assembler refers to the scene.
+/// A scene that is ready to be evaluated: read, checked, with a plan of the forces to evaluate, and
+/// assembled. equilibrium.hpp and march.hpp solve it. It cannot be moved, because the assembler refers to the
+/// scene.
 class PreparedScene {
  public:
   enum class State { ready, wrong_input, refused };
@@ -37,8 +38,8 @@ class PreparedScene {
     double reading = 0, setup = 0;
   };
 
-  /// `make` creates factorisations of matrices. Scenes with the same `make` (keep_analyses) order and analyse
-  /// a common pattern only once.
+  /// `make` creates factorisations of matrices. If scenes share a `make` with stored analyses
+  /// (keep_analyses), a matrix pattern that they have in common is ordered and analysed only once.
   PreparedScene(CaseSource source, Registry& registry, MakeFactorisation make = {});
   ~PreparedScene();
   PreparedScene(const PreparedScene&) = delete;
@@ -57,14 +58,14 @@ class PreparedScene {
   const Assembler& assembler() const { return *assembler_; }
   Registry& registry() { return registry_; }
   const MakeFactorisation& factorisations() const { return make_; }
-  /// Which loss factors of materials count in the motion, or why none does. Empty if no part has one.
+  /// A sentence that says which loss factors of materials count, or why none does. Empty if no part has one.
   const std::string& material_damping() const { return material_damping_; }
   const Seconds& seconds() const { return seconds_; }
 
-  /// The scene and its coarser meshes, for a search.
+  /// The scene and its coarser meshes, for the search of an equilibrium.
   VariantSource variants();
-  /// Adopts the values that a search found for the open quantities of the scene (Scene::settings), and makes
-  /// a new assembler for them.
+  /// Sets the quantities that the scene left to the search (Scene::settings), such as the length of a rope,
+  /// to the values found, and makes a new assembler for them.
   void adopt(const Solution& solution);
 
  private:
@@ -86,9 +87,9 @@ class PreparedScene {
   Seconds seconds_;
 };
 
-/// The changes of analysis.solver and analysis.newton.method for `--solver newton:method=classic`; likewise
-/// for a strategy or an integrator. `key` is "solver", "strategy" or "integrator". Throws
-/// std::invalid_argument with a sentence if the specification cannot be read.
+/// The changes to the scene that an option chooses: `--solver newton:method=classic` sets analysis.solver and
+/// analysis.newton.method. `key` is "solver", "strategy" or "integrator". Throws std::invalid_argument with a
+/// sentence if the specification cannot be read.
 std::vector<formats::Change> choose_method(const std::string& key, const std::string& specification);
 
 }  // namespace netloft::runs

@@ -5,8 +5,8 @@
 
 namespace netloft::runs {
 
-/// Finds the equilibrium in which the motion of the scene's integrator settles, starting from displacements
-/// `from` (empty: the initial positions of the scene).
+/// Finds an equilibrium by integrating a damped motion with the integrator of the scene until it comes to
+/// rest. The motion starts at displacements `from` (empty: the initial positions of the scene).
 Solution settle(PreparedScene& scene, const Watch& watch, const std::vector<double>& from);
 
 }  // namespace netloft::runs

@@ -12,7 +12,7 @@ namespace netloft::runs {
 
 namespace {
 
-/// Whether a name consists of letters, digits, '_' and '-', with at most one slash between them.
+/// Whether a name is one word, or two words with a slash between them, of letters, digits, '_' and '-'.
 bool is_component_name(const std::string& name) {
   const auto is_word = [](std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {

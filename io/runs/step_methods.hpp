@@ -11,7 +11,7 @@ namespace netloft::runs {
 /// that plugins read.
 class ChosenStepMethods {
  public:
-  /// Throws std::invalid_argument for parameters that a plugin rejects; those of a scene were checked before.
+  /// Throws std::invalid_argument for parameters that a plugin rejects. A scene that was read has none.
   ChosenStepMethods(const scenes::Dynamics& dynamics, const std::string& solver, const Values& parameters,
                     Registry& registry);
 
@@ -25,8 +25,9 @@ class ChosenStepMethods {
   ParameterBlock integrator_parameters_, solver_parameters_;
 };
 
-/// Measures the work of steps in Newton iterations of the scene, or of a scene with 1000 nodes if that is
-/// larger, because small scenes take many cheap steps.
+/// Returns a model that counts the work of time steps in units of one Newton iteration of the scene. For
+/// scenes with fewer than 1000 nodes the unit is an iteration of a scene with 1000 nodes, because small
+/// scenes take many cheap steps.
 WorkModel work_of_steps(const Assembler& assembler, const MakeFactorisation& make);
 
 }  // namespace netloft::runs

@@ -7,15 +7,15 @@
 
 namespace netloft::runs {
 
-/// Whether displacements of one scene are valid for the other: both have the same unknowns, numbered alike.
+/// Whether displacements of scene `a` are valid for scene `b`: both have the same unknowns in the same order.
 bool have_same_topology(const PreparedScene& a, const PreparedScene& b);
 
 /// First-order change of the equilibrium x of `scene` when the scene becomes `near`, which has slightly
 /// different values and the same topology:
 ///   K(x) dx = −(r_near(x) − r(x))                                                      (1)
-/// over all dofs, those of holds included. Empty if K cannot be factorised, if x cannot be evaluated in one
-/// of the scenes, or if the scene leaves quantities open (Scene::settings), which would have to change as
-/// well.
+/// r is the residual and K the tangent of `scene`; dx includes the held degrees of freedom. Empty if K cannot
+/// be factorised, if x cannot be evaluated in one of the scenes, or if the scene leaves quantities to the
+/// search (Scene::settings), which would have to change as well.
 std::optional<std::vector<double>> tangent_towards(PreparedScene& scene, PreparedScene& near,
                                                    const std::vector<double>& x, Statistics& spent);
 

@@ -10,15 +10,16 @@
 
 namespace netloft::runs {
 
-/// Callbacks of a search or a motion, and the flag that interrupts it. Each may be empty.
+/// Callbacks of a search or a motion, and the flag that interrupts it. Each member may be empty.
 struct Watch {
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const IterationRecord&)> on_iteration = {};
   KeptPoint* kept = nullptr;  // receives the best point found so far
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};  // after every stage
-  /// Called after every step in time with the name of the run.
+  /// Called after every step in time; `run` names the motion, because a comparison of methods computes
+  /// several.
   std::function<void(const StepRecord&, const std::string& run)> on_step = {};
-  /// Receives the processor time allowed from now on [s]; infinite at the end of the search.
+  /// Called with the processor time allowed from now on [s], and with infinity at the end of the search.
   std::function<void(double)> on_budget = {};
 };
 
