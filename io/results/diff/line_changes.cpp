@@ -9,7 +9,7 @@ namespace netloft::results {
 
 namespace {
 
-// Most cells that the table may have; longer stretches are reported as changed entirely.
+// Limit of the table's cells. If more lines differ, all of them are reported as changed.
 constexpr std::size_t kMostCells = 4'000'000;
 
 using Lines = std::vector<std::string>;
@@ -21,8 +21,8 @@ Lines split(const std::string& text) {
   return lines;
 }
 
-/// The stretches [begin, a_end) and [begin, b_end) that remain of two texts without their common head and
-/// tail.
+/// The lines [begin, a_end) of text `a` and [begin, b_end) of text `b` that remain when equal lines at both
+/// ends are removed.
 struct Middle {
   std::size_t begin = 0, a_end, b_end;
 
@@ -37,7 +37,8 @@ struct Middle {
   std::size_t columns() const { return b_end - begin; }
 };
 
-/// Lengths of the longest common subsequences of all pairs of tails.
+/// at(i, j) is the length of the longest common subsequence of the lines from i of `a` and from j of `b` to
+/// their ends.
 class CommonTails {
  public:
   CommonTails(const Lines& a, const Lines& b, const Middle& m)

@@ -12,15 +12,15 @@ namespace {
 
 using Position = std::array<double, 3>;
 using Place = std::array<double, 2>;  // U, V [meshes]
-// weights of a triangle's corners may be negative by this much
+// A place counts as inside a triangle if its barycentric coordinates are not below minus this number.
 constexpr double kInside = 1e-6;
 
 Position position_of(const std::vector<double>& points, std::uint32_t node) {
   return {points[3 * node], points[3 * node + 1], points[3 * node + 2]};
 }
 
-/// Finds the triangles of one panel at a place. Each triangle is listed in all squares of a grid that it
-/// touches.
+/// Finds the position of a place on one panel. A grid of squares lists, for each square, the triangles that
+/// touch it.
 class PanelIndex {
  public:
   PanelIndex(const StoredShape& result, const std::vector<double>& points, std::uint32_t part)
@@ -96,7 +96,7 @@ std::vector<std::size_t> nodes_per_part(const StoredShape& result) {
   return count;
 }
 
-/// Compares two results. The member functions are the steps, in the order of execution.
+/// Finds the largest move. The member functions are the steps, in the order of execution.
 class MoveFinder {
  public:
   MoveFinder(const StoredShape& before, const StoredShape& after)

@@ -18,8 +18,8 @@ struct NodeMove {
   std::size_t nodes = 0;     // number of nodes of the earlier result
 };
 
-/// Compares the newest states of two results. If a part has equally many nodes in both, its nodes are
-/// compared by number. Nodes of netting that is divided differently are compared by their place on the panel,
+/// Compares the last states of two results. If a part has equally many nodes in both results, its nodes are
+/// compared by number. If netting is divided differently, its nodes are compared by their place on the panel,
 /// with positions interpolated between the surrounding nodes. Empty if no node can be compared.
 std::optional<NodeMove> find_largest_move(const StoredShape& before, const StoredShape& after);
 

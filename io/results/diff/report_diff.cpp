@@ -31,10 +31,10 @@ void side_text(const char* which, const Result& result, Out out) {
   fmt::format_to(out, "\n");
 }
 
-// the summary lines name only so many changes, since they are read at a glance
+// The lines of the summary name at most this many changes, because they are read at a glance.
 constexpr std::size_t kShownChanges = 3;
 
-/// Joins the first texts in one line and adds how many more there are.
+/// Joins the first texts in one line, and adds the number of those left out.
 std::string first_of(const std::vector<std::string>& all) {
   std::string text;
   for (std::size_t i = 0; i < std::min(all.size(), kShownChanges); ++i) text += (i ? "; " : "") + all[i];
@@ -80,8 +80,7 @@ void add_line_changes(const std::vector<LineChange>& lines, std::vector<std::str
       changes.push_back("without " + trimmed(line.text));
 }
 
-/// The changes of the input in one line: new settings first, then settings that were removed without a
-/// successor.
+/// The changes of the inputs in one line: new settings, then settings that were removed and not replaced.
 std::string inputs_line(const InputDifferences& inputs) {
   std::vector<std::string> changes;
   for (const auto& option : inputs.options_after) changes.push_back(option);
@@ -99,7 +98,7 @@ std::string inputs_line(const InputDifferences& inputs) {
 
 /// Returns a coordinate, with round-off around zero replaced by zero.
 double plain(double metres) {
-  constexpr double kNothing = 1e-9;  // [m]: no gear is computed to this accuracy
+  constexpr double kNothing = 1e-9;  // [m]: far below the accuracy of any result
   return std::abs(metres) < kNothing ? 0 : metres;
 }
 
@@ -115,15 +114,15 @@ std::string move_line(const std::optional<NodeMove>& move) {
   return text;
 }
 
-/// Whether a number is a principal figure, not an entry of the tables by part.
+/// Whether a number describes the gear as a whole, and not one of its parts.
 bool is_figure(const std::string& name) {
   return name.starts_with("results/") || name.starts_with("gear/mouth/") ||
          name.starts_with("gear/ground/") || name.starts_with("gear/netting/") || name == "gear/drag/all/x" ||
          name == "gear/weight_in_water/all";
 }
 
-/// The figures that changed by more than their errors, the largest change first. If no errors are known, the
-/// figures with the largest changes.
+/// The figures that changed by more than their errors, the largest relative change first. If no errors are
+/// known, all figures that changed.
 std::string figures_line(const std::vector<NumberDifference>& numbers) {
   std::vector<const NumberDifference*> figures;
   bool any_error = false;
@@ -145,7 +144,7 @@ std::string figures_line(const std::vector<NumberDifference>& numbers) {
                     : "; errors of the mesh are not known (run --error finds them), so that none is marked");
 }
 
-/// Writes three lines. The caller writes two above them that name the compared results: five in all.
+/// Writes three lines of summary.
 void summary_text(const ResultDiff& diff, Out out) {
   fmt::format_to(out, "inputs: {}\n", inputs_line(diff.inputs));
   fmt::format_to(out, "largest move of a node: {}\n", move_line(diff.move));

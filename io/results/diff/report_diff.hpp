@@ -4,8 +4,8 @@
 
 namespace netloft::results {
 
-/// The differences as a text for people: first the numbers that changed, marked with `*` if the change
-/// exceeds the known errors, then the inputs.
+/// The differences as text: first the numbers that changed, marked with `*` if the change exceeds the known
+/// errors, then the changes of the inputs.
 std::string diff_text(const ResultDiff& diff);
 
 /// One JSON object with all numbers; unknown values are null.

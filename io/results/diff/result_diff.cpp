@@ -15,7 +15,7 @@ constexpr double kRoundOff =
 
 struct ComparedNumber {
   std::string unit;
-  // The error is that of solver and mesh together
+  // `error`: sum of the solver error and the mesh error.
   double value = NumberDifference::kUnknown, error = NumberDifference::kUnknown;
 };
 using NumberMap = std::map<std::string, ComparedNumber>;
@@ -24,8 +24,8 @@ void add_vector(const std::string& name, const std::array<double, 3>& force, Num
   for (std::size_t axis = 0; axis < 3; ++axis) numbers[name + "/" + "xyz"[axis]] = {"N", force[axis]};
 }
 
-/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". The forces by part are
-/// included on request only, because figures of a gear contain them.
+/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". `with_forces` adds the
+/// forces by part, which figures of a gear also contain.
 NumberMap numbers_of(const Result& result, bool with_forces) {
   NumberMap numbers;
   for (const auto& s : result.scalars)
@@ -48,8 +48,8 @@ NumberDifference difference_of(const std::string& name, const NumberMap& before,
   return {name, a.unit.empty() ? b.unit : a.unit, a.value, b.value, a.error + b.error};
 }
 
-/// Sets the floor of every number to the rounding of the largest number with the same unit, because a force
-/// that is the small difference of large ones has their rounding.
+/// Sets the floor of every number to 1e-12 of the largest number with the same unit, because a force that is
+/// the small difference of large ones has their round-off.
 void set_floors(std::vector<NumberDifference>& numbers) {
   std::map<std::string, double> largest;
   for (const auto& d : numbers)
@@ -90,8 +90,8 @@ std::set<std::string> only_in(const std::set<std::string>& one, const std::set<s
 
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// Pairs the scene with the scene and every other file with the one of the same name; -1 marks a file without
-/// a partner.
+/// Pairs the files of two results: the scene of one with that of the other, and every other file with a file
+/// of the same name. -1 marks a file without a partner.
 std::vector<int> partners(const std::vector<Origins::File>& before, const std::vector<Origins::File>& after) {
   std::vector<int> partner(before.size(), -1);
   std::vector<bool> taken(after.size());

@@ -14,10 +14,10 @@ struct NumberDifference {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit;
   double before = kUnknown, after = kUnknown;
-  // Errors of solver and mesh, summed over both results. NaN unless all of them are known, because the mesh
-  // error is usually by far the largest.
+  // Sum of the solver and mesh errors of both values. NaN if one of them is unknown, because the mesh error
+  // is usually by far the largest.
   double error = kUnknown;
-  double floor = 0;  // smaller differences are round-off of the summands of this number
+  double floor = 0;  // differences below this are round-off
 
   double difference() const { return after - before; }
   /// The difference relative to the value before; NaN if that value is zero.
@@ -54,7 +54,8 @@ struct ResultDiff {
   bool both_are_answers() const { return before.is_answer() && after.is_answer(); }
 };
 
-/// Forces by part are compared only if neither result has gear figures, which contain the same forces.
+/// Compares numbers, inputs and node positions. Forces by part are compared only if neither result has
+/// figures of a gear, because those contain the forces.
 ResultDiff compare_results(Result before, Result after);
 
 }  // namespace netloft::results

@@ -12,8 +12,8 @@ namespace netloft::results {
 
 namespace {
 
-/// Sets the solver error of every number: its difference from the number after the next Newton step, and at
-/// least its rounding unit.
+/// Sets the solver error of every number: the distance to its value after the next Newton step (`after`), and
+/// at least the rounding unit.
 void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {
     const NamedScalar* moved = find_scalar(after, scalar.name);
@@ -22,7 +22,7 @@ void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar
   }
 }
 
-/// Widens the range of every number by its value at another equilibrium.
+/// Widens the range of every number to include its value at another equilibrium.
 void widen(const std::vector<NamedScalar>& there, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {
     const NamedScalar* other = find_scalar(there, scalar.name);
@@ -74,8 +74,9 @@ void add_spread(const scenes::LoadedScene& loaded, Assembler& assembler, const S
   }
 }
 
-// Largest nodal displacement along a growing motion, as a fraction of the length of the gear: small enough
-// for linear differences, large enough that round-off of a double does not matter.
+// Step of the central differences: the largest nodal displacement along a growing motion, as a fraction of
+// the length of the gear. It is small enough for linear differences, large enough that round-off of a double
+// does not matter.
 constexpr double kSmallSwing = 1e-6;
 
 double length_of(std::span<const double> x) {
@@ -83,7 +84,7 @@ double length_of(std::span<const double> x) {
   return *most - *least;
 }
 
-/// The solution displaced along a phase of the growing motion.
+/// The solution displaced by `length` times the mode `along`, a displacement of all unknowns.
 Solution swung(const Assembler& assembler, const Solution& s, const std::vector<double>& along,
                double length) {
   Solution there;
@@ -95,8 +96,9 @@ Solution swung(const Assembler& assembler, const Solution& s, const std::vector<
   return there;
 }
 
-/// Adds in quadrature the changes of all numbers along one phase of a swing; two phases are a quarter period
-/// apart.
+/// Adds the change of every number along one mode in quadrature. An oscillating motion has two modes a
+/// quarter of a period apart, so that the sum is the amplitude. `way`: distance between the two displaced
+/// positions of the furthest node [m].
 void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
                 double way, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {
@@ -107,12 +109,12 @@ void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<N
   }
 }
 
-/// Finds by central differences how much the numbers of an equilibrium change with its growing motion.
+/// Finds how much the numbers of an equilibrium change along its growing motion, by central differences.
 void add_swing(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& s, Result& result) {
   const bool grows = s.stability == Stability::swinging || s.stability == Stability::unstable;
   if (!grows || s.growing.mode.size() != s.u.size()) return;
   const double length = kSmallSwing * length_of(s.x);
-  double way = 0;  // distance between both displaced positions of the furthest node, in the first phase [m]
+  double way = 0;  // distance between the two displaced positions of the furthest node, in the first mode [m]
   for (const auto* along : {&s.growing.mode, &s.growing.mode_later}) {
     if (along->size() != s.u.size()) continue;
     const Solution one = swung(assembler, s, *along, length), other = swung(assembler, s, *along, -length);

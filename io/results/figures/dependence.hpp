@@ -4,8 +4,8 @@
 
 namespace netloft::results {
 
-/// Completes the numbers of a result: their solver errors, their range over all equilibria that were found,
-/// and their change with a growing motion.
+/// Adds to every number of a result its solver error, its range over all equilibria that were found, and, at
+/// an unstable equilibrium, its change along the motion that grows.
 void add_dependence(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
                     Result& result);
 

@@ -31,8 +31,8 @@ double side_of(const scenes::LoadedScene& loaded, std::uint32_t part) {
   return 1;
 }
 
-/// Force of water and ground on a board, along the level line to it from the other board of its pair [N]. In
-/// a half gear the line begins at the mirror image of the board.
+/// Outward force of water and ground on a board [N]: its component along the horizontal line from the other
+/// board of the pair to this one. In a half gear the other board is the mirror image.
 double outward_force(const scenes::LoadedScene& loaded, const std::vector<std::uint32_t>& pair,
                      std::size_t which, const Values& value) {
   const auto name = [&](std::size_t k) { return loaded.scene.parts[pair[k]].name; };

@@ -15,7 +15,7 @@ struct FallenBoard {
 
 /// Finds the boards of pairs that have fallen over (heel beyond a right angle to either side) or that water
 /// and ground push inward, that is, towards the other board of the pair, regardless of the towing direction.
-/// Both are true equilibria, mostly at low speeds, but nobody designs a gear for them. `figures` are those of
+/// Such equilibria exist, mostly at low speeds, but nobody designs a gear for them. `figures` are those of
 /// the gear (gear_figures.hpp).
 std::vector<FallenBoard> find_fallen_boards(const scenes::LoadedScene& loaded,
                                             const std::vector<NamedScalar>& figures);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Position and attitude of rigid bodies, and the forces on them.
+// Figures of rigid bodies: position, attitude, and the forces on them.
 #include <netloft/attitude.hpp>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ void add_place(const scenes::LoadedScene& loaded, const Assembler& assembler, co
                        at[2] - loaded.scene.bed.at(at[0], at[1])[0]});
 }
 
-/// Adds the outputs of the body's own element, such as the angle of attack of a board. An output of the role
-/// "doubt" is a warning, not a figure.
+/// Adds the outputs of the body's own element, such as the angle of attack of a board. Outputs that flag a
+/// doubtful result (NETLOFT_OUTPUT_DOUBT) become warnings instead.
 void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                  std::size_t b, const std::string& own, std::vector<Figure>& figures) {
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
@@ -45,8 +45,8 @@ void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, 
   }
 }
 
-/// Whether all nodes of a part are on rigid bodies, as those of a board and its shoe are. A rope also has
-/// nodes elsewhere.
+/// Whether all nodes of a part belong to rigid bodies, as those of a board and of its shoe do. A rope also
+/// has other nodes.
 bool rides_on_bodies(const Scene& scene, const Part& part) {
   return std::ranges::all_of(part.nodes, [&](std::uint32_t node) {
     return std::ranges::any_of(scene.bodies, [&](const RigidBody& body) {
@@ -66,8 +66,8 @@ bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
   });
 }
 
-/// The name under which a force on a body is summed: water, weight or ground for parts on bodies only, and
-/// the name of the part for all others.
+/// The name under which the report sums a force on a body: "water", "weight" or "ground" for the forces of
+/// parts whose nodes all belong to bodies, and the name of the part for all others, such as a warp.
 std::string source_of(const scenes::LoadedScene& loaded, const Assembler& assembler, const BodyForce& force) {
   const Part& part = loaded.scene.parts[force.part];
   if (!rides_on_bodies(loaded.scene, part)) return part.name;

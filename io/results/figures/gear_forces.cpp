@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Forces of water, weight and ground on the parts of a gear.
+// Figures of the forces of water, weight and ground on the parts of a gear.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -19,7 +19,7 @@ struct PartGroup {
   std::vector<std::uint32_t> parts;
 };
 
-/// Groups all parts of the scene by kind; `others` are those that the plan does not have.
+/// Groups the parts of the scene by kind; "others" are the parts that the net plan does not name.
 std::vector<PartGroup> kinds_of(const GearView& gear) {
   const scenes::GearInScene& g = gear.gear();
   std::vector<PartGroup> kinds = {
@@ -29,7 +29,7 @@ std::vector<PartGroup> kinds_of(const GearView& gear) {
   planned.insert(g.pieces.begin(), g.pieces.end());
   const auto& parts = gear.loaded().scene.parts;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    if (parts[p].companion) continue;  // counts with the part of the same name that it belongs to
+    if (parts[p].companion) continue;  // a companion shares the name of its part, whose force includes it
     kinds.front().parts.push_back(p);
     if (!planned.contains(p)) kinds.back().parts.push_back(p);
   }
@@ -68,7 +68,7 @@ void add_weight(const GearView& gear, const std::string& at, const PartGroup& ki
                        -sum_over(gear, kind, &PartForce::is_weight).z});
 }
 
-/// Makes a group of its own of every part of a kind.
+/// Returns a group of one part for every part of a kind.
 std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
   std::vector<PartGroup> parts;
   for (const auto part : kind.parts) parts.push_back({gear.name(part), {part}});
@@ -86,7 +86,7 @@ void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::
   figures.push_back({"budget/floating", "N", "weight in water of all parts that float", floating});
 }
 
-/// Normal forces of some ground on the nodes that press on it [N].
+/// Normal forces of the ground on nodes that press on it [N].
 std::map<std::uint32_t, double> forces_of_ground(const GearView& gear) {
   std::map<std::uint32_t, double> forces;
   for (std::size_t f = 0; f < gear.answer().outputs.size(); ++f) {
@@ -113,14 +113,17 @@ double fraction_on_ground(const GearView& gear, std::uint32_t rope,
   return on / all;
 }
 
-/// A stretch of the footrope, to port and to starboard: the length on the ground [m] and the force there [N].
+/// One stretch of the footrope, its port and its starboard side together: its length and the length on the
+/// ground [m], and the normal force of the ground [N].
 struct OnGround {
   double length = 0, touching = 0, force = 0;
 };
 
 constexpr int kStretches = 5;
 
-/// Adds the contact of a node, which represents the rope from `from` to `to`, divided by length.
+/// Divides the contact of a node among the stretches. The node represents the rope between the distances
+/// `from` and `to` from the middle; `half` is the length of one side. Lengths and force are divided in
+/// proportion to the overlap.
 void add_to_stretches(double from, double to, double half, double force, bool touches,
                       std::array<OnGround, kStretches>& all) {
   for (int k = 0; k < kStretches; ++k) {
@@ -132,7 +135,8 @@ void add_to_stretches(double from, double to, double half, double force, bool to
   }
 }
 
-/// The footrope from its middle to its ends, in equal stretches. A half gear's begins in the middle.
+/// The footrope, divided into equal stretches from its middle to its ends. In a half gear it starts in the
+/// middle.
 std::array<OnGround, kStretches> stretches_of(const GearView& gear, std::uint32_t footrope,
                                               const std::map<std::uint32_t, double>& forces) {
   const auto& nodes = gear.nodes_of(footrope);

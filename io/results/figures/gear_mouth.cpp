@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Height, spread and area of the mouth, and tensions at the ends of ropes.
+// Figures of the mouth (height, spread, area) and tensions at the ends of ropes.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,8 +13,8 @@ namespace netloft::results {
 
 namespace {
 
-/// Height of the seabed below a place [m]: the bed of the scene, or that of the first part with a depth.
-/// Empty if there is no seabed.
+/// Height of the seabed below a place [m]. If the scene has no seabed, a part with a bed of its own gives it;
+/// empty if none does.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
@@ -44,7 +44,7 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
   std::vector<std::uint32_t> curve = gear.nodes_of(headline);
   const auto& below = gear.nodes_of(footrope);
   curve.insert(curve.end(), below.rbegin(), below.rend());
-  const Vector from = gear.at(curve.front());  // a local origin keeps round-off small far from the global one
+  const Vector from = gear.at(curve.front());  // an origin nearby keeps round-off small
   Vector S, middle;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     S += 0.5 * cross(gear.at(curve[i]) - from, gear.at(curve[(i + 1) % curve.size()]) - from);  // (1)
@@ -53,9 +53,9 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
   return gear.times() * std::abs(dot(gear.current_at(middle), S));
 }
 
-/// The tension at the end of a rope [N]: extrapolated linearly from the middles of the two outer bars if the
-/// third bar fits the same trend. Otherwise, for instance where netting pulls at the end, the tension of the
-/// outer bar.
+/// The tension at the end of a rope [N], from tensions T and lengths l of its bars, the outer one first. It
+/// is extrapolated linearly from the middles of the two outer bars if the third bar fits the trend.
+/// Otherwise, for instance where netting pulls at the end, it is the tension of the outer bar.
 double tension_at_end(const std::vector<double>& T, const std::vector<double>& l) {
   if (T.size() < 3 || !(T[0] > 0 && T[1] > 0)) return T[0];
   const double change = T[0] - T[1], before = T[1] - T[2];

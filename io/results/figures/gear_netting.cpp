@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Opening of the meshes, and area and mass of the netting.
+// Figures of the netting: opening of the meshes, area and mass. Numbers in parentheses are equations of
+// gear_figures.hpp.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,10 +12,10 @@ namespace netloft::results {
 
 namespace {
 
-/// Sums over the netting as modelled.
+/// Sums over the modelled netting, which may be half of it.
 struct Amount {
   double area = 0, filtered = 0, twine_area = 0, mass = 0;
-  bool is_spread = false;  // true: the netting consists of triangles, which have an area
+  bool is_spread = false;  // true: it has triangles, so that the areas are known
 
   void add(const Amount& other) {
     area += other.area;
@@ -27,7 +28,7 @@ struct Amount {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// Adds (3) for the elements of one family that belong to a part.
+/// Adds the areas (3) of the triangles of one family that belong to panel `panel`.
 void add_triangles(const GearView& gear, const ElementFamily& family, std::uint32_t panel, Amount& amount) {
   for (std::size_t e = 0; e < family.size(); ++e) {
     if (family.part(e) != panel) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Figures of port and starboard bodies under their name in the plan, equal for a half and a whole gear.
+// Figures of pairs of bodies to port and to starboard, under the name of the pair in the plan. They are equal
+// for a half gear and the whole one.
 #include <algorithm>
 #include <cmath>
 
@@ -15,14 +16,15 @@ const Figure* find(const std::vector<Figure>& figures, const std::string& name) 
   return at == figures.end() ? nullptr : &*at;
 }
 
-/// Names of the bodies of a pair; a half gear has only one of the two.
+/// Names of the bodies of a pair; a half gear has only the starboard one.
 std::vector<std::string> bodies_of(const GearView& gear, const std::vector<std::uint32_t>& parts) {
   std::vector<std::string> names;
   for (const auto part : parts) names.push_back(gear.name(part));
   return names;
 }
 
-/// Mean Σ value/n over the bodies of a pair; a body without this figure counts as 0.
+/// The mean of the figure `before` + body + `after` over the bodies of a pair; a body without this figure
+/// counts as 0.
 double mean_of(const std::vector<Figure>& figures, const std::vector<std::string>& bodies,
                const std::string& before, const std::string& after) {
   double sum = 0;
@@ -44,8 +46,8 @@ void add_spread(const std::vector<std::string>& bodies, const std::string& own,
                      at.size() == 2 ? norm(at[1] - at[0]) : 2 * std::abs(at[0].y)});
 }
 
-/// Adds the means of attitude, depth and outputs of the bodies' elements; y is left out, because the spread
-/// replaces it.
+/// Adds the means of position, attitude and outputs over the pair. There is no mean of y, because
+/// add_spread() gives the distance instead.
 void add_means(const std::vector<std::string>& bodies, const std::string& own, std::vector<Figure>& figures) {
   const std::string first = "bodies/" + bodies.front() + "/";
   std::vector<Figure> means;
@@ -58,7 +60,7 @@ void add_means(const std::vector<std::string>& bodies, const std::string& own, s
   std::ranges::move(means, std::back_inserter(figures));
 }
 
-/// Adds the mean outward force of water and ground on a body of the pair.
+/// Adds the outward force of water and ground, which spreads the pair, as the mean over its bodies.
 void add_spreading(const std::vector<std::string>& bodies, const std::string& own,
                    std::vector<Figure>& figures) {
   const auto acts = [&](const char* source) {

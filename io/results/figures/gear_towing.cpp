@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Figures of gears from block to cod-end: warps, and the cost of towing.
+// Figures of towing: angles and loads of warps, and what towing costs.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,8 +24,8 @@ Vector direction(const GearView& gear, std::uint32_t rope, bool from_start) {
   return (1 / norm(way)) * way;
 }
 
-/// The force in a rope at its start [N], extrapolated linearly because it changes evenly along a warp and
-/// bars give it in their middles.
+/// The force in a rope at its start [N]. Tensions T are those at the middles of bars; along a warp they
+/// change evenly, so that the first two are extrapolated linearly. `l`: lengths of the bars.
 Vector force_at_start(const GearView& gear, std::uint32_t rope, const std::vector<double>& T,
                       const std::vector<double>& l) {
   const Vector first = T[0] * direction(gear, rope, true);
@@ -35,7 +35,7 @@ Vector force_at_start(const GearView& gear, std::uint32_t rope, const std::vecto
   return first + (l[0] / (l[0] + l[1])) * (first - (T[1] / norm(way)) * way);
 }
 
-/// Adds the angles of a warp at its ends, and adds the load on its block to `pull`.
+/// Adds the length of a warp and its angles at both ends. Adds the load on its block to `pull`.
 void add_warp(const GearView& gear, std::uint32_t rope, Vector& pull, std::vector<Figure>& figures) {
   const auto tensions = gear.tensions(rope);
   if (tensions.empty()) return;
@@ -58,7 +58,7 @@ bool has(const std::vector<std::uint32_t>& parts, std::uint32_t part) {
   return std::ranges::find(parts, part) != parts.end();
 }
 
-/// The row of a part in the table of power.
+/// The group of parts under which the power for towing a part is reported.
 std::string group_of(const GearView& gear, std::uint32_t part) {
   const scenes::GearInScene& g = gear.gear();
   if (has(g.panels, part)) return "netting";

@@ -11,7 +11,8 @@ namespace netloft::results {
 
 using Vector = Vec3<double>;
 
-/// Access to an answer by the names of the gear: positions along a rope, outputs of a panel.
+/// Looks up numbers of a response (outputs and forces of elements) by parts of the gear: positions along a
+/// rope, outputs of a panel.
 class GearView {
  public:
   GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer)
@@ -25,23 +26,23 @@ class GearView {
   bool is_half() const { return gear().times == 2; }
 
   const std::string& name(std::uint32_t part) const { return loaded_.scene.parts[part].name; }
-  /// The index of the part of a rope; null if no rope has this name.
+  /// The index of the part that is the rope with this name; null if there is none.
   const std::uint32_t* find_rope(const std::string& name) const;
 
   Vector at(std::uint32_t node) const;
   /// Nodes of a rope from its start to its end.
   const std::vector<std::uint32_t>& nodes_of(std::uint32_t rope) const { return loaded_.parts[rope].nodes; }
-  /// Unstretched lengths of the rope's bars [m]; all equal if its elements give none.
+  /// Unstretched lengths of the rope's bars [m]; all 1 if its elements have no such data.
   std::vector<double> rest_lengths(std::uint32_t rope) const;
-  /// The middle of a rope from side to side; the rope of a half gear starts there.
+  /// The middle of a rope that runs from port to starboard. In a half gear the rope starts there.
   Vector middle_of(std::uint32_t rope) const;
 
-  /// An output of all elements of a part, in their order; empty if the elements have no output with this name
-  /// and unit.
+  /// One output of all elements of a part, in their order; empty if the elements have no output with this
+  /// name and unit.
   std::vector<double> output(std::uint32_t part, const KnownOutput& known) const;
   /// The first output of each element that is a tension [N].
   std::vector<double> tensions(std::uint32_t part) const;
-  /// Selects the forces that belong to a kind of load.
+  /// A test whether a force is of a kind, such as PartForce::is_drag.
   using Kind = std::function<bool(const PartForce&)>;
   /// Sum of the forces of a kind on a part as modelled [N].
   Vector force(const std::string& part, const Kind& is_of_kind) const;
@@ -59,7 +60,7 @@ class GearView {
   const Response& answer_;
 };
 
-/// The value for the whole gear from a sum over the modelled half or whole.
+/// The force on the whole gear, computed from the force on the modelled half (`times` = 2) or whole (1).
 Vector whole_of(const Vector& modelled, double times);
 
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
@@ -70,7 +71,7 @@ void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);
-/// For every scene with rigid bodies, with or without a net plan.
+/// Works for every scene with rigid bodies, with or without a net plan.
 void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                       std::vector<Figure>& figures);
 

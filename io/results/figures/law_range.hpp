@@ -10,8 +10,8 @@ namespace netloft::results {
 /// "Reynolds number 330 to 1e+05, Choo and Casarella 1971", with the parameters it depends on.
 std::string validity_text(const netloft_validity& range);
 
-/// Returns a sentence for every range of validity of a law that part of the gear exceeds. Fractions of the
-/// gear that round to 0 % are ignored.
+/// Returns a sentence for every law (of drag, for example) that some elements use outside its range of
+/// validity. Fractions of the gear that round to 0 % are ignored.
 std::vector<std::string> law_range_warnings(const Scene& scene, const std::vector<LawUse>& uses);
 
 }  // namespace netloft::results

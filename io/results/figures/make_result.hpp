@@ -9,18 +9,19 @@ namespace netloft::results {
 /// The state of a scene at rest, with the low-order part of its positions if that is known.
 Kinematics at_rest(const Solution& solution);
 
-/// The figures of a scene's gear for an answer, without errors; empty without a net plan or rigid bodies.
+/// The figures of the gear at a response of its elements, without errors; empty without a net plan or rigid
+/// bodies.
 std::vector<NamedScalar> find_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Response& answer);
-/// The numbers of [results].
+/// The numbers that the scene requests in its table [results].
 std::vector<NamedScalar> find_scalars(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Solution& solution, const FamilyOutputs& outputs);
 
 /// The facts of a scene that are known before it is solved.
 Result describe_scene(const scenes::LoadedScene& loaded, const Assembler& assembler);
 
-/// Makes the result of a solve: figures, forces and warnings at its last point. The caller adds origins,
-/// reading times and mesh errors.
+/// Makes the result of a solve: figures, forces and warnings at its last point. The caller adds the origins
+/// (files, versions, machine), the reading times and the mesh errors.
 Result make_result(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution);
 
 }  // namespace netloft::results

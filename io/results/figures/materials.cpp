@@ -15,10 +15,12 @@ namespace netloft::results {
 
 namespace {
 
-// Fraction of the breaking load: knots and splices reduce the strength of a line by about a half.
+// Loads above this fraction of the breaking load cause a warning, because knots and splices reduce the
+// strength of a line by about a half.
 constexpr double kHighLoad = 0.5;
 
-/// The values of the figures `group`/<part>/`what` over all copies of a part.
+/// The values of the figures `group`/<part>/`what`, for the part `name` of the plan and its port and
+/// starboard copies.
 std::vector<double> figures_of(const std::vector<NamedScalar>& figures, const std::string& group,
                                const std::string& name, const std::string& what) {
   std::vector<double> values;
@@ -48,8 +50,8 @@ double largest_of(const std::map<std::string, double>& twine_tensions, const std
   return largest;
 }
 
-/// The value of an element's parameter with this name in any table, for example `board.mass`; NaN if there is
-/// none.
+/// The value of the parameter `name` in whatever table the element has it, for example `board.mass`; NaN if
+/// there is none.
 double number_called(const Part& part, const std::string& name) {
   for (const auto& [parameter, value] : part.parameters)
     if (parameter.ends_with("." + name)) return number_or(NamedScalar::kUnknown, part.parameters, parameter);
@@ -71,7 +73,7 @@ scenes::BillItem item_of(const scenes::LoadedScene& loaded, const std::string& n
           number_called(body, "area")};
 }
 
-/// Makes one row for each pair of bodies to port and to starboard, whether a half or the whole was modelled.
+/// Makes one row for each pair of bodies to port and to starboard, and one for each other body.
 std::vector<scenes::BillItem> items_of_bodies(const scenes::LoadedScene& loaded) {
   std::vector<scenes::BillItem> items;
   std::set<std::uint32_t> paired;

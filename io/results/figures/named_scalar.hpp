@@ -11,12 +11,13 @@ struct NamedScalar {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit, doc;
   double value = 0;
-  double solver_error = kUnknown;  // change of the value by the next Newton step
-  double mesh_error = kUnknown;    // bound of the distance from the limit under mesh refinement
+  double solver_error = kUnknown;  // change of the value in one more Newton step
+  double mesh_error = kUnknown;    // estimated distance from the limit of finer meshes
   double mesh_order = kUnknown;    // observed order of convergence
   // Range over all equilibria that were found, if there were several.
   double least = kUnknown, largest = kUnknown;
-  // Change of the value per metre of movement of the furthest node of a growing motion.
+  // At an unstable equilibrium: change of the value along the motion that grows, per metre by which the
+  // furthest node moves.
   double per_swing = kUnknown;
 };
 

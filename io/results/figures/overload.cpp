@@ -15,8 +15,8 @@ namespace netloft::results {
 
 namespace {
 
-// Separates strains of up to 0.11, measured in gears of the library, from 0.6 and more, measured in plans
-// with a wrong number. A panel of the trawl-gear paper that is of no real material has 0.56.
+// Limit of plausible strain. Gears of the library reach 0.11, and plans with a wrong number 0.6 and more. The
+// test panel of the trawl-gear paper, whose stiffness is that of no real material, reaches 0.56.
 constexpr double kMostStrain = 0.5;
 
 /// The largest value of each part over its outputs of one kind; 0 for parts whose elements have none.
@@ -34,7 +34,7 @@ std::vector<double> largest_outputs(const scenes::LoadedScene& loaded, const Ass
   return largest;
 }
 
-/// Whether a part is in the bill of materials; load_warnings() judges such parts.
+/// Whether a part is in the bill of materials.
 bool is_in_bill(const scenes::LoadedScene& loaded, const std::string& part) {
   return loaded.gear &&
          std::ranges::any_of(loaded.gear->bill, [&](const auto& item) { return is_called(part, item.name); });
@@ -72,7 +72,7 @@ std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const
     const ElementFamily& family = *assembler.families()[f];
     for (std::size_t k = 0; k < family.type().outputs.size(); ++k) {
       if (family.type().outputs[k].role != NETLOFT_OUTPUT_DOUBT) continue;
-      // Number of elements in doubt and number of all elements, by part
+      // The number of elements outside their range of validity and of all elements, by part.
       std::map<std::uint32_t, std::array<std::size_t, 2>> elements;
       for (std::size_t e = 0; e < family.size(); ++e) {
         auto& [in_doubt, all] = elements[family.part(e)];

@@ -47,8 +47,8 @@ std::vector<char> reached_bodies(const ElementFamily& family, std::span<const st
   return reached;
 }
 
-/// Adds the forces of family f on bodies, including those that are zero now, so that motions have a value for
-/// them at every output.
+/// Adds the forces of family f on bodies. Forces that are zero now are included, so that a motion has a value
+/// at every output.
 void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, const Kinematics& motion,
                      Response& answer) {
   if (scene.bodies.empty()) return;

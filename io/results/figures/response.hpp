@@ -9,10 +9,10 @@
 
 namespace netloft::results {
 
-/// Outputs of all families: [family][output][element].
+/// Outputs of all elements, indexed [family][output][element]. A family is all elements of one type.
 using FamilyOutputs = std::vector<std::vector<std::vector<double>>>;
 
-/// Sum of one force over one part, in the direction in which it acts on the gear [N].
+/// Sum of one term (kind of force) over one part, as a force on the gear [N].
 struct PartForce {
   std::string part, term;
   std::array<double, 3> force{};
@@ -20,12 +20,13 @@ struct PartForce {
 
   bool is_drag() const { return traits & NETLOFT_IS_DRAG; }
   bool is_weight() const { return traits & NETLOFT_IS_WEIGHT; }
-  /// Whether the force acts along a ground that may move: friction, and the resistance of ground that boards
-  /// plough.
+  /// Whether the force depends on the velocity of the ground: friction, and the resistance of ground that
+  /// boards plough.
   bool is_along_ground() const { return traits & NETLOFT_READS_GROUND; }
 };
 
-/// Sum of one force of one part over the nodes of a rigid body, that is, its origin and its points.
+/// The contribution of one part and term to the force on a rigid body: the sum over the nodes of the body,
+/// that is, its origin and its points.
 struct BodyForce {
   std::uint32_t body = 0, part = 0;  // indices in the scene
   PartForce of;
@@ -35,12 +36,12 @@ struct BodyForce {
 struct Response {
   std::vector<double> x;
   FamilyOutputs outputs;
-  std::vector<PartForce> forces;       // without member forces, which sum to zero over a part
-  std::vector<BodyForce> body_forces;  // of all terms, for parts with a node on the body
+  std::vector<PartForce> forces;       // internal forces are left out: they sum to zero over a part
+  std::vector<BodyForce> body_forces;  // of all terms, internal ones too, for parts with a node on the body
 };
 
-/// Evaluates all elements; without `with_forces` only their outputs, which is faster. Forces that cannot be
-/// evaluated at x are left out.
+/// Evaluates all elements of the scene at positions x; without `with_forces` only their outputs, which is
+/// faster. Forces that cannot be evaluated at x are left out.
 Response ask_elements(const Scene& scene, Assembler& assembler, std::span<const double> x,
                       const Kinematics& motion = {}, bool with_forces = true);
 

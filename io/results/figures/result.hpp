@@ -17,7 +17,7 @@
 
 namespace netloft::results {
 
-/// Sum of one force over all parts with one name, in the direction in which it acts on the gear [N].
+/// Sum of one term (kind of force) over all parts with one name, as a force on the gear [N].
 struct PartLoad {
   std::string part, term;
   std::array<double, 3> force{};
@@ -29,23 +29,23 @@ struct HoldForce {
   std::array<double, 3> force{};
 };
 
-/// A row of the bill of materials with its load. NaN marks numbers that do not apply or are unknown.
+/// A row of the bill of materials with its load. NaN marks numbers that are unknown or do not apply.
 struct Material {
   static constexpr double kUnknown = NamedScalar::kUnknown;
   scenes::BillItem item = {"", "", "", kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
-  double length = kUnknown;  // total unstretched length in the whole gear, of ropes or twines [m]
-  double area = kUnknown;    // length times diameter of twines; projected area of bodies [m2]
+  double length = kUnknown;  // unstretched length of all its ropes or twines in the whole gear [m]
+  double area = kUnknown;    // twines: length times diameter; bodies: projected area [m2]
   double mass = kUnknown;    // in air [kg]
-  double load = kUnknown;    // largest tension in a rope or twine, in the newest state [N]
+  double load = kUnknown;    // largest tension in a rope or twine, in the last state [N]
 
   /// The load as a fraction of the breaking load; NaN unless both are known.
   double utilisation() const { return load / item.breaking_load; }
 };
 
-/// The origins of a result.
+/// The origins of a result: program, machine, command line, files and plugins.
 struct Origins {
   std::string version, machine, compiler, started, finished;
-  std::vector<std::string> command;  // one entry per word
+  std::vector<std::string> command;  // the words of the command line
   struct File {
     std::string path, hash, text;
   };
@@ -54,7 +54,7 @@ struct Origins {
     std::string name, version, path, hash;
   };
   std::vector<Plugin> plugins;
-  std::string plan;  // the forces that are evaluated, and why the others are off
+  std::string plan;  // as text: the forces that are evaluated, and why others are not
 };
 
 /// The names of a scene with a net plan.
@@ -63,26 +63,28 @@ struct GearNames {
   std::string headline, footrope;  // ropes
 };
 
-/// Other equilibria that a search found.
+/// Other equilibria of the scene, found by restarts of the search from elsewhere.
 struct FoundShapes {
   struct Other {
-    double energy = 0, distance = 0;  // distance: of the node furthest from its position in the solution [m]
-    std::string furthest;             // name of that node
-    int times = 1;                    // how often it was found
+    double energy = 0,
+           distance = 0;   // distance: largest distance of a node from its position in the solution [m]
+    std::string furthest;  // name of that node
+    int times = 1;         // how often it was found
   };
   int restarts = 0, times = 1;  // times: how often the solution was found
   int by_energy = 0;            // 1: the solution has the least energy; 0: it was found first
   std::vector<Other> others;
 };
 
-/// The motion that grows about an equilibrium with oscillating or steady instability.
+/// The motion that grows out of a small disturbance of an unstable equilibrium, with or without oscillation.
 struct Swing {
-  std::string furthest;  // the node with the largest displacement
+  std::string furthest;  // the node that moves most
   // Growth rate [1/s], 0: not known; angular frequency [rad/s], 0: no oscillation
   double rate = 0, frequency = 0;
 };
 
-/// One solve of the search, of the scene itself or of an easier variant.
+/// One solve within the search for the equilibrium: of the scene itself, or of an easier variant (coarser,
+/// for instance).
 struct Stage {
   std::string name, solver, outcome, sentence;
   netloft_variant variant{};
@@ -91,59 +93,59 @@ struct Stage {
   double work = 0;
 };
 
-/// An accepted point of the solve.
+/// One accepted step of the solver: numbers at the point that it reached.
 struct Iteration {
   std::int64_t iteration = 0, factorisations = 0;
   double residual = 0, load = 0, energy = 0, seconds = 0;  // [N], [N], [J], [s]
   std::string note;
 };
 
-/// Energy that the time scheme removed or added during a run, as energy_judge.hpp finds it. No force accounts
-/// for this energy.
+/// Energy that the time scheme removed or added during a run, although no force did (energy_judge.hpp).
 struct NumericalLoss {
   double lost = 0, given = 0;             // total over the run [J]
   double worst = 0, from = 0, until = 0;  // largest loss between two outputs [J], and their times [s]
   std::string node;                       // node whose velocity changed most between these outputs
-  /// Whether the loss exceeds a twentieth of the energy given: no accuracy setting then resolves the later
-  /// path.
+  /// Whether the loss exceeds a twentieth of the energy given. The path after that is not resolved, whatever
+  /// the accuracy setting.
   bool is_large() const { return std::abs(lost) > 0.05 * given; }
   bool is_created() const { return lost < 0; }
 };
 
-/// Facts that only motions have.
+/// Facts about a motion in time.
 struct Motion {
-  std::string integrator, start_from;  // "the equilibrium", "the sketch", or a file
-  double time = 0, resumed_from = 0;   // time reached; time at which the run was resumed [s]
+  std::string integrator,
+      start_from;  // start_from: "the equilibrium", "the sketch" (initial positions), or a file
+  double time = 0, resumed_from = 0;  // time reached; time from which a killed run was resumed [s]
   std::int64_t steps = 0, rejected = 0;
   double shortest = 0, longest = 0;  // shortest and longest step made [s]
-  double stable_step = 0;            // longest stable step with all members taut [s]; 0: any step is stable
+  double stable_step = 0;            // longest stable step if no member is slack [s]; 0: any step is stable
   std::optional<StartBalance> start;
-  std::optional<AchievedAccuracy> accuracy;  // empty: the steps were prescribed
-  std::optional<NumericalLoss> loss;         // empty: there is no energy budget
+  std::optional<AchievedAccuracy> accuracy;  // empty: the length of steps was prescribed
+  std::optional<NumericalLoss> loss;         // empty: energies were not recorded
   std::map<std::string, double> energies;    // at the last output [J]
 };
 
-/// The data for all reports, pages and comparisons of a run. make_result() or run_motion() makes it, and a
-/// file holds it (io/formats/hdf5/LAYOUT.md), from which read_result() restores it. Positions and fields are
-/// in the file only (StoredShape).
+/// The result of a run: the data for all its reports, pages and comparisons. make_result() or run_motion()
+/// makes it, it is stored in a file (io/formats/hdf5/LAYOUT.md), and read_result() reads it from there.
+/// Positions and fields are in the file only (StoredShape).
 struct Result {
-  std::string title, path;                             // path of the scene; path of the file, empty: none yet
+  std::string title, path;  // title: path of the scene; path: of the result file, empty: none yet
   std::string outcome, sentence, stability, at_fault;  // an empty outcome: the run has not ended
   std::vector<std::string> diagnostics, warnings;
-  std::vector<std::string> notes;  // which facts are missing because the file has an older format
+  std::vector<std::string> notes;  // facts that the file lacks because of its older format
   Origins origins;
   std::string solver, strategy, factorisation;
   std::size_t nodes = 0, elements = 0, states = 1;
   std::optional<GearNames> gear;     // only for a scene with a net plan
-  std::vector<NamedScalar> scalars;  // the numbers of [results]
+  std::vector<NamedScalar> scalars;  // the numbers that the scene requests in [results]
   std::vector<NamedScalar> figures;  // gear_figures.hpp
-  // the meshes behind the mesh errors, or why there are no mesh errors; empty: not requested
+  // The meshes from which mesh errors were found, or why there are no mesh errors; empty: not requested.
   std::string mesh_note;
-  double node_error = NamedScalar::kUnknown;  // largest displacement of a node by the next Newton step [m]
+  double node_error = NamedScalar::kUnknown;  // largest displacement of a node in one more Newton step [m]
   std::vector<PartLoad> part_forces;          // by term, then by part
   std::vector<HoldForce> hold_forces;
   std::array<double, 3> balance{};  // sum of all forces on the gear, holds included [N]
-  // Residual, largest load: at one node [N]
+  // Largest residual and largest load of a node [N].
   double residual = NamedScalar::kUnknown, largest_load = NamedScalar::kUnknown;
   double energy = NamedScalar::kUnknown;  // sum over the forces that have an energy [J]
   std::optional<FoundShapes> shapes;      // empty: there was no search for other equilibria
@@ -154,7 +156,7 @@ struct Result {
   double reading_seconds = 0, setup_seconds = 0;
   Statistics statistics;
   std::vector<Stage> stages;          // empty: there was only one
-  std::vector<Iteration> iterations;  // accepted points
+  std::vector<Iteration> iterations;  // accepted steps of the solver
   std::optional<Motion> motion;       // empty: the result is an equilibrium
 
   bool is_half() const { return gear && gear->times == 2; }

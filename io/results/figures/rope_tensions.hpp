@@ -11,8 +11,8 @@ struct RopeTensions {
   std::vector<double> tension;      // [N]
   std::vector<double> rest_length;  // [m]
 
-  /// The tension at an unstretched distance from the start [N], interpolated linearly between the middles of
-  /// bars.
+  /// The tension [N] at a distance from the start along the unstretched rope [m], interpolated linearly
+  /// between the middles of bars.
   double at(double distance) const;
   RopeTensions turned_round() const;
 };

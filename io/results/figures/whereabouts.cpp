@@ -18,12 +18,12 @@ namespace netloft::results {
 
 namespace {
 
-// Separates harmless depths from faults, both measured [m]. In gears of the library, netting without contact
-// elements reaches up to 0.31 m below the bed. A float on a line longer than the water depth is 2 m in the
-// air, and a wrong depth gives more.
+// Positions are reported if they are beyond a limit by more than this [m]. In gears of the library, netting
+// without contact elements reaches up to 0.31 m below the bed. Faults are larger: a float on a line longer
+// than the water depth is 2 m in the air, and a wrong depth gives more.
 constexpr double kClearly = 0.5;
 
-/// The part that is furthest beyond a limit, and the number of parts that are beyond it.
+/// The part that is furthest beyond a limit (surface or bed), and the number of parts beyond it.
 struct Beyond {
   double most = kClearly;
   std::string part;
@@ -70,8 +70,8 @@ class Whereabouts {
     return at[2] - loaded_.scene.bed.at(at[0], at[1])[0];
   }
 
-  /// Parts with drag or buoyancy that does not end at the surface. Warps, and parts with an element that
-  /// knows the surface, are left out.
+  /// Parts whose drag or buoyancy would act above the surface, too, because their elements do not know it.
+  /// Warps are left out.
   std::set<std::string> feel_water_anywhere() const {
     std::set<std::string> feel, know_surface;
     for (const auto& f : answer_.forces) {
@@ -110,8 +110,8 @@ class Whereabouts {
     return sunk;
   }
 
-  /// A part that can rest on the bed: the sum of its normal contact forces [N], and the height of its lowest
-  /// node above the bed [m].
+  /// The contact of a part that can rest on the bed: the sum of its normal forces [N], and the height of its
+  /// lowest node above the bed [m].
   struct Resting {
     double force = 0, above = std::numeric_limits<double>::infinity();
   };
@@ -148,7 +148,7 @@ class Whereabouts {
                                   loaded_.gear->footrope, one.above));
   }
 
-  /// The two causes that keep a gear up: its buoyancy, and warps that do not reach the bed.
+  /// Explains why a gear does not touch the bottom: by its buoyancy, and by warps that are too short.
   std::string why_it_flies() const {
     const double up = net_buoyancy();
     std::string why = fmt::format("its net buoyancy is {:.4g} N, {}", up,
@@ -160,7 +160,7 @@ class Whereabouts {
                              longest(warps->second).first, longest(warps->second).second);
   }
 
-  /// Weight in water of all parts but warps, positive upward [N].
+  /// Buoyancy minus weight of all parts except warps [N]: positive if the gear floats.
   double net_buoyancy() const {
     double up = 0;
     for (const auto& f : answer_.forces)
@@ -175,7 +175,7 @@ class Whereabouts {
            std::ranges::any_of(warps->second, [&](auto p) { return part(p).name == name; });
   }
 
-  /// Unstretched length of the longest rope, and the height of its start above the bed [m].
+  /// Unstretched length of the longest of some ropes, and the height of its start above the bed [m].
   std::pair<double, double> longest(const std::vector<std::uint32_t>& ropes) const {
     const GearView gear(loaded_, assembler_, answer_);
     std::pair<double, double> most{0, 0};
@@ -187,7 +187,7 @@ class Whereabouts {
     return most;
   }
 
-  /// Whether all nodes of a part are nodes of the footrope. The name of the part does not matter.
+  /// Whether all nodes of a part are nodes of the footrope, as those of a contact element on it are.
   bool stands_on_footrope(std::uint32_t p) const {
     if (!loaded_.gear) return false;
     for (const auto& rope : loaded_.scene.parts)

@@ -8,9 +8,9 @@
 
 namespace netloft::results {
 
-/// The outline of a rigid body, such as an otter board, at its position in one state.
+/// The shape of a rigid body, such as an otter board, in one state, for pictures.
 struct BodyPlate {
-  std::uint32_t dot = 0;                           // the body's own element, an index into StoredMesh::dots
+  std::uint32_t dot = 0;  // the element at the origin of the body, an index into StoredMesh::dots
   std::vector<std::array<double, 3>> triangles{};  // three corners each, in world coordinates [m]
 };
 

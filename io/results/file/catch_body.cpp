@@ -12,7 +12,7 @@ namespace {
 
 using Side = std::array<std::uint32_t, 2>;
 
-/// The number of triangles on a side that have catch, and the number of those without.
+/// The numbers of triangles at an edge of the mesh with catch and without catch.
 struct Neighbours {
   int with = 0, without = 0;
 };

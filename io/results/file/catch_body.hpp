@@ -8,10 +8,11 @@
 
 namespace netloft::results {
 
-/// The extent of the catch: the triangles of netting under its pressure, and the edge of its front.
+/// The extent of the catch in a cod-end: the triangles of netting under its pressure, and the edge of this
+/// region.
 struct CatchBody {
   std::vector<std::uint32_t> triangles;  // indices into StoredMesh::triangles
-  // edges between a triangle with catch and one without
+  // Edges (pairs of nodes) between a triangle with catch and one without.
   std::vector<std::array<std::uint32_t, 2>> rim;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 using Where = DimensionEnd::Where;
 
-/// The middle of a rope from side to side; the rope of a half gear starts there.
+/// The middle node of a rope that runs from port to starboard. In a half gear the rope starts there.
 std::uint32_t middle_of(const std::vector<std::uint32_t>& rope, bool is_half) {
   return rope[is_half ? 0 : rope.size() / 2];
 }
@@ -26,7 +26,8 @@ Dimension spread_of(const std::string& name, const std::vector<std::uint32_t>& r
           starboard};
 }
 
-/// Nodes that a hold other than the plane of symmetry acts on.
+/// Nodes on which a hold acts. The plane of symmetry also gives reactions, but only along y, which are left
+/// out.
 std::vector<std::uint32_t> held_nodes(const StoredShape& stored) {
   const auto reaction = stored.node_field("reaction", stored.times.size() - 1);
   std::vector<std::uint32_t> held;
@@ -35,7 +36,8 @@ std::vector<std::uint32_t> held_nodes(const StoredShape& stored) {
   return held;
 }
 
-/// Adds the distance between the towing points: two points, or one point of a half gear and its mirror image.
+/// Adds the spread of the towing points: between two held nodes of a whole gear, or between the only held
+/// node of a half gear and its mirror image.
 void add_towing_spread(const StoredShape& stored, std::vector<Dimension>& all) {
   const auto held = held_nodes(stored);
   if (held.size() == 1 && stored.result.is_half())
@@ -50,8 +52,8 @@ std::string name_aboard(const StoredBody& body) {
   return body.name;
 }
 
-/// Adds the distance between the port and the starboard body: two bodies of a pair, or one of a half gear and
-/// its mirror image.
+/// Adds the spread of every pair of bodies: between the port and the starboard body of a whole gear, or
+/// between the body of a half gear and its mirror image.
 void add_body_spreads(const StoredShape& stored, std::vector<Dimension>& all) {
   for (const auto& body : stored.bodies) {
     if (body.is_to_port) continue;

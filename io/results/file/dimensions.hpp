@@ -9,24 +9,26 @@
 
 namespace netloft::results {
 
-/// An end of a dimension line: a node, its mirror image, or the bed below the line's first end.
+/// An end of a dimension line: a node, the mirror image of a node, or the point of the bed below the first
+/// end of the line.
 struct DimensionEnd {
   enum class Where : std::uint8_t { node, mirrored, bed } where = Where::node;
   std::uint32_t node = 0;
 };
 
-/// A length that is drawn beside the gear, between two points that move with the gear.
+/// A dimension line: a length drawn beside the gear between two points that move with it.
 struct Dimension {
   std::string name;
   DimensionEnd from, to;
 };
 
-/// The height of the headline and the spreads of the wings, between the points that define these figures of
-/// the gear (io/results/figures/gear_figures.hpp). Empty without a headline.
+/// The dimension lines of a gear: height of the headline, and spreads of wings, bodies and towing points,
+/// between the points that define these figures (io/results/figures/gear_figures.hpp). A line is left out if
+/// the gear lacks one of its ends.
 std::vector<Dimension> dimensions_of(const StoredShape& stored);
 
-/// The position of a dimension's end [m], from the node positions of a state (3 per node). `other` is the
-/// first end of the line.
+/// The position of an end of a dimension line [m]. `points` are the node positions of a state, 3 per node;
+/// `other` is the position of the first end of the line.
 std::array<double, 3> place_of(const DimensionEnd& end, const StoredShape& stored,
                                const std::vector<double>& points, const std::array<double, 3>& other);
 

@@ -9,11 +9,11 @@ namespace netloft::results {
 
 namespace {
 
-// lower end of a logarithmic scale relative to its upper end, at least
+// A logarithmic scale begins at this fraction of its upper end, or above.
 constexpr double kLeastOfLargest = 1e-4;
-// one value in so many is left out at either end of the middle range
+// The middle range leaves out one of so many values at either end.
 constexpr std::size_t kBeyond = 50;
-constexpr std::size_t kSample = 20000;  // most values of one state used to find the middle range
+constexpr std::size_t kSample = 20000;  // limit of values of one state from which the middle range is found
 constexpr double kTicks = 6;            // most ticks of a legend
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.

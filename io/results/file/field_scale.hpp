@@ -29,9 +29,9 @@ class FieldSpread {
   void take(std::span<const double> values);
   bool is_known() const { return !sample_.empty(); }
 
-  /// Returns a linear scale of all values. With `middle`, the scale leaves out a fiftieth of the values at
-  /// either end, because tensions at single corners of netting grow with every refinement and would take up
-  /// most colours. The scale begins at zero if that uses less than half of it.
+  /// Returns a linear scale of all values. With `middle`, the scale leaves out the largest and the smallest
+  /// fiftieth of the values, because tensions at single corners of netting grow with every refinement and
+  /// would take up most colours. The scale begins at zero if less than half of it is then empty.
   Scale linear(bool middle) const;
   /// Returns a logarithmic scale of the same values, over at most four decades; a linear one if no value is
   /// positive.
@@ -39,25 +39,25 @@ class FieldSpread {
 
  private:
   struct Ends {
-    double lo, hi, low, high;  // lo, hi: of all values; low, high: without those left out
+    double lo, hi, low, high;  // lo, hi: of all values; low, high: of the middle ones
   };
   Ends ends(bool middle) const;
   double lo_ = INFINITY, hi_ = -INFINITY;
   std::vector<double> sample_;
 };
 
-/// Ranges and scales of a field, separately for netting, ropes and single nodes, because tensions of twines
+/// Ranges and scales of a field. Netting, ropes and single nodes have their own, because tensions of twines
 /// and of ropes differ by a factor of a hundred.
 using FieldSpreads = std::array<FieldSpread, kCellKinds>;
 using FieldScales = std::array<std::optional<Scale>, kCellKinds>;
 
 FieldSpreads spreads_of(const StoredShape& stored, const std::string& field);
-/// The scale is empty for a kind of cells without values.
+/// A kind of cells without values has no scale.
 FieldScales scales_of(const FieldSpreads& spreads, bool is_logarithmic);
 
-/// Values at the corners of triangles: means over the triangles of a part that share the node. A field is
-/// constant within each triangle, and where taut triangles alternate with slack ones, the mean is the load of
-/// the netting. NaN if the triangle itself has no value.
+/// Values at the corners of triangles: means over the triangles of the same part around the node. A field is
+/// constant within each triangle, but taut and slack triangles may alternate, and then only the mean is the
+/// load of the netting. NaN if the triangle itself has no value.
 std::vector<std::array<double, 3>> values_at_corners(const StoredMesh& mesh,
                                                      const std::vector<double>& by_cell);
 

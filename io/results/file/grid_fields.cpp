@@ -12,9 +12,9 @@ namespace netloft::results {
 
 namespace {
 
-/// Whether the elements of a family become cells of the picture. Elements between their own nodes, on single
-/// nodes and on origins of bodies do. Elements between other parts' nodes, and elements on elements that are
-/// already drawn, do not, because they would hide those.
+/// Whether the elements of a family become cells of the picture: elements between nodes of their own part, on
+/// single nodes and on origins of bodies. Elements on the nodes or elements of other parts do not, because
+/// they would hide those.
 bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
   if (family.type().element.stencil == NETLOFT_NODE || family.type().is_on_body()) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
@@ -22,8 +22,8 @@ bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
 
 using PanelPoint = std::array<double, 2>;  // U, V [meshes]
 
-/// The panel coordinates of each node of the scene. A node on a seam that closes the panel has two pairs of
-/// coordinates.
+/// The panel coordinates of each node of a panel. A node on a seam that closes the panel to a tube has two
+/// pairs.
 class PanelPlaces {
  public:
   explicit PanelPlaces(const scenes::PartGeometry& part) {
@@ -43,8 +43,8 @@ class PanelPlaces {
     }
     return best;
   }
-  /// The coordinates of the first of `nodes` that has only one pair; they select among the pairs of the other
-  /// nodes.
+  /// The coordinates of the first of `nodes` that has only one pair. nearest() then chooses the pair of every
+  /// other node that is on the same side of the seam.
   PanelPoint anchor(std::span<const std::uint32_t> nodes) const {
     for (const auto node : nodes)
       if (places_.count(node) == 1) return places_.find(node)->second;
@@ -56,7 +56,8 @@ class PanelPlaces {
   std::multimap<std::uint32_t, PanelPoint> places_;
 };
 
-/// U, V of three corners; NaN without a panel, and for gathered netting, where two corners are one node.
+/// The coordinates U, V of three corners; NaN if the cell is on no panel, or if two of its corners are one
+/// node (gathered netting).
 std::array<double, 6> corners_on_panel(const PanelPlaces& panel, std::span<const std::uint32_t> nodes) {
   std::array<double, 6> corners;
   corners.fill(kNone);

@@ -17,19 +17,20 @@ struct CellField {
   std::vector<double> values;
 };
 
-/// The mesh of a scene as ParaView shows it: elements between their own nodes, on single nodes and on bodies.
+/// The mesh of a scene for ParaView: a cell for each element that is drawn (between nodes of its own part, on
+/// a single node, or on a rigid body).
 formats::Mesh make_mesh(const scenes::LoadedScene& loaded, const Assembler& assembler);
-/// The rotation vectors of rigid bodies at their origins, NaN at other nodes; empty if the scene has no
-/// bodies.
+/// A point field with the rotation vector of each rigid body at its origin, and NaN at other nodes; empty if
+/// the scene has no bodies.
 std::optional<std::pair<formats::FieldSpec, std::vector<double>>> rotation_field(
     const scenes::LoadedScene& loaded, const Assembler& assembler, std::span<const double> x);
-/// Labels of points and cells: their part, and the position of a point on its panel.
+/// Fields that label points with their part and their position on its panel, and cells with their part.
 std::vector<formats::StaticField> label_points(const scenes::LoadedScene& loaded);
 formats::StaticField label_cells(const scenes::LoadedScene& loaded, const Assembler& assembler);
-/// Gathers the outputs of all families, with outputs of the same name in one field; elements without that
-/// output have the value NaN. Elements on the netting of other parts, such as the catch in a cod-end, have no
-/// cells of their own and use the cells between the same nodes. These cells are found once, in the
-/// constructor.
+/// Makes cell fields of the element outputs. Outputs with the same name, of whatever family (element type),
+/// are in one field, and elements without this output have the value NaN. Elements on the netting of other
+/// parts, such as the catch in a cod-end, have no cells of their own and use the cells between the same
+/// nodes. The constructor finds these cells.
 class OutputFields {
  public:
   OutputFields(const scenes::LoadedScene& loaded, const Assembler& assembler);
@@ -44,9 +45,9 @@ class OutputFields {
   std::vector<std::vector<std::size_t>> cells_;  // by family: the cell of each element
   std::size_t count_ = 0;                        // number of cells
 };
-/// The coordinates of a cell's corners on the panel of the cell, because nodes on seams belong to several
-/// panels. Along a twine of diamond netting u = V + U or v = V - U is constant, so that pictures can draw
-/// twines from these coordinates.
+/// A cell field with the coordinates (U, V) of a cell's corners on its own panel, in meshes; a node on a seam
+/// would have coordinates on several panels. Along a twine of diamond netting u = V + U or v = V - U is
+/// constant, so that pictures can draw twines from these coordinates.
 formats::StaticField label_corners(const scenes::LoadedScene& loaded, const Assembler& assembler);
 
 }  // namespace netloft::results

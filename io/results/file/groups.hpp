@@ -4,7 +4,7 @@
 
 namespace netloft::results {
 
-/// Groups of a result file (io/formats/hdf5/LAYOUT.md).
+/// Names of groups of a result file (io/formats/hdf5/LAYOUT.md).
 inline const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/",
                          kSwing = "/netloft/swing/";
 

@@ -4,8 +4,9 @@
 
 namespace netloft::results {
 
-// Names the place of every member of a Result below /netloft once (io/formats/hdf5/LAYOUT.md). `file` and `r`
-// are a RecordWriter and a constant Result, or a RecordReader and the Result that it fills.
+// Each function visits members of a Result with their place in the file, below /netloft
+// (io/formats/hdf5/LAYOUT.md). Writing and reading share them: `file` and `r` are a RecordWriter and a
+// constant Result, or a RecordReader and the Result that it fills.
 
 template <class File, class AnyOrigins>
 void visit_origins(File&& file, AnyOrigins& o) {
@@ -151,7 +152,7 @@ void visit_motion(File&& file, AnyMotion& m) {
   });
 }
 
-/// Other equilibria, and the motion that grows about this one.
+/// Other equilibria that were found, and the motion that grows out of a disturbance of this one.
 template <class File, class AnyResult>
 void visit_others(File&& file, AnyResult& r) {
   file.sometimes("shapes", r.shapes, [&](auto& s) {
@@ -196,7 +197,7 @@ void visit_ending(File&& file, AnyResult& r) {
   visit_others(file, r);
 }
 
-/// Errors and ranges of a number; `below` is "gear/" for the figures of a gear.
+/// Errors and ranges of the number `s`; `below` is "gear/" for a figure of a gear, else empty.
 template <class File, class AnyScalar>
 void visit_errors(File&& file, const std::string& below, AnyScalar& s) {
   const std::string error = "errors/" + below, spread = "spread/" + below;

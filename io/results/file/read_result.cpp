@@ -13,7 +13,8 @@ namespace netloft::results {
 
 namespace {
 
-constexpr std::ptrdiff_t kDeepestGroup = 16;  // nesting limit: a group that contains itself has no end
+constexpr std::ptrdiff_t kDeepestGroup =
+    16;  // limit of nested groups, because a damaged file may have a group that contains itself
 
 void require_result(const formats::Reader& reader, const std::string& path) {
   if (!reader.has("/netloft"))
@@ -25,7 +26,8 @@ std::vector<std::string> strings_or_nothing(const formats::Reader& reader, const
   return reader.has(at) ? reader.strings(at) : std::vector<std::string>{};
 }
 
-/// Calls `take` with the name and the place of every dataset below a group, at any depth.
+/// Calls `take` with the name (relative to `group`) and the full path of every dataset below a group, at any
+/// depth.
 template <class Take>
 void walk(const formats::Reader& reader, const std::string& group, const std::string& path, const Take& take,
           const std::string& below = "") {
@@ -41,8 +43,8 @@ void walk(const formats::Reader& reader, const std::string& group, const std::st
   }
 }
 
-/// Sorts numbers in the listed order. Names that the file does not list, as in older versions, follow in
-/// alphabetical order.
+/// Sorts numbers in the listed order. Names that are not in the list follow in alphabetical order; older
+/// versions wrote no list.
 void put_in_order(const std::vector<std::string>& order, std::vector<NamedScalar>& named) {
   std::map<std::string, std::size_t> places;
   for (const auto& name : order) places.emplace(name, places.size());
@@ -97,7 +99,7 @@ void read_energies(const formats::Reader& reader, const std::string& path, Motio
   });
 }
 
-/// The largest tension of the twines of each part in the newest state.
+/// The largest tension of the twines of each part in the last state [N].
 std::map<std::string, double> read_twine_tensions(const formats::Reader& reader) {
   std::map<std::string, double> largest;
   if (!reader.has("/VTKHDF/Types") || !reader.has("/VTKHDF/Steps")) return largest;

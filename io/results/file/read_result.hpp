@@ -7,12 +7,13 @@
 
 namespace netloft::results {
 
-/// Reads a result file, or the outputs so far of a motion that is running or was killed, without its shapes.
-/// Members that an older version did not write keep their defaults, and `notes` lists them. Throws FileError
-/// with a sentence if the file cannot be read, is not a result of this program, or has a newer format.
+/// Reads a result without its shapes from a result file, or from the file of a motion that is running or was
+/// killed. Members that an older version did not write keep their defaults, and `notes` lists them. Throws
+/// FileError with a sentence if the file cannot be read, is not a result of this program, or has a newer
+/// format.
 Result read_result(const std::filesystem::path& path);
 
-/// Reads a result in the same way from a file that is already open.
+/// Reads a result from a file that is already open; `path` is its name for messages.
 Result read_result(const formats::Reader& reader, const std::filesystem::path& path);
 
 }  // namespace netloft::results

@@ -15,7 +15,7 @@
 namespace netloft::results {
 
 // The writer and the reader for layout.hpp, which names every member of a Result once, with its place below
-// /netloft.
+// /netloft. The member functions of the writer and of the reader correspond.
 
 /// Writes a Result, without its empty lists.
 class RecordWriter {
@@ -29,7 +29,7 @@ class RecordWriter {
   void number(const std::string& at, double value, const std::string& unit, const char* doc) {
     tree_.write_real(kRoot + at, value, unit, doc);
   }
-  /// A number that may be unknown.
+  /// Writes a number unless it is unknown (NaN).
   void known(const std::string& at, double value, const std::string& unit, const char* doc) {
     if (std::isfinite(value)) number(at, value, unit, doc);
   }
@@ -46,7 +46,7 @@ class RecordWriter {
     else
       tree_.set_attribute(kRoot + group, name, std::string_view(value));
   }
-  /// One member of all rows of a table.
+  /// Writes one member of all rows of a table as a dataset.
   template <class Row, class Member>
   void column(const std::string& at, const std::vector<Row>& rows, Member member, const char* unit,
               const char* doc = "") {
@@ -59,7 +59,8 @@ class RecordWriter {
     else
       tree_.write_reals(kRoot + at, gathered<double>(rows, member), unit, doc);
   }
-  /// A part of the result that may be absent. The file has it if the dataset, group or attribute `at` exists.
+  /// Writes a part of the result if it is there. A reader finds it there if the dataset, group or attribute
+  /// `at` exists.
   template <class Part, class Visit>
   void sometimes(const std::string&, const std::optional<Part>& part, const Visit& visit) {
     if (part) visit(*part);

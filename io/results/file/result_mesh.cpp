@@ -13,7 +13,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Makes one mesh. The member functions are the steps, in the order of execution.
+/// Makes the mesh of a state. The member functions are the steps, in the order of execution.
 class ResultMesh {
  public:
   ResultMesh(const StoredShape& stored, std::size_t state)
@@ -36,7 +36,7 @@ class ResultMesh {
   }
 
  private:
-  /// NaN everywhere if the file has no such field.
+  /// The field `name` by cell; NaN everywhere if the file does not have it.
   std::vector<double> field(const std::string& name, std::size_t state) const {
     const bool is_there = std::any_of(stored_.fields.begin(), stored_.fields.end(),
                                       [&](const auto& f) { return f.name == name; });
@@ -74,7 +74,7 @@ class ResultMesh {
     return n[0] == n[1] || n[1] == n[2] || n[0] == n[2];
   }
 
-  /// Adds the bars of a part in the order of their rope, each with its fraction of the unstretched length.
+  /// Adds the bars of a rope in their order, each end with its fraction of the unstretched length.
   void add_bars(std::uint32_t part) {
     formats::MeshRegion region{formats::RegionKind::bars, name_of_part(part)};
     std::vector<double> ends{0};

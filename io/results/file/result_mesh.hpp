@@ -7,9 +7,9 @@ namespace netloft::results {
 
 enum class MeshFormat { own, obj, vtk };
 
-/// The shape of a result as a mesh text that can serve as input: its nodes at their positions in a state, a
-/// region for each rope and for each panel of triangles. The lengths of ropes are written as comments, and so
-/// is all that a mesh cannot express (netting gathered in a node, bars of several twines). Throws
+/// The shape of a result as the text of a mesh that a scene can use: the nodes at their positions in a state,
+/// and a region for each rope and for each panel. Comments in the text give the lengths of ropes, and list
+/// what a mesh cannot express (netting gathered in a node, bars of several twines). Throws
 /// std::invalid_argument if the result has neither ropes nor panels.
 std::string mesh_of(const StoredShape& stored, std::size_t state, MeshFormat format = MeshFormat::own);
 

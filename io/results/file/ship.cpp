@@ -15,15 +15,16 @@ using Point = std::array<double, 3>;
 
 // Blocks farther apart than the width of any trawler belong to two ships.
 constexpr double kWidestShip = 40;                // [m]
-constexpr double kNarrowestShip = 4, kBeam = 10;  // [m]; kBeam is used if the blocks do not determine a beam
+constexpr double kNarrowestShip = 4, kBeam = 10;  // beams [m]: at least, of one ship; of each of two ships
 
-// Outlines: distance ahead of the stern as a fraction of the length, distance to starboard as a fraction of
-// half the beam.
+// Outlines of hull and house: pairs of the distance ahead of the stern, as a fraction of the length, and the
+// distance to starboard, as a fraction of half the beam.
 const std::vector<std::array<double, 2>> kHull = {{0, 1},       {0.65, 1},  {0.87, 0.6}, {1, 0},
                                                   {0.87, -0.6}, {0.65, -1}, {0, -1}},
                                          kHouse = {{0.5, 0.7}, {0.7, 0.7}, {0.7, -0.7}, {0.5, -0.7}};
 
-/// The names of the ropes whose angles a result reports: its warps.
+/// The names of the warps, which have figures of their own; empty if there are no figures of towing by a
+/// ship.
 std::set<std::string> warps_of(const StoredShape& stored) {
   std::set<std::string> warps;
   bool has_ship = false;
@@ -36,7 +37,7 @@ std::set<std::string> warps_of(const StoredShape& stored) {
   return has_ship ? warps : std::set<std::string>{};
 }
 
-/// The upper ends of the warps, with the mirror images for a half gear.
+/// The upper ends of the warps, which are at the blocks. For a half gear their mirror images are added.
 std::vector<Point> blocks_of(const StoredShape& stored, std::size_t state) {
   std::vector<Point> blocks;
   const auto points = stored.points(state);

@@ -13,11 +13,11 @@ struct TowingShip {
   double beam = 0;                // [m]
 };
 
-/// The ships of a result whose plan has any: one, or the two of a pair trawl.
+/// The ships of a result: one, two for a pair trawl, none if the net plan has no ship.
 std::vector<TowingShip> ships_of(const StoredShape& stored, std::size_t state);
 
-/// Hull and house as triangles, three corners each [m]. They are a symbol only, because a plan has no ship
-/// but its blocks.
+/// Triangles of a hull and a house, three corners each [m]. They are a symbol only: a net plan says nothing
+/// about a ship but where its blocks are.
 std::vector<std::array<double, 3>> triangles_of(const TowingShip& ship);
 
 }  // namespace netloft::results

@@ -10,7 +10,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Maps the number within a part to the node.
+/// For one part: the node for each node number within the part.
 using PartNumbers = std::map<std::uint32_t, std::uint32_t>;
 
 std::vector<PartNumbers> numbers_of(const StoredShape& stored) {
@@ -34,7 +34,7 @@ bool are_alike(const PartNumbers& a, const PartNumbers& b) {
                     [](const auto& p, const auto& q) { return p.first == q.first; });
 }
 
-/// Carries over one part after another. Each carry_ function is one method.
+/// Takes the positions of one part after another from the result. Each carry_ function is one way to do so.
 class Carrier {
  public:
   Carrier(const StoredShape& stored, const scenes::LoadedScene& loaded)
@@ -67,9 +67,10 @@ class Carrier {
   }
 
  private:
-  /// Which half of a part the result has. The starboard half of a part in the middle, or the starboard part
-  /// of a pair, serves both sides by its mirror image. Half and whole gears number the nodes of netting and
-  /// ropes differently.
+  /// Which side of a part of the scene is taken from a part of the result. `all`: both have the same extent.
+  /// The others occur if the result is a half gear and the scene a whole one: `both` for a part in the
+  /// middle, of which the result has the starboard half; `starboard` and `port` for a part of a pair, of
+  /// which the result has the starboard one. Mirror images give the missing sides.
   enum class Side { all, both, starboard, port };
   struct Source {
     std::optional<std::uint32_t> part;
@@ -106,7 +107,7 @@ class Carrier {
     }
   }
 
-  /// Carries a part of a half (starboard) result over to both halves of the scene.
+  /// Takes both halves of a part from a result that has its starboard half only.
   void carry_halves(std::uint32_t there, std::size_t here) {
     if (is_rope(here)) {
       if (const Part rope = rope_of(there); !rope.nodes.empty())
@@ -126,7 +127,8 @@ class Carrier {
     return node + static_cast<std::uint32_t>(x_.size() / 3);
   }
 
-  /// The whole rope from port to starboard, made from a half that starts on the plane of symmetry.
+  /// The whole rope from port to starboard, made from its starboard half, which starts on the plane of
+  /// symmetry.
   Part whole_rope(const Part& half) const {
     Part whole;
     for (auto node = half.nodes.rbegin(); node != half.nodes.rend(); ++node)
@@ -139,7 +141,7 @@ class Carrier {
     return whole;
   }
 
-  /// The whole panel, made from a half. Places to port have a negative U.
+  /// The whole panel, made from its starboard half. The mirror image has negative U.
   Part whole_panel(const Part& half) const {
     Part whole = half;
     for (const auto node : half.nodes) whole.nodes.push_back(image_of(node));
@@ -149,7 +151,7 @@ class Carrier {
     return whole;
   }
 
-  /// The bars of a rope in the result, with their lengths there.
+  /// The bars of a rope in the result, with their present lengths there in place of unstretched ones.
   Part rope_of(std::uint32_t part) const {
     Part rope;
     std::vector<double>& lengths = rope.data[datum::kRestLength.name];
@@ -182,8 +184,8 @@ class Carrier {
     return panel;
   }
 
-  /// All nodes of a panel of the scene as corners of triangles; the last node is repeated to complete a
-  /// triangle.
+  /// All nodes of a panel of the scene with their places, in the form of triangles that carry_panel()
+  /// expects; the last node is repeated to complete a triangle.
   static Part places_of(const scenes::PartGeometry& geometry) {
     Part panel;
     std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];

@@ -12,10 +12,10 @@ namespace netloft::results {
 
 namespace {
 
-// Derived fields: the larger tension of the two twine directions, the opening of meshes, and the water force
-// per length of rope or area of netting.
+// Names of fields that are computed from stored ones: the larger tension of the two twine directions, the
+// opening of meshes, and the water force per length of rope or area of netting.
 constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
-// Totals over an element, which grow with its size.
+// Outputs that are totals over an element and so grow with its size.
 constexpr std::array kTotals = {output::kDrag.name, output::kKnots.name, output::kMass.name,
                                 output::kTwineArea.name, output::kVolume.name};
 
@@ -48,7 +48,7 @@ void StoredShape::read_fields() {
   fields.insert(fields.end(), stored.begin(), stored.end());
 }
 
-/// Marks parts on single nodes with a normal force as contacts with a bed.
+/// Marks the parts whose elements are on single nodes and have a normal force: they model contact with a bed.
 void StoredShape::find_contacts() {
   for (const auto& field : fields) {
     if (field.name != output::kNormalForce.name) continue;

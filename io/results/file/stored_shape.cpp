@@ -14,7 +14,8 @@ namespace netloft::results {
 
 namespace {
 
-constexpr std::ptrdiff_t kDeepest = 16;  // limit of nested groups: a group that contains itself has no end
+constexpr std::ptrdiff_t kDeepest =
+    16;  // limit of nested groups, because a damaged file may have a group that contains itself
 StoredPart nameless_part() {
   StoredPart part;
   part.diameter = part.bar = kNone;

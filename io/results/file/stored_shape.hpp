@@ -12,26 +12,29 @@
 
 namespace netloft::results {
 
-/// A part as the file describes it. NaN marks numbers that the part does not have, or that an old file does
-/// not contain.
+/// A part of the scene, as a result file describes it. NaN marks numbers that the part does not have, or that
+/// an old file lacks.
 struct StoredPart {
   std::string name, type;
   double diameter = 0, bar = 0;        // diameter of twine, rope or float; length of a mesh bar [m]
-  std::array<double, 4> twine_axes{};  // a, b, c, d: u = a U + b V, v = c U + d V
-  scenes::SheetPlace sheet;            // place on the plan
-  // true: its single nodes mark contact with something, such as a bed, and are not drawn
+  std::array<double, 4> twine_axes{};  // a, b, c, d of u = a U + b V, v = c U + d V: twine coordinates u, v
+                                       // from panel coordinates U, V
+  scenes::SheetPlace sheet;            // place on the drawing of the net plan
+  // true: its elements on single nodes model contact, with a bed for example, and are not drawn
   bool is_contact = false;
 };
 
-/// Triangles, bars and single nodes of a result, each with its part and its cell in the file.
+/// Triangles, bars and elements on single nodes (dots) of a result, each with its part and its cell in the
+/// file.
 struct StoredMesh {
   std::size_t n_points = 0, n_cells = 0;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::uint32_t, 2>> bars;
   std::vector<std::uint32_t> dots;
   std::vector<std::uint32_t> triangle_cells, bar_cells, dot_cells;
-  std::vector<std::uint32_t> cell_part;        // by cell
-  std::vector<std::array<double, 6>> corners;  // U, V of the corners, by triangle; NaN where unknown
+  std::vector<std::uint32_t> cell_part;  // by cell
+  std::vector<std::array<double, 6>>
+      corners;  // by triangle: panel coordinates U, V of its corners; NaN where unknown
   std::vector<std::uint32_t> node_part,
       node_number;  // by node: its part, and its number within that part
 };
@@ -45,18 +48,19 @@ struct StoredField {
   std::string name;
   std::array<std::string, kCellKinds> units;  // by kind of cell
   std::string doc;
-  // whether the value is a total over a cell, which grows with the cell, so that colours would show its size
+  // Whether the value is a total over a cell, such as a mass. Colours of such a field would show the size of
+  // the cells.
   bool is_total = false;
 
   const std::string& unit(CellKind kind) const { return units[static_cast<std::size_t>(kind)]; }
 };
 
-/// The bed: a plane z = -depth + slope_x x + slope_y y, plus a relief if there is one.
+/// The bed: a plane z = -depth + slope_x x + slope_y y, plus the height of a relief if there is one.
 struct StoredBed {
   double depth = 0, slope_x = 0, slope_y = 0;
-  std::vector<double> relief_x = {}, relief_y = {}, relief = {};  // places, heights [x][y] [m]
+  std::vector<double> relief_x = {}, relief_y = {}, relief = {};  // grid coordinates, heights at [x][y] [m]
 
-  /// z at a place: linear between the heights of the relief, constant beyond its edges.
+  /// z of the bed at a place. The relief is interpolated linearly, and constant beyond its edges.
   double height(double x, double y) const;
   bool is_plane() const { return relief.empty(); }
 };
@@ -69,17 +73,17 @@ struct StoredBody {
   std::vector<std::array<double, 3>> outline;  // corners of its shape in body axes [m]
 };
 
-/// A quantity at all outputs of a motion.
+/// A quantity over time: one value for each output of a motion.
 struct StoredSeries {
   std::string name, unit;
   std::vector<double> values;
 };
 
-/// The shapes of a result in its file (io/formats/hdf5/LAYOUT.md): parts, mesh, and the positions and fields
-/// of every state, which are read on request.
+/// A result with its shapes: parts and mesh, and the positions and fields of every state, which are read from
+/// the file on request (io/formats/hdf5/LAYOUT.md).
 class StoredShape {
  public:
-  /// Throws FileError with a sentence as read_result() does, and also if the file holds no shape.
+  /// Throws FileError with a sentence if read_result() does, or if the file holds no shape.
   explicit StoredShape(const std::filesystem::path& path);
 
   Result result;
@@ -87,7 +91,8 @@ class StoredShape {
   StoredMesh mesh;
   std::vector<StoredBody> bodies;
   std::vector<double> times;
-  std::vector<std::string> stages;  // name of each state of a solve; empty: states were not saved
+  std::vector<std::string>
+      stages;  // what each state is: the start, the end of a stage, the result; empty: the result only
   std::vector<StoredField> fields;
   std::optional<StoredBed> bed;
   std::vector<StoredSeries> series;

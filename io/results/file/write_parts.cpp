@@ -24,7 +24,7 @@ double diameter_of(const Part& part) {
   return kNone;
 }
 
-/// The first number of a datum of the part's elements; NaN if the part does not have it.
+/// The value of a datum for the first element of the part; NaN if the part does not have it.
 double first_of(const Part& part, const HostDatum& datum) {
   const auto* numbers = find_data(part.data, datum);
   return numbers ? numbers->front() : kNone;
@@ -32,9 +32,9 @@ double first_of(const Part& part, const HostDatum& datum) {
 
 using Axes = std::array<double, 4>;
 
-/// (a, b, c, d) of u = a U + b V, v = c U + d V: the twine coordinates as functions of the panel coordinates,
-/// linear over the whole panel, found from the corners of one triangle. Nodes on seams are left out, because
-/// they may have the coordinates of another panel.
+/// Returns a, b, c, d of u = a U + b V, v = c U + d V, the twine coordinates as functions of the panel
+/// coordinates. They are linear over the whole panel and found from the corners of one triangle. Triangles
+/// with a node of a seam that closes the panel are left out, because such a node has two pairs (U, V).
 Axes axes_of(const Part& part, const scenes::PartGeometry& geometry) {
   const auto *u = find_data(part.data, datum::kU), *v = find_data(part.data, datum::kV);
   Axes axes{kNone, kNone, kNone, kNone};
@@ -77,8 +77,7 @@ struct PartRows {
   }
 };
 
-/// Writes a relief sampled on an even grid, for pictures. The relief itself is smooth between its data
-/// points.
+/// Writes the heights of a relief on an even grid, for pictures. The relief itself is a smooth surface.
 void write_relief(formats::Tree& tree, const Surface& relief) {
   constexpr std::size_t kPlaces = 65;
   if (relief.empty()) return;
@@ -102,7 +101,7 @@ void write_plane(formats::Tree& tree, const scenes::BedPlane& plane, const char*
   tree.write_real("/netloft/seabed/slope_y", plane.slope_y, "1", doc);
 }
 
-/// Writes the bed of the scene, or that of the first part that has one.
+/// Writes the seabed: that of the scene, or of the first part that has a bed of its own.
 void write_seabed(formats::Tree& tree, const Scene& scene) {
   if (scene.bed.is_there) {
     const char* doc = "seabed: z = -depth + slope_x x + slope_y y, and a relief where there is one";
@@ -117,8 +116,8 @@ void write_seabed(formats::Tree& tree, const Scene& scene) {
   }
 }
 
-/// Writes rigid bodies: names, origins, points and outlines. The point field `rotation` gives their
-/// orientation.
+/// Writes rigid bodies: names, origins, points and outlines. The point field `rotation` has their orientation
+/// in every state.
 void write_bodies(formats::Tree& tree, const scenes::LoadedScene& loaded) {
   if (loaded.bodies.empty()) return;
   std::vector<std::string> names, points;

@@ -18,7 +18,7 @@ namespace netloft::results {
 
 namespace {
 
-/// The fields and positions of a state.
+/// Point and cell fields of a state, and its node positions.
 struct StateFields {
   std::vector<formats::FieldSpec> specs = {
       {"displacement", "m", "movement from the start", formats::Location::kPoint, 3, false},
@@ -28,7 +28,7 @@ struct StateFields {
   std::vector<double> points;
 };
 
-/// The fields at positions x. An empty `residual` means that it is not known.
+/// The fields at positions x. An empty `residual` stands for an unknown one.
 StateFields fields_at(const scenes::LoadedScene& loaded, const Assembler& assembler,
                       std::span<const double> x, std::span<const double> residual,
                       const FamilyOutputs& outputs) {
@@ -60,7 +60,7 @@ void write_state(formats::ResultFile& file, double number, const StateFields& st
   file.write_state(number, state.points, values);
 }
 
-/// Writes the states of the solve: its saved stages, if any, and its end.
+/// Writes the states of the solve: the ends of its stages, if they were saved, and its end.
 void write_picture(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                    const SolvedShapes& shapes) {
   const Solution& s = shapes.end;
@@ -87,7 +87,8 @@ void write_stages(formats::Tree& tree, const SolvedShapes& shapes) {
                      "what each state is: the start, stages of the solve, and its end");
 }
 
-/// Writes numbers by name, and their order in reports, because HDF5 lists names alphabetically.
+/// Writes each number as a dataset of its name, and a list of the names in the order of reports, because HDF5
+/// lists names alphabetically.
 void write_scalars(formats::Tree& tree, const std::string& group, const std::string& errors,
                    const std::vector<NamedScalar>& scalars) {
   std::vector<std::string> order;
@@ -129,7 +130,7 @@ std::string outcome_in(const std::filesystem::path& result) {
   try {
     return formats::Reader(result).text_attribute("/netloft/status", "outcome");
   } catch (const formats::FileError&) {
-    return {};  // not a result of this program; it is kept as NAME.hdf~ like any replaced file
+    return {};  // not a result of this program: it may be replaced, and is kept as NAME.hdf~
   }
 }
 

@@ -14,10 +14,10 @@ struct RunContext {
 };
 Origins make_origins(const scenes::LoadedScene& loaded, const RunContext& context);
 
-/// The shape at the end of a stage of the solve.
+/// The shape at the end of one stage of the search for the equilibrium.
 struct StageShape {
   std::string name;       // "coarse: converged"
-  std::vector<double> x;  // positions over all dofs
+  std::vector<double> x;  // values of all degrees of freedom
 };
 
 /// The shapes of a solve, which a Result does not contain.
@@ -32,11 +32,11 @@ void write_inputs(formats::Tree& tree, const scenes::LoadedScene& loaded, const 
 /// Writes the facts that are known when a run of any kind has ended, except shapes and forces.
 void write_ending(formats::Tree& tree, const Result& result);
 
-/// The path for a result with this outcome: `wanted`, or NAME.not-converged.hdf beside it if the existing
-/// result has a better outcome. A worse result never replaces a better one.
+/// The path under which a result with this outcome is written: `wanted`, or NAME.not-converged.hdf beside it
+/// if the result that is there has a better outcome, so that a worse one never replaces it.
 std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome);
 
-/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md) and completes it as
+/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md) and closes it as
 /// `result.path`.
 void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                   const SolvedShapes& shapes, const Result& result);

@@ -6,10 +6,10 @@
 
 namespace netloft::results {
 
-/// Packs the state from which a march continues into bytes for a journal beside the output.
+/// Packs the state from which a motion can be resumed into bytes.
 std::string pack_checkpoint(const MarchState& state);
 
-/// Restores the same state, bit by bit. Throws FileError if the bytes are not a packed state.
+/// Restores the packed state, bit by bit. Throws FileError if the bytes are not a packed state.
 MarchState unpack_checkpoint(const std::string& bytes);
 
 }  // namespace netloft::results

@@ -26,7 +26,7 @@ namespace {
 
 const std::string kEnergy = "energy/", kGear = "gear/";
 
-/// Compares every output with the one before it.
+/// Finds the energy lost or gained by the time scheme, from the energy budgets of successive outputs.
 class LossWatch {
  public:
   LossWatch(const Scene& scene, const Assembler& assembler) : scene_(scene), assembler_(assembler) {}
@@ -84,7 +84,8 @@ class LossWatch {
   std::optional<NumericalLoss> loss_;
 };
 
-/// Remembers which boards have fallen or pushed inward, and when each did so first.
+/// Makes one warning for each board that falls over or is pushed inward, with the time of the first output at
+/// which it does.
 class BoardWatch {
  public:
   void note(double t, const std::vector<FallenBoard>& fallen) {
@@ -98,7 +99,8 @@ class BoardWatch {
   std::vector<std::string> warnings_;
 };
 
-/// One run. The journal is created at the first output, because only then the content of an output is known.
+/// Computes one motion. The journal, the file NAME.hdf.part, is created at the first output, because only
+/// then the layout of an output is known.
 class MotionRun {
  public:
   MotionRun(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options)
@@ -130,8 +132,8 @@ class MotionRun {
   }
 
  private:
-  /// The state of rest at u. Elements store u as their last accepted state, as at an equilibrium that starts
-  /// a motion.
+  /// The state of rest at displacements u, from which a motion starts. Elements remember u as their last
+  /// accepted step.
   MarchState rest_at(std::span<const double> u) {
     runs::remember(scene_, u);
     return state_at_rest(scene_.assembler(), u);
@@ -173,15 +175,15 @@ class MotionRun {
     journal_.emplace(formats::SeriesJournal::create(part_path(), options_.identity, origins, layout_));
   }
 
-  /// Restores the last output of a killed run that had finished marching, so that only the result has to be
-  /// made.
+  /// Restores the last output of a run that was killed after its last time step, so that only the result file
+  /// has to be made.
   void recall_last_output() {
     describe_layout_of_killed(*from_);
     journal_->require_layout(layout_);
     recall(journal_->state(journal_->size() - 1).row);
   }
 
-  /// Restores the numbers of the last output from the killed file.
+  /// Sets the numbers of the result to those of one output in the journal.
   void recall(const std::vector<double>& row) {
     auto value = row.begin();
     for (auto& scalar : result_.scalars) scalar.value = *value++;
@@ -191,7 +193,7 @@ class MotionRun {
       result_.figures.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
   }
 
-  /// Finds the layout of an output by making one at the point of continuation.
+  /// Finds the layout of an output by making one at the point from which the run is resumed.
   void describe_layout_of_killed(const MarchState& from) {
     Assembler& assembler = scene_.assembler();
     MovingState state(assembler, 0);
@@ -240,8 +242,8 @@ class MotionRun {
     return state;
   }
 
-  /// Outputs of elements at the time of the forces, which is the same for all outputs within a step, with the
-  /// positions of the output.
+  /// Outputs of elements at the time of `forces`, with the positions x of the output. All outputs within one
+  /// time step have the same forces, so that the elements are evaluated only once.
   const Response& answer_at(const ForceMoment& forces, std::span<const double> x) {
     if (!answered_at_ || *answered_at_ != forces.t) {
       answer_ = ask_elements(loaded_.scene, scene_.assembler(), forces.x, forces.motion, has_figures());
@@ -251,7 +253,7 @@ class MotionRun {
     return answer_;
   }
 
-  /// Whether sums of forces are needed: only figures of gears and bodies use them.
+  /// Whether the forces of parts have to be summed: only figures of gears and bodies use them.
   bool has_figures() const { return loaded_.gear || !loaded_.scene.bodies.empty(); }
 
   void add_point_fields(const Snapshot& at, const Solution& solution, formats::SeriesState& state) {
@@ -293,8 +295,8 @@ class MotionRun {
     }
   }
 
-  /// Adds the figures of the gear. Figures of the first output get a column for the whole motion; NaN if a
-  /// later output lacks one.
+  /// Adds the figures of the gear. The first output decides which figures are columns of the series; a figure
+  /// that a later output lacks is NaN.
   void add_gear(const Snapshot& at, const Response& answer, formats::SeriesState& state) {
     result_.figures = find_figures(loaded_, scene_.assembler(), answer);
     add_warp_figures(loaded_, scene_.assembler(), at, result_.figures);
@@ -318,14 +320,16 @@ class MotionRun {
     return columns;
   }
 
-  /// Adds the time of the forces: for outputs between steps, forces are those at the end of a step.
+  /// Adds the time to which the forces belong: an output between two steps has the forces at the end of a
+  /// step.
   void add_moment_of_forces(const Snapshot& at, formats::SeriesState& state) {
     if (!loaded_.analysis.dynamics.march.dense) return;
     layout_.columns.push_back({"forces_time", "s", "end of the step to which forces and outputs belong"});
     state.row.push_back(at.forces.t);
   }
 
-  /// Takes over the outcome and statistics of the march, and the warnings of its outputs.
+  /// Copies the outcome and the statistics of the time integration, and the warnings about boards, to the
+  /// result.
   void note_march(const MarchResult& march) {
     Motion& m = *result_.motion;
     const scenes::Dynamics& d = loaded_.analysis.dynamics;

@@ -7,7 +7,8 @@
 namespace netloft::results {
 
 /// Adds the figures of warps that exist only in a motion: their present length, the load on their blocks, and
-/// the speed at which a constant-tension winch pays out. They replace figures of the same name.
+/// the speed at which a constant-tension winch pays out. If `gear` has a figure of the same name, it is
+/// replaced.
 void add_warp_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Snapshot& at,
                       std::vector<NamedScalar>& gear);
 

@@ -10,8 +10,8 @@ namespace netloft::results {
 
 namespace {
 
-/// An array of all states; the rows of a state begin at offsets[state]. In the text, the position of a state
-/// in the file is written between `before` and `after`, which are the same for all states.
+/// A dataset with the rows of all states; those of a state begin at offsets[state]. `before` and `after` are
+/// the XML around the position of a state in the file.
 struct SteppedArray {
   std::string before, after;
   std::uint64_t place;  // position of the array in the file [bytes]
@@ -26,8 +26,8 @@ struct SteppedArray {
   }
 };
 
-/// The beginning of a reference to numbers in the file. References do not select rows by HDF5, because XDMF 2
-/// and XDMF 3 count the start of a selection along different dimensions.
+/// The beginning of a reference to bytes in the HDF5 file. References to selections of a dataset are avoided,
+/// because XDMF 2 and XDMF 3 count the start of a selection along different dimensions.
 const char* const kItem =
     "<DataItem Format=\"Binary\" NumberType=\"{}\" Precision=\"8\" Endian=\"Little\" Seek=\"";
 

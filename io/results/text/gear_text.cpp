@@ -16,8 +16,8 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// Adds the name between `group` and the next slash to `members`, in the order of the figures, each name
-/// once.
+/// Adds the names that follow `group` in the names of figures to `members`, in the order of the figures, each
+/// once: "headrope" for "ropes/headrope/tension_end" and the group "ropes/".
 void add_members(const std::vector<NamedScalar>& figures, const std::string& group,
                  std::vector<std::string>& members) {
   for (const auto& figure : figures) {
@@ -28,22 +28,23 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
   }
 }
 
-/// A column of a table with a row per member: it shows the figure `before` + member + `after`.
+/// A column of a table. In the row of a member (a part, rope or body) it shows the figure `before` + member +
+/// `after`.
 struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
-  bool is_of_all = false;  // true: a member that has only such figures gets no row
-  double factor = 1;       // from SI units to those of the heading
+  bool is_of_all = false;  // true: a figure in this column alone does not give a member a row
+  double factor = 1;       // from SI units to the unit of the heading
 };
 
-/// The number with its error, if a mesh error is known.
+/// The text of a cell: the number in the unit of the heading, with its error if that is known.
 std::string cell_of(const NamedScalar* scalar, const Column& column, double round_off) {
   if (!scalar || !std::isfinite(scalar->value)) return "-";
   const double value = std::abs(scalar->value) <= round_off ? 0 : scalar->value;
   return measured(column.factor * value, column.factor * total_error(*scalar), column.format);
 }
 
-/// Round-off of the largest value in some columns.
+/// Round-off of forces in a table: a small fraction of its largest force [N].
 double round_off_of(const std::vector<NamedScalar>& figures, const std::vector<Column>& columns,
                     const std::vector<std::string>& members) {
   double largest = 0;
@@ -55,7 +56,8 @@ double round_off_of(const std::vector<NamedScalar>& figures, const std::vector<C
   return kTableRoundOff * largest;
 }
 
-/// Adds a table with a row for every member of the columns' groups; no table if there are no rows.
+/// Adds a table with a row for every member that has figures in the columns; no table if it would have no
+/// rows.
 void add_table(const std::vector<NamedScalar>& figures, const std::string& title,
                const std::vector<Column>& columns, std::vector<FigureTable>& tables) {
   std::vector<std::string> members;
@@ -76,7 +78,7 @@ void add_table(const std::vector<NamedScalar>& figures, const std::string& title
   if (!table.rows.empty()) tables.push_back(std::move(table));
 }
 
-/// Number of letters, of which some have several bytes.
+/// Number of characters of a UTF-8 text.
 std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -130,7 +132,7 @@ void force_table(const std::vector<NamedScalar>& figures, const std::string& tit
             tables);
 }
 
-/// Adds position and attitude of every rigid body. Angles are positive outward and up.
+/// Adds the table of positions and attitudes of rigid bodies. Angles are positive outward and up.
 void add_bodies(const std::vector<NamedScalar>& figures, std::vector<FigureTable>& tables) {
   const std::string body = "bodies/";
   add_table(figures, "bodies",
@@ -167,7 +169,7 @@ void add_warps(const std::vector<NamedScalar>& figures, std::vector<FigureTable>
             tables);
 }
 
-/// Adds tensions of ropes, and contact of the footrope.
+/// Adds the tables of tensions in ropes, and of the contact of the footrope.
 void add_ropes(const std::vector<NamedScalar>& figures, bool is_half, std::vector<FigureTable>& tables) {
   const std::string rope = "ropes/", stretch = "footrope/";
   const Column largest{"largest [N]", rope, "/tension_largest", "{:.5g}", true},

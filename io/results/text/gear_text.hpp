@@ -4,7 +4,7 @@
 
 namespace netloft::results {
 
-/// A table of figures for people, for text and HTML: a row for each part, rope or body.
+/// A table of figures, printed as text or HTML: a row for each part, rope or body.
 struct FigureTable {
   struct Row {
     std::string name;
@@ -15,7 +15,7 @@ struct FigureTable {
   std::vector<Row> rows;
 };
 
-/// A principal figure, in the unit that is usual in the trade.
+/// A figure that a report shows first, in the unit that is usual in the trade.
 struct PrincipalFigure {
   std::string name;         // "headline height"
   std::string value, unit;  // "0.41 ± 0.06", "m"

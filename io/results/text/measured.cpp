@@ -10,7 +10,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Formats a number; one that rounds to zero has no sign.
+/// Formats a number. A negative number that rounds to zero loses its sign.
 std::string plain_number(double value, const char* format) {
   std::string text = fmt::format(fmt::runtime(format), value);
   if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-')) text.erase(0, 1);
@@ -29,7 +29,7 @@ int decimals_of(double error) {
 double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
 
 std::string measured(double value, double error, const char* format) {
-  constexpr double kNothing = 1e-9;  // relative to the number: no format shows as many digits
+  constexpr double kNothing = 1e-9;  // error relative to the number below which it is not shown
   constexpr int kMostDecimals = 6;
   if (!std::isfinite(value)) return "-";
   if (!std::isfinite(error) || error <= kNothing * std::abs(value)) return plain_number(value, format);

@@ -21,7 +21,7 @@ std::string start_text(const Motion& m) {
       m.start_from, m.start->residual, m.start->node, m.start->load);
 }
 
-/// A warning if the scheme removed or added so much energy that the motion depends on it; else empty.
+/// A warning if the time scheme removed or added so much energy that the motion depends on it; empty if not.
 std::string loss_text(const std::optional<NumericalLoss>& l) {
   if (!l || !l->is_large()) return "";
   if (l->is_created())

@@ -6,13 +6,13 @@
 
 namespace netloft::results {
 
-/// Facts about the solve that are not part of the plan but that a reader of the plan needs.
+/// Facts about the solve that are printed with the plan of a scene, the list of forces that are evaluated.
 struct PlanExtras {
   std::string solver, factorisation;
   std::size_t matrix_entries = 0;
   int threads_given = 1, threads_used = 1;
-  std::string strategy, attempts;  // attempts: those of the strategy with their reasons, a line each
-  std::string material_damping;    // the loss factors that apply to a motion, or why none does
+  std::string strategy, attempts;  // attempts: one line with a reason for each attempt of the strategy
+  std::string material_damping;    // which loss factors count in a motion, or why none does
   // Expected memory: total, factor, stability check [bytes]
   double memory = 0, factor_memory = 0, stability_memory = 0;
 };

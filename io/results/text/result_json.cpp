@@ -76,7 +76,7 @@ Json seconds_json(const Result& r) {
           {"total", r.reading_seconds + r.setup_seconds + s.total_seconds}};
 }
 
-/// All stages of the search, those on easier variants included.
+/// All stages of the search for the equilibrium, on the scene itself and on easier variants.
 Json stages_json(const std::vector<Stage>& all) {
   Json stages = Json::array();
   for (const Stage& stage : all)

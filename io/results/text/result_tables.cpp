@@ -13,8 +13,8 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-/// Adds a table with a row, named as in reports, for every number whose member `known` is finite; no table if
-/// there are no rows.
+/// Adds a table with a row for every number whose member `known` is finite; of figures, only principal ones.
+/// No table if it would have no rows.
 template <class MakeCells>
 void add_dependence_table(const Result& result, double NamedScalar::*known, FigureTable table,
                           const MakeCells& cells, std::vector<FigureTable>& tables) {

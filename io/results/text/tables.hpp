@@ -7,11 +7,11 @@
 
 namespace netloft::results {
 
-/// One line per node of a state: part, number in the part, position, forces of the holds on the node.
+/// CSV of the nodes of a state: part, number in the part, position, forces of the holds on the node.
 std::string nodes_csv(const StoredShape& stored, std::size_t state);
 
-/// One line per element of a state: part, nodes, all fields; a field is empty if the element does not have
-/// it.
+/// CSV of the elements of a state: part, nodes, all fields; a value is empty if the element does not have the
+/// field.
 std::string elements_csv(const StoredShape& stored, std::size_t state);
 
 /// Quotes a text as a field of a CSV line (RFC 4180).
