@@ -13,14 +13,16 @@ namespace netloft {
 
 namespace {
 
-/// Whether a family of riders can be left out because all of its terms are off.
+/// Whether a family can be left out: it rides on the elements of another one (such as bending on bars), and
+/// all its terms are off.
 bool is_idle(const Scene& scene, const FamilyPlan& family) {
   return scene.parts[family.parts[0]].companion &&
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
 }
 
-/// Makes the families that have active terms, in the order of the plan. The nodes of their shared unknowns
-/// are numbered after the nodes of the scene and of its bodies' rotations.
+/// Makes the families (all elements of one type each) that have active terms, in the order of the plan. The
+/// nodes of their shared unknowns are numbered after the nodes of the scene and those of the bodies'
+/// rotations.
 std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const ScenePlan& plan) {
   std::vector<std::unique_ptr<ElementFamily>> families;
   std::size_t nodes = scene.node_count() + scene.bodies.size();
@@ -71,7 +73,7 @@ struct Assembler::Elements {
   NodeBlocks blocks;
 };
 
-/// The objects that make the steps of an evaluation.
+/// The objects that carry out the steps of an evaluation.
 struct Assembler::Parts {
   Parts(const Scene& scene, const ScenePlan& plan, int threads, ElementTiles made, std::size_t dofs,
         Bodies& bodies, const Frames& frames)

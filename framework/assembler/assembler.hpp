@@ -13,8 +13,8 @@ namespace netloft {
 
 class ElementReports;
 
-/// Sums the energy, the residual and the matrix of all elements of a scene. Vectors over all dofs are in the
-/// order of `numbering()`. Evaluation allocates nothing.
+/// Sums the energy, the residual and the matrix over all elements of a scene. Vectors over all degrees of
+/// freedom ("dofs") have the order of `numbering()`. An evaluation allocates no memory.
 class Assembler : public Placement {
  public:
   Assembler(const Scene& scene, const ScenePlan& plan, int threads);
@@ -23,15 +23,15 @@ class Assembler : public Placement {
   Assembler& operator=(const Assembler&) = delete;
 
   const SparsePattern& pattern() const { return pattern_; }
-  /// Length of the array of matrix values. It stores whole 3 x 3 blocks, so that it is longer than the
-  /// pattern.
+  /// Length of the array of matrix values. The array stores whole 3 x 3 blocks and is therefore longer than
+  /// the number of entries of the pattern.
   std::size_t value_slots() const;
   std::span<const std::unique_ptr<ElementFamily>> families() const { return families_; }
   /// Threads among which an evaluation is divided; 1 if the scene is too small to gain from more.
   int threads_used() const;
 
-  /// Evaluates at positions x (over all dofs). Returns false if an element could not be evaluated: see
-  /// fault().
+  /// Computes the sums of `request` at positions x (over all dofs). Returns false if an element could not be
+  /// evaluated: see fault().
   bool evaluate(std::span<const double> x, const Request& request);
   /// Evaluates single terms and elements for reports.
   ElementReports& reports();
@@ -42,21 +42,23 @@ class Assembler : public Placement {
   /// The name of a node: "net node 17", or "catch front" for shared unknowns of a part.
   std::string node_name(const Scene& scene, std::uint32_t node) const;
 
-  /// Makes every element remember positions x as the last accepted step. Evaluations do not change this
-  /// memory. At first the elements remember the start. Returns false and changes nothing if an element could
-  /// not be evaluated: see fault().
+  /// Lets every element store what it remembers of positions x (for instance, where it sticks to the ground),
+  /// as the last accepted step. An evaluation uses these memories and does not change them. The constructor
+  /// stores those of the start. Returns false and changes nothing if an element could not be evaluated: see
+  /// fault().
   bool remember(std::span<const double> x, const Kinematics& motion = {});
-  /// The memory of all elements, one after another, so that it can be saved and restored.
+  /// The memories of all elements in one array, to save and restore them.
   std::vector<double> memory() const;
   void set_memory(std::span<const double> kept);
-  /// Updates the rates of stretch that members remember after an accepted step that ends at `time` [s], by
-  /// (3) of mean_of_members.hpp with ν = `memory`. Returns false if an element fails to write its members.
+  /// Updates the stretch rates of members (twines, ropes), on which their damping depends, after an accepted
+  /// step that ends at `time` [s]: (3) of mean_of_members.hpp with ν = `memory`. Returns false if an element
+  /// fails to write its members.
   bool remember_stretch(const StepEnds& ends, double memory, double time);
 
-  /// Writes the 3 x 3 mass block of each node along its own axes, row by row [kg], and then, for each body,
-  /// the block that couples its origin and its rotation. `coupled` receives the largest entry between other
-  /// pairs of nodes; no block contains such entries. Returns false if an element could not be evaluated: see
-  /// fault().
+  /// Writes the 3 x 3 mass block of each node along the axes of its unknowns, row by row [kg], and then, for
+  /// each body, the block that couples its origin and its rotation. These blocks are not the whole mass
+  /// matrix: `coupled` receives the largest entry that lies between other pairs of nodes. Returns false if an
+  /// element could not be evaluated: see fault().
   bool masses(std::span<const double> x, std::span<double> blocks, double& coupled);
   /// Length of `blocks` in masses().
   std::size_t mass_numbers() const { return 3 * numbering_.dofs() + 9 * bodies_.pairs().size(); }

@@ -18,7 +18,8 @@ Vec3<double> read(std::span<const double> x, const std::array<std::size_t, 3>& a
   return {x[at[0]] / over, x[at[1]] / over, x[at[2]] / over};
 }
 
-/// The same quotients as dual numbers, with the entries as variables `first` to `first` + 2.
+/// Three entries of a vector over all dofs, divided by the length `over`, as dual numbers: the entries are
+/// the variables `first` to `first` + 2 of the derivatives.
 template <class T>
 Vec3<T> read_variables(std::span<const double> x, const std::array<std::size_t, 3>& at, double over,
                        int first) {

@@ -4,14 +4,15 @@
 
 namespace netloft {
 
-/// Rates over all dofs and the factors of a matrix; see Kinematics.
+/// Velocities and accelerations over all dofs (null at rest), and the factors of a matrix cu ∂r/∂x + cv ∂r/∂v
+/// + ca ∂r/∂a.
 struct BodyMotion {
   const double *v = nullptr, *a = nullptr;
   double cu = 1, cv = 0, ca = 0;
 };
 
-/// Matrix values of one evaluation. `damping` has the values for cv = 1 alone, `mass` those for ca = 1 alone,
-/// both summed over all elements at carried nodes. If they are null, (4) is left out.
+/// Matrix values of one evaluation, and the matrices C (`damping`) and M (`mass`) of (4) below, summed over
+/// the elements at carried nodes. If C and M are null, (4) is left out.
 struct BodyMatrices {
   double* values = nullptr;
   const double *damping = nullptr, *mass = nullptr;
@@ -40,25 +41,26 @@ class Bodies {
       if (point.node == node) return pairs_[point.body][0];
     return node;
   }
-  /// Positions of carried nodes from those of their bodies, (1).
+  /// Computes the positions of carried nodes from those of their bodies, (1).
   void place(std::span<double> x) const;
-  /// Rates of carried nodes, (1).
+  /// Computes the velocities and accelerations of carried nodes from those of their bodies, (1).
   void move(std::span<const double> x, std::span<double> v, std::span<double> a) const;
   /// Passes the forces on carried nodes on to their bodies by (2), and the matrix values of an evaluation at
   /// x by (3) and (4). The geometric term of (3) is added only if `exact`. `residual` and the values may be
   /// null.
   void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
                const BodyMatrices& matrices, bool exact);
-  /// Replaces the rotation block A of each body by (5), in a metric that has been passed on by (3). A is
-  /// singular if all points of the body are on one line: nothing resists a rotation about that line.
+  /// Replaces the rotation block A of each body by tr(A) I, which is an upper bound of A (5), in a metric
+  /// that has been passed on by (3). The reason: A is singular if all points of the body are on one line,
+  /// because nothing resists a rotation about that line.
   ///   tr(A) I ≥ A                                                                           (5)
   void resist_turning(double* metric) const;
   /// Adds the mass blocks of carried nodes to those of their bodies by (3). `between` has one block per body,
   /// origin x rotation.
   void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
-  /// Replaces rotation vectors of more than ¾ of a turn by the shorter vectors of the same rotation, and
-  /// their rates by those of the same spin, in displacements u of the unknowns from `start` and their rates,
-  /// which may be empty. Returns whether any vector was replaced.
+  /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations, and
+  /// their rates by those of the same spin. `u` are displacements of the unknowns from `start`; their rates
+  /// `v` and `a` may be empty. Returns whether any vector was replaced.
   bool shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                std::span<double> a) const;
 
@@ -84,12 +86,12 @@ class Bodies {
     Matrix3 velocity, acceleration_by_rate;  // ∂ẋ/∂q, ∂ẍ/∂q̇
     Matrix3 acceleration;                    // ∂ẍ/∂q
   };
-  /// One product of (3): values[to] += Lᵀ values[from] R, transposed or together with its transpose if
-  /// required.
+  /// One product of (3): values[to] += P = Lᵀ values[from] R, where L and R are G or the identity. If
+  /// `transposed`, Pᵀ is added instead; if `both`, P + Pᵀ.
   struct Product {
     std::size_t from, to;
     int left, right;     // points whose G is the factor; -1: the factor is the identity
-    bool from_diagonal;  // only the lower triangle of the source is filled
+    bool from_diagonal;  // only the lower triangle of values[from] is filled
     bool transposed, both;
   };
 

@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-/// Adds half the sum of a square tangent and its transpose to a packed one.
+/// Adds the symmetric part of a square tangent to a packed lower triangle.
 void add_symmetric_part(const double* __restrict square, std::size_t n, double* __restrict packed_tangent) {
   for (std::size_t r = 0; r < n; ++r)
     for (std::size_t c = 0; c <= r; ++c) {
@@ -19,7 +19,7 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
     }
 }
 
-/// Adds the convex part of each lane's tangent.
+/// Adds the convex part of each lane's tangent (stored in the scratch rows) to the packed `triangle`.
 void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums& sums, double* triangle) {
   for (std::size_t lane = 0; lane < count; ++lane) {
     for (std::size_t r = 0; r < n; ++r)
@@ -34,9 +34,9 @@ void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums
   }
 }
 
-/// Adds a matrix of a term that is not its exact tangent. The convex part or the metric is evaluated by the
-/// term or, if the term does not offer it, made from the exact tangent. If the exact matrix is symmetric and
-/// the tangent is not, its symmetric part is added.
+/// Adds a matrix that differs from the exact tangent of a term. If the term offers the convex part or the
+/// metric, it evaluates the matrix itself; else the matrix is derived from its exact tangent. If a symmetric
+/// matrix is requested and the tangent is not symmetric, its symmetric part is added.
 int call_matrix_term(const ElementFamily& f, const netloft_term& term, netloft_tile& t, MatrixKind kind,
                      TileSums& sums) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;

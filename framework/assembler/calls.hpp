@@ -6,16 +6,17 @@
 
 namespace netloft {
 
-/// Calls the terms of a family on a tile for the sums of a request. Matrices that a term does not offer are
-/// made from its exact tangent (projection.hpp).
+/// Calls the terms of a family (all elements of one type) on a tile of 64 elements, for the sums of a
+/// request. If a term does not offer the requested matrix, the matrix is derived from its exact tangent
+/// (projection.hpp).
 class TermCalls {
  public:
   /// `symmetric`: the matrix holds its lower triangle only.
   TermCalls(TangentChoice tangent, bool symmetric) : tangent_(tangent), symmetric_(symmetric) {}
 
-  /// Calls the terms with an energy if `with_energy`, otherwise those without. A caller evaluates the former
-  /// first, so that the gradient of the energy has the same bits whether or not the latter follow. Returns
-  /// the first status other than NETLOFT_OK.
+  /// Calls the terms with an energy if `with_energy`, otherwise the terms without. The caller begins with
+  /// those that have an energy, so that the gradient of the energy has the same bits whether or not the
+  /// others follow. Returns the first status other than NETLOFT_OK.
   int call(const ElementFamily& family, bool with_energy, netloft_tile& tile, const Request& request,
            TileSums& sums) const;
 

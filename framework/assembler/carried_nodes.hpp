@@ -5,9 +5,9 @@
 
 namespace netloft {
 
-/// Passes the forces and matrices of an evaluation on from carried nodes to their bodies by (2) to (4) of
-/// bodies.hpp. Evaluates the elements at these nodes again if (3) or (4) needs forces or matrices that the
-/// request does not contain.
+/// A carried node moves with a rigid body. Passes the forces and matrices of an evaluation on from carried
+/// nodes to their bodies by (2) to (4) of bodies.hpp. Evaluates the elements at these nodes again if (3) or
+/// (4) needs forces or matrices that the request does not contain.
 class CarriedNodes {
  public:
   /// Both objects have to outlive this one; `dofs` counts all degrees of freedom.

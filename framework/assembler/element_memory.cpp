@@ -16,7 +16,7 @@ bool remembers(const ElementFamily& family, bool ground_passes) {
   });
 }
 
-/// Writes the next state of one family.
+/// Lets the terms of one family that have a memory write their next state.
 bool remember_family(TileEvaluator& elements, std::size_t family, std::span<const double> x,
                      const Kinematics& motion) {
   const ElementFamily& f = *elements.tiles().families[family];

@@ -8,20 +8,22 @@
 
 namespace netloft {
 
-/// All elements of a scene, cut into tiles group by group.
+/// All elements of a scene, cut into tiles of 64. Families on the same nodes form a group and share its
+/// tiles.
 struct ElementTiles {
   std::span<const std::unique_ptr<ElementFamily>> families;
   std::vector<FamilyGroup> groups;
-  std::size_t count = 0;   // tiles of all groups
-  bool symmetric = true;   // matrices hold their lower triangle only
-  std::size_t values = 0;  // length of the array of matrix values, with spare blocks for held nodes
+  std::size_t count = 0;  // tiles of all groups
+  bool symmetric = true;  // matrices hold their lower triangle only
+  std::size_t values =
+      0;  // length of the array of matrix values, with unused blocks that collect entries of held nodes
 
   const FamilyGroup& group_of(std::size_t family) const;
   /// Degrees of freedom of the widest element.
   std::size_t most_dofs() const;
 };
 
-/// `families` have to outlive the tiles.
+/// `families` must outlive the tiles.
 ElementTiles make_element_tiles(std::span<const std::unique_ptr<ElementFamily>> families, const Scene& nodes,
                                 const Numbering& numbering, const NodeBlocks& blocks,
                                 const SparsePattern& pattern);

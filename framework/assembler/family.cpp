@@ -68,7 +68,8 @@ void ElementFamily::gather_parameters(const Scene& scene) {
 }
 
 void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
-  law_parameters_.reserve(plan.laws.size());  // so that no reallocation moves what law watches point to
+  law_parameters_.reserve(
+      plan.laws.size());  // law watches point to the entries, which no reallocation may move
   for (const auto& law : plan.laws) {
     if (!law.type) {
       laws_.push_back({});  // the water is still: no term reads a law
@@ -169,8 +170,8 @@ void ElementFamily::create(const Scene& scene) {
         type_->type + " element " + std::to_string(e - part_begin_[part_[e]]) + " is refused: " + message}});
 }
 
-/// Makes the nodes of the shared unknowns. Coordinates that no unknown uses are held, as are those with a
-/// given value.
+/// Makes the nodes of the unknowns that parts share. Coordinates that are not unknowns are held: those beyond
+/// the number of unknowns, and unknowns whose parameter `needs` is zero.
 void ElementFamily::gather_globals(const Scene& scene, std::uint32_t first_node) {
   const auto& globals = type_->globals;
   for (std::uint32_t p = 0; p < parts_.size() && !globals.empty(); ++p) {

@@ -10,7 +10,8 @@
 
 namespace netloft {
 
-/// The node whose coordinates are the rotation of a body. Such nodes follow those of the scene.
+/// The number of the node whose three coordinates are the rotation of a body. Such nodes follow those of the
+/// scene.
 inline std::uint32_t rotation_node(const Scene& scene, std::size_t body) {
   return static_cast<std::uint32_t>(scene.node_count() + body);
 }
@@ -19,8 +20,9 @@ inline std::uint32_t rotation_node(const Scene& scene, std::size_t body) {
 /// order of the parts, and within a part the order of its element list.
 class ElementFamily {
  public:
-  /// Unknowns shared by a part have nodes of their own, numbered from `first_global_node` on. Throws
-  /// SceneError if parameters or data are wrong or the plugin refuses an element.
+  /// Unknowns that all elements of a part share (such as the front of a catch) have a node of their own for
+  /// each part, numbered from `first_global_node` on. Throws SceneError if parameters or data are wrong or
+  /// the plugin refuses an element.
   ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node = 0);
   ~ElementFamily();
   ElementFamily(const ElementFamily&) = delete;
@@ -29,8 +31,8 @@ class ElementFamily {
   const ElementType& type() const { return *type_; }
   std::size_t size() const { return part_.size(); }
   int nodes_per_element() const { return type_->nodes(); }
-  /// The nodes of an element including the rotation of its body and the node of its part's shared unknowns,
-  /// which come last.
+  /// The nodes of an element, including the rotation of its body and, last, the node of the unknowns that its
+  /// part shares.
   int all_nodes_per_element() const { return type_->dofs() / 3; }
   std::uint32_t node(std::size_t element, int corner) const {
     assert(element < size() && corner >= 0 && corner < all_nodes_per_element());
@@ -45,19 +47,21 @@ class ElementFamily {
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
-  /// The arm of the body on which an element is [m]. Rotations times this arm are the unknowns.
+  /// The arm of the body to which an element belongs: the length that multiplies rotations, so that the
+  /// unknowns are lengths [m].
   double arm(std::size_t element) const {
     assert(element < arms_.size());
     return arms_[element];
   }
-  /// Evaluates a term or the outputs on a tile, and attributes the call to the element type
-  /// (plugin_call.hpp).
+  /// Evaluates a term or the outputs on a tile. While the plugin runs, the call is recorded as one of this
+  /// element type, so that a crash can be explained (plugin_call.hpp).
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
 
-  /// The numbers of a table of a scene part, as its elements read them; empty if there is none.
+  /// The numbers of a parameter of a scene part that is a table. Elements read the same memory; empty if
+  /// there is no such table.
   std::span<double> table(std::uint32_t scene_part, std::string_view parameter) const;
-  /// Adds the times of all rows of tables in time [s].
+  /// Adds to `times` the times [s] at which parameters given over time have samples.
   void add_corners_in_time(std::vector<double>& times) const;
 
   /// The shared unknowns of a part: one node per part, none if the type has no shared unknowns.
@@ -69,11 +73,12 @@ class ElementFamily {
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
-  /// Terms that a static analysis evaluates only for matrices with derivatives by rates.
+  /// Terms that depend on motion only. A static analysis evaluates them only for matrices with derivatives
+  /// with respect to velocities or accelerations.
   const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
-  /// One per law slot in use.
+  /// One for each place of the element that has a law.
   const std::vector<std::unique_ptr<LawWatch>>& law_watches() const { return watches_; }
-  /// Whether some active term has this trait, and so needs an input from the host.
+  /// Whether some active term has this trait, and therefore needs an input from the host.
   bool reads(std::uint32_t trait) const {
     for (const auto& term : terms_)
       if (term.traits & trait) return true;

@@ -19,11 +19,11 @@ std::string place_of(const ElementFault& fault, const ElementFamily& family, con
 /// The fault as a sentence: "net element 17 (priour/triangle): it has no area"
 std::string sentence_of(const ElementFault& fault, const ElementFamily& family, const Scene& scene);
 
-/// The fault with the lowest element number among the tiles of one thread. The lowest of these over all
-/// threads does not depend on the number of threads.
+/// Stores the fault with the lowest element number among the tiles of one thread. The caller reports the
+/// lowest over all threads, which does not depend on the number of threads.
 class FaultNote {
  public:
-  /// Lets the elements of a tile write a message.
+  /// Gives the tile memory for an error message.
   void begin(netloft_tile& tile);
   /// Stores the fault of a tile, unless the fault of an earlier element is stored.
   void keep(std::size_t family, const netloft_tile& tile, int status);

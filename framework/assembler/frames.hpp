@@ -5,10 +5,10 @@
 namespace netloft {
 
 /// Nodes whose unknowns are not along x, y and z, such as nodes on a slider or on an inclined plane. Elements
-/// work in the world frame; their forces and matrices are rotated afterwards.
+/// work in the world frame; their residuals r and matrix blocks K_ab of nodes a, b are rotated afterwards.
 ///   x = x₀ + Q u,   r ← Qᵀ r,   K_ab ← Q_aᵀ K_ab Q_b                (1)
-/// The columns of Q are the node's own axes, of which some are held. Since Q is constant the tangent stays
-/// exact.
+/// The columns of Q are the axes of the unknowns u of a node, of which some are held. Q is constant, so that
+/// the tangent stays exact.
 class Frames {
  public:
   Frames(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
@@ -16,7 +16,8 @@ class Frames {
   bool empty() const { return nodes_.empty(); }
   /// Computes the positions of the rotated nodes from their start and the displacements of the unknowns.
   void place(std::span<const double> start, std::span<const double> u, std::span<double> x) const;
-  /// Computes the rates of the rotated nodes from those of the unknowns.
+  /// Computes the velocities or accelerations of the rotated nodes in the world frame from those along their
+  /// own axes.
   void turn_back(std::span<const double> own, std::span<double> world) const;
   /// Rotates a residual from the world frame to the nodes' own axes, in a vector over all dofs.
   void turn(double* residual) const;
@@ -26,7 +27,7 @@ class Frames {
  private:
   using Matrix3 = std::array<double, 9>;  // row by row
   struct Node {
-    std::array<std::size_t, 3> place;  // of its three entries, in vectors over all dofs
+    std::array<std::size_t, 3> place;  // indices of its three dofs in vectors over all dofs
     Matrix3 Q;
   };
   struct Block {

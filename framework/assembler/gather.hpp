@@ -13,7 +13,7 @@
 
 namespace netloft {
 
-/// The inputs of the elements of one tile, in rows of 64 numbers. Inputs that the scene does not have are
+/// The inputs of the elements of one tile, in rows of 64 numbers. An input that the scene does not have is
 /// empty.
 struct TileInputs {
   std::vector<double> x, x_low;                     // positions [m] and their low-order part
@@ -21,12 +21,14 @@ struct TileInputs {
   std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
   std::vector<double> bed;                          // six numbers per node
-  ExtensionInputs extensions;  // data of extensions for the family that receives the tile
-  // time of the uniform current that is filled in [s]
+  ExtensionInputs
+      extensions;  // data of extensions of the plugin interface, for the family that receives the tile
+  // the time [s] of the current in `current`, if the current is uniform
   double current_time = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Copies the positions of a tile's nodes, [dof][64], from a vector over all dofs. Rotations become radians.
+/// Copies the positions of a tile's nodes, [dof][64], from a vector over all dofs. Rotations of bodies are
+/// converted from lengths to radians.
 void gather_positions(const Tiling& tiling, std::size_t tile, const double* x, double* to);
 
 /// Gathers the inputs of the elements of a tile: positions and rates from vectors over all dofs, and the
@@ -40,8 +42,8 @@ class Gatherer {
   /// Gathers all inputs that some family of a group reads.
   void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,
               TileInputs& inputs) const;
-  /// Makes the tile that one family of the group receives, without memory and message. Data of extensions are
-  /// filled in, but not yet attached to the tile.
+  /// Makes the tile that one family of the group receives. The caller adds memory and message. Data of
+  /// extensions are filled in, but not yet attached to the tile.
   netloft_tile make_tile(const ElementFamily& family, std::size_t tile, const Kinematics& motion,
                          TileInputs& inputs) const;
   bool ground_passes() const { return ground_passes_; }

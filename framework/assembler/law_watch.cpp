@@ -24,7 +24,7 @@ Vector3 across(const Vector3& flow, const Vector3& direction) {
   return {flow[0] - along * direction[0], flow[1] - along * direction[1], flow[2] - along * direction[2]};
 }
 
-/// Whether a parameter has a value other than zero, or a table has rows: see netloft_validity.
+/// Whether a parameter is given: a table that has rows, or a number other than zero (see netloft_validity).
 bool is_given(const LawType& law, const ParameterBlock& block, std::string_view name) {
   for (const auto& p : law.parameters) {
     if (name != p.name) continue;

@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// Use of a law inside and outside one of the ranges in which it was measured. Each call counts with the
-/// metres of twine or square metres of netting that the element gives, or with 1 if it gives none.
+/// How much a law is used inside and outside one of the ranges in which it was measured. Each call counts
+/// with the metres of twine or square metres of netting that the element gives, or with 1 if it gives none.
 struct RangeUse {
   const netloft_validity* range = nullptr;
   double inside = 0, outside = 0;
@@ -25,8 +25,8 @@ struct LawUse {
   std::vector<RangeUse> ranges;
 };
 
-/// Passes the calls of elements on to a law. While it watches, it sums for each range of the law how much of
-/// the gear is inside and outside. Only one thread may then call it.
+/// Stands between elements and a law, to which it passes all calls on. While it watches, it sums for each
+/// range of the law how much of the gear is inside and outside the range. Only one thread may then call it.
 class LawWatch {
  public:
   /// `parameters` must be valid and outlive this object.

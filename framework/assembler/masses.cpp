@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-/// Entry (r, c) of a tangent in all lanes, packed or full.
+/// Entry (r, c) of a tangent in all 64 lanes of a tile. The tangent is packed if `symmetric`, otherwise full.
 const double* entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::size_t r,
                        std::size_t c) {
   const std::size_t at = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * dofs + c;
@@ -22,8 +22,8 @@ double largest_lane(std::span<const double> lanes) {
   return largest;
 }
 
-/// Ratio of the unknown to the element's coordinate in a row of an element on a body: the arm for rotations,
-/// otherwise 1.
+/// Factor from the element's coordinate in row `row` to the unknown: the arm for rotations (radians to
+/// metres), otherwise 1.
 double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row) {
   return row / 3 == 1 ? f.arm(element) : 1;
 }
@@ -35,8 +35,8 @@ std::size_t body_at(std::span<const std::array<std::uint32_t, 2>> bodies, std::u
   return static_cast<std::size_t>(found - bodies.begin());
 }
 
-/// Adds entry (r, c) of elements on bodies. Their rows belong to the origin, then the rotation, then shared
-/// unknowns.
+/// Adds entry (r, c) of elements on bodies. Their rows belong first to the origin, then to the rotation, then
+/// to shared unknowns.
 void add_on_bodies(const ElementFamily& f, const netloft_tile& t, std::size_t r, std::size_t c,
                    const double* lanes, std::span<const std::array<std::uint32_t, 2>> bodies,
                    MassBlocks& masses) {

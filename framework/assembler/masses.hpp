@@ -6,12 +6,12 @@
 
 namespace netloft {
 
-/// The nodal blocks of ∂r/∂a, summed from the tangents of the elements without a sparse matrix. Explicit
-/// schemes divide by these blocks.
+/// The nodal blocks of the mass matrix ∂r/∂a, summed from the tangents of the elements without a sparse
+/// matrix. Explicit schemes solve with these blocks.
 struct MassBlocks {
   std::span<double> nodes;    // per node 3 x 3, row by row [kg]
   std::span<double> between;  // per body 3 x 3, origin x rotation [kg]
-  double coupled = 0;         // largest entry between other nodes; no block contains it [kg]
+  double coupled = 0;  // largest entry that lies between two other nodes and is therefore in no block [kg]
 };
 
 /// Adds the masses of all elements at x. `bodies` has two nodes per body, its origin and its rotation.

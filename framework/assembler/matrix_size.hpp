@@ -4,8 +4,7 @@
 
 namespace netloft {
 
-/// Largest number of values of a matrix, because its indices have 32 bits. Indices of its factors have 64
-/// bits.
+/// Largest number of values of a matrix. Its indices have 32 bits; those of its factors have 64 bits.
 inline constexpr std::size_t kMostValues = 0x7fffffff;
 
 /// Throws std::length_error with a sentence if this number of node pairs, with nine values each, exceeds

@@ -8,8 +8,8 @@
 
 namespace netloft {
 
-/// Mean forces of all families over steps in time (mean_of_members.hpp, mean_of_energy.hpp), and the rates at
-/// which members were stretched.
+/// Mean forces of all families (all elements of one type each) over steps in time: see mean_of_members.hpp
+/// and mean_of_energy.hpp. Also stores the rates at which members (twines, ropes) were stretched.
 class MeanForces {
  public:
   /// `are_used`: the integrator uses mean forces. Otherwise no memory is allocated.
@@ -18,14 +18,15 @@ class MeanForces {
   StepTile make_step_tile() const;
   /// Gathers the positions at the ends of a step.
   void gather(const Tiling& tiling, std::size_t tile, const StepEnds& ends, StepTile& step) const;
-  /// Corrects the sums of terms with an energy at the middle of a step: forces become mean forces, tangents
-  /// become the derivatives of mean forces. Returns the first status other than NETLOFT_OK.
+  /// Corrects the sums of terms that have an energy, evaluated at the middle of a step: forces become mean
+  /// forces of the step, tangents become the derivatives of mean forces. Returns the first status other than
+  /// NETLOFT_OK.
   int add(std::size_t family, const netloft_tile& tile, const Request& request, TileSums& sums,
           StepTile& step) const;
-  /// Updates the rates of stretch after an accepted step by (3) of mean_of_members.hpp. Returns false if an
+  /// Updates the stretch rates after an accepted step by (3) of mean_of_members.hpp. Returns false if an
   /// element fails to write its members.
   bool remember(const StepEnds& ends, double memory, double time);
-  /// Rates of stretch of the members of each family [m/s]; empty for families without members.
+  /// Stretch rates of the members of each family [m/s]; empty for families without members.
   std::vector<Memory>& rates() { return rates_; }
 
  private:

@@ -36,13 +36,13 @@ void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   }
 }
 
-/// A term in one lane. μ is zero if no correction is needed.
+/// The quantities of (1) for a term in one lane. μ is zero if no correction is needed.
 struct Lane {
   double way[12] = {}, force[12] = {}, later[12] = {}, g[12] = {};  // Δ, ∇E(x), ∇E(x₁), P Δ
   double work = 0, square = 0, mu = 0;                              // ∇E·Δ, g·g, μ
 };
 
-/// Whether an element pushes against nothing but its own nodes.
+/// Whether all forces of a term are between nodes of its element, so that they have no resultant.
 bool is_inner(const ElementFamily& f, const netloft_term& term) {
   return !(term.traits & NETLOFT_FROM_OUTSIDE) && !f.type().is_on_body() && f.type().globals.empty() &&
          f.type().dofs() > 3;
@@ -70,7 +70,7 @@ Lane read_lane(const ElementFamily& f, const netloft_term& term, std::size_t lan
   return m;
 }
 
-/// Adds (2) without K; the scratch rows contain K.
+/// Adds (2) without its first term K, which the scratch rows contain.
 void add_slope_of_lane(const TileOfStep& of, const Lane& m, std::size_t lane) {
   const std::size_t dofs = of.dofs();
   double* slope = of.open_slope();
@@ -88,7 +88,7 @@ void add_slope_of_lane(const TileOfStep& of, const Lane& m, std::size_t lane) {
         slope[(packed(r) + c) * kTileLanes + lane] += 0.5 * (entry(r, c) + entry(c, r));
 }
 
-/// Evaluates a term at positions x. The energy and the force are stored in the step at index `which`, the
+/// Evaluates a term at positions x. Energy and force are stored at index `which` of the step's arrays, the
 /// tangent in the scratch rows.
 int call(const TileOfStep& of, const netloft_term& term, const double* x, std::size_t which,
          std::uint32_t want) {

@@ -53,9 +53,9 @@ struct MeanOfMember {
   double way, way_slope;
 };
 
-/// If the rest length changes, (4) replaces (1) of mean_tension.hpp. With the rest length of the middle
-/// alone, a rope would count as slack at the beginning of a step that pays out more than the rope is
-/// stretched.
+/// If the rest length changes, (4) replaces (1) of mean_tension.hpp. The constant rest length of the middle
+/// would not do: if a step pays out more rope than the rope is stretched, the rope would count as slack at
+/// the beginning of the step.
 MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   if (!m.grows())
     return {mean_tension(m.middle, before, after), mean_stiffness(m.middle, before, after), after - before,
@@ -69,7 +69,7 @@ MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   return {{mean.T, mean.slope / L1}, {stiff.k / L, stiff.slope / (L * L1)}, L * (late - early), L / L1};
 }
 
-/// Mean force and tangent of a member minus its force and tangent at the middle of the step.
+/// Mean force of a member and its tangent, minus force and tangent at the middle of the step.
 struct Correction {
   SpaceVector force;
   Eigen::Matrix3d slope;
@@ -93,7 +93,8 @@ Correction correct(const MemberOfStep& step, const Chord& w, const StepEnds& end
   return c;
 }
 
-/// Adds a block of an element's slope to the square or to the packed tangent; the other one is null.
+/// Adds the block of corners (p, q) to the tangent of an element. `square` or `triangle` (packed) receives
+/// it; the other pointer is null.
 void add_slope(std::size_t p, std::size_t q, std::size_t dofs, std::size_t lane, const Eigen::Matrix3d& block,
                double* square, double* triangle) {
   for (std::size_t r = 0; r < 3; ++r)

@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// The index of a degree of freedom in vectors over all of them, the unknowns first. It is neither the number
-/// of a node nor 3 node + axis.
+/// The index of a degree of freedom in vectors over all of them, in which the unknowns come first. It is
+/// neither the number of a node nor 3 node + axis.
 struct Dof {
   std::int32_t place = 0;
 
@@ -21,8 +21,8 @@ struct Dof {
   friend constexpr auto operator<=>(Dof, Dof) = default;
 };
 
-/// Numbers the degrees of freedom: unknowns first, in the order of the nodes, then the held ones. A vector
-/// over all of them holds positions, or residual and reactions together.
+/// Numbers the degrees of freedom: first the unknowns, in the order of the nodes, then the held ones. A
+/// vector over all of them holds positions, or residuals of the unknowns followed by reactions.
 class Numbering {
  public:
   explicit Numbering(const Scene& scene) : place_(3 * scene.node_count()) {
@@ -53,8 +53,8 @@ class Numbering {
     return coordinate_[dof.at()];
   }
 
-  std::vector<std::int32_t> place_;        // by 3 node + axis
-  std::vector<std::uint32_t> coordinate_;  // 3 node + axis, by place
+  std::vector<std::int32_t> place_;        // index: 3 node + axis
+  std::vector<std::uint32_t> coordinate_;  // 3 node + axis; index: place
   std::int32_t unknowns_ = 0;
 };
 

@@ -13,7 +13,8 @@ namespace netloft {
 
 namespace {
 
-/// A body is a neighbour of all neighbours of its points, and its points are neighbours of each other.
+/// Adds the node pairs of bodies. A body is coupled to all neighbours of its points, and its points are
+/// neighbours of each other.
 template <class Add>
 void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vector<std::uint32_t>>& near) {
   if (scene.bodies.empty()) return;
@@ -34,7 +35,7 @@ void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vect
 /// For each node, the nodes that can move and share an element with it, itself included.
 std::vector<std::vector<std::uint32_t>> find_neighbours(
     std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene, bool symmetric) {
-  constexpr std::size_t kMostly = 32;  // enough for most nodes: entries per node, repeated ones included
+  constexpr std::size_t kMostly = 32;  // entries per node, repetitions included; enough for most nodes
   std::vector<std::vector<std::uint32_t>> near(scene.node_count());
   for (auto& rows : near) rows.reserve(kMostly);
   const auto moves = [&](std::uint32_t node) { return !scene.stands_still(node); };

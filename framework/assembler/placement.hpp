@@ -10,22 +10,22 @@
 
 namespace netloft {
 
-/// Computes positions and rates of nodes from those of the unknowns. A node may be held, guided, carried by a
-/// body, or have axes of its own; elements see positions and rates only. Vectors over all dofs are in the
-/// order of `numbering()`.
+/// Computes positions and rates of nodes from those of the unknowns. A node may be free, held, moved along a
+/// given path by a guide, carried by a rigid body, or have axes of its own. Elements see positions and rates
+/// only. Vectors over all degrees of freedom (dofs) have the order of `numbering()`.
 class Placement {
  public:
-  /// `nodes` has the nodes of the scene followed by those of rotations and shared unknowns; `blocks` has the
-  /// node pairs with matrix values.
+  /// `nodes` has the nodes of the scene followed by those of rotations and shared unknowns. `blocks` has the
+  /// node pairs that have matrix values.
   Placement(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, bool symmetric);
 
   const Numbering& numbering() const { return numbering_; }
 
-  /// Positions over all dofs at displacements u of the unknowns [m]; guided nodes are at their positions at
-  /// `time` [s].
+  /// Computes the positions over all dofs at displacements u of the unknowns [m]. Guided nodes are at their
+  /// positions at `time` [s].
   void place(std::span<const double> u, std::span<double> x, double time = 0) const;
-  /// Positions at displacements u from positions `base` [m]: x in double precision, and in x_low the part
-  /// that rounding removes from x. No node may be carried by a body.
+  /// Computes positions at displacements u from positions `base` [m]: x in double precision, and in x_low the
+  /// digits that rounding removes from x. No node may be carried by a body.
   void place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                   std::span<double> x_low) const;
   bool has_bodies() const { return !bodies_.empty(); }
@@ -34,23 +34,22 @@ class Placement {
   /// Computes the rates over all dofs at positions x from those of the unknowns and of the guides.
   void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
             std::span<double> all_v, std::span<double> all_a) const;
-  /// Replaces rotation vectors of more than ¾ of a turn by the shorter vectors of the same rotations, in
-  /// displacements u of the unknowns and in their rates, which may be empty. Must be called between two
-  /// solutions only, because a solver compares displacements with earlier ones. Returns whether any vector
-  /// was replaced.
+  /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations, in
+  /// displacements u of the unknowns and in their rates, which may be empty. Call this between two solutions
+  /// only, because a solver compares displacements with earlier ones. Returns whether any vector was
+  /// replaced.
   bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;
   /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
   /// the scene [m].
   std::vector<double> displacements(std::span<const double> positions) const;
-  /// Displacements at which all unknowns have their values in `x`, a vector over all degrees of freedom of an
+  /// Displacements at which all unknowns have the values that they have in `x`, a vector over all dofs of an
   /// assembler with the same numbering.
   std::vector<double> displacements_to(std::span<const double> x) const;
-  /// Sets the rotations of bodies in displacements u to those of another mesh `from` of the same gear at
-  /// positions x.
+  /// Sets the rotations of bodies in displacements u to those that they have at positions x on another mesh
+  /// `from` of the same gear.
   void take_rotations(const Placement& from, std::span<const double> x, std::span<double> u) const;
-  /// Extracts the positions of the scene's nodes, 3 per node, from a vector x over all degrees of freedom
-  /// [m]. x may also be velocities or displacements. Shared unknowns of elements have no position and are
-  /// left out.
+  /// Extracts the positions of the scene's nodes, 3 per node, from a vector x over all dofs [m]. x may also
+  /// be velocities or displacements. Unknowns that parts share have no position and are left out.
   std::vector<double> node_positions(std::span<const double> x) const;
   std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
   /// Whether an entry of a vector over all dofs is a coordinate of a node of the scene [m].
@@ -60,7 +59,7 @@ class Placement {
   /// Whether a guide moves some held node.
   bool is_guided() const { return !guides_.empty(); }
   /// Splits a residual [N] at a node into the reaction of its hold (along the held axes) and the unbalanced
-  /// force, in the world frame.
+  /// force (along the others), in the world frame.
   std::array<double, 3> reaction(std::uint32_t node, std::span<const double> residual,
                                  std::uint8_t axes = kAllAxes) const;
   std::array<double, 3> unbalanced(std::uint32_t node, std::span<const double> residual) const;

@@ -63,7 +63,7 @@ bool ElementReports::term_energy(std::span<const double> x, std::size_t family, 
                          });
 }
 
-/// Moments are left out of the sums.
+/// Moments (rows after those of the nodes) are left out of the sums.
 bool ElementReports::sum_term(std::span<const double> x, std::size_t family, std::size_t term,
                               std::span<double> sums, const Kinematics& motion) {
   const ElementFamily& f = family_at(family);

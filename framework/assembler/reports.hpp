@@ -10,12 +10,12 @@
 namespace netloft {
 
 /// Evaluations for reports: forces and energies of single terms, outputs of elements, and the use of laws
-/// outside their ranges. Serial. `x` are positions over all dofs, `family` is an index among the families of
-/// the assembler, and `term` an index among the active terms of the family. A false result means that an
-/// element could not be evaluated: see Assembler::fault().
+/// outside their ranges. They run on one thread. `x` are positions over all dofs, `family` is an index among
+/// the families of the assembler, and `term` an index among the active terms of the family. A false result
+/// means that an element could not be evaluated: see Assembler::fault().
 class ElementReports {
  public:
-  /// The objects have to outlive this one.
+  /// The arguments must outlive this object.
   ElementReports(TileEvaluator& elements, Bodies& bodies, const Frames& frames)
       : elements_(elements), bodies_(bodies), frames_(frames) {}
 
@@ -25,11 +25,12 @@ class ElementReports {
   /// Energy of one term alone [J]; zero if it has none.
   bool term_energy(std::span<const double> x, std::size_t family, std::size_t term, double& energy,
                    const Kinematics& motion = {});
-  /// Force of one term summed per part of the family, +dE/dx [N]: 3 numbers per part.
+  /// Sums the residual (+dE/dx) of one term over the nodes of each part of the family [N]: 3 numbers per
+  /// part.
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
                 const Kinematics& motion = {});
-  /// Force of one term summed per part and group of nodes [N]: 3 numbers per part and group. `groups` has the
-  /// index of the group of each node of the scene; it is negative for nodes without a group.
+  /// Sums the residual of one term over each group of nodes, for each part [N]: 3 numbers per part and group.
+  /// `groups` has the index of the group of each node of the scene; it is negative for nodes without a group.
   bool sum_term_at(std::span<const double> x, std::size_t family, std::size_t term,
                    std::span<const std::int32_t> groups, std::size_t group_count, std::span<double> sums,
                    const Kinematics& motion = {});
@@ -37,8 +38,8 @@ class ElementReports {
   /// false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
                const Kinematics& motion = {});
-  /// Use of each law at x inside and outside the ranges in which it was measured: one entry per family and
-  /// law that has a range.
+  /// How much each law is used at x inside and outside the ranges in which it was measured: one entry per
+  /// family and law that has a range.
   std::vector<LawUse> find_law_use(std::span<const double> x, const Kinematics& motion = {});
 
  private:

@@ -6,20 +6,21 @@ namespace netloft {
 
 enum class MatrixKind { none, exact, convex, metric };
 
-/// The motion of a scene during an evaluation: rates over all dofs (null at rest), the factors of the matrix
-/// cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a, and the low-order part of the positions if it is known.
+/// The motion of a scene during an evaluation: velocities and accelerations over all dofs (null at rest), the
+/// factors of the matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a, and the digits that rounding removes from the
+/// positions, if they are known.
 struct Kinematics {
   double time = 0;                          // [s]
   const double *v = nullptr, *a = nullptr;  // [m/s], [m/s²]
   double cu = 1, cv = 0, ca = 0;
-  const double* x_low = nullptr;  // over all dofs: low-order part of the positions [m]
+  const double* x_low = nullptr;  // over all dofs: positions are x + x_low [m]
 };
 
-/// The ends of a step over which forces are averaged (netloft_motion::solve_between). Positions are over all
-/// degrees of freedom [m].
+/// The ends of a step in time over which forces are averaged (netloft_motion::solve_between). Positions are
+/// over all dofs [m].
 struct StepEnds {
   const double *before = nullptr, *after = nullptr;
-  double length = 0;   // h of the step [s]
+  double length = 0;   // length h of the step [s]
   double damping = 0;  // χ of (3) in mean_of_members.hpp
 };
 
@@ -28,8 +29,8 @@ struct Request {
   double* energy = nullptr;        // one number [J]
   bool conservative_only = false;  // leave out forces without an energy; the residual is then the gradient
   std::uint32_t without = 0;       // terms with any of these traits are left out
-  double* residual = nullptr;      // over all dofs: unknowns, then reactions of held ones, +dE/dx [N]
-  double* gradient = nullptr;      // in addition to the residual: its part from forces with an energy [N]
+  double* residual = nullptr;      // over all dofs, +dE/dx [N]: of unknowns, then of held dofs (reactions)
+  double* gradient = nullptr;      // also over all dofs: the part of the residual that has an energy [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // Assembler::value_slots() long [N/m]
   Kinematics motion = {};

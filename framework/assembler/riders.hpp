@@ -7,12 +7,13 @@
 
 namespace netloft {
 
-/// Whether both families have the same nodes, element by element, as riders have the nodes of the family that
-/// they ride on. Maps and tilings of one family are then valid for the other.
+/// Whether two families have the same nodes, element by element. Riders, such as bending on the bars of a
+/// rope, have the nodes of the family that they ride on. Maps and tilings of one such family are valid for
+/// the other.
 bool have_same_nodes(const ElementFamily& a, const ElementFamily& b);
 
-/// A family and its riders, which share one tiling. A tile is gathered once for all of them and scattered
-/// after all of them have added to it.
+/// A family and its riders, which share the same tiles. The inputs of a tile are gathered once for all of
+/// them, and its sums are scattered after all of them have added to it.
 struct FamilyGroup {
   Tiling tiling;
   std::vector<std::size_t> families;              // the family that the others ride on comes first
@@ -21,8 +22,8 @@ struct FamilyGroup {
   std::vector<std::uint32_t> carried_tiles = {};  // tiles with nodes that a body carries
 };
 
-/// Groups families with the same nodes, in the order of the first family of each group. Tilings are not made
-/// yet.
+/// Groups families with the same nodes, in the order of the first family of each group. Does not make the
+/// tilings.
 std::vector<FamilyGroup> find_family_groups(std::span<const std::unique_ptr<ElementFamily>> families);
 
 }  // namespace netloft

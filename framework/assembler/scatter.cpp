@@ -11,8 +11,8 @@ namespace netloft {
 
 namespace {
 
-/// Adds the blocks of a packed lower triangle, corner by corner. `Nodes` is a template parameter so that the
-/// loops unroll.
+/// Adds the 3 x 3 blocks of packed lower triangles to the matrix values, for each pair of corners. `Nodes` is
+/// a template parameter so that the loops unroll.
 template <int Nodes>
 void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* __restrict tangent,
                       double* values) {
@@ -33,7 +33,8 @@ void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* 
     }
 }
 
-/// Adds the transpose of every block that lies on the diagonal but represents two blocks (see Twin).
+/// A block (P, Q) of two corners that are the same node is on the diagonal of the matrix, and represents
+/// block (Q, P), too (see Tiling::Twin). Adds this transposed block.
 void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, const double* tangent,
                double* values) {
   for (const auto& twin : tiling.twins[tile]) {
@@ -48,9 +49,9 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
 using Two = wide::Two::V;
 using Four = wide::Four::V;
 
-/// The nine entries of a block, row by row, each for all lanes. Loads name their type, and registers are
-/// passed by value, because deduced types lose the attribute for unaligned access, as do references with
-/// clang.
+/// The nine entries of a block, row by row, each for all lanes. The loads name their vector type, and
+/// registers are passed by value: deduced types lose the attribute for unaligned access, and so do references
+/// with clang.
 struct Entries {
   std::array<const double*, 9> at;
   NETLOFT_INLINE Two two(std::size_t i, std::size_t lane) const {
@@ -110,7 +111,7 @@ NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& 
   second[8] += a[1];
 }
 
-/// The same for four lanes.
+/// The same as add_two_lanes, for four lanes.
 template <class EntriesOfLanes>
 NETLOFT_INLINE void add_four_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
                                    double* values) {
@@ -131,7 +132,7 @@ NETLOFT_INLINE void add_four_lanes(const std::int32_t* to, const EntriesOfLanes&
   for (std::size_t k = 0; k < 4; ++k) values[to[lane + k] + 8] += v[0][k];
 }
 
-/// Adds the blocks of one pair of corners.
+/// Adds the 3 x 3 blocks of one pair of corners of all elements of a tile.
 template <bool kWide, class EntriesOfLanes>
 NETLOFT_INLINE void add_pair(const std::int32_t* to, std::size_t count, const EntriesOfLanes& entries,
                              double* values) {
@@ -149,7 +150,7 @@ struct Tangents {
   const double *triangle, *square;
 };
 
-/// Adds the blocks of all pairs of corners.
+/// Adds the 3 x 3 blocks of all pairs of corners.
 template <bool kWide, int Nodes>
 NETLOFT_INLINE void add_blocks(const std::int32_t* to, std::size_t count, const Tangents& t, double* values) {
   for (int P = 0; P < Nodes; ++P)
@@ -213,7 +214,7 @@ void with_nodes(std::size_t dofs, const Add& add) {
 }
 
 /// Divides the moments of elements on bodies, and the rows and columns of rotations in their tangents, by the
-/// arms.
+/// arms of the bodies: the unknowns of rotations are lengths.
 void divide_moments(const Tiling& tiling, std::size_t tile, double* force, double* triangle, double* square) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   std::array<double, kTileLanes> inverse;
@@ -242,8 +243,8 @@ void add_rows(const Tiling& tiling, std::size_t tile, const double* rows, double
       sums[map[d * kTileLanes + lane]] += rows[d * kTileLanes + lane];
 }
 
-/// Skips tiles that add nothing. There are many of them, such as netting without bending or limits that are
-/// not reached.
+/// Skips tiles whose tangents are zero. There are many of them, such as netting without bending or limits
+/// that are not reached.
 void scatter_matrix(const Tiling& tiling, std::size_t tile, bool is_symmetric, double* values,
                     TileSums& sums) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());

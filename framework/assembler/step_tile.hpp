@@ -8,9 +8,9 @@
 
 namespace netloft {
 
-/// One thread's inputs for mean forces of a step on a tile.
+/// The inputs of one thread for the mean forces of a step on one tile.
 struct StepTile {
-  /// Room for elements of up to `dofs` degrees of freedom; 0 if no mean forces are used.
+  /// Allocates memory for elements of up to `dofs` degrees of freedom; 0 if no mean forces are used.
   explicit StepTile(std::size_t dofs)
       : before(dofs * kTileLanes),
         after(before.size()),
@@ -18,11 +18,11 @@ struct StepTile {
         forces(2 * before.size()) {}
 
   std::vector<double> before, after;     // positions at the ends of the step, [dof][64] [m]
-  std::vector<double> energies, forces;  // of one term at two positions, [2][64] [J], [2][dof][64] [N]
+  std::vector<double> energies, forces;  // of one term at two positions: [2][64] [J], [2][dof][64] [N]
   std::vector<netloft_member> members_before, members, members_after;  // [lane][member]
 };
 
-/// One family of a tile. Its forces and tangents in the middle of a step have been summed, and will be
+/// One family of a tile. Its forces and tangents in the middle of a step have been summed and are then
 /// corrected to mean forces.
 struct TileOfStep {
   const ElementFamily& family;
@@ -34,7 +34,7 @@ struct TileOfStep {
 
   std::size_t dofs() const { return static_cast<std::size_t>(family.type().dofs()); }
   bool has_slope() const { return request.values && request.matrix != MatrixKind::metric; }
-  /// Null if the request has no forces.
+  /// Array of forces to add to; null if the request has no forces.
   double* open_force() const { return request.residual ? sums.force.open(dofs(), tile.count) : nullptr; }
   double* open_slope() const { return sums.open_tangent(symmetric, dofs(), tile.count); }
 };

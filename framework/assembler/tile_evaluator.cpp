@@ -40,7 +40,8 @@ double TileEvaluator::energy() const {
   return std::accumulate(tile_energy_.begin(), tile_energy_.end(), 0.0);
 }
 
-/// If nothing is scattered, no two tiles can write to the same entry, and all of them may run at once.
+/// Runs the tiles of a group, colour by colour, because tiles of one colour have no common nodes. If only
+/// energies are requested, tiles write to no common entry, and all of them may run at once.
 bool TileEvaluator::run_group(const FamilyGroup& group, std::span<const double> x, const Request& request) {
   const Tiling& tiling = group.tiling;
   const auto run = [&](std::size_t begin, std::size_t end) {
@@ -78,8 +79,8 @@ void TileEvaluator::run_tile(const FamilyGroup& group, std::size_t tile, std::sp
   scatter(tiling, tile, tiles_.symmetric, sums, request.residual, request.values);
 }
 
-/// Calls the terms with an energy, or those without, of all families. Returns false if an element could not
-/// be evaluated.
+/// Calls the terms of all families on a tile: those with an energy if `with_energy`, else those without.
+/// Returns false if an element could not be evaluated.
 bool TileEvaluator::call_families(const FamilyGroup& group, std::size_t tile, bool with_energy,
                                   const Request& request, Work& work) {
   for (const std::size_t family : group.families) {
@@ -107,7 +108,7 @@ netloft_tile TileEvaluator::make_tile(std::size_t family, std::size_t tile, cons
   return t;
 }
 
-/// The fault with the lowest element number is reported, no matter which thread met it.
+/// Reports the fault with the lowest element number, whichever thread found it.
 bool TileEvaluator::collect_faults() {
   const FaultNote* first = nullptr;
   for (const auto& work : works_)

@@ -13,34 +13,35 @@
 
 namespace netloft {
 
-/// Evaluates the elements of a scene tile by tile: gathers their inputs (gather.hpp), calls the terms of all
-/// families on the same nodes (calls.hpp), corrects their forces to mean forces of a step (mean_forces.hpp)
-/// and adds the forces to the sums (scatter.hpp). Forces are in the world frame, and on the nodes that
-/// elements see. Allocates nothing after construction.
+/// Evaluates the elements of a scene in tiles of 64: gathers their inputs (gather.hpp), calls the terms of
+/// all families on the same nodes (calls.hpp), corrects their forces to mean forces of a step
+/// (mean_forces.hpp) and adds the forces to the sums (scatter.hpp). Forces are in the world frame, on the
+/// nodes that elements see (before bodies and own axes of nodes). Allocates nothing after construction.
 class TileEvaluator {
  public:
-  /// `tiles` have to outlive this object.
+  /// `tiles` must outlive this object.
   TileEvaluator(const Scene& scene, const ScenePlan& plan, const ElementTiles& tiles, int threads);
 
   /// Adds all elements at positions x (over all dofs) to the forces and the matrix of a request. Returns
   /// false if an element could not be evaluated: see fault().
   bool run(std::span<const double> x, const Request& request);
-  /// Energy of the last run whose request had one [J].
+  /// Energy [J] of the last run that computed one.
   double energy() const;
-  /// Adds only the tiles that have nodes on bodies.
+  /// The same as run(), for the tiles with carried nodes only.
   bool run_carried(std::span<const double> x, const Request& request);
-  /// For each tile of one family, calls evaluate(tile, t, sums), with rows for forces, and then visit(tile,
-  /// t, sums). Serial. Returns false if a status is not NETLOFT_OK: see fault().
+  /// For each tile of one family, calls evaluate(tile, t, sums), where `t` has zeroed memory for forces, and
+  /// then visit(tile, t, sums). Runs on one thread. Returns false if a status is not NETLOFT_OK: see fault().
   template <class Evaluate, class Visit>
   bool visit(std::span<const double> x, const Kinematics& motion, std::size_t family,
              const Evaluate& evaluate, const Visit& visit);
 
-  /// Lets the terms that `visit` calls on its tile write their next state to [width][64].
+  /// Sets the memory [width][64] to which the terms that `visit` calls on its next tile write their next
+  /// state.
   void take_next_state(double* next) { works_[0]->inputs.extensions.memory.state_new = next; }
 
   const ElementFault& fault() const { return fault_; }
   const ElementTiles& tiles() const { return tiles_; }
-  /// Threads that take part; 1 if the scene is too small to gain from more.
+  /// Number of threads used; 1 if the scene is too small to gain from more.
   int threads_used() const;
   /// The memory of each family.
   std::vector<Memory>& memories() { return memories_; }

@@ -11,9 +11,9 @@
 
 namespace netloft {
 
-/// Rows of 64 numbers that the terms of a tile add to. Rows are set to zero when the first term of a tile
-/// opens them, in the lanes of that tile, unless the previous tile left them zero. Rows that no term opens
-/// cost nothing, and numbers that a term wrongly wrote beyond the last lane are cleared before they are used.
+/// Rows of 64 numbers to which the terms of a tile add. The first term of a tile that opens rows sets them to
+/// zero in the lanes of the tile, unless the previous tile left them zero. Rows that no term opens cost
+/// nothing. Numbers that a term wrongly wrote beyond the last lane are cleared before they are used.
 class TileRows {
  public:
   explicit TileRows(std::size_t rows) : all_(rows * kTileLanes) {}
@@ -49,9 +49,9 @@ class TileRows {
   }
 
  private:
-  // One call sets kAtOnce rows to zero, because libraries use plain stores for these 2 KiB. For larger areas
-  // they use instructions with a long start-up; with one row per call, there would be too many calls. With
-  // fewer than kManyLanes lanes, rows are cleared eight numbers at a time.
+  // set_zero() sets kAtOnce rows (2 KiB) to zero in each call of std::fill, for which libraries use plain
+  // stores. Larger areas are filled by instructions with a long start-up, and single rows would need too many
+  // calls. With up to kManyLanes lanes, rows are cleared eight numbers at a time.
   static constexpr std::size_t kAtOnce = 4, kManyLanes = 48, kEight = 8;
 
   void set_zero(std::size_t begin, std::size_t end, std::size_t lanes) {
@@ -78,7 +78,7 @@ class TileRows {
 
   std::vector<double> all_;
   std::size_t rows_ = 0, lanes_ = 0;            // of this tile
-  std::size_t zero_rows_ = 0, zero_lanes_ = 0;  // left by the tile before
+  std::size_t zero_rows_ = 0, zero_lanes_ = 0;  // rows and lanes that the previous tile left zero
 };
 
 }  // namespace netloft

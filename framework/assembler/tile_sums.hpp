@@ -8,10 +8,11 @@
 
 namespace netloft {
 
-/// The energies, forces and tangents that the terms of one tile have added up, in rows of 64 numbers.
-/// Tangents of symmetric terms are packed lower triangles, the others full squares, row by row.
+/// The sums of energies, forces and tangents over the terms of one tile, in rows of 64 numbers. Tangents of
+/// symmetric terms are packed lower triangles, the others full squares, row by row.
 struct TileSums {
-  /// Room for elements of up to `dofs` degrees of freedom; without squares if all matrices are symmetric.
+  /// Allocates memory for elements of up to `dofs` degrees of freedom. If all matrices are symmetric, no
+  /// square tangents are allocated.
   TileSums(std::size_t dofs, bool symmetric)
       : force(dofs),
         packed_tangent(packed(dofs)),
@@ -33,7 +34,7 @@ struct TileSums {
   double energy[kTileLanes] = {};  // [J]
   TileRows force;                  // [N]
   TileRows packed_tangent, square_tangent;
-  std::vector<double> scratch;  // rows of a tangent that is converted before it is added
+  std::vector<double> scratch;  // a tangent in rows of 64, before its conversion and addition
   std::vector<double> element;  // the tangent of one element, row by row
 };
 

@@ -10,7 +10,7 @@ namespace netloft {
 
 namespace {
 
-/// Greedy colouring: a tile takes the lowest colour that no other tile at its nodes has.
+/// Greedy colouring: a tile gets the lowest colour that no other tile at its nodes has.
 std::vector<int> colour_tiles(const ElementFamily& family, std::size_t tiles, std::size_t nodes) {
   // colours used at a node; tiles that need more than 64 colours are run alone
   std::vector<std::uint64_t> taken(nodes, 0);
@@ -56,8 +56,8 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
           numbering.dof(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3)).place;
 }
 
-/// Position of the block of corners (P, Q) of an element among the matrix values: `spare` if a node is held,
-/// ~position if the transpose is added.
+/// Index of the block of corners (P, Q) of an element in the array of matrix values: `spare`, an unused
+/// block, if a node is held; ~index if the transpose of the block is added there.
 std::int32_t find_block(const ElementFamily& family, const Scene& scene, const NodeBlocks& blocks,
                         bool symmetric, std::size_t e, int P, int Q, std::size_t spare) {
   const std::uint32_t row = family.node(e, P), column = family.node(e, Q);

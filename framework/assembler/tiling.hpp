@@ -7,10 +7,11 @@
 
 namespace netloft {
 
-/// A family cut into tiles of 64 consecutive elements, with the maps between a tile's lanes and the global
-/// vectors. Two tiles of one colour have no node in common and may be scattered at the same time. Colours are
-/// processed in order, so sums are bit-identical for any number of threads. (Colouring elements instead of
-/// tiles would put lanes of one tile far apart in memory.)
+/// A family (all elements of one type) cut into tiles of 64 consecutive elements, with the maps between a
+/// tile's lanes and the global vectors. Two tiles of one colour have no node in common, so that two threads
+/// may scatter them at the same time. Colours are processed in order, so that sums are bit-identical for any
+/// number of threads. (Coloured elements instead of tiles would put the lanes of one tile far apart in
+/// memory.)
 struct Tiling {
   /// Two corners of an element that are the same node, for instance where netting is gathered to a point.
   /// Block (P, Q) then lies on the diagonal, which stores only its lower half, and represents (Q, P), too.
@@ -25,10 +26,11 @@ struct Tiling {
   std::vector<std::size_t> colour_begin;  // in `order`, +1
   std::vector<std::int32_t> vector_map;   // [tile][dof][64] -> index in vectors over all dofs
   std::vector<std::int32_t>
-      block_map;  // [tile][block][64] -> index of the first of nine values; ~first: add the transpose
+      block_map;  // [tile][block][64] -> index of the first of nine values; ~index: add the transpose
   std::vector<std::vector<Twin>> twins;  // per tile, if the matrix is symmetric; nearly always empty
   std::size_t blocks_per_element = 0;    // pairs of corners (P, Q): Q <= P if symmetric, else all
-  std::size_t first_spare = 0;           // nine slots per tile for blocks of held nodes
+  std::size_t first_spare =
+      0;  // index of the first unused block (one per tile), which collects the entries of held nodes
 
   std::size_t lanes(std::size_t tile) const;
 };

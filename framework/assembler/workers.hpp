@@ -61,10 +61,10 @@ class Workers {
   static std::size_t count_of(std::uint64_t ticket) { return ticket >> kBits & kMask; }
   static std::size_t index_of(std::uint64_t ticket) { return ticket & kMask; }
   // The number of pauses that take about as long as the system needs to wake a thread. A thread that waits
-  // that long before it sleeps never takes more than twice the time of the best choice (A. Karlin, M.
+  // for this time before it sleeps never takes more than twice the time of the best choice (A. Karlin, M.
   // Manasse, L. McGeoch and S. Owicki, Competitive randomized algorithms for nonuniform problems, 1990).
-  // Measured on two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes 21 us after its call
-  // (median of 2000; 18 us for the first tenth), which 900 pauses make up. Other processors differ. No bench
+  // Measured on two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes 21 us after it is called
+  // (median of 2000; 18 us for the first tenth), which is 900 pauses. Other processors differ. No bench
   // prints these figures.
   static constexpr int kSpins = 1000;
 
@@ -90,7 +90,8 @@ class Workers {
     return true;
   }
   void serve(std::size_t worker) {
-    calls_of_this_thread();  // makes room for its calls of plugins now, not in the middle of an iteration
+    calls_of_this_thread();  // allocates this thread's record of plugin calls now, not in the middle of an
+                             // iteration
     ready_.fetch_add(1, std::memory_order_release);
     while (!stop_) {
       while (take_one(worker)) {
