@@ -36,7 +36,7 @@ void Configuration::place(std::span<const double> u) {
 void Configuration::place_end(std::span<const double> u) {
   StepProblem::Ends& step = *step_.between;
   for (std::size_t i = 0; i < u.size(); ++i) a_[i] = 2 * u[i] - step.u[i];
-  step.x_after = assembler_.start();  // including the held degrees of freedom
+  step.x_after = assembler_.start();  // this assignment also sets the held degrees of freedom
   assembler_.place(a_, step.x_after, step.end);
   step.ends.before = step.x_before.data();
   step.ends.after = step.x_after.data();

@@ -9,17 +9,18 @@
 
 namespace netloft {
 
-/// A step in time as a problem in u: the rates are linear in u, and everything else is known.
+/// A step in time as a static problem in u. The rates are linear in u, and v₀, a₀, cv, ca are given by the
+/// time scheme:
 ///   F(t, u, v₀ + cv u, a₀ + ca u) = 0                                            (1)
 struct StepProblem {
   double t;
   std::span<const double> v0, a0;
   double cv, ca;
-  std::span<const double> mass;  // of each unknown [kg]; ca times mass is its stiffness by inertia
+  std::span<const double> mass;  // of each unknown [kg]; ca × mass acts like a stiffness
   MovingState* state;            // receives positions and rates
   double least_load;             // lower bound of the load to which tolerances are relative [N]
-  /// The step of which F is the mean force (netloft_motion::solve_between). Then u is the midpoint of the
-  /// step, and `after` is updated with it. Null: F is the force at u.
+  /// If F is the mean force of a step (netloft_motion::solve_between), the ends of this step. u is then its
+  /// midpoint, and `after` is updated with u. Null: F is the force at u.
   struct Ends {
     StepEnds ends;
     double begin = 0, end = 0;                 // [s]
@@ -28,10 +29,10 @@ struct StepProblem {
   Ends* between = nullptr;
 };
 
-/// Positions and rates of the nodes at displacements u of the unknowns. There are three cases: at rest,
-/// displaced from the start; in a step in time (1), with rates that follow from u; and displaced from
-/// positions near the equilibrium. In the third case, x_low has the digits that rounding removes from
-/// positions, so that differences of positions are more accurate.
+/// Positions and rates of the nodes at displacements u of the unknowns. There are three cases. The scene is
+/// at rest and u is relative to its start; or u belongs to a step in time (1), and rates follow from u; or
+/// the scene is at rest and u is relative to positions near the equilibrium. In the third case, x_low has the
+/// digits that rounding removes from the positions x, so that differences of positions are more accurate.
 class Configuration {
  public:
   explicit Configuration(Assembler& assembler) : assembler_(assembler), x_(assembler.start()) {}
@@ -45,22 +46,22 @@ class Configuration {
 
   /// Positions over all degrees of freedom after the last call of `place` [m].
   const std::vector<double>& x() const { return x_; }
-  /// Low-order part of the positions x [m]; empty if displacements are relative to the start.
+  /// Digits that rounding removes from the positions x [m]; empty if displacements are relative to the start.
   const std::vector<double>& x_low() const { return x_low_; }
   const Kinematics& motion() const { return motion_; }
-  /// The step whose mean forces are evaluated. Null: forces are evaluated at u.
+  /// The step in time whose mean forces are evaluated. Null: forces are evaluated at u.
   const StepEnds* between() const { return step_.between ? &step_.between->ends : nullptr; }
   bool is_in_time() const { return step_.state != nullptr; }
   /// Whether the scene is at rest and displacements are relative to its start.
   bool is_from_start() const { return base_.empty() && !is_in_time(); }
   /// Lower bound of the load to which tolerances are relative, in a motion [N].
   double least_load() const { return step_.least_load; }
-  /// Stiffness by the inertia of an unknown [N/m].
+  /// Stiffness that the inertia of an unknown adds in a step in time [N/m].
   double stiffness_of_inertia(std::size_t unknown) const {
     return is_in_time() ? step_.ca * step_.mass[unknown] : 0;
   }
-  /// Length to which the rounding error of the coordinate x of an unknown is relative [m]: |x|, or the extent
-  /// of an element if positions have a low-order part.
+  /// The rounding error of the coordinate x of an unknown is proportional to this length [m]: |x|, or the
+  /// extent of an element if x_low has the digits that rounding removes.
   double rounded_length(double x) const { return base_.empty() ? std::abs(x) : base_extent_; }
 
  private:

@@ -35,7 +35,7 @@ Convergence convergence_of(const Imbalance& i, double tolerance);
 /// the iteration should continue.
 bool may_stop(Convergence c, double residual, double residual_before);
 
-/// Twines that alternate between slack and taut can leave a residual that no step reduces. Such a point
+/// A residual can remain that no step reduces, because twines alternate between slack and taut. Such a point
 /// counts as converged to round-off if the solver has given up, the tangent of an energy is positive
 /// definite, a full Newton step raises the residual (`no_step_helps` in assessment.cpp checks these three),
 /// and (3), r ≤ β F and (5) hold. g is the energy that a Newton step would gain, L the size of the gear:

@@ -46,7 +46,7 @@ class Factorisation {
  public:
   virtual ~Factorisation() = default;
 
-  /// Name of the method and the library, for people: "CHOLMOD supernodal LLT 3.0.14, METIS on the node
+  /// Name of the method and of the library, for reports: "CHOLMOD supernodal LLT 3.0.14, METIS on the node
   /// graph".
   virtual std::string description() const = 0;
 

@@ -10,15 +10,16 @@
 
 namespace netloft {
 
-/// Factorises matrices of one pattern and solves with the last factor. There is one factorisation for each
-/// class of matrix, made and analysed at its first use. Counts and times every call.
+/// Factorises matrices of one sparsity pattern and solves with the last factor. For each class of matrix
+/// (positive definite, symmetric, unsymmetric), a factorisation is created and analysed at its first use.
+/// Counts and times every call.
 class Factors {
  public:
-  /// Counts the calls in `statistics`, which has to outlive this object.
+  /// Counts the calls in `statistics`, which must outlive this object.
   Factors(MakeFactorisation make, Statistics& statistics) : make_(std::move(make)), statistics_(statistics) {}
 
-  /// Factorises `values` over the entries of the pattern, which must be the same in every call. A symmetric
-  /// matrix counts as positive definite unless `may_be_indefinite`.
+  /// Factorises the matrix with these values. The pattern must be the same in every call. A symmetric matrix
+  /// is expected to be positive definite unless `may_be_indefinite`.
   netloft_factor factorise(const SparsePattern& pattern, bool may_be_indefinite,
                            std::span<const double> values);
   /// Solves with the last factor. Returns false and leaves x unchanged if there is none.
@@ -27,7 +28,7 @@ class Factors {
   void forget() { last_ = nullptr; }
 
   const FactorResult& last_result() const { return result_; }
-  /// Description of the last factorisation, for people; "none" if there was none.
+  /// Description of the last factorisation, for reports; "none" if there was none.
   std::string description() const { return last_ ? last_->description() : "none"; }
 
  private:

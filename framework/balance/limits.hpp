@@ -13,29 +13,29 @@ struct JudgedPoint;  // assessment.hpp
 /// Reason for which the host stopped a solver.
 enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, unsettled };
 
-/// Which properties of an equilibrium are examined, and which equilibria are accepted.
+/// How the final point of a solver is assessed.
 struct Judging {
   bool examine_growth = true;       // examine whether a small disturbance grows, if forces have no energy
-  bool accept_oscillation = false;  // accept an equilibrium about which something oscillates
-  JudgedPoint* known = nullptr;     // the point whose stability was decided last; null: not stored
+  bool accept_oscillation = false;  // accept an equilibrium from which an oscillation grows
+  JudgedPoint* known = nullptr;     // the last point whose stability was decided, for reuse; null: no reuse
 };
 
 /// Limits of one solve.
 struct Limits {
   double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
-  // Chosen for one solve. `auto` continues an attempt that this limit ended.
+  // The default is meant for one solve: the strategy `auto` continues an attempt that this limit ended.
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  // Largest sum of the lengths of all steps, divided by the gear's size. A gear that exceeds it does not come
-  // to rest.
+  // Upper limit of the path: the sum of the lengths of all steps, divided by the gear's size. A gear that
+  // exceeds it does not come to rest.
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // null: work is not limited
   double work = std::numeric_limits<double>::infinity();  // budget, in units of the model
   Judging judging = {};                                   // for the final point
 
-  /// The limit that has been reached by these iterations and seconds and by the operations in `spent`; none
-  /// if no limit has been reached.
+  /// Returns the limit that has been reached after this number of iterations, this processor time and the
+  /// operations in `spent`.
   Stop reached(int iterations_done, double seconds_spent, const Statistics& spent) const {
     if (interrupt && interrupt->load()) return Stop::interrupted;
     if (iterations_done >= iterations) return Stop::iterations;

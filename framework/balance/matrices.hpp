@@ -8,30 +8,32 @@
 
 namespace netloft {
 
-/// The matrices of a problem, over the entries of its pattern: the tangent K, its convex part K₊ and the
-/// metric M. K and K₊ are those of the last evaluation that computed them. M is the linear stiffness at the
-/// start of the scene, evaluated at its first use. Solvers use sums of these matrices:
+/// The matrices of a problem: the tangent K, its convex part K₊ (positive semi-definite) and the metric M. K
+/// and K₊ are those of the last evaluation that computed them. M is the linear stiffness at the start of the
+/// scene, evaluated at its first use. Solvers use sums of these matrices:
 ///   A + σ M,   A = K, K₊ or 0                                                            (1)
 ///   K + θ (K₊ − K) + σ M                                                                 (2)
 class Matrices {
  public:
-  /// Counts time in `statistics`, which has to outlive this object. Reserves memory for every matrix, so that
-  /// no iteration allocates; memory of matrices that nobody uses is never touched.
+  /// Counts time in `statistics`, which must outlive this object. Reserves memory for all matrices, so that
+  /// no iteration allocates. The system provides this memory only when it is used.
   Matrices(Assembler& assembler, Statistics& statistics);
 
   /// Storage in which an evaluation writes a matrix.
   std::vector<double>& slots(MatrixKind kind);
-  /// The sum (1) with A chosen by NETLOFT_EXACT, NETLOFT_CONVEX or NETLOFT_NONE. It is valid until the next
-  /// sum, and empty if A has not been evaluated.
+  /// Computes the sum (1), where `matrix` selects A: NETLOFT_EXACT, NETLOFT_CONVEX or NETLOFT_NONE. The
+  /// result is valid until the next sum, and empty if A has not been evaluated.
   std::span<const double> shifted(int matrix, double shift);
-  /// The sum (2). It is valid until the next sum, and empty if K or K₊ has not been evaluated.
+  /// Computes the sum (2) with θ = `blend`. The result is valid until the next sum, and empty if K or K₊ has
+  /// not been evaluated.
   std::span<const double> between(double blend, double shift);
-  /// y = (1) x over the unknowns. Returns false if A has not been evaluated.
+  /// Computes y = (A + σ M) x. Returns false if A has not been evaluated.
   bool multiply(int matrix, double shift, const double* x, double* y);
-  /// y[i] = sum of the absolute values in row i of (1). Returns false if A has not been evaluated.
+  /// Computes y[i] = sum of the absolute values in row i of A + σ M. Returns false if A has not been
+  /// evaluated.
   bool row_sums(int matrix, double shift, double* y);
 
-  /// Evaluates M unless this was done before.
+  /// Evaluates M if this has not been done yet.
   void need_metric();
   /// Discards M, because the properties of elements have changed. It is evaluated again at its next use.
   void forget_metric() {

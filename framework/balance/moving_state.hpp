@@ -4,8 +4,9 @@
 
 namespace netloft {
 
-/// Positions and rates of all degrees of freedom at one moment, computed from those of the unknowns and the
-/// guides. Mass damping, the force c M v, equals the inertia of an acceleration c v and is added to a.
+/// Positions and rates of all degrees of freedom at one moment, computed from those of the unknowns and of
+/// the guides (given paths of held nodes). Damping in proportion to mass, a force c M v, equals the inertia
+/// of an acceleration c v, which is added to a.
 class MovingState {
  public:
   MovingState(const Assembler& assembler, double mass_damping)
@@ -15,7 +16,7 @@ class MovingState {
         v_(x_.size()),
         a_(x_.size()) {}
 
-  /// c [1/s]
+  /// The damping rate c [1/s].
   double mass_damping() const { return mass_damping_; }
   void set(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a) {
     t_ = t;
@@ -26,7 +27,8 @@ class MovingState {
   double t() const { return t_; }
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& v() const { return v_; }
-  /// Arguments of an evaluation. Its matrix is ∂F/∂u for rates with dv/du = cv, da/du = ca.
+  /// Arguments of an evaluation. The requested matrix is ∂F/∂u for rates that depend on u by dv/du = cv,
+  /// da/du = ca.
   Kinematics motion(double cv = 0, double ca = 0) const {
     return {t_, v_.data(), a_.data(), 1, cv, ca + mass_damping_ * cv};
   }
@@ -37,10 +39,10 @@ class MovingState {
   std::vector<double> x_, v_, a_;
 };
 
-/// Midpoint of a step whose mean forces did the work of the step (netloft_motion::solve_between).
+/// Midpoint of a step for which the time scheme balances mean forces (netloft_motion::solve_between).
 struct MeanStep {
   double t = 0;                   // [s]
-  std::vector<double> u, v, a;    // of the unknowns, by the scheme [m], [m/s], [m/s²]
+  std::vector<double> u, v, a;    // of the unknowns, as the time scheme sets them [m], [m/s], [m/s²]
   std::vector<double> reactions;  // mean forces of the holds, over all dofs [N]; empty: no node is guided
 };
 

@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// Calls visit(node, norm of the node's entries, first, last) for the entries begin … end of a vector over
-/// the degrees of freedom, which are ordered by node.
+/// Calls visit(node, norm, first, last) for each node, with the norm of the node's entries first … last - 1,
+/// in the range begin … end - 1 of a vector over all dofs. Entries of one node are contiguous.
 template <class Visit>
 void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end, std::span<const double> v,
                Visit&& visit) {
@@ -39,13 +39,14 @@ class Scales {
   /// Largest nodal sum of the forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }
 
-  /// Nodal sums of the forces that drive the gear: those that do not depend on the state, and those without
-  /// an energy, such as drag.
+  /// Forces that drive the gear: those that do not depend on the state (such as weight), and those without an
+  /// energy (such as drag).
   struct DrivingLoad {
-    double largest = 0, sum = 0;  // over nodes [N]
+    double largest = 0, sum = 0;  // norms of nodal forces: the largest, and their sum over all nodes [N]
   };
   DrivingLoad driving_load();
-  /// Whether an external force acts on the elements. The first call decides, at its positions x.
+  /// Whether an external force acts on the elements. The first call decides this at its positions x; later
+  /// calls return the same.
   bool is_driven(std::span<const double> x);
 
  private:

@@ -6,8 +6,9 @@
 
 namespace netloft {
 
-/// Whether an unknown is shared by elements, such as the front of a catch. A shared unknown is not a position
-/// and has no mass. Its equation holds at every moment, so that its history does not matter.
+/// Whether an unknown belongs to all elements of a part together, such as the front of a catch. Such an
+/// unknown is not a position and has no mass. Its equation contains no rates, so that its history does not
+/// matter.
 inline bool is_shared(const Assembler& assembler, std::size_t i) {
   if (assembler.is_place(i)) return false;
   const std::uint32_t node = assembler.numbering().node(Dof(i));

@@ -194,7 +194,8 @@ int StaticProblem::row_sums(int matrix, double shift, double* y) {
   return matrices_.row_sums(matrix, shift, y) ? NETLOFT_OK : NETLOFT_ERROR;
 }
 
-/// Computes the reactions, to which tolerances are relative, unless the last evaluation was at u.
+/// Computes the reactions at u, unless the last evaluation was there. Tolerances are relative to the largest
+/// of dead loads and reactions.
 void StaticProblem::find_reactions(const double* u, const double* residual) {
   if (!std::equal(u, u + size(), reactions_of_.begin(), reactions_of_.end())) {
     gradient_.resize(configuration_.x().size());
@@ -256,28 +257,30 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
             });
   const Convergence c = convergence_of(imbalance_of(b), limits_.tolerance);
   b.at_round_off = c == Convergence::at_round_off;
-  b.balanced = c != Convergence::none && !has_run_away(x);  // far away, rounding hides any residual
+  b.balanced = c != Convergence::none &&
+               !has_run_away(x);  // far away from the start, rounding errors hide any residual
   return b;
 }
 
-/// Determines whether an external force acts only if the load is no more than rounding error, because only
-/// then (4) of convergence.hpp can apply.
+/// Converts a balance to the input of convergence.hpp. Whether an external force acts is determined only if
+/// the load does not exceed the rounding error, because only then rule (4) there can apply.
 Imbalance StaticProblem::imbalance_of(const Balance& b) {
   return {b.residual, b.scale, b.floor, b.scale > b.floor || scales_.is_driven(configuration_.x()),
           configuration_.is_in_time()};
 }
 
-/// Forces are computed from differences of coordinates, so that their error is the stiffness times the
-/// rounding error of a position, or of a difference if positions have a low-order part.
+/// Bound of the residual of one unknown by rounding. Forces are computed from differences of coordinates, so
+/// that their error is the stiffness times the rounding error of a position, or of a difference if the digits
+/// beyond double precision are known.
 double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> x) const {
   const auto i = static_cast<std::size_t>(unknown);
   const double stiffness = matrices_.metric_at(unknown) + configuration_.stiffness_of_inertia(i);
   return 4 * std::numeric_limits<double>::epsilon() * stiffness * configuration_.rounded_length(x[i]);
 }
 
-/// A load F that has moved by d is balanced by a stiffness of F/d. The load itself gives a gear of length L
-/// the stiffness F/L, as weight does to a pendulum. The gear has run away if F/d ≤ kMatters F/L, because then
-/// nothing resists the load.
+/// A load F that has moved by d is in balance with a stiffness of F/d. The load itself gives a gear of length
+/// L the stiffness F/L, as weight does for a pendulum. The gear has run away if F/d ≤ kMatters F/L:
+/// practically nothing resists the load.
 bool StaticProblem::has_run_away(std::span<const double> x) const {
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i)

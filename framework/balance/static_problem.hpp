@@ -23,16 +23,18 @@ struct SolverChoice {
   const void* parameters = nullptr;
 };
 
-/// Calls the solver, and attributes the call to its plugin while it lasts (plugin_call.hpp).
+/// Calls the solver. During the call, its plugin is recorded as running, so that a crash can be explained
+/// (plugin_call.hpp).
 netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem);
 
-/// Imbalance of the nodes at a point. Loads are the dead loads on nodes and the reactions of held nodes.
+/// How well forces are in balance at a point. Loads are the dead loads on nodes and the reactions of held
+/// nodes.
 struct Balance {
   double residual = 0;        // largest nodal residual [N]
   double scale = 0;           // largest nodal load [N]
   std::uint32_t worst = 0;    // node of the largest residual
-  double floor = 0;           // bound of the residual by rounding of the positions [N]
-  bool balanced = false;      // by convergence.hpp
+  double floor = 0;           // upper bound of the residual that rounding of the positions causes [N]
+  bool balanced = false;      // whether the forces are in balance, by the rules in convergence.hpp
   bool at_round_off = false;  // balanced at round-off, but not within the tolerance
 
   Convergence convergence() const {
@@ -41,7 +43,8 @@ struct Balance {
   }
 };
 
-/// Sum of the largest nodal moves from one accepted point to the next.
+/// Length of a solver's path: the sum, over the steps from one accepted point to the next, of the largest
+/// nodal displacement.
 class PathLength {
  public:
   /// Length of the path up to u [m].
@@ -53,8 +56,7 @@ class PathLength {
 };
 
 /// The problem r(u) = 0 of a static scene or of a step in time, with the C interface that a solver calls.
-/// Counts and times every call, and decides on convergence. Its members `Configuration`, `Scales`, `Matrices`
-/// and `Factors` hold positions, scales, matrices and their factors.
+/// Counts and times every call, and decides on convergence.
 class StaticProblem {
  public:
   StaticProblem(Assembler& assembler, MakeFactorisation make, Limits limits, Observer observer = {});
@@ -77,20 +79,20 @@ class StaticProblem {
   bool recompute(std::span<const double> u, std::vector<double>& x, std::vector<double>& residual,
                  double& energy);
   Balance balance(std::span<const double> x, std::span<const double> residual);
-  /// The balance in terms of convergence.hpp.
+  /// Converts a balance to the input of convergence.hpp.
   Imbalance imbalance_of(const Balance& b);
   Scales& scales() { return scales_; }
   const Scales& scales() const { return scales_; }
-  /// From now on, this step is the problem.
+  /// Makes this step in time the problem.
   void begin(const StepProblem& step);
-  /// From now on, u is relative to the positions `base`, near the solution of the problem (Configuration).
+  /// Makes u relative to the positions `base`, near the solution of the problem (Configuration).
   void count_from(std::vector<double> base);
   /// Positions of all dofs at displacements u [m].
   const std::vector<double>& positions(std::span<const double> u);
-  /// Low-order part of the positions of the last evaluation [m]; empty if displacements are relative to the
-  /// start.
+  /// Digits that rounding removes from the positions of the last evaluation [m]; empty if displacements are
+  /// relative to the start.
   const std::vector<double>& x_low() const { return configuration_.x_low(); }
-  /// The next solution starts without a factor.
+  /// Discards the last factor.
   void forget_factor() { factors_.forget(); }
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
   /// Discards the linear stiffness, because the properties of elements have changed.
@@ -137,7 +139,8 @@ class StaticProblem {
   double begun_ = 0, begun_cpu_ = 0;  // [s]
   char message_[256] = "";
   std::vector<double> u_, residual_, gradient_;
-  std::vector<double> reactions_of_;  // displacements u of the reactions in residual_; empty: no reactions
+  std::vector<double> reactions_of_;  // displacements u at which the reactions in residual_ were computed;
+                                      // empty: no reactions
 };
 
 }  // namespace netloft

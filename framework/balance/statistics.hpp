@@ -40,7 +40,7 @@ struct Statistics {
   }
 };
 
-/// Adds the wall time of its lifetime to an account.
+/// Adds the wall time between its construction and its destruction to `account`.
 class Timed {
  public:
   explicit Timed(double& account) : account_(account), start_(wall_seconds()) {}

@@ -30,7 +30,7 @@ FactorSize analyse_factor(const SparsePattern& pattern, const MakeFactorisation&
   return size.flops > 0 ? size : estimate_factor(pattern);
 }
 
-/// S in (4).
+/// The measure S of the elements, Σ elements × terms × (degrees of freedom)², in (4).
 double size_of_elements(const Assembler& assembler) {
   double sum = 0;
   for (const auto& family : assembler.families()) {

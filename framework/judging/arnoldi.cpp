@@ -12,8 +12,8 @@ namespace netloft {
 
 namespace {
 
-// (5): the estimated error of a Ritz value may be this fraction of its distance from the unit circle. Chosen:
-// the estimate is of first order and may be ten times too small.
+// In (5) of growth.hpp, the estimated error of a Ritz value may be this fraction of its distance from the
+// unit circle. Chosen: the estimate is of first order and may be ten times too small.
 constexpr double kErrorOfKnown = 0.1;
 // Least ratio of the lengths after and before the orthogonalisation of a vector that is already orthogonal.
 constexpr double kLeastRemainder = 0.5;
@@ -52,9 +52,9 @@ void Arnoldi::extend(Eigen::Index steps) {
   for (Eigen::Index k = before; k < steps && !is_exhausted_; ++k) step(k);
 }
 
-/// Orthogonalises twice, which is enough (B. N. Parlett, The Symmetric Eigenvalue Problem, 1998, section
-/// 6.9). If the second pass shortens the vector to less than half, the vector is rounding error: the space
-/// contains Az.
+/// Adds the next basis vector. Two orthogonalisations are enough (B. N. Parlett, The Symmetric Eigenvalue
+/// Problem, 1998, section 6.9). If the second one shortens the vector to less than half, the vector is
+/// rounding error: the space contains Az.
 void Arnoldi::step(Eigen::Index k) {
   Eigen::VectorXd next = A_ * Eigen::VectorXd(Q_.col(k)), along;
   for (int i = 0; i < 2; ++i) {

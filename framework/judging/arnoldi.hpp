@@ -6,21 +6,21 @@
 
 namespace netloft {
 
-/// An eigenvalue of A with its eigenvector, computed in a Krylov space. Equation numbers are those of
-/// growth.hpp.
+/// An approximate eigenvalue θ of A with its eigenvector, from a Krylov space. A and the equation numbers are
+/// those of growth.hpp.
 struct RitzPair {
   std::complex<double> theta;
   double residual = std::numeric_limits<double>::infinity();  // ρ of (5)
-  double condition = 1;                                       // 1/χ
+  double condition = 1;                                       // 1/χ of (5), the condition number of θ
   Eigen::VectorXcd vector = {};
 
   double beyond() const { return std::abs(theta) - 1; }
-  /// Whether (5) holds.
+  /// Whether the estimated error of θ is small enough to trust |θ| > 1: (5).
   bool is_known() const;
 };
 
-/// An orthonormal basis Q of z, Az, A²z, … in the inner product (8), with A Q = Q H. One object serves
-/// several spaces in turn, with the same memory.
+/// An orthonormal basis Q of the Krylov space z, Az, A²z, … in the inner product (8) of cayley.hpp, with A Q
+/// = Q H. One object serves several spaces in turn, with the same memory.
 class Arnoldi {
  public:
   explicit Arnoldi(Cayley& A) : A_(A) {}
@@ -28,10 +28,11 @@ class Arnoldi {
   void begin(const Eigen::VectorXd& z);
   /// Extends the space to `steps` steps in total.
   void extend(Eigen::Index steps);
-  /// The Ritz pair that decides the verdict. Candidates are the pairs that are known and lie beyond the unit
-  /// circle by more than `beyond`: those with |Im s| ≤ Re s precede the others, and the outermost is
-  /// returned. Without candidates, the outermost of all pairs is returned. Pairs that are slow for A are
-  /// ignored. The returned `theta` is NaN if A or its eigenvalues could not be computed.
+  /// The Ritz pair that decides the verdict. Candidates are the accurate pairs (is_known) that lie beyond the
+  /// unit circle by more than `beyond`. Candidates whose rate s has |Im s| ≤ Re s (hardly an oscillation)
+  /// precede the others, and the outermost is returned. Without candidates, the outermost of all pairs is
+  /// returned. Pairs that are slow for A (Cayley::is_slow) are ignored. The returned `theta` is NaN if A or
+  /// its eigenvalues could not be computed.
   RitzPair outermost(double beyond) const;
 
  private:

@@ -78,8 +78,8 @@ Stability stability_of(GrowthVerdict verdict) {
   }
 }
 
-/// Finds the growth about a point at which the gear has come to rest. Its elements then remember this point
-/// (friction), not an earlier state.
+/// Finds the growth of disturbances of a point at which the gear has come to rest. For this, elements with
+/// friction remember this point instead of an earlier state.
 Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double gear_size) {
   Assembler& assembler = scene.assembler;
   const std::vector<double> past = assembler.memory();
@@ -89,7 +89,7 @@ Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, dou
   return growth;
 }
 
-/// Determines the stability if forces have no energy.
+/// Determines the stability of a point if forces have no energy.
 void find_growing_motion(Assessment& a, const AssembledScene& scene, double gear_size) {
   Growth growth = find_growth_at_rest(scene, a, gear_size);
   a.stability = stability_of(growth.verdict);
@@ -110,7 +110,7 @@ bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem
                         apart <= kSamePlace * problem.scales().gear_size());
 }
 
-/// Whether the stability needs no second examination.
+/// Whether the stability of a judged point may be reused. Doubtful results are examined again.
 bool is_decided(Stability s) {
   return s == Stability::stable || s == Stability::swinging || s == Stability::unstable;
 }
@@ -148,7 +148,7 @@ std::string first_not_convex(const StaticProblem& problem, const Assembler& asse
                              assembler.numbering().node(Dof(std::max(0, problem.last_factor().column))));
 }
 
-/// Counts of `now` minus those of `before`.
+/// The operations counted in `now` but not yet in `before`.
 Statistics since(const Statistics& before, const Statistics& now) {
   Statistics b;
   b.energies = now.energies - before.energies;

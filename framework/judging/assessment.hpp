@@ -8,10 +8,10 @@ namespace netloft {
 
 enum class SolveStatus { converged, unstable, not_converged, interrupted };
 
-/// Whether a small disturbance of an equilibrium decays. The tangent decides if forces have an energy.
-/// Otherwise growth.hpp decides, and `stable` means that it found no growing disturbance. `swinging` means
-/// that the motion that grows most oscillates, as an empty cod-end flaps (Growth::swings): the gear comes to
-/// rest nowhere near, but its motion may remain small.
+/// Whether a small disturbance of an equilibrium decays. If forces have an energy, the tangent decides.
+/// Otherwise growth.hpp decides, and `stable` means that no growing disturbance was found. `swinging` means
+/// that the fastest growing motion oscillates (Growth::swings), as an empty cod-end flaps: the gear does not
+/// come to rest near the equilibrium, but its motion may remain small.
 enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
 
 /// The motion into which a small disturbance of u grows, if forces have no energy.
@@ -24,20 +24,20 @@ struct GrowingMotion {
 
 /// The remaining Newton step at a point: an estimate of its distance from the equilibrium.
 struct StepLeft {
-  std::vector<double> x;                                     // after the step, over all dofs; empty: unknown
-  std::vector<double> x_low;                                 // low-order part of x
-  double length = std::numeric_limits<double>::quiet_NaN();  // its largest nodal move [m]
+  std::vector<double> x;      // positions after the step, over all dofs; empty: unknown
+  std::vector<double> x_low;  // digits that rounding removes from x [m]; empty: unknown
+  double length = std::numeric_limits<double>::quiet_NaN();  // largest nodal displacement of the step [m]
 };
 
 /// The host's assessment of a point, independent of how the point was found.
 struct Assessment {
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
-  std::string reason;  // a sentence
-  std::string
-      at_fault;  // node or element of the largest residual, of undefined forces, or of the largest growth
+  std::string reason;    // a sentence
+  std::string at_fault;  // node or element at which the residual is largest, forces are undefined, or growth
+                         // is largest
   std::vector<double> x, residual;  // over all dofs [m], [N]
-  std::vector<double> x_low;        // low-order part of x [m]; empty: unknown
+  std::vector<double> x_low;        // digits that rounding removes from x [m]; empty: unknown
   double energy = 0;                // [J]
   Balance balance;
   GrowingMotion growing;
@@ -45,8 +45,8 @@ struct Assessment {
   Statistics judging;  // cost of the assessment
 };
 
-/// The last equilibrium whose stability was decided, if forces have no energy. A solver that ends there again
-/// receives the same verdict.
+/// The last equilibrium whose stability was decided, if forces have no energy. If a solver ends there again,
+/// the verdict is reused.
 struct JudgedPoint {
   Assessment assessment;
   std::vector<double> memory;  // of the elements
@@ -60,7 +60,7 @@ inline bool is_stationary(const Assessment& a) {
   return a.status == SolveStatus::converged || a.status == SolveStatus::unstable;
 }
 
-/// Whether an oscillation grows, accepted or not.
+/// Whether the growing motion oscillates. The equilibrium may be accepted nevertheless.
 inline bool flutters(const Assessment& a) { return a.stability == Stability::swinging; }
 
 /// Assesses displacements u of the unknowns, at which a solver ended with `outcome`: recomputes the residual,

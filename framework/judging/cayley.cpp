@@ -15,7 +15,7 @@ using Vector = Eigen::VectorXd;
 // Rounding error of K in (7), relative to its entries.
 constexpr double kRoundingOfK = 10 * std::numeric_limits<double>::epsilon();
 
-/// Copies a matrix without the zeros of the pattern.
+/// Copies the non-zero values of a matrix.
 Eigen::SparseMatrix<double> make_sparse(const SparsePattern& p, std::span<const double> values) {
   Eigen::SparseMatrix<double> A(p.size, p.size);
   A.reserve(static_cast<Eigen::Index>(p.entries()));

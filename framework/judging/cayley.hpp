@@ -8,10 +8,12 @@
 
 namespace netloft {
 
-/// Largest ratio between σ of (4) and |s| at which σ has to find s. For larger ratios, a different σ finds s.
+/// A shift σ of (4) in growth.hpp must find rates s with |s| between σ/kOff and kOff σ. Other values of σ
+/// find other rates.
 inline constexpr double kOff = 10;
 
-/// The operator A of (4) in growth.hpp on vectors (y, v). Their norm is that of an energy,
+/// The operator A of (4) in growth.hpp, one step of the trapezoidal rule, on vectors (y, v) of displacements
+/// and velocities. Their norm is that of an energy,
 ///   ‖(y, v)‖² = yᵀ(K₊ + σ²M) y + vᵀM v,   K₊ the convex part of K                          (8)
 /// In this norm A enlarges no vector if K = K₊ and C damps. In other norms, a transient looks like growth.
 class Cayley {
@@ -20,25 +22,25 @@ class Cayley {
   /// Sets σ. Returns false if K + σC + σ²M has no factor.
   bool set(double sigma);
   Eigen::Index unknowns() const { return K_.rows(); }
-  /// Dimension of the space in the norm (8): unknowns without mass have no velocity in it.
+  /// Dimension of the space of (y, v). Unknowns without mass have no velocity.
   Eigen::Index dimension() const { return dimension_; }
   Eigen::VectorXd operator*(const Eigen::VectorXd& z);
-  /// B z for the inner product zᵀ B z.
+  /// Returns B z, where zᵀ B z is the square of the norm (8).
   Eigen::VectorXd weighed(const Eigen::VectorXd& z) const;
   bool is_damped() const { return motion_.is_damped; }
-  /// The rate s that belongs to an eigenvalue μ.
+  /// The growth rate s that corresponds to an eigenvalue μ of A, the inverse of (4).
   std::complex<double> rate(std::complex<double> mu) const { return sigma_ * (mu - 1.0) / (mu + 1.0); }
-  /// Whether the rate |s| of an eigenvalue μ is below σ/10, so that a smaller σ has to find it. The reason is
-  /// that for unit masses, w = σy and all ω ≪ σ, A is close to
+  /// Whether the rate |s| of an eigenvalue μ is below σ/10, so that a smaller σ has to find it. The reason:
+  /// for unit masses, w = σy and all frequencies ω ≪ σ, A is close to
   ///   (w, v) → (w + 2v, v − 2Kw/σ²),   μ = 1 ± 2iω/σ                                        (5a)
-  /// whereas zᵀAz of unit vectors z ranges from 0 to 2. Ritz values may lie anywhere in that range although
-  /// (5) gives small errors.
+  /// whereas zᵀAz of unit vectors z ranges from 0 to 2. Ritz values may lie anywhere in that range, although
+  /// the error estimate (5) is small.
   bool is_slow(std::complex<double> mu) const { return std::abs(rate(mu)) < sigma_ / kOff; }
   /// A vector with a component in every direction, the same on every machine.
   Eigen::VectorXd start() const;
-  /// Whether the expected error of K could stop the growth by s along y. This error is the rounding error of
-  /// K, or, for a divergence, the change of K over the remaining Newton step δ. δ is cut to the extent of one
-  /// place (kSamePlace), because a small imbalance leaves a long step along a soft mode.
+  /// Whether the expected error of K could stop the growth at rate s along y. This error is the rounding
+  /// error of K, or, if s is real, the change of K over the remaining Newton step δ. δ is limited to
+  /// kSamePlace of the gear's size, because a small imbalance leaves a long step along a soft mode.
   ///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y|‖   or   0 < yᵀ(s²M + sC) y ≤ yᵀ(K(x + δ) − K(x)) y       (7)
   bool is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const;
 

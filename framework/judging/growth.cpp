@@ -13,8 +13,8 @@ namespace netloft {
 
 namespace {
 
-// Least σ of (4), and the factor by which another σ is tried if K + σC + σ²M is singular. Growth slower than
-// 1e-4/s, which is tenfold in six hours, is not found.
+// Least shift σ of (4), and the factor by which another σ is tried if K + σC + σ²M is singular. Growth slower
+// than 1e-4/s, which is tenfold in six hours, is not found.
 constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
 // Number of steps of the Arnoldi iteration, doubled once if they do not decide. If powers of A decide, growth
 // is measured over the same number of powers, and this number also limits the number of measurements.
@@ -23,19 +23,19 @@ constexpr int kSteps = 24;
 // twice this number if σ differs from |s| by the factor kOff, and ten times this number at σ = |s|. Growth by
 // powers that falls by this fraction between two measurements may be transient.
 constexpr double kDistanceFromCircle = (kMarginalGrowth - 1) / kOff;
-// c of (6) at the end of the band of marginal growth.
+// The ratio c = Re s/|s| at which |μ| of (6) in growth.hpp is kMarginalGrowth.
 constexpr double kLeastCosine =
     (kMarginalGrowth * kMarginalGrowth - 1) / (kMarginalGrowth * kMarginalGrowth + 1);
 
 using Vector = Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-/// A vector under powers of A, scaled to length 1.
+/// A vector that is multiplied by A again and again and scaled to length 1.
 class Powers {
  public:
   Powers(Cayley& A) : A_(A), z_(A.start()) {}
 
-  /// Average growth per power over `powers` powers.
+  /// Applies A `powers` times. Returns the average growth of the vector per application.
   double grow(int powers) {
     double logarithm = 0;
     for (int k = 0; k < powers; ++k) {
@@ -78,7 +78,8 @@ void take_mode(const Eigen::VectorXcd& y, Growth& g) {
 Growth growth_of(const RitzPair& pair, const Cayley& A) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
-  if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};  // although its powers grow
+  if (!(s.real() > 0))
+    return {.verdict = GrowthVerdict::marginal};  // the eigenvalue does not grow, although powers of A do
   Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));
   g.per_power = std::sqrt((1 + c) / (1 - c));  // (6)
@@ -93,8 +94,8 @@ Growth growth_of(const RitzPair& pair, const Cayley& A) {
   return g;
 }
 
-/// Verdict by powers of A, if the largest Ritz value is not known. Growth that falls from 24 powers to the
-/// next 24 may be transient.
+/// Verdict by the growth of powers of A, used if the largest Ritz value is not accurate enough. Growth that
+/// falls from 24 powers to the next 24 may be transient.
 Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   Powers powers(A);
   const GrowthVerdict verdict = powers.judge();
@@ -104,8 +105,8 @@ Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   return growth_of(arnoldi.outermost(kDistanceFromCircle), A);
 }
 
-/// Replaces the residual of a Ritz pair by that of A itself: rounding errors can make the residual of the
-/// recurrence too small.
+/// Corrects the residual of a Ritz pair to that computed with A itself, if it is larger: rounding errors can
+/// make the residual of the recurrence too small.
 RitzPair checked(Cayley& A, RitzPair pair) {
   const Vector real = pair.vector.real(), imaginary = pair.vector.imag();
   Eigen::VectorXcd rest = -pair.theta * pair.vector;
@@ -117,7 +118,7 @@ RitzPair checked(Cayley& A, RitzPair pair) {
   return pair;
 }
 
-/// Verdict for the current σ of A.
+/// Verdict for the current shift σ of A.
 Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
   arnoldi.begin(A.start());
   for (const int steps : {kSteps, 2 * kSteps}) {
@@ -132,8 +133,8 @@ Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
 
 double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
 
-/// Number of steps from the least σ to the greatest, which is the first that exceeds the fastest possible
-/// rate.
+/// Index of the greatest σ, the first that exceeds the fastest possible rate. σ grows from the least by a
+/// constant factor.
 int steps_of_sigma(double fastest) {
   int steps = 0;
   while (sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;

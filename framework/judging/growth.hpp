@@ -4,9 +4,9 @@
 
 namespace netloft {
 
-/// End of the band (6) in which growth per power does not differ from none.
+/// Growth factors per step up to this value do not differ reliably from one, see (6) below.
 inline constexpr double kMarginalGrowth = 1.01;
-/// Least ratio of frequency to rate of an oscillation. A pair of eigenvalues with a smaller ratio grows by
+/// Least ratio of frequency to rate of an oscillation. With a smaller ratio, a motion grows by at least
 /// exp(10 π) in half a period, from the rounding error of a double to the size of the gear, so that it never
 /// completes a period.
 inline constexpr double kOscillates = 0.1;
@@ -16,15 +16,16 @@ enum class GrowthVerdict { none, marginal, grows, unknown };
 /// Growth of a small disturbance, and the motion into which it develops.
 struct Growth {
   GrowthVerdict verdict = GrowthVerdict::none;
-  double per_power = 0;                 // largest |μ| of (6) over σ; zero if nothing grows
-  double rate = 0;                      // Re s of the growing motion [1/s]
-  double frequency = 0;                 // Im s, its angular frequency [rad/s]; zero for a divergence
-  std::vector<double> mode = {};        // over the unknowns, of length 1; empty if nothing grows
-  std::vector<double> mode_later = {};  // a quarter of a period later, on the same scale; empty: no period
-  Statistics cost = {};                 // of the examination
+  double per_power = 0;           // largest |μ| of (6) over σ; zero if nothing grows
+  double rate = 0;                // Re s of the growing motion [1/s]
+  double frequency = 0;           // Im s, its angular frequency [rad/s]; zero for a divergence
+  std::vector<double> mode = {};  // over the unknowns, of length 1; empty if nothing grows
+  std::vector<double> mode_later =
+      {};                // a quarter of a period later, on the same scale; empty if it does not oscillate
+  Statistics cost = {};  // of the examination
   bool grows() const { return verdict == GrowthVerdict::grows; }
-  /// Whether the growth is flutter and not divergence: a pair of eigenvalues, which oscillates and comes to
-  /// rest nowhere near.
+  /// Whether the growth is flutter (a growing oscillation, from a pair of complex eigenvalues), not
+  /// divergence.
   bool swings() const { return frequency > kOscillates * rate; }
 };
 

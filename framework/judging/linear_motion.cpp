@@ -12,10 +12,10 @@ namespace netloft {
 
 namespace {
 
-// τ of (2) [s]
+// Time constant τ of (2) in growth.hpp, for unknowns with neither mass nor damping [s]
 constexpr double kTimeToFollow = 1e-3;
-// Multiple of the metric in the norm (8), for directions without any other stiffness: the geometric mean of
-// the rounding error of a matrix and of the least stiffness that matters.
+// Multiple of the linear stiffness that is added to K₊ in the norm (8), for directions without any other
+// stiffness: the geometric mean of the rounding error of a matrix and of the least stiffness that matters.
 const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 
 bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
@@ -62,8 +62,8 @@ std::vector<double> largest_by_column(const SparsePattern& p, std::span<const do
   return largest;
 }
 
-/// For each unknown, by how much C fails to damp it, at least zero: the largest of minus its diagonal entry
-/// and, over the other entries of its column, of the excess of the entry over the geometric mean of the two
+/// For each unknown, the largest driving (negatively damping) entry of C, at least zero: minus its diagonal
+/// entry or, for another entry of its column, the excess of the entry over the geometric mean of the two
 /// diagonal entries.
 std::vector<double> driving_part(const SparsePattern& p, std::span<const double> C) {
   std::vector<double> drives(static_cast<std::size_t>(p.size));
@@ -77,7 +77,7 @@ std::vector<double> driving_part(const SparsePattern& p, std::span<const double>
   return drives;
 }
 
-/// Adds (2) for unknowns with neither mass nor damping.
+/// Adds the damping (2) of growth.hpp, C = τ G, for unknowns with neither mass nor damping.
 void add_damping_of_massless(const SparsePattern& p, std::span<const double> metric, LinearMotion& m) {
   std::vector<bool> follows(static_cast<std::size_t>(p.size), true);
   const auto each = [&](auto&& visit) {
@@ -102,7 +102,8 @@ std::vector<double> between(std::span<const double> a, std::span<const double> b
   return there;
 }
 
-/// K_error; empty if the step is not known, or elements are undefined at its end.
+/// Change of K over the remaining Newton step (LinearMotion::K_error); empty if the step is not known, or
+/// elements are undefined at its end.
 std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& at,
                                         const std::vector<double>& K) {
   if (at.after.empty()) return {};

@@ -7,7 +7,8 @@
 
 namespace netloft {
 
-/// Values of the matrices of (1) and (8), in one pattern. Equation numbers are those of growth.hpp.
+/// Values of the matrices of the linear motion M ÿ + C ẏ + K y = 0, in one pattern. Equation numbers up to
+/// (8) in this header are those of growth.hpp and cayley.hpp.
 struct LinearMotion {
   std::vector<double> K, C, M;  // [N/m], [N s/m], [kg]
   std::vector<double> convex;   // symmetric positive definite, an approximation of K [N/m]
@@ -18,23 +19,23 @@ struct LinearMotion {
 /// A point near an equilibrium, over all dofs.
 struct RestPlace {
   std::span<const double> x;
-  std::span<const double> x_low = {};  // low-order part of x; empty: unknown
+  std::span<const double> x_low = {};  // digits that rounding removes from x; empty: unknown
   std::span<const double> after = {};  // x after the remaining Newton step; empty: unknown
   std::span<const double> after_low = {};
-  double fraction = 1;  // fraction of that step which stays within one place (kSamePlace)
+  double fraction = 1;  // fraction of that step within which points count as the same (kSamePlace)
 };
 
 /// Evaluates the matrices at a point. Returns false if an element failed, which Assembler::fault describes.
 bool linearise(Assembler& assembler, const RestPlace& place, LinearMotion& motion);
 
-/// Largest number of matrices that `linearise` evaluates: those of a motion, the linear stiffness, and K
-/// after the remaining step.
+/// Largest number of matrices that `linearise` evaluates: four of the motion (K, C, M, convex part), the
+/// linear stiffness, and K after the remaining step.
 inline constexpr int kMatricesOfMotion = 6;
 
 /// Rounding error of a matrix that is assembled from many elements, relative to its largest entry.
 inline constexpr double kRoundingOfMatrix = 1e-9;
 
-/// Whether (9) holds. Then the energy (8) of cayley.hpp falls, and no disturbance grows:
+/// Whether (9) holds, so that the energy (8) of cayley.hpp falls and no disturbance grows:
 ///   M and K symmetric, K and M positive definite, C + Cᵀ positive semidefinite             (9)
 /// Cholesky factorisations decide; `cost` counts them. A positive definite K + Kᵀ is not enough: s² = −1 ± ib
 /// of K = [1 −b; b 1] grows for any b.

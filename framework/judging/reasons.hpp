@@ -17,8 +17,9 @@ std::string growth_sentence(const Assessment& a, const Assembler& assembler, con
 /// The node with the largest amplitude in the growing motion, which must exist.
 std::string node_of_growth(const Assessment& a, const Assembler& assembler, const Scene& scene);
 
-/// The sentence on an assessment whose status and stability are known. `ending` says why the solver returned,
-/// `worst` names the node with the largest residual, and `why_unstable` says why the point is not stable.
+/// The sentence that reports an assessment whose status and stability are known. `ending` says why the solver
+/// returned, `worst` names the node with the largest residual, and `why_unstable` says why the point is not
+/// stable.
 std::string reason_of(const Assessment& a, const std::string& ending, const std::string& worst,
                       const std::string& why_unstable);
 

@@ -4,7 +4,7 @@
 
 namespace netloft {
 
-/// Another equilibrium of the gear that is not unstable.
+/// Another equilibrium of the gear that was found and is not unstable.
 struct OtherShape {
   double energy = 0;           // [J]
   double distance = 0;         // largest distance of a node from its position in the solution [m]
@@ -21,11 +21,11 @@ struct Shapes {
   std::vector<OtherShape> others;
 };
 
-/// The course of a solver: its results other than the final point.
+/// The record of a solver's run, without its final point.
 struct SolverRun {
   Stop stop = Stop::none;  // why the host stopped it
   std::vector<IterationRecord> history;
-  std::string factorisation = "none";  // the last one it used, for people
+  std::string factorisation = "none";  // description of the last one used, for reports
 };
 
 /// The final point of a solver, its assessment and its cost.
@@ -35,7 +35,8 @@ struct Solution : Assessment {
   Cost cost;
   bool does_not_settle = false;  // its path exceeded Limits::path, or motions did not come to rest
   Shapes shapes;
-  std::vector<double> factors;           // factors of the settings of the scene at this equilibrium
+  std::vector<double>
+      factors;  // factors of the scene's settings (such as lengths of ropes that are to give a wanted force)
   std::vector<std::string> diagnostics;  // possible reasons for which it did not converge
 };
 

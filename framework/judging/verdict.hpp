@@ -6,25 +6,25 @@
 
 namespace netloft {
 
-/// Precision of positions during a solve: double precision, or in addition a low-order part
+/// Precision of positions during a solve: double precision, or in addition the digits that it rounds off
 /// (StaticProblem::count_from).
 enum class Positions { plain, compensated };
 
-/// Initial guess of a solver.
+/// The initial guess of a solver.
 struct StartPoint {
   std::span<const double> u = {};  // displacements of the unknowns; empty: the start of the scene
   Positions positions = Positions::plain;
 };
 
-/// The reason for which a solver cannot work on problems with these traits (traits_of), for example because
-/// it needs an energy. Empty if it can.
+/// The reason why a solver cannot work on problems with these traits (traits_of), for example because it
+/// needs an energy. Empty if it can.
 std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t problem_traits);
 
-/// Lets `solver` find the static equilibrium of a scene, and assesses its final point; `correction` estimates
-/// the distance of a balanced point from the equilibrium. A stationary point is unstable if its tangent is
-/// not positive definite, or, if forces have no energy, if a disturbance grows (Judging::examine_growth). An
-/// unfit solver is not started, and nothing is computed. The memory of elements (friction) does not change:
-/// the equilibrium depends on the past that the scene had.
+/// Lets `solver` find the static equilibrium of a scene, and assesses its final point, including its distance
+/// from the equilibrium (`correction`). A stationary point is unstable if its tangent is not positive
+/// definite, or, if forces have no energy, if a disturbance grows (Judging::examine_growth). A solver that
+/// cannot work on the scene is not started. The memory of elements (friction) does not change: the
+/// equilibrium depends on the past that the scene had before.
 Solution solve_static(const AssembledScene& scene, SolverChoice solver, const Limits& limits,
                       StartPoint start = {}, Observer observer = {});
 
