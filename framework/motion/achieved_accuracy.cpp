@@ -10,8 +10,8 @@ namespace netloft {
 
 namespace {
 
-// Step lengths of the march for comparison, divided by those of this march. The steps are longer unless
-// stability bounds them.
+// Ratio of step lengths, second march to first. The steps of the second march are longer unless stability
+// bounds them.
 constexpr double kLonger = 2, kShorter = 0.5;
 // Least relative difference of the mean steps of both marches. Marches with similar steps give no error
 // estimate.

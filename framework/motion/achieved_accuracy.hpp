@@ -13,21 +13,21 @@
 
 namespace netloft {
 
-/// Achieved accuracy of a march, relative to the longest element: the estimated errors of single steps, if
-/// steps are adaptive, and the error of the path, if the user requested it. The errors of single steps do not
-/// bound the error of a motion that amplifies them, and fixed steps have no estimate. Therefore the host can
-/// integrate a second time with steps r times as long (2, or ½ if stability bounds them). Its estimate of the
-/// error of the path is
-///   the largest distance of a node between both at an output / min(1, |r − 1|)                  (1)
-/// with r the ratio of the mean steps. Outputs at which r differs from 1 by less than a tenth are ignored; if
-/// all are, the error is unknown. The estimate is an upper bound if the error is at least proportional to the
-/// step. In a chaotic motion, such as the fall of a slack chain or the motion after a snap, any error grows
-/// until it is as large as the motion, no matter how short the steps are. The host therefore compares the
-/// second march with a third one, with the same steps and a start displaced by 1e-7 of the longest element.
-/// From the time at which those two differ by more than the accuracy, the path cannot be predicted, and (1)
-/// is no longer updated.
+/// Achieved accuracy of a march (an integration in time), relative to the longest element: the estimated
+/// errors of single steps, if steps are adaptive, and the error of the path, if the user requested it. The
+/// errors of single steps do not bound the error of a motion that amplifies them, and fixed steps have no
+/// estimate. Therefore the host can integrate a second time with steps r times as long (2, or ½ if stability
+/// bounds them). It estimates the error of the path as
+///   the largest distance of a node between the two marches at an output / min(1, |r − 1|)       (1)
+/// where r is the ratio of the mean steps. Outputs at which r differs from 1 by less than a tenth are
+/// ignored; if all are, the error is unknown. The estimate is an upper bound if the error is at least
+/// proportional to the step. In a chaotic motion, such as the fall of a slack chain or the motion after a
+/// snap, any error grows until it is as large as the motion, no matter how short the steps are. The host
+/// therefore compares the second march with a third one, which has the same steps and a start displaced by
+/// 1e-7 of the longest element. From the time at which those two differ by more than the accuracy, the path
+/// cannot be predicted, and (1) is no longer updated.
 struct AchievedAccuracy {
-  double asked = 0;    // accuracy of the path
+  double asked = 0;    // requested accuracy of the path
   double element = 0;  // extent of the longest element along one axis [m]
   double allowed = 0;  // largest error of one step, by (2) of step_control.hpp
   double largest = 0;  // largest estimated error of an accepted step, at time t and node `node`
@@ -37,9 +37,9 @@ struct AchievedAccuracy {
   // errors.
   double sum = 0;
   bool is_checked =
-      false;  // whether it was compared with another march, so that the following members are known
-  // Error of the path by (1), at time path_at and node path_of. Infinite: the other march failed; NaN:
-  // unknown, because its steps had the same length.
+      false;  // whether the march was compared with another one; then the following members are known
+  // Error of the path by (1), at time path_at and node path_of. Infinite: the second march failed; NaN:
+  // unknown, because the steps of both marches had the same length.
   double path = 0;
   double path_at = 0;  // [s]
   std::string path_of = {};
@@ -50,10 +50,10 @@ struct AchievedAccuracy {
   bool is_missed() const { return is_checked && !(path <= asked && is_predictable()); }
 };
 
-/// Settings of the march for comparison: the same, with steps r times as long.
+/// Settings of the second march, with which a march is compared: the same, with steps r times as long.
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability);
 
-/// Settings of the third march, to which the march of settings_of_comparison() is compared.
+/// Settings of the third march, with which the second one is compared.
 MarchSettings settings_of_disturbed(const MarchSettings& settings);
 /// Displaces the start of a march by 1e-7 of the longest element, whose length is `element` [m].
 void disturb(MarchState& start, double element);
@@ -67,11 +67,12 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state);
 
-/// Stores t as the time from which two marches differ by more than `allowed` [m], unless one is stored.
+/// Stores t as the time from which two marches differ by more than `allowed` [m], unless an earlier time is
+/// stored.
 void note_parting(const std::vector<double>& here, const std::vector<double>& there, double t, double allowed,
                   MarchState& state);
 
-/// The values stored in `state`. `why_lost`: the reason for which the other march failed, if it did.
+/// Returns the values stored in `state`. `why_lost`: the reason why the second march failed, if it did.
 AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings& settings,
                                    const StepControl& control, const MarchState& state,
                                    const std::string& why_lost);

@@ -15,8 +15,8 @@ namespace {
 /// taut while it is paid out, and long enough for differences of energies to have 10 digits.
 constexpr double kPartOfStep = 1e-4;
 
-/// Whether a term resists a velocity, without flow of water and without memory, so that it can be evaluated
-/// at any point.
+/// Whether a term is a damper: it resists a velocity and depends neither on the flow of water nor on a
+/// memory, so that it can be evaluated at any point.
 bool is_damper(const netloft_term& term) {
   return (term.traits & NETLOFT_READS_VELOCITY) && (term.traits & NETLOFT_NEEDS_MOTION) &&
          !(term.traits & (NETLOFT_NEEDS_FLOW | NETLOFT_READS_GROUND));
@@ -87,9 +87,9 @@ void EnergyBudget::retract() {
   std::swap(now_, next_);
 }
 
-/// Adds (7) by the power at both ends of a step, which is ∂E/∂t at rest. A difference over the whole step
-/// would stretch elements by everything that is hauled in during the step: in a stiff rope, that strain is
-/// many times the actual one, and the energy rises with its square.
+/// Adds the work of winches in a step, (7), from the power ∂E/∂t at constant positions at both ends of the
+/// step. A difference over the whole step would stretch elements by all the rope that is hauled in during the
+/// step: in a stiff rope, that strain is many times the actual one, and the energy rises with its square.
 bool EnergyBudget::add_winches(const MeanStep* mean) {
   if (mean) return add_winches_of_means(mean->t);
   const double h = next_.t - now_.t;
@@ -99,8 +99,8 @@ bool EnergyBudget::add_winches(const MeanStep* mean) {
   return true;
 }
 
-/// Evaluates ∂E/∂t at a moment by the one-sided difference that is exact for a quadratic. The sign of `h` [s]
-/// points into the step.
+/// Evaluates the power ∂E/∂t at a moment by a one-sided difference that is exact for a quadratic function.
+/// The sign of `h` [s] points into the step.
 bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   const double tau = kPartOfStep * h;
   double here = 0, near = 0, far = 0;
@@ -111,8 +111,8 @@ bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   return true;
 }
 
-/// Adds (7) for a step by mean forces at time `middle`: the part of the energy change that is not the work of
-/// mean forces.
+/// Adds the work of winches, (7), in a step with mean forces in its middle, at time `middle`: the part of the
+/// energy change that is not the work of the mean forces.
 bool EnergyBudget::add_winches_of_means(double middle) {
   double early[2], late[2];
   if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, next_.t, late[0], false) ||
@@ -141,8 +141,8 @@ bool EnergyBudget::add_ends() {
   return true;
 }
 
-/// Adds (8). The rates of guided degrees of freedom are replaced by their displacements divided by the step
-/// length.
+/// Adds the works of a step with mean forces, (8). The rates of guided degrees of freedom are replaced by
+/// their displacements divided by the step length.
 bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   state_.set(mean.t, mean.u, mean.v, mean.a);
   middle_ = state_.x();
@@ -167,8 +167,8 @@ bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   return true;
 }
 
-/// Sets `to`. Its q contains displacements of unknowns and positions of held degrees of freedom; among the
-/// latter, only guided ones change.
+/// Sets the state of `to`. Its q contains displacements of unknowns and positions of held degrees of freedom,
+/// of which only guided ones change.
 void EnergyBudget::place(double t, std::span<const double> u, std::span<const double> v,
                          std::span<const double> a, Moment& to) {
   const auto put = [](std::span<const double> own, std::vector<double>& all) {
@@ -185,7 +185,7 @@ void EnergyBudget::place(double t, std::span<const double> u, std::span<const do
   to.v = state_.v();
 }
 
-/// Adds (5).
+/// Adds the works (5) of drag, damping and friction in a step.
 bool EnergyBudget::add_works() {
   const double h = next_.t - now_.t;
   middle_.resize(now_.x.size());
@@ -217,7 +217,8 @@ void EnergyBudget::find_mean_rates() {
   }
 }
 
-/// Adds (4). M v at the mean velocity of the step is evaluated with the masses at its end and at its start.
+/// Adds the entrained energy (4) in a step. M v at the mean velocity of the step is evaluated with the masses
+/// at its end and at its start.
 bool EnergyBudget::find_entrained() {
   find_mean_rates();
   Kinematics as_rates;
@@ -235,7 +236,8 @@ bool EnergyBudget::restate(double t, std::span<const double> u, std::span<const 
   return find_forces(now_);
 }
 
-/// Evaluates r_M(0, v) at the moment m; state_ must have been set to m.
+/// Evaluates the inertia force r_M(0, v) without acceleration, of turning bodies, at the moment m. state_
+/// must have been set to m.
 bool EnergyBudget::find_turning(Moment& m) {
   m.turning.clear();
   if (!assembler_.has_bodies()) return true;
@@ -318,7 +320,7 @@ std::vector<double> EnergyBudget::values() const {
   return values;
 }
 
-double EnergyBudget::numerical() const {  // (7)
+double EnergyBudget::numerical() const {
   double gained = kinetic_ - first_kinetic_ + entrained_, spent = damped_;
   for (const auto& s : stored_) gained += s.value - s.first;
   for (const auto& w : work_) spent += w.value;

@@ -36,36 +36,38 @@ class EnergyBudget {
 
   /// Begins the budget at a state. Returns false if an element failed, which Assembler::fault describes.
   bool begin(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
-  /// Adds a step to a new state. `mean` has the mean forces of the step; null if it used none.
+  /// Adds a step that ends at this state. `mean` has the mean forces of the step; null if the scheme used
+  /// none.
   bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
                const MeanStep* mean = nullptr);
   /// Undoes the last `advance`.
   void retract();
   /// Evaluates the forces of the last state again, after elements have stored it in their memory.
   bool refresh() { return find_forces(now_); }
-  /// Sets the last state again after its rotation vectors were replaced by others of the same rotations.
+  /// Replaces the last state by the same state with other rotation vectors of the same rotations.
   bool restate(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
 
   /// Names and values [J], in the same order.
   std::vector<std::string> names() const;
   std::vector<double> values() const;
-  /// Energies of the last state, and works since the start, for the energy judge.
+  /// Energies of the last state, and works since the start, for EnergyJudge.
   struct Totals {
     double kinetic = 0, stored = 0, numerical = 0;
-    std::vector<double> given;  // work of holds, of winches, of each force without an energy; negative: taken
+    std::vector<double> given;  // work done on the gear by holds, by winches, and by each force without an
+                                // energy; negative: taken from it
   };
   Totals totals() const;
-  /// The sums since the start, which a resumed march needs in addition to `begin` at the same state.
+  /// The sums since the start. A resumed march needs them in addition to `begin` at the same state.
   std::vector<double> sums() const;
   void set_sums(std::span<const double> sums);
 
  private:
-  /// All active terms of one name. `value` is their current energy, or, for terms without an energy, the sum
-  /// of their work.
+  /// The account of all active terms with one name. `value` is their current energy, or, for terms without an
+  /// energy, the sum of their work.
   struct Account {
     std::string name;
     std::vector<std::pair<std::size_t, std::size_t>> terms;  // (family, term)
-    bool in_the_middle = false;                              // a damper of (5)
+    bool in_the_middle = false;  // a damper: (5) is evaluated in the middle of each step
     double value = 0, first = 0;
   };
   /// A state, and its forces over all dofs, as residuals.

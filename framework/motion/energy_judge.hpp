@@ -7,11 +7,12 @@
 
 namespace netloft {
 
-/// Decides whether a motion contains energy that nothing supplied. It examines single steps, each of which
-/// represents n steps. Δ is the change over an examined step; sums run over the examined steps, maxima over
-/// time.
+/// Decides whether a motion contains energy that nothing supplied, because the time scheme created it. Single
+/// steps are examined, each of which represents n steps. Δ is the change over an examined step; sums run over
+/// the examined steps, maxima over time. K₀ and E₀ are the kinetic and the stored energy at the start, E the
+/// stored energy, and k counts holds, winches and forces without an energy:
 ///   made = −Σ n Δnumerical                                                                (1)
-///   given = K₀ + max(E₀ − E) + Σ_k max(Σ n Δgiven_k)     E stored, k holds, winches, forces  (2)
+///   given = K₀ + max(E₀ − E) + Σ_k max(Σ n Δgiven_k)                                       (2)
 ///   lost: made > ½ given + W, ten times in a row, or at the last examination                (3)
 /// W [J] is a negligible work. Ten times, because a stable scheme may overshoot in its first steps if they
 /// are far longer than the periods of the fast modes; it takes that energy back in the following steps. In

@@ -52,7 +52,8 @@ bool EnergyWatch::examine(TransientProblem& problem, const MarchState& from, con
   return true;
 }
 
-/// Right side of (1), scaled with the step length in a march for comparison.
+/// The allowed energy error of a step, the right side of (1). In a march for comparison it is scaled with the
+/// step length.
 double EnergyWatch::tolerated() const { return settings_.accuracy * settings_.pace * tried_.scale(); }
 
 bool EnergyWatch::restate(const MarchState& state) {

@@ -7,9 +7,10 @@
 
 namespace netloft {
 
-/// Examines the energy of the steps of a march: of all steps if a budget is kept, otherwise of some. A scheme
-/// sees a snap of a rope only through the forces at the points that it evaluates. Therefore each step must
-/// also satisfy, with given and W of energy_judge.hpp at its end,
+/// Examines the energy of the steps of a march (an integration in time): of all steps if an energy budget is
+/// kept, otherwise of some. A scheme sees a snap of a rope only through the forces at the points that it
+/// evaluates. Therefore each examined step must also satisfy, with the energies `given` and W of
+/// energy_judge.hpp at its end,
 ///   |Δnumerical| ≤ accuracy (given + W)                                                     (1)
 /// The energy that a snap takes or creates is proportional to h, whereas the error of a step is proportional
 /// to h³. When the error of a step was the only control, a chain was integrated in steps of 1e-7 s at an
@@ -24,14 +25,14 @@ class EnergyWatch {
   bool begin(const MarchState& from, double negligible);
   /// Whether the energy of the next step will be examined.
   bool watches_step_after(const MarchState& state) const;
-  /// Examines an attempted step, from one state to another at time t. Raises `error`, which is relative to
-  /// the tolerance, to the ratio of both sides of (1) if that is larger. Returns false if an element failed,
-  /// see Assembler::fault.
+  /// Examines an attempted step, from one state to another at time t. `error` is the error of the step
+  /// divided by its tolerance; it is raised to the ratio of both sides of (1) if that is larger. Returns
+  /// false if an element failed, see Assembler::fault.
   bool examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
                double& error);
   /// Accepts the examined step.
   void accept() { judge_ = tried_; }
-  /// Sets the same state again after its rotation vectors were replaced by others of the same rotations.
+  /// Replaces the last state by the same state with other rotation vectors of the same rotations.
   bool restate(const MarchState& state);
   /// Stores the data from which a march continues. `refreshes`: elements have stored the state in their
   /// memory, so that their forces are evaluated again.

@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// The matrices of K q = ω² M q as functions of a vector: y = K x, y = M x, y = M⁻¹ x. K and M are symmetric,
-/// M is positive definite.
+/// The matrices of the eigenvalue problem K q = ω² M q as functions of a vector: y = K x, y = M x, y = M⁻¹ x.
+/// K and M are symmetric, M is positive definite.
 struct Pencil {
   using Apply = std::function<void(std::span<const double> x, std::span<double> y)>;
   std::size_t size = 0;
@@ -27,9 +27,9 @@ struct HighestMode {
 ///   β q₊ = M⁻¹ K q − α q − β₋ q₋,  α = qᵀ K q                                              (1)
 HighestMode find_highest_mode(const Pencil& pencil);
 
-/// The highest frequency of a pencil similar to the one with the mode `shape`. The iteration starts from this
-/// mode plus a small part of every other mode, so that it finds stiffer modes orthogonal to it. It ends when
-/// the residual is at most a twentieth of ω², which bounds the overestimate.
+/// The highest frequency of a pencil that is similar to the one with the mode `shape`. The iteration starts
+/// from this mode plus a small part of every other mode, so that it also finds stiffer modes orthogonal to
+/// it. It ends when the residual is at most a twentieth of ω², which bounds the overestimate.
 double highest_frequency_near(const Pencil& pencil, std::span<const double> shape);
 
 }  // namespace netloft

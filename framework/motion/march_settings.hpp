@@ -9,8 +9,8 @@ struct MarchSettings {
   double duration = 0;  // [s]
   double step = 0;      // length of the first step, or of all if not adaptive [s]; 0: the host chooses
   bool adaptive = true;
-  // Accuracy of the path, relative to the longest element; errors of single steps follow from (2) of
-  // step_control.hpp.
+  // Accuracy of the path, relative to the longest element. The allowed errors of single steps follow from (2)
+  // of step_control.hpp.
   double accuracy = 1e-3;
   double longest_step = std::numeric_limits<double>::infinity();  // [s]
   double shortest_step = 1e-9;                                    // [s]
@@ -18,12 +18,12 @@ struct MarchSettings {
   bool dense = false;          // outputs may lie between the ends of steps; otherwise steps end at outputs
   bool budget = true;          // keep the energy budget
   bool judged = true;          // fail if the motion contains energy that nothing supplied
-  bool check = false;          // compare with another march, with steps `pace` times as long
-  bool disturb = false;        // compare with another march, from a slightly displaced start
+  bool check = false;          // compare with a second integration, with longer or shorter steps
+  bool disturb = false;        // compare with another integration, from a slightly displaced start
   double pace = 1;             // factor on all step lengths
   double mass_damping = 0;     // c of the force −c M v [1/s]
 
-  /// Whether the energy of some steps is examined, with or without a budget.
+  /// Whether the energy of some steps is examined, also without a budget.
   bool watches_energy() const { return judged || adaptive; }
 };
 

@@ -10,14 +10,15 @@ namespace netloft {
 /// The times at which outputs are written and steps end.
 class MarchTimes {
  public:
-  /// `corners`: times at which prescribed motions have corners [s].
+  /// `corners`: times at which the rate of a prescribed motion jumps [s].
   MarchTimes(const MarchSettings& settings, std::vector<double> corners);
 
   std::size_t output_count() const;
   double output(std::size_t i) const;
   /// Whether a march with these settings has an output at time t of another march.
   bool is_output(double t) const;
-  /// The next time after t at which a step has to end. Times that differ from t only by rounding are skipped.
+  /// The next time after t at which a step has to end. A time that differs from t only by rounding is
+  /// skipped.
   double next_corner(double t) const;
 
  private:

@@ -52,7 +52,7 @@ class OwnMasses {
   Block3 mass_, turning_, coupling_;
 };
 
-/// The bodies without the nodes that are joined to their points.
+/// A copy of the scene in which bodies carry no nodes.
 Scene bare_bodies(const Scene& scene) {
   Scene bare = scene;
   for (RigidBody& body : bare.bodies) body.points.clear();

@@ -15,10 +15,10 @@ struct MissingInertia {
 };
 
 /// Finds bodies whose own elements give them no mass, or no inertia about some axis about which they can
-/// turn. The elements joined to the points of a body add so little inertia that the body would turn at any
-/// speed. Massless nodes are found only `with_nodes`: explicit schemes divide by their masses, whereas
-/// implicit schemes assume them to be in equilibrium. Masses are those at the start. Returns none if they
-/// cannot be evaluated there, see Assembler::fault.
+/// turn. (The elements joined to the points of a body add so little inertia that such a body would turn at
+/// any speed.) Massless nodes are found only if `with_nodes`: explicit schemes divide by their masses,
+/// whereas implicit schemes assume them to be in equilibrium. Masses are those at the start. Returns an empty
+/// list if they cannot be evaluated there, see Assembler::fault.
 std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const ScenePlan& plan,
                                                  Assembler& assembler, bool with_nodes);
 

@@ -15,8 +15,8 @@ class NodeMasses {
 
   /// Evaluates the masses at positions x over all dofs. Returns false if that fails, see Assembler::fault.
   bool update(std::span<const double> x);
-  /// a = −M⁻¹ r over the unknowns. If some node has no mass, its acceleration is zero if `massless_rest`;
-  /// otherwise returns false.
+  /// Computes a = −M⁻¹ r over the unknowns. If some node has no mass, its acceleration is set to zero if
+  /// `massless_rest`; otherwise the result is false.
   bool accelerate(std::span<const double> residual, std::span<double> a, bool massless_rest);
   /// y = M⁻¹ x over the unknowns.
   void divide(std::span<const double> x, std::span<double> y) const;

@@ -4,8 +4,8 @@
 
 namespace netloft {
 
-/// Finds a static equilibrium by dynamics: integrates with the artificial damping −c M v until the residual
-/// is within the tolerance. The host calls it like any solver, with the same statistics and verdict.
+/// Finds a static equilibrium by dynamics: integrates in time with the artificial damping −c M v until the
+/// residual is within the tolerance. The host calls it like any solver, with the same statistics and verdict.
 struct Settling {
   AssembledScene scene;
   StepMethods methods;

@@ -5,7 +5,7 @@
 
 namespace netloft {
 
-/// The state of a march at an output, at the end of a step or between its ends.
+/// The state of a motion at an output time, which is the end of a step or between its ends.
 class ShownState {
  public:
   ShownState(const Assembler& assembler, double mass_damping) : moving_(assembler, mass_damping) {}

@@ -8,18 +8,18 @@ namespace netloft {
 
 namespace {
 
-/// Steps are at most this fraction of the stable step of the stiffest state, because members that alternate
-/// between slack and taut create energy near the limit. A chain and a mooring line with such members failed
-/// at 0.9; the chain created energy at 0.67 and none at 0.45.
+/// Steps are at most this fraction of the longest stable step of the stiffest state, because members that
+/// alternate between slack and taut create energy near the limit. A chain and a mooring line with such
+/// members failed at 0.9; the chain created energy at 0.67 and none at 0.45.
 constexpr double kFractionOfLimit = 0.6;
-/// a of (2). Most scenes set this accuracy or a larger one, so that (2) leaves their steps unchanged. With p
-/// = 3, the order of the schemes, the errors of a ball caught by a rope and of a net hit by a gust were
-/// proportional to the powers 0.5 and 0.8 of the accuracy; with p = 2, to the powers 1.1 and 1.3.
+/// The accuracy a of (2). Most scenes set this accuracy or a larger one, so that (2) leaves their steps
+/// unchanged. With p = 3, the order of the schemes, the errors of a ball caught by a rope and of a net hit by
+/// a gust were proportional to the powers 0.5 and 0.8 of the accuracy; with p = 2, to the powers 1.1 and 1.3.
 constexpr double kProportional = 1e-2;
-/// Number of steps for which a stable step by the tangent is used. In that time, a wave crosses as many
-/// elements, and an object at a hundredth of its speed crosses less than one. The examination costs as much
-/// as two steps: with 16, the hard motions of tests/bench/motions take a tenth longer; with 256, steps agree
-/// within 1e-3.
+/// Number of steps after which the stable step is determined from the tangent again. In that time, a wave
+/// crosses as many elements, and an object at a hundredth of its speed crosses less than one. The examination
+/// costs as much as two steps: with 16, the hard motions of tests/bench/motions take a tenth longer; with
+/// 256, steps agree within 1e-3.
 constexpr int kStepsPerTangent = 64;
 
 }  // namespace

@@ -7,10 +7,10 @@
 
 namespace netloft {
 
-/// Lengths of the steps of a march, by the error of each step, and by stability if the scheme is not
-/// unconditionally stable. A step is rejected if its estimated error exceeds the accuracy, and the next one
-/// is
-///   h ← h · 0.9 (accuracy/error)^(1/order), within [1/5, 2] h                              (1)
+/// Lengths of the steps of a march (an integration in time), by the error of each step, and by stability if
+/// the scheme is not unconditionally stable. A step is rejected if its estimated error exceeds the allowed
+/// error, and the next length is
+///   h ← h · 0.9 (allowed/error)^(1/order), within [1/5, 2] h                               (1)
 /// If the error of a step is O(h^p), the sum of errors over a path is proportional to the power (p − 1)/p of
 /// the error allowed for a step. Accuracies below a = 1e-2 therefore need
 ///   allowed = a (accuracy/a)^(p/(p − 1)),  p = 2 with members that go slack and taut     (2)
@@ -24,7 +24,7 @@ class StepControl {
 
   /// Allowed error of a step by (2), relative to the longest element.
   double allowed() const;
-  /// The same in metres.
+  /// Allowed error of a step in metres.
   double tolerated() const { return allowed() * element_size_; }
   double element_size() const { return element_size_; }
   double error_over_tolerated(std::span<const double> error) const;
@@ -36,10 +36,10 @@ class StepControl {
   double next_step(double h, double error) const;
   /// Length of the next attempt by (1), after a rejected step h.
   double shorter_step(double h, double error) const;
-  /// Determines the longest stable step from two matrices: the stiffness with all members taut, and the
-  /// tangent, which includes stiffnesses that the former does not bound.
+  /// Determines the longest stable step from two matrices: the linear stiffness, in which all members are
+  /// taut, and the tangent, which includes stiffnesses that the linear stiffness does not bound.
   void find_limit(TransientProblem& problem, MarchState& state);
-  /// Updates the limit by the tangent, every kStepsPerTangent steps.
+  /// Updates the longest stable step by the current tangent, every kStepsPerTangent steps.
   void follow_tangent(TransientProblem& problem, MarchState& state);
   double limit() const { return limit_; }
   /// Longest stable step with all members taut [s]; zero: any step is stable.

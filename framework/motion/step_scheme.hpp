@@ -11,7 +11,8 @@ struct IntegratorChoice {
   const void* parameters = nullptr;
 };
 
-/// Calls an integrator, and attributes the calls to its plugin while they last (plugin_call.hpp).
+/// Calls an integrator. During a call, its plugin is recorded as running, so that a crash can be explained
+/// (plugin_call.hpp).
 class StepScheme {
  public:
   explicit StepScheme(IntegratorChoice choice) : type_(*choice.type), parameters_(choice.parameters) {}

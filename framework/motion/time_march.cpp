@@ -15,7 +15,7 @@ namespace netloft {
 
 namespace {
 
-/// Limits of one step, without the budget of work, which is that of the whole march.
+/// The limits without the budget of work, which applies to the whole march and not to one step.
 Limits without_work(Limits limits) {
   limits.model = nullptr;
   return limits;
@@ -29,7 +29,7 @@ std::vector<double> corners_of(const AssembledScene& of, const Winches& winches)
   return all;
 }
 
-/// One march. The methods follow the order of events in a step.
+/// One march (an integration in time). The methods follow the order of events in a step.
 class March {
  public:
   March(const AssembledScene& of, const StepMethods& methods, const Limits& limits,
@@ -113,7 +113,7 @@ class March {
 
   bool has_companion() const { return settings_.check || settings_.disturb; }
 
-  /// Makes the march for comparison, at the start or at its last stored state. It makes no step yet.
+  /// Creates the march for comparison, at the start or at its last stored state. Does not make a step.
   bool begin_other() {
     if (!has_companion()) return true;
     other_settings_ = settings_.check ? settings_of_comparison(settings_, scheme_.has_limit())
@@ -212,10 +212,10 @@ class March {
     }
   }
 
-  /// Tries a step, and repeats it until the speeds of winches that hold a tension agree with their tensions.
+  /// Tries a step. Repeats it until the speeds of winches that hold a tension agree with their tensions.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
-    // The metric then belongs to the rope lengths at the beginning of this step, also in a resumed march.
+    // Without this, the linear stiffness would belong to earlier rope lengths, and differ in a resumed march.
     problem_.algebra().forget_metric();
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);
@@ -245,7 +245,8 @@ class March {
     const int status = scheme_.step(m);
     if (status != NETLOFT_OK) return status;
     for (std::size_t i = 0; i < error_.size(); ++i)
-      if (is_shared(assembler_, i)) error_[i] = 0;  // a shared unknown has another unit and no memory
+      if (is_shared(assembler_, i))
+        error_[i] = 0;  // an unknown that a part shares is not a length, and has no history
     double sum = 0;
     for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
     return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
@@ -297,7 +298,7 @@ class March {
     }
   }
 
-  /// Stores the state. From here on, the march depends on its past only through the stored state.
+  /// Stores the state. From here on, the rest of the march depends on its past through the stored state only.
   void keep() {
     problem_.algebra().forget_factor();
     state_.memory = assembler_.memory();
@@ -399,12 +400,13 @@ class March {
   TransientProblem problem_;
   StepControl control_;
   EnergyWatch energy_;
-  MarchState state_, next_;  // next_: end of the attempted step; once it is accepted, the state before it
+  MarchState state_,
+      next_;  // next_: end of the attempted step; after its acceptance, the beginning of that step
   ShownState shown_;
   Winches winches_;
   MarchTimes times_;
   std::vector<double> error_, residual_, mean_forces_;
-  std::int64_t forces_after_ = -1;  // number of steps at the evaluation of residual_
+  std::int64_t forces_after_ = -1;  // number of steps when residual_ was evaluated
   double begun_ = wall_seconds(), cpu_begun_ = cpu_seconds();
   bool is_over_ = false, winches_are_lost_ = false, has_means_ = false;
   MarchResult result_;

@@ -14,7 +14,7 @@
 
 namespace netloft {
 
-/// The methods by which a march makes its steps.
+/// The methods of a march (an integration in time).
 struct StepMethods {
   IntegratorChoice integrator;
   SolverChoice solver;  // for implicit steps
@@ -22,8 +22,8 @@ struct StepMethods {
 
 /// Forces at the end of a step. They are not evaluated at outputs between two ends: interpolated positions
 /// are smooth but not in balance, and a stiff twine turns their smallest error into a force. If a scheme uses
-/// mean forces, the reactions are means, too: they explain the change of momentum in the step, whereas forces
-/// at its end oscillate from step to step with modes that are too fast for the scheme.
+/// mean forces, the reactions are means over the step, too. Means explain the change of momentum in the step,
+/// whereas forces at its end oscillate from step to step with modes that are too fast for the scheme.
 struct ForceMoment {
   double t;                             // [s]
   std::span<const double> x, residual;  // over all dofs: positions [m], reactions of held ones [N]
@@ -36,8 +36,9 @@ struct Snapshot {
   std::span<const double> u;
   std::span<const double> x, v;  // over all dofs: positions [m], velocities [m/s]
   ForceMoment forces;            // at t if a step ends there, else at the end of the step around t
-  const EnergyBudget* budget;    // null: none is kept; at the end of the last step if outputs are dense
-  const MarchState* state;       // from which to continue; null: continue from an earlier snapshot
+  const EnergyBudget*
+      budget;  // energies at the end of the last step if outputs are dense; null: no budget is kept
+  const MarchState* state;  // from which to continue; null: continue from an earlier snapshot
   std::span<const WinchMoment> winches = {};
 };
 
@@ -73,12 +74,12 @@ struct MarchWatch {
   std::function<bool(const StepRecord&, std::span<const double> u)> on_step;  // true: stop here
 };
 
-/// Integrates in time from `from`, or from the start at rest if that is null. Steps end at outputs, unless
-/// outputs are dense, and at the corners of guides, currents and tables in time. step_control.hpp determines
-/// their lengths, energy_watch.hpp examines their energy. With `check`, the host integrates a second time to
-/// estimate the error of the path by (1) of achieved_accuracy.hpp; this adds half of the cost if the second
-/// march has steps twice as long. A march with energy that nothing supplied (energy_judge.hpp) fails.
-/// `limits.work` bounds the work of all steps together, if there is a model of it.
+/// Integrates in time from `from`, or from the start at rest if `from` is null. Steps end at outputs (unless
+/// outputs are dense) and at times at which the rate of a guide, a current or a table in time jumps.
+/// step_control.hpp determines step lengths, energy_watch.hpp examines the energy of steps. With `check`, the
+/// host integrates a second time to estimate the error of the path by (1) of achieved_accuracy.hpp; this adds
+/// half of the cost if the second march has steps twice as long. A march with energy that nothing supplied
+/// (energy_judge.hpp) fails. `limits.work` bounds the work of all steps together, if there is a model of it.
 MarchResult march(const AssembledScene& scene, const StepMethods& methods, const Limits& limits,
                   const MarchSettings& settings, const MarchWatch& watch, const MarchState* from = nullptr);
 

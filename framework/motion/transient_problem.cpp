@@ -27,10 +27,10 @@ const char* trouble_of(netloft_outcome outcome, Stop stop) {
   }
 }
 
-/// Extrapolates a shared unknown, whose equation holds in the middle of a step, to the end of the step. Twice
-/// the middle minus the beginning would oscillate from step to step without decay. With a quarter of a step
-/// beyond the middle, errors decay by √½ per step, λ² + λ/2 + 1/2 = 0, and a value with a constant rate lags
-/// a quarter of a step behind.
+/// Extrapolates an unknown that a part shares, whose equation holds in the middle of a step, to the end of
+/// the step. Twice the middle minus the beginning would oscillate from step to step without decay. With a
+/// quarter of a step beyond the middle, errors decay by a factor of √½ per step (λ² + λ/2 + 1/2 = 0), and a
+/// value with a constant rate lags a quarter of a step behind.
 double end_of_shared(double middle, double h, double v) { return middle + 0.25 * h * v; }
 
 }  // namespace
@@ -100,7 +100,7 @@ int TransientProblem::start(double t, std::span<const double> u, std::span<const
   return status;
 }
 
-/// Solves M a = −F(t, u, v, 0), because F is linear in a.
+/// Solves M a = −F(t, u, v, 0) for the acceleration a, in which F is linear.
 int TransientProblem::accelerate_at(double t, std::span<const double> u, std::span<const double> v,
                                     std::span<double> a, bool massless_rest) {
   state_.set(t, u, v, zero_);
@@ -116,8 +116,8 @@ int TransientProblem::solve(double t, const double* v0, double cv, const double*
   return solve_step({t, {v0, size()}, {a0, size()}, cv, ca, {}, &state_, least_load_}, u);
 }
 
-/// Solves for the displacements m in the middle of the step. At its end they are 2 m − u, and the rates are
-/// expressed by m.
+/// Solves for the displacements m in the middle of the step. The displacements at its end are 2 m − u, and
+/// the rates are expressed by m.
 int TransientProblem::solve_between(const double* v0, double cv, const double* a0, double ca, double damping,
                                     double memory, double* u) {
   const netloft_motion& m = interface_;

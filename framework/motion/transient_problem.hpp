@@ -15,7 +15,7 @@ namespace netloft {
 /// problems of steps.
 class TransientProblem {
  public:
-  /// `limits` are those of the problem of one step, with the tolerance of its solver.
+  /// `limits` apply to the solution of one step, with the tolerance of its solver.
   TransientProblem(Assembler& assembler, double mass_damping, SolverChoice solver,
                    const MakeFactorisation& make, Limits limits);
 
@@ -32,7 +32,7 @@ class TransientProblem {
 
   /// Accelerations at a state; zero for nodes without mass. Returns OK, OUTSIDE_DOMAIN or ERROR.
   int start(double t, std::span<const double> u, std::span<const double> v, std::span<double> a);
-  /// Balance of the forces in the last evaluation; after `start`, without inertia.
+  /// Balance of the forces in the last evaluation; after `start`, of the forces without inertia.
   Balance balance() { return algebra_.balance(state_.x(), residual_); }
   /// Highest angular frequency of the linear stiffness and the masses at the start [rad/s].
   double highest_frequency();
@@ -42,19 +42,20 @@ class TransientProblem {
   double highest_frequency_at(std::span<const double> u);
   /// The reason for which explicit schemes cannot be used; empty if they can.
   std::string obstacle_to_explicit(const Scene& scene);
-  /// Raises the load that tolerances refer to if a load in `residual`, over all dofs, is larger [N].
+  /// Raises the load to which tolerances are relative if `residual`, over all dofs, contains a larger one
+  /// [N].
   void note_loads(std::span<const double> residual);
-  /// The mean step that ends at displacements u, before it is accepted. Null if the step did not use mean
-  /// forces, or if an element failed (Assembler::fault).
+  /// The midpoint of the last step, which ends at displacements u and is not yet accepted. Null if the step
+  /// did not use mean forces, or if an element failed (Assembler::fault).
   const MeanStep* mean_step(std::span<const double> u);
   /// Whether the last step used mean forces.
   bool is_between() const { return is_between_; }
-  /// The forces with which the last step was made, over all dofs [N]: means over the step, or forces at its
-  /// end (t, u, v, a). Returns false if an element failed, see Assembler::fault.
+  /// The forces that determined the last step, over all dofs [N]: means over the step, or forces at its end
+  /// (t, u, v, a). Returns false if an element failed, see Assembler::fault.
   bool find_step_forces(double t, std::span<const double> u, std::span<const double> v,
                         std::span<const double> a, std::span<double> residual);
-  /// Accepts a step that ends at displacements u. Elements store the stretch of their members if the forces
-  /// were means. Returns false if an element does not report its members.
+  /// Accepts a step that ends at displacements u. If forces were means over the step, members store their
+  /// stretch rates. Returns false if an element fails to report its members.
   bool accept(std::span<const double> u);
   double least_load() const { return least_load_; }
   void set_least_load(double load) { least_load_ = load; }
@@ -78,7 +79,7 @@ class TransientProblem {
   SolverChoice solver_;
   StaticProblem algebra_;
   StepProblem::Ends ends_;
-  double memory_ = 0;        // `memory` of the attempted step, for the members
+  double memory_ = 0;        // argument `memory` of the attempted step (netloft_motion::solve_between)
   bool is_between_ = false;  // whether the step uses mean forces
   MeanStep mean_;
   NodeMasses masses_;

@@ -10,11 +10,13 @@ namespace netloft {
 namespace {
 
 constexpr double kSettled = 1e-3;  // speed error relative to the largest speed, a thousandth of the band
-constexpr int kMostTries = 12;  // attempts per step besides measurements of S; half-way, S is measured again
+constexpr int kMostTries =
+    12;  // attempts per step, without those that measure S; half-way, S is measured again
 constexpr double kMeasured = 0.02;  // change of speed to measure S, relative to the largest speed
-constexpr int kSweeps = 30;  // over the winches to solve (2) and (3); the gear couples them only weakly
+constexpr int kSweeps =
+    30;  // sweeps over the winches to solve (2) and (3); the gear couples winches only weakly
 constexpr double kLeastLeft =
-    0.05;  // least fraction of a rope; with less, its bars are too stiff for any step
+    0.05;  // least remaining fraction of a rope; with less, its bars are too stiff for any step
 
 double straight_between(const std::vector<std::array<double, 2>>& rows, double t) {
   const auto next = std::upper_bound(rows.begin(), rows.end(), t,
@@ -110,14 +112,14 @@ void Winches::begin(double t, double h) {
   write();
 }
 
-/// w of (2).
+/// The speed w of a winch at a tension, by (2).
 double Winches::speed_at(std::size_t k, double tension) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double e = tension - ropes_[k].wanted, beyond = std::max(std::abs(e) - stage.dead_band, 0.0);
   return stage.max_speed * std::copysign(std::min(beyond / stage.band, 1.0), e);
 }
 
-/// Error that the tension of an attempt may have [N].
+/// The error that the tension in an attempt may have [N].
 double Winches::doubt(std::size_t k) const { return tolerance_ * std::max(ropes_[k].wanted, ropes_[k].T); }
 
 /// Whether the speeds satisfy (2), as accurately as the forces of a step are known.
@@ -165,7 +167,8 @@ void Winches::take(std::span<const double> tensions) {
   }
 }
 
-/// Broyden's update of S, by the change from the previous attempt to this one.
+/// Updates S by Broyden's formula, from the changes of speeds and tensions between the previous attempt and
+/// this one.
 void Winches::improve_slopes(std::span<const double> tensions) {
   if (slopes_.empty() || last_w_.empty()) return;
   double square = 0, largest = 0;  // squared change of speeds; largest change of a tension over its error
@@ -183,7 +186,7 @@ void Winches::improve_slopes(std::span<const double> tensions) {
 }
 
 /// Measures S: in each attempt, another winch runs a little faster than in the first attempt. After the last
-/// one, (2) and (3) give all speeds.
+/// attempt, the speeds of all winches follow from (2) and (3).
 Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
   const std::size_t n = ropes_.size(), done = measured_.size() / n;
   if (measured_.empty())
@@ -207,7 +210,7 @@ Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
   return Verdict::again;
 }
 
-/// Solves (2) with T̄ by (3), winch by winch.
+/// Solves (2) for the speeds of all winches, winch by winch, with tensions T̄ from (3).
 void Winches::solve_all() {
   std::vector<double> w = last_w_;
   for (int sweep = 0; sweep < kSweeps; ++sweep)
@@ -220,7 +223,7 @@ void Winches::solve_all() {
   for (const std::size_t k : holding_) ropes_[k].w = w[k];
 }
 
-/// Solves (2) for one winch. `others` is the change of its tension by the other winches [N].
+/// Solves (2) for the speed of one winch. `others` is the change of its tension by the other winches [N].
 double Winches::solve_one(std::size_t k, double others) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double S = std::min(slope(k, k), 0.0);

@@ -34,17 +34,17 @@ class Winches {
  public:
   enum class Verdict { settled, again, lost };
 
-  /// `tolerance` is that of the forces of a step, relative to its loads.
+  /// `tolerance` is the tolerance of the forces of a step, relative to its loads.
   Winches(const Scene& scene, const Assembler& assembler, double tolerance);
 
   bool empty() const { return scene_.winches.empty(); }
   /// Adds the times at which stages begin and their tables have corners.
   void add_corners(std::vector<double>& times) const;
-  /// Sets the rope lengths of the elements to those of the last step.
+  /// Sets the rope lengths that elements read to those of the last step.
   void restore();
   /// Begins an attempted step, with the speeds of the last step.
   void begin(double t, double h);
-  /// Whether some winch holds a tension in this step, so that attempts have to be judged.
+  /// Whether some winch holds a tension in this step, so that `judge` has to be called.
   bool hold_tensions() const { return !holding_.empty(); }
   /// Judges the attempt by the tensions at the blocks, from the mean forces `residual` over all dofs [N].
   /// After `again`, the rope lengths have changed and the step has to be solved again.
@@ -60,12 +60,12 @@ class Winches {
   /// The state from which later steps follow. Empty: the start, at which factors are one.
   std::vector<double> state() const;
   void set_state(std::span<const double> state);
-  /// The state at rest with these factors, one per winch.
+  /// The state at rest with these factors σ on rope lengths, one per winch.
   static std::vector<double> state_at_rest(std::span<const double> factors);
 
  private:
   struct Rope {
-    std::span<double> table;            // t, σ at both ends of the step
+    std::span<double> table;            // two rows (t, σ), at both ends of the step
     double before = 1, now = 1;         // σ at both ends of the last step
     double speed = 0, tension = 0;      // of the last step [m/s], [N]
     double w = 0, T = 0;                // speed and tension of this attempt
@@ -93,11 +93,12 @@ class Winches {
   double tolerance_;
   std::vector<Rope> ropes_;
   std::vector<std::size_t> holding_;  // winches that hold a tension in this attempt
-  std::vector<double> slopes_;        // S by rows, zero for other winches [N s/m]; empty: unknown
-  std::vector<double> measured_;      // S during its measurement, by columns
-  std::vector<double> last_w_;        // speeds of the previous attempt [m/s]
-  double from_ = 0, until_ = 0;       // last step [s]
-  double t_ = 0, h_ = 0;              // this attempt [s]
+  std::vector<double>
+      slopes_;  // S by rows, with zeros for winches that hold no tension [N s/m]; empty: unknown
+  std::vector<double> measured_;  // S during its measurement, by columns
+  std::vector<double> last_w_;    // speeds of the previous attempt [m/s]
+  double from_ = 0, until_ = 0;   // last step [s]
+  double t_ = 0, h_ = 0;          // this attempt [s]
   int tries_ = 0;
 };
 
