@@ -86,8 +86,8 @@ std::size_t column_count(const netloft_parameter& p) {
   return n;
 }
 
-/// Whether two samples are in order: increasing in the first column, or, on a grid, in the second column for
-/// equal values of the first.
+/// Whether the row `next` of a table may follow `row`: increasing in the first column, or, on a grid,
+/// increasing in the second column for equal values of the first.
 bool may_follow(const netloft_parameter& p, const std::vector<double>& row, const std::vector<double>& next) {
   if (next[0] > row[0]) return true;
   return p.arguments == 2 && next[0] == row[0] && next[1] > row[1];
@@ -115,7 +115,8 @@ std::string list_choices(const netloft_parameter& p) {
   return text;
 }
 
-/// Error in a text made of several words: the first word that is not one of the choices.
+/// Returns the error in a text made of several words (joined by +): the first word that is not one of the
+/// choices.
 std::optional<std::string> several_fault(const netloft_parameter& p, const std::string& text) {
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, '+');) {

@@ -53,13 +53,13 @@ class ParameterBlock {
   ParameterBlock& operator=(ParameterBlock&&) = default;
 
   const void* data() const { return bytes_.get(); }
-  /// Overwrites bytes that no row declares, which a plugin must not read.
+  /// Overwrites bytes that no row of the table declares, to find out whether the plugin reads them.
   void spoil(const ByteRange& range);
-  /// Sets such bytes to zero again.
+  /// Sets bytes that no row declares to zero again.
   void clear(const ByteRange& range);
   /// The value of a real, integer, choice or boolean parameter as stored.
   double number(const netloft_parameter& parameter) const;
-  /// The numbers of a table as stored, row by row. They may be changed between calls of the plugin.
+  /// The numbers of a table parameter as stored, row by row. They may be changed between calls of the plugin.
   std::span<double> table(const netloft_parameter& parameter) const;
 
  private:

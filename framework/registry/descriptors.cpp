@@ -30,8 +30,8 @@ class Faults {
   std::string file_, text_;
 };
 
-/// Returns the size that a struct states. Throws std::length_error if no version of a struct has it: all
-/// sizes are multiples of the alignment of pointers.
+/// Returns the size that a struct states. Throws std::length_error if the size is impossible: all sizes are
+/// multiples of the alignment of pointers.
 template <class T>
 std::uint32_t check_size(const T* from) {
   std::uint32_t size = 0;
@@ -87,8 +87,8 @@ bool has_earlier_real(const std::vector<netloft_parameter>& rows, std::size_t be
   return false;
 }
 
-/// The ends of a range of whole numbers and its default must be whole. `netloft test` checks that the default
-/// lies in its range.
+/// Checks that both ends of the range of an integer parameter and its default are whole numbers. (`netloft
+/// test` checks that the default is in the range.)
 void check_integer(const netloft_parameter& p, const std::string& who, Faults& faults) {
   if (!whole_number(p.lo) || !whole_number(p.hi))
     return faults.add(who + " is a whole number in " + allowed(p) +
@@ -260,12 +260,14 @@ void read_offers(ElementType& e, Faults& faults) {
   e.rides_on = read_offer<netloft_rider>(extension, NETLOFT_EXT_PAIRS, e.type, faults).rides_on;
 }
 
-/// Reads the list of inputs. Inputs of unknown extensions keep their place in it, and tiles have null there.
+/// Reads the list of inputs of an element. An input of an unknown extension keeps its place in the list, and
+/// tiles have null there.
 void read_inputs(ElementType& e) {
   for (auto id = e.element.inputs; id && *id; ++id) e.inputs.push_back(find_extension_input(*id));
 }
 
-/// Checks that the element lists the inputs that the traits of its terms read; only then are they provided.
+/// Checks that the element lists the inputs that the traits of its terms read. The host provides only listed
+/// inputs.
 void check_inputs(const ElementType& e, const std::string& owner, Faults& faults) {
   for (const auto& t : e.terms)
     for (std::uint32_t trait = 1; trait != 0; trait <<= 1) {

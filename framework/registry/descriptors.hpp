@@ -40,10 +40,11 @@ T read_struct(const T* from) {
   return to;
 }
 
-/// Limits of a plausible table: at most this many rows, each with space for a size and a 32-bit word.
+/// Limits of a plausible table: it has at most kMostRows rows, and each has room for its size and a 32-bit
+/// word.
 inline constexpr std::uint32_t kMostRows = 4096, kLeastRow = 8;
 
-/// Copies the rows of a table. Throws std::length_error if its numbers cannot be those of a table.
+/// Copies the rows of a table. Throws std::length_error if count or row length are not plausible.
 template <class T>
 std::vector<T> read_array(const T* from, std::uint32_t count) {
   std::vector<T> to;
@@ -60,7 +61,7 @@ std::vector<T> read_array(const T* from, std::uint32_t count) {
   return to;
 }
 
-/// An element as the host knows it: the plugin's description, checked and brought to this host's layout.
+/// An element type: the plugin's description, checked and copied to the layout of this program.
 struct ElementType {
   std::string type;  // "rope/bar"
   netloft_element element{};
@@ -76,14 +77,14 @@ struct ElementType {
   std::vector<ExtensionInput> inputs;  // in the order of its list
   const PluginOrigin* origin = nullptr;
 
-  /// Number of nodes of the scene. A tile has an additional one for the rotation of a body, and one for
-  /// numbers that a part shares.
+  /// Number of nodes of the scene that an element has. In a tile, the rotation of a body and the unknowns
+  /// that a part shares are one additional node each.
   int nodes() const { return static_cast<int>(element.stencil & 0xff); }
   int dofs() const { return 3 * (nodes() + (is_on_body() ? 1 : 0) + (globals.empty() ? 0 : 1)); }
   bool is_on_body() const { return element.stencil == NETLOFT_BODY; }
 };
 
-/// A solver as the host knows it.
+/// A solver type: the plugin's description, checked.
 struct SolverType {
   std::string type;  // "newton/newton"
   netloft_solver solver{};
@@ -91,7 +92,7 @@ struct SolverType {
   const PluginOrigin* origin = nullptr;
 };
 
-/// A time integrator as the host knows it.
+/// A type of time integrator: the plugin's description, checked.
 struct IntegratorType {
   std::string type;  // "newmark/newmark"
   netloft_integrator integrator{};
@@ -102,7 +103,7 @@ struct IntegratorType {
   bool asks_mean_forces() const { return integrator.traits & NETLOFT_BETWEEN; }
 };
 
-/// A strategy as the host knows it.
+/// A strategy type: the plugin's description, checked.
 struct StrategyType {
   std::string type;  // "auto/auto"
   netloft_strategy strategy{};
@@ -110,7 +111,7 @@ struct StrategyType {
   const PluginOrigin* origin = nullptr;
 };
 
-/// A hydrodynamic law as the host knows it.
+/// A type of hydrodynamic law: the plugin's description, checked.
 struct LawType {
   std::string type;  // "hydro/morison"
   netloft_law law{};
@@ -133,7 +134,8 @@ struct PluginContent {
 /// Throws PluginRefused with one sentence per fault found.
 PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem);
 
-/// Names of the parameters one of which must differ from zero for the term to act; empty if it needs none.
+/// Names of the parameters of which at least one must differ from zero for the term to act; empty if the term
+/// always acts.
 std::vector<std::string> names_needed_by(const netloft_term& term);
 
 }  // namespace netloft

@@ -10,8 +10,8 @@
 
 namespace netloft {
 
-/// Data that the host provides to every element that declares them under this name. Code that fills or reads
-/// them uses the name from here; authors find the table in guides/element.md, and a test compares both.
+/// Data that the host provides to every element that declares data with this name. Code that fills or reads
+/// them uses the names below. Authors find the table in guides/element.md, and a test compares both.
 struct HostDatum {
   const char* name;
   std::uint32_t width;  // numbers of one element

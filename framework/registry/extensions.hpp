@@ -12,7 +12,7 @@
 
 namespace netloft {
 
-/// Whether this program has an extension of the plugin interface, such as "netloft.waves/1".
+/// Whether this program supports an extension of the plugin interface, such as "netloft.waves/1".
 bool has_extension(std::string_view id);
 
 /// The data of extensions that an element may list as inputs of its tiles.
@@ -29,7 +29,7 @@ struct ExtensionInputs {
   netloft_waves waves{sizeof(netloft_waves), 0, nullptr, nullptr};
   netloft_remembered memory{sizeof(netloft_remembered), 0, nullptr, nullptr};
 
-  /// Fills the places of a tile in the order in which its element lists them; the tile points into this
+  /// Sets the input pointers of a tile in the order in which its element lists inputs. They point into this
   /// object.
   void hand_to(netloft_tile& tile, std::span<const ExtensionInput> listed) {
     if (places_.size() < listed.size()) places_.resize(listed.size());
@@ -52,7 +52,7 @@ struct CreationInputs {
   netloft_bound_laws laws{sizeof(netloft_bound_laws), 0, nullptr};
   netloft_global_starts globals{sizeof(netloft_global_starts), 0, nullptr};
 
-  /// The call of `create` must end before this object does.
+  /// Gives the data to a call of `create`, which must end before this object is destroyed.
   void hand_to(netloft_create& in);
 };
 

@@ -10,9 +10,9 @@
 
 namespace netloft {
 
-/// Copies a struct of the boundary to the memory that a plugin provides. The plugin may have been built with
-/// an older header, whose struct is shorter: its `size` is the size of that memory and becomes the number of
-/// bytes filled. At least `least` bytes are filled, whatever the plugin states.
+/// Copies a struct of the plugin interface to memory that a plugin provides. The plugin may have been built
+/// with an older header, whose struct is shorter. On input, `theirs.size` is the size of that memory; on
+/// output, the number of bytes filled. At least `least` bytes are filled, whatever the plugin states.
 template <class T>
 void hand_out(const T& own, T& theirs, std::size_t least) {
   static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);

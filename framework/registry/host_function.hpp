@@ -8,9 +8,9 @@
 
 namespace netloft {
 
-/// A C function for a plugin to call that forwards to a member of the object behind `host`. No exception
-/// passes: its sentence goes to Host::keep_message(), if there is such a function, and NETLOFT_ERROR is
-/// returned.
+/// A C function that a plugin calls. It forwards to a member function of the object to which `host` points.
+/// No exception leaves it: the message goes to Host::keep_message(), if there is such a function, and
+/// NETLOFT_ERROR is returned.
 template <auto Member>
 struct HostFunction;
 

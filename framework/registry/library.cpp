@@ -43,8 +43,8 @@ class FloatingPointGuard {
   unsigned before_ = 0;
 };
 
-/// Returns the FNV-1a hash of 64 bits over words of eight bytes, padded with zeros. Byte by byte, it took a
-/// twentieth of the time of a short run.
+/// Returns the FNV-1a hash of 64 bits over words of eight bytes, padded with zeros. A hash byte by byte took
+/// a twentieth of the time of a short run.
 std::string fingerprint(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::uint64_t hash = 14695981039346656037ull;
@@ -65,8 +65,8 @@ std::string fingerprint(const std::filesystem::path& file) {
 
 namespace {
 
-/// Files that changed the floating-point mode. Their start-up code runs only once, so that a second attempt
-/// would not detect the change. A program has one loader and therefore one such list.
+/// Files that changed the floating-point mode when they were opened. Their start-up code runs only once, so
+/// that a second attempt would not detect the change. A program has one loader and therefore one such list.
 class Changers {
  public:
   void add(const std::string& file) {
@@ -105,8 +105,8 @@ const netloft_plugin* described_by(void* symbol) {
   }
 }
 
-/// Returns the folder, and the folders in it for x86-64 levels that this processor supports, the newest level
-/// first.
+/// Returns the folders that may contain a build for this processor, the newest x86-64 level first: subfolders
+/// for levels, then the folder itself.
 std::vector<std::filesystem::path> folders_of_builds(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> folders;
 #if defined(__x86_64__)

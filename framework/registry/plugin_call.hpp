@@ -9,13 +9,17 @@
 
 namespace netloft {
 
-/// A call that is running on a thread. If a plugin crashes or never returns, a signal handler or another
-/// thread reads here for what the plugin was called.
+/// A call that a thread is making. If a plugin crashes or never returns, a signal handler or another thread
+/// reads here which function of the plugin was called.
 struct CallFrame {
-  enum class Kind : std::uint32_t { host, element, method };  // a method calls back: solver, strategy …
-  const char* type = nullptr;                                 // "rope/bar"
-  const char* what = nullptr;                                 // "term", "create", "solve"
-  const char* name = nullptr;                                 // of the term; may be null
+  enum class Kind : std::uint32_t {
+    host,
+    element,
+    method
+  };                           // a method (solver, strategy …) calls the host in turn
+  const char* type = nullptr;  // "rope/bar"
+  const char* what = nullptr;  // "term", "create", "solve"
+  const char* name = nullptr;  // of the term; may be null
   Kind kind = Kind::host;
 };
 
@@ -36,7 +40,8 @@ class CallStack {
   std::uint64_t crossings() const { return crossings_.load(std::memory_order_acquire); }
   /// Calls that methods made back to the host.
   std::uint64_t callbacks() const { return callbacks_.load(std::memory_order_relaxed); }
-  /// Least depth since the last `watch_depth`; the frames below it have not ended since then.
+  /// Least depth since the last call of `watch_depth`. The calls below that depth have been running since
+  /// then.
   std::uint32_t lowest() const { return lowest_.load(std::memory_order_relaxed); }
   void watch_depth() { lowest_.store(depth(), std::memory_order_relaxed); }
   CallFrame at(std::uint32_t i) const;
@@ -58,13 +63,13 @@ class CallStack {
 /// The calls of this thread. The first use sets a separate stack for signal handlers. The reference remains
 /// valid; threads beyond the first 128 share one object and are not distinguished.
 CallStack& calls_of_this_thread() noexcept;
-/// The same for signal handlers; null if this thread has made no calls.
+/// The calls of this thread, for signal handlers; null if there were none.
 const CallStack* known_calls_of_this_thread() noexcept;
 /// The calls of every thread that has made some, beginning with the first such thread.
 std::vector<CallStack*> calls_of_all_threads();
 
-/// Stops every other thread, for ever, as soon as it crosses from a plugin to the host or back. The data that
-/// the host holds during calls of plugins then belong to this thread alone.
+/// Stops every other thread for ever, as soon as it enters or leaves a plugin. This thread then has exclusive
+/// access to the data that the host uses during calls of plugins.
 void stop_others_at_the_boundary() noexcept;
 /// Number of threads that have been stopped in this way.
 int threads_at_the_boundary() noexcept;

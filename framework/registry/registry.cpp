@@ -21,7 +21,8 @@ std::string suggestion(const std::string& wanted, const std::vector<std::string>
   return near ? "; did you mean \"" + *near + "\"?" : "; there is: " + joined(names);
 }
 
-/// Returns the kind of a component with this name in a plugin, if it is of another kind than requested.
+/// Returns "a law" or another kind if the plugin has a component with this name; used if the requested kind
+/// has none.
 std::string other_kind(const PluginContent& plugin, const std::string& type) {
   std::string kind;
   const auto look = [&](const auto& types, const char* what) {
@@ -121,7 +122,7 @@ const PluginContent& Registry::keep(PluginContent content) {
   return *slot;
 }
 
-/// Returns files of the same name later in the search path, which the opened file hides.
+/// Returns a text about files of the same name later in the search path, which the opened file hides.
 std::string Registry::hidden(const std::string& name) const {
   const auto at = opened_.find(name);
   const std::string opened = at == opened_.end() ? "" : at->second->origin.file;

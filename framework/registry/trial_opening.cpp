@@ -35,8 +35,9 @@ namespace {
 constexpr int kSeconds = 20;                 // for opening and describing, on a busy machine
 constexpr rlim_t kMemory = rlim_t{1} << 30;  // in addition to the memory of the process
 constexpr char kCameBack = 'b', kNeedsMemory = 'm',
-               kIsLate = 'l';             // what a trial reports; nothing: it ended before
-constexpr int kTalk = STDERR_FILENO + 1;  // its end of the talk with the program, in the process of trials
+               kIsLate = 'l';  // the report of a trial; none if the process ended before
+constexpr int kTalk =
+    STDERR_FILENO + 1;  // file descriptor for messages to the program, in the process of trials
 
 /// Discards the output of the process, which is of no use to users.
 void be_quiet() {
@@ -54,8 +55,8 @@ void die_of_signals() {
 
 void report(char word) { [[maybe_unused]] const auto written = write(kTalk, &word, 1); }
 
-/// Closes all other files: files of the program that are open here, too, would stay locked until this process
-/// ends.
+/// Closes all files except the connection `talk`. Files of the program that are also open here would stay
+/// locked until this process ends.
 void keep_only(int talk) {
   if (talk != kTalk) dup2(talk, kTalk);
 #if defined(SYS_close_range)
@@ -73,7 +74,7 @@ rlim_t memory_now() {
   return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Limits a resource of this process from now on. A lower limit that a user has set stays.
+/// Limits a resource of this process from now on. A lower limit that a user has set is not raised.
 template <class Resource>
 void limit(Resource resource, rlim_t most) {
   rlimit now{};
@@ -238,7 +239,8 @@ class Trials {
   bool is_fresh() const { return tried_ == 0; }
 
  private:
-  pid_t process_ = -1, owner_ = -1;  // a fork of the program does not talk to the process of another
+  pid_t process_ = -1,
+        owner_ = -1;  // owner_: the process that started the trials; a fork of it starts its own
   int talk_ = -1;
   int tried_ = 0;
 };
@@ -266,7 +268,7 @@ char Trials::of(const std::string& file) {
 
 int Trials::end() {
   kill(process_,
-       SIGKILL);  // no report is expected any more; the status of an ended process is kept
+       SIGKILL);  // no report will follow; the exit status of an ended process is kept
   const int status = wait_for(process_);
   process_ = -1;
   return status;

@@ -5,10 +5,11 @@
 
 namespace netloft {
 
-/// A path in time: the displacement from the start. With τ = (t − t₀)/H between two knots a time H apart,
+/// The path of a held node in time: its displacement d from the start. Between two knots a time H apart, with
+/// displacements d₀, d₁ and speeds v₀, v₁, and with τ = (t − t₀)/H,
 ///   d = h₀₀ d₀ + h₁₀ H v₀ + h₀₁ d₁ + h₁₁ H v₁,   h the cubic Hermite polynomials in τ         (1)
-/// Beyond the ends it continues with the speed of the first or last knot. A speed that is linear between
-/// knots is reproduced exactly: its path is a parabola.
+/// Beyond the ends, the motion continues at the speed of the first or last knot. If the speed is linear
+/// between knots, (1) is exact: the path is a parabola.
 struct Course {
   using Point = std::array<double, 3>;
   struct Knot {

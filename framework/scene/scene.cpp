@@ -37,7 +37,7 @@ Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element
   return pieces;
 }
 
-/// World axes along which a hold resists the motion of a node.
+/// The axes of the world along which the hold of a node prevents motion.
 std::uint8_t world_axes(const Scene& scene, std::uint32_t node) {
   if (!scene.carried.empty() && scene.carried[node]) return 0;
   const auto frame = scene.frames.find(node);
@@ -138,13 +138,13 @@ std::array<double, 3> Current::carried(double t) const {
   };
   add(tow, t);
   const bool moves_as_one = !samples.empty() && is_uniform();
-  std::vector<double> times;  // at which velocities have kinks
+  std::vector<double> times;  // times at which the rate of the velocity jumps
   for (const Drift& drift : drifts) times.push_back(drift.t);
   for (const Factor& factor : factors)
     if (moves_as_one) times.push_back(factor.t);
   std::sort(times.begin(), times.end());
   const double sign = t < 0 ? -1 : 1, begin = std::min(t, 0.0), end = std::max(t, 0.0);
-  double from = begin;  // linear between kinks: the mean is that of both ends
+  double from = begin;  // the velocity is linear between these times, so that its mean is that of both ends
   const auto straight = [&](double to) {
     for (const double at : {from, to}) {
       const double time = 0.5 * sign * (to - from);

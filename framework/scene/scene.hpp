@@ -29,8 +29,8 @@ struct SceneWater {
 
 /// Velocity of the water over depth and time, linear between samples and constant beyond them.
 ///   c(z, t) = profile(z) factor(t) + drift(t) + tow                                               (1)
-/// Without samples the profile and the drift are zero and the factor is one: still water. A towed gear is at
-/// rest in the scene, and water at rest over the ground passes it with the velocity `tow`.
+/// Without samples, the profile and the drift are zero and the factor is one: still water. A towed gear is at
+/// rest in the scene; water that is at rest over the ground moves past the gear with the velocity `tow`.
 struct Current {
   struct Sample {
     double z;                        // [m]
@@ -54,8 +54,8 @@ struct Current {
   bool is_uniform() const;
   /// Velocity at height z and its derivative with respect to z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
-  /// Displacement of the water since time zero [m], by the parts that are the same everywhere: `tow`,
-  /// `drifts`, and a profile that is the same at all heights.
+  /// Displacement of the water since time zero [m]. Only velocities that are the same everywhere count:
+  /// `tow`, `drifts`, and a profile that is the same at all heights.
   std::array<double, 3> carried(double t) const;
 };
 
@@ -66,7 +66,7 @@ struct SeaBed {
   double slope_x = 0, slope_y = 0;  // dz_b/dx, dz_b/dy
   Surface relief = {};              // height above that plane over x and y [m]; constant beyond its edges
 
-  /// z_b, its two first and three second derivatives at (x, y).
+  /// Height z_b of the bed at (x, y), its two first and its three second derivatives (xx, xy, yy).
   std::array<double, 6> at(double x, double y) const;
 };
 
@@ -85,7 +85,7 @@ struct Part {
   std::vector<std::uint32_t> nodes;  // scene nodes of the elements, one after another
   ElementData data;
   std::map<std::string, LawChoice> laws = {};  // by slot name; absent: the slot's default
-  bool companion = false;                      // rides on the preceding part of the same name
+  bool companion = false;      // made on the pairs of neighbours of the preceding part of this name
   double viscosity_ratio = 1;  // effective viscosity over that of the water, in models of gears
 };
 
@@ -116,16 +116,16 @@ struct RigidBody {
   std::uint8_t held_rotation = 0;       // components of the rotation vector that cannot change
   std::vector<Point> points;
   std::uint32_t rotation_node = 0;  // number of the rotation in the assembler, which sets it
-  /// Displacement by a turn of one radian, with which rotations and moments are scaled to lengths and forces:
-  /// the largest distance between the origin and a point, 1 m if there is none [m].
+  /// The length by which rotations (divided: moments) become lengths and forces: the largest distance between
+  /// the origin and a point of the body, 1 m if there is none [m].
   double arm() const;
 };
 
-/// A number of the scene that is determined together with the equilibrium: the data of a part are multiplied
-/// by a factor such that the hold of a node has a given reaction.
+/// A number of the scene that is found together with the equilibrium, such as the length of a rope. Data of a
+/// part are multiplied by a factor such that a held node has a given reaction.
 struct Setting {
   std::string name;        // "length of warp", for sentences
-  std::string part;        // name of the part and its companions
+  std::string part;        // name of the part and of the parts that ride on it
   std::string datum;       // name of the data that are multiplied, "rest_length"
   std::string unit;        // of the sum of the data over the elements of the part
   std::uint32_t node = 0;  // in the scene, held along all axes
@@ -133,8 +133,8 @@ struct Setting {
   double factor = 1;       // by which the data have been multiplied since the scene was read
 };
 
-/// The model: parts on nodes in water, with holds, guides and bodies. It is plain data, made by the reader of
-/// a file.
+/// The model: parts of a gear on nodes in water, with holds, guides and bodies. It is plain data, made by the
+/// reader of a file.
 struct Scene {
   std::string name;
   SceneWater water;
@@ -164,7 +164,7 @@ struct Scene {
   /// Index of the body with this origin, if there is one.
   std::optional<std::size_t> body_at(std::uint32_t origin) const;
 
-  /// Times at which the path of a guide or the current has a corner, increasing [s].
+  /// Times at which the velocity or acceleration of a guide or of the current jumps, increasing [s].
   std::vector<double> corners_in_time() const;
 
   std::size_t node_count() const { return positions.size() / 3; }
@@ -185,8 +185,8 @@ struct SceneError : std::runtime_error {
   std::vector<SceneFault> faults;
 };
 
-/// Finds parts that could drift away because nothing they are connected to is held along some axis; one fault
-/// per disconnected piece.
+/// Finds parts of a gear that could drift away, because nothing to which they are connected is held along
+/// some axis. Returns one fault per disconnected piece.
 std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element);
 
 }  // namespace netloft

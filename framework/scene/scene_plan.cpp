@@ -39,7 +39,8 @@ bool has_laws_of(const FamilyPlan& family, const Part& part) {
   });
 }
 
-/// Finds or makes the family of a part; laws are looked up only for the first part of a family.
+/// Finds or makes the family (elements of one type with the same laws) to which a part belongs. Laws are
+/// looked up only for the first part of a family.
 FamilyPlan& family_of(std::vector<FamilyPlan>& families, const Scene& scene, const Part& part,
                       Registry& registry, AnalysisKind kind) {
   const ElementType& type = registry.element(part.type);
@@ -57,7 +58,7 @@ bool any_part_sets(std::string_view name, const FamilyPlan& family, const Scene&
                      [&](std::uint32_t part) { return sets(scene.parts[part], *family.type, name); });
 }
 
-/// The first of the parameters that a term needs and some part sets; empty if there is none.
+/// The first of the parameters that a term needs that is not zero in some part; empty if there is none.
 std::string first_set(const netloft_term& term, const FamilyPlan& family, const Scene& scene) {
   for (const auto& name : names_needed_by(term))
     if (any_part_sets(name, family, scene)) return name;
@@ -71,8 +72,8 @@ std::string all_are_zero(const std::vector<std::string>& names) {
   return text + (names.size() > 1 ? " are zero" : " is zero");
 }
 
-/// Finds the unknowns that the elements of a part share: those without a condition and those whose condition,
-/// a parameter, is set.
+/// Finds the unknowns that the elements of each part share. Some exist only if a certain parameter of the
+/// part is not zero.
 void find_globals(FamilyPlan& family, const Scene& scene) {
   for (const auto part : family.parts)
     for (const auto& g : family.type->globals)
@@ -80,7 +81,7 @@ void find_globals(FamilyPlan& family, const Scene& scene) {
         family.globals.push_back({part, g.name, g.unit, g.doc});
 }
 
-/// Shared unknowns need the exact tangent: without it their equations are singular.
+/// Refuses unknowns that a part shares without the exact tangent: their equations would be singular.
 void check_globals(const FamilyPlan& family, const ScenePlan& plan, const Scene& scene) {
   if (family.globals.empty() || plan.tangent == TangentChoice::exact) return;
   const GlobalPlan& first = family.globals.front();

@@ -14,7 +14,7 @@ struct TermPlan {
   std::uint32_t traits = 0;
   bool on = false;
   std::string reason;
-  bool when_it_moves = false;  // inactive in statics, but acts in the motion of a small disturbance
+  bool when_it_moves = false;  // inactive in statics, but acts if a small disturbance moves the gear
 };
 
 /// The law in one slot of a family.
@@ -24,14 +24,14 @@ struct LawPlan {
   LawChoice choice;
 };
 
-/// The part of the tangent of forces without an energy (drag) that is used: all of it, its symmetric part, or
-/// none.
+/// Forces without an energy, such as drag, have an unsymmetric tangent. This is the part of it that is used:
+/// all, its symmetric part, or none.
 enum class TangentChoice { exact, symmetric, elastic };
 
 /// Statics, or motion in time.
 enum class AnalysisKind { statics, dynamics };
 
-/// A number that is shared by all elements of a part and is an unknown.
+/// An unknown that all elements of a part share.
 struct GlobalPlan {
   std::uint32_t part = 0;  // of the scene
   std::string name, unit, doc;
@@ -70,7 +70,7 @@ struct ScenePlan {
 ScenePlan make_scene_plan(const Scene& scene, Registry& registry,
                           TangentChoice tangent = TangentChoice::exact,
                           AnalysisKind kind = AnalysisKind::statics);
-/// Adapts the plan to a motion whose integrator uses mean forces of its steps.
+/// Adapts the plan to a motion whose integrator uses forces averaged over its steps.
 void use_mean_forces(ScenePlan& plan, const std::string& integrator);
 
 /// Plugins that are available but not used by any part of a plan; a printed plan lists them as not loaded.

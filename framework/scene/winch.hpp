@@ -12,9 +12,9 @@ struct WinchStage {
   enum class Follows { tension, speed, length };
   Follows follows = Follows::tension;
   double from = 0;  // [s]
-  /// Time t [s], and the quantity that the winch follows: the tension at the block [N], the speed at which
-  /// rope is paid out [m/s], or the length of rope paid out since the start [m]. Linear between rows; beyond
-  /// the last row, the last tension or length holds, and the speed is zero.
+  /// Rows of a time t [s] and a value of the quantity that the winch follows: the tension at the block [N],
+  /// the speed at which rope is paid out [m/s], or the length of rope paid out since the start [m]. Values
+  /// are linear between rows. After the last row, the last tension or length holds, and the speed is zero.
   std::vector<std::array<double, 2>> rows = {};
   // For a winch that follows a tension:
   double max_speed = 0;  // of paying out or hauling in [m/s]
@@ -24,10 +24,10 @@ struct WinchStage {
 
 /// A rope on a winch in a moving scene (framework/motion/winches.hpp).
 struct Winch {
-  std::string part;                     // the rope
-  std::string parameter;                // of the rope: table over time of the factor on its length
-  std::uint32_t block = 0;              // node of the scene, held along all axes
-  double length = 0;                    // length of the rope at a factor of one [m]
+  std::string part;         // the rope
+  std::string parameter;    // parameter of the rope: a table over time of the factor on its length
+  std::uint32_t block = 0;  // node of the scene, held along all axes
+  double length = 0;        // length of the rope at a factor of one [m]
   std::vector<WinchStage> stages = {};  // in order; the first begins at the start
 };
 

@@ -9,7 +9,8 @@
 
 namespace netloft {
 
-/// The request of a strategy for a stage, without the work it may cost and its name.
+/// The request of a strategy for a stage (one solve of the scene or of an easier variant), without its work
+/// budget and its name.
 struct StageRequest {
   bool by_strategy = false;  // otherwise by a solver
   std::string by;            // type of the strategy or solver
@@ -31,11 +32,13 @@ struct KnownStage {
   int unsettled = 0;  // number of its stages that did not come to rest
 };
 
-/// Stores the results of stages in a search, so that no stage is solved twice. A strategy that was cut off is
-/// called again from the same start: it repeats its stages at next to no cost, and the stage that was cut off
-/// continues from its final point. Methods that a strategy runs by itself are not stored; they run again.
+/// Stores the results of stages in a search, so that no stage is solved twice. A strategy that ran out of
+/// work is called again from the same start: it repeats its stages at next to no cost, and the stage at which
+/// the work ended continues from its final point. Methods that a strategy runs by itself are not stored; they
+/// run again.
 ///
-/// If all results together exceed `most` numbers, the results requested least recently are discarded.
+/// If all results together exceed `most` numbers, those that were not requested for the longest time are
+/// discarded.
 class KnownStages {
  public:
   explicit KnownStages(std::size_t most) : most_(most) {}

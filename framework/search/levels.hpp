@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// Coarser meshes of a scene. Only the reader of the scene knows how parts are divided into cells; a search
-/// requests scenes by their level, and positions interpolated from one level to another.
+/// Coarser meshes of a scene. Only the reader of the scene knows how parts are divided into cells. A search
+/// therefore requests scenes by their level, and positions interpolated from one level to another.
 class Levels {
  public:
   virtual ~Levels() = default;
@@ -17,8 +17,8 @@ class Levels {
   virtual unsigned most() const = 0;
   /// The scene on a level; 0 is the original mesh. Null if the level does not exist.
   virtual const Scene* scene(unsigned level) = 0;
-  /// Interpolates positions of the nodes of one level [m], 3 per node, to the nodes of another level. Empty
-  /// if the meshes do not divide the same parts.
+  /// Interpolates positions of the nodes of one level [m], 3 per node, to the nodes of another level. Returns
+  /// an empty vector if the meshes do not divide the same parts.
   virtual std::vector<double> carry(unsigned from, std::span<const double> positions, unsigned to) = 0;
 };
 

@@ -10,8 +10,8 @@ using wide::Eight, wide::Four, wide::Two;
 constexpr double kIdentity[8] = {1, 0, 0, 0, 1, 0, 0, 0};
 constexpr std::size_t kBlock = 9, kLine = 6;  // numbers per member
 
-/// A block in registers. It is read by pointers, because clang assumes that a reference returned by a call is
-/// aligned.
+/// A 3 x 3 block in registers. It is read through pointers, because clang assumes that a reference returned
+/// by a call is aligned.
 template <class Register>
 struct WideBlock {
   using V = typename Register::V;
@@ -33,7 +33,7 @@ struct WideBlock {
   }
 };
 
-/// K = a t tᵀ + b I of a line.
+/// Sets K = a t tᵀ + b I from a line (t, f, a, b) of a member.
 template <class Register>
 NETLOFT_INLINE void set_block(const double* line, WideBlock<Register>& K) {
   using Block = WideBlock<Register>;
@@ -50,7 +50,7 @@ NETLOFT_INLINE void set_block(const double* line, WideBlock<Register>& K) {
   K.last = a * line[2] * line[2] + b;
 }
 
-/// Adds the blocks of the node pairs. The blocks of (p, q) and (q, p) are equal.
+/// Adds the 3 x 3 blocks of all node pairs of a site. The blocks of (p, q) and (q, p) are equal.
 template <class Register, std::uint32_t kNodes, std::uint32_t kMembers>
 NETLOFT_INLINE void add_to_pairs(const MemberSite& site, const MemberWeights* weights,
                                  const WideBlock<Register> (&K)[kMembers], double* values) {

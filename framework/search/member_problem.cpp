@@ -78,7 +78,7 @@ void MemberProblem::list_members(const ElementFamily& family) {
   for (std::size_t e = 0; e < family.size(); ++e) add_site(family, e, {&reported[e * count], count});
 }
 
-/// Adds the sites of one element. Each has up to two members, as the kernels expect.
+/// Adds the sites (groups of nodes) of one element. A site has up to two members, as the kernels expect.
 void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
                              std::span<const netloft_member> reported) {
   MemberSite site;
@@ -128,7 +128,8 @@ void MemberProblem::list_rotations() {
     }
 }
 
-/// Position of a block, derived from any of its entries that the pattern contains; −1 if there is none.
+/// Index of a 3 x 3 block in the array of matrix values, found from one of its entries that is in the
+/// pattern; −1 if none is.
 std::int32_t MemberProblem::find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const {
   const SparsePattern& pattern = assembler_.pattern();
   for (std::uint32_t entry = 0; entry < 9; ++entry) {
@@ -162,7 +163,7 @@ void MemberProblem::fill_interface() {
   interface_.progress = HostFunction<&MemberProblem::progress>::call;
 }
 
-/// w = Σ c v for each member, v over all degrees of freedom.
+/// Computes w = Σ c v over the nodes of each member, where v is a vector over all degrees of freedom.
 void MemberProblem::combine(const double* v, double* w) const {
   for_sites(table(), [&](const MemberSite& site, auto nodes, auto members) {
     std::array<double, 3 * nodes> at;
@@ -207,7 +208,7 @@ int MemberProblem::evaluate(const double* u, double* residual) {
   return all_finite({residual, x_.size()}) ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
 }
 
-/// Fixes the rotations of bodies: no moment turns them, and no other equation depends on them.
+/// Fixes the rotations of bodies: sets their moments to zero and removes their coupling to other equations.
 void MemberProblem::fix_rotations(double* residual) {
   for (const std::size_t i : rotations_) residual[i] = 0;
   for (const std::size_t slot : of_rotations_) tangent_[slot] = 1;

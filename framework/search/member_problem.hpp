@@ -9,10 +9,11 @@
 
 namespace netloft {
 
-/// A static scene with its members separated from all other forces (netloft_members), for methods that treat
-/// the tension of a member as an unknown:
+/// A static scene with its members separated from all other forces, for methods that treat the tension T of a
+/// member as an unknown:
 ///   r(u) + Σ n c T t = 0                                                                    (1)
-/// r is the sum of the terms without NETLOFT_OF_MEMBERS; n, c, T and t are those of netloft_member. Counts
+/// r is the sum of the terms without NETLOFT_OF_MEMBERS. For each member, n is the number of equal twines
+/// that it represents, c are the coefficients of its chord, and t is its unit vector (netloft_member). Counts
 /// and times every call as StaticProblem does, on the same assembler. Everything is at rest, at time zero.
 ///
 /// Rigid bodies move but do not turn. Thus c is constant for members at their points, as these methods
@@ -25,12 +26,13 @@ class MemberProblem {
   MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
 
-  /// Whether a scene has members, and all nodes move along the axes of the world, without frames.
+  /// Whether a scene has members, and all nodes move along the axes of the world (no node has axes of its
+  /// own).
   static bool serves(const Scene& scene, const Assembler& assembler);
 
   netloft_members& interface() { return interface_; }
   const Statistics& statistics() const { return statistics_; }
-  /// The reason for which `progress` stopped a method.
+  /// The reason why `progress` stopped a method.
   Stop stop() const { return stop_; }
 
  private:
@@ -73,8 +75,9 @@ class MemberProblem {
     std::int32_t point, origin;
   };
   std::vector<Carried> carried_;
-  std::vector<std::size_t> rotations_;              // of bodies, among the unknowns
-  std::vector<std::size_t> of_rotations_, beside_;  // slots of their diagonal and off-diagonal entries
+  std::vector<std::size_t> rotations_;  // rotations of bodies: indices among the unknowns
+  std::vector<std::size_t> of_rotations_,
+      beside_;  // indices of the values in their rows and columns: on the diagonal, off it
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;    // by member
   std::vector<double> x_, step_;          // over all degrees of freedom

@@ -9,9 +9,9 @@ namespace netloft {
 /// Whether a parameter of a strategy names a solver or another strategy (netloft/strategy.hpp).
 bool names_component(const netloft_parameter& parameter);
 
-/// Checks that the component named by a parameter exists and that its own parameters are valid, recursively
-/// for parameters that name components: "auto:restarts=0;slice=100". Throws PluginRefused if a component is
-/// missing, std::invalid_argument with a sentence if a value is invalid.
+/// Checks that the component named by a parameter exists and that its own parameters are valid, such as
+/// "auto:restarts=0;slice=100". If one of those names a component, that one is checked, too. Throws
+/// PluginRefused if a component is missing, std::invalid_argument with a sentence if a value is invalid.
 void check_named(const netloft_parameter& parameter, const std::string& specification, Registry& registry);
 
 }  // namespace netloft

@@ -162,7 +162,7 @@ void RunningSearch::run(const StrategyType& type, const void* parameters) {
   if (!has_any()) throw std::runtime_error(failure_);
 }
 
-/// The best point so far. If the strategy failed, this point is no answer.
+/// The best point so far. If the strategy failed, the status of this point is not_converged.
 Solution RunningSearch::best() const {
   Solution s = equilibria_.has_any() ? equilibria_.best() : closest_.value_or(Solution{});
   if (!has_any()) s.reason = "the strategy solved no stage of the scene itself";
@@ -175,9 +175,9 @@ Solution RunningSearch::best() const {
   return s;
 }
 
-/// The best point with an explanation. If strategies call each other, only the outermost adds it. A stage
-/// that was cut off already reports an exhausted budget or time limit. An interrupt may have ended the
-/// strategy between stages.
+/// The best point with an explanation. If strategies call each other, only the outermost adds it. No
+/// explanation is added if a stage that was cut off already reports an exhausted budget or time limit. An
+/// interrupt may have ended the strategy between stages.
 Solution RunningSearch::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;
@@ -200,9 +200,8 @@ std::uint32_t RunningSearch::size_of(std::uint32_t level) {
 }
 
 /// The ending of the equilibrium, or, if there is none, of the last stage of the scene itself. The stage
-/// closest to balance does not decide, because a stage that was cut off may be farther from balance than an
-/// earlier one. A strategy that solved no stage of its scene may have given up with work left, and would do
-/// so again.
+/// closest to balance does not decide, because a later stage that was cut off may be farther from balance. If
+/// a strategy solved no stage of its scene, it may have ended with work left, and would do so again.
 netloft_ending RunningSearch::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);
@@ -215,7 +214,8 @@ double RunningSearch::work_left() const {
   return host_.is_interrupted() ? 0 : std::max(0.0, budget_ - (host_.spent() - begun_)) / unit_;
 }
 
-/// Checks a stage and completes it. Variant and work become those relative to the original scene.
+/// Checks a stage and completes it. Its variant is then relative to the original scene, and its work in
+/// Newton iterations of that scene.
 netloft_stage RunningSearch::seen_from_host(const netloft_stage& stage) {
   const netloft_variant& v = stage.variant;
   const bool is_fraction = v.compression >= 0 && v.compression <= 1 && v.current >= 0 && v.current <= 1;
@@ -231,7 +231,7 @@ netloft_stage RunningSearch::seen_from_host(const netloft_stage& stage) {
   return seen;
 }
 
-/// Whether a stage solves the scene of this strategy to the tolerance of an answer.
+/// Whether a stage solves the scene of this strategy (no easier variant) to the tolerance of an answer.
 bool RunningSearch::is_scene_itself(const netloft_stage& stage) const {
   return is_as_written(stage.variant) && stage.tolerance <= tolerance_;
 }
@@ -283,8 +283,8 @@ int RunningSearch::call(const char* strategy, const char* parameters, netloft_st
   return NETLOFT_OK;
 }
 
-/// Runs a strategy within this one. Its result is stored if it ended with work left, because more work would
-/// not change it.
+/// Runs a strategy that this strategy calls. Its result is stored if it ended with work left, because more
+/// work would not change it.
 KnownStage RunningSearch::run_inner(const StrategyType& type, const void* parameters,
                                     const netloft_stage& seen, StageRequest request) {
   const SearchHost::InnerCall under_way(host_, type.type);
@@ -333,7 +333,7 @@ int RunningSearch::members(netloft_stage* stage, netloft_members* members) {
   return NETLOFT_OK;
 }
 
-/// Ends a method that the strategy runs by itself, and stores the record of that method.
+/// Ends a method that the strategy runs by itself, and stores a record of the method's work.
 void RunningSearch::close() {
   if (!open_problem_ && !open_members_) return;
   const Statistics statistics = open_problem_ ? open_problem_->statistics() : open_members_->statistics();
@@ -371,7 +371,8 @@ int RunningSearch::answer(const double* u) {
   return NETLOFT_OK;
 }
 
-/// Stores an equilibrium of the scene itself until the strategy reports it, and the point closest to balance.
+/// Stores an equilibrium of the scene itself until the strategy reports it, and updates the point closest to
+/// balance.
 void RunningSearch::keep(const netloft_stage& stage, const Solution& s) {
   constexpr std::size_t kMostKept = 8;  // strategies report equilibria soon after their stage
   if (is_stationary(s)) {

@@ -11,11 +11,12 @@
 
 namespace netloft {
 
-/// A search as one strategy sees it. The scene of the strategy is a variant of the original scene, and its
-/// budget is part of the total work, expressed in Newton iterations of its scene.
+/// A search (an attempt to find the equilibrium of a scene) as one strategy sees it. If another strategy
+/// called this strategy, its scene can be a variant of the original scene, and its budget is part of the
+/// total work. The budget is expressed in Newton iterations of its scene.
 class RunningSearch {
  public:
-  /// `tolerance` is that of its scene; `work` is in iterations of the original scene.
+  /// `tolerance` is the tolerance for its scene; `work` is in Newton iterations of the original scene.
   RunningSearch(SearchHost& host, const netloft_variant& scene, double tolerance, double work,
                 const double* start);
   RunningSearch(const RunningSearch&) = delete;
@@ -26,7 +27,7 @@ class RunningSearch {
 
   /// The best answer; if there is none, the stage of the scene itself that came closest to balance.
   Solution best() const;
-  /// The same, with the reason for a missing answer.
+  /// The same as best(), with the reason why there is no answer.
   Solution explained() const;
   /// Whether some stage of the scene itself has been solved.
   bool has_any() const { return equilibria_.has_any() || closest_.has_value(); }
@@ -55,8 +56,9 @@ class RunningSearch {
 
   SearchHost& host_;
   netloft_variant scene_;
-  std::shared_ptr<VariantProblem> variant_problem_;  // of scene_
-  double tolerance_, budget_, begun_, unit_;  // unit_: work of one iteration of its scene, as the host counts
+  std::shared_ptr<VariantProblem> variant_problem_;  // the problem of scene_
+  double tolerance_, budget_, begun_,
+      unit_;  // unit_: work of one iteration of its scene, in iterations of the original scene
   netloft_search interface_{};
   char message_[256] = "";
   std::vector<double> growing_;                        // of the last stage

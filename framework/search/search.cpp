@@ -21,8 +21,8 @@ ParameterBlock block_of(const StrategyUse& use) {
   return block;
 }
 
-/// The result of a strategy that solved no stage of the scene: the start of the scene, assessed, with the
-/// reason. Callers need a position for every node.
+/// The result if a strategy solved no stage of the scene: the start of the scene, assessed, with the reason.
+/// Callers need a position for every node.
 Solution at_start(SearchHost& host, const netloft_search& search, Solution none) {
   std::vector<double> u(search.unknowns, 0.0);
   if (search.start) u.assign(search.start, search.start + search.unknowns);
@@ -42,7 +42,7 @@ Solution at_start(SearchHost& host, const netloft_search& search, Solution none)
   return start;
 }
 
-/// The equilibrium of a scene without open settings.
+/// Finds the equilibrium of a scene whose settings are fixed.
 Solution find_as_set(const VariantSource& source, const SearchOptions& options, const StrategyUse& strategy,
                      const std::vector<double>& start) {
   SearchHost host(source, options);
@@ -55,7 +55,7 @@ Solution find_as_set(const VariantSource& source, const SearchOptions& options, 
   return best;
 }
 
-/// Solves one stage of the scene itself with the solver of the options.
+/// Solves one stage of the scene itself from u, with the solver of the options.
 Solution solve_near(const VariantSource& source, const SearchOptions& options, std::vector<double> u) {
   constexpr std::uint32_t kNear = 100;  // iterations, as from an initial guess by the user
   SearchHost host(source, options);
@@ -70,7 +70,7 @@ Solution solve_near(const VariantSource& source, const SearchOptions& options, s
   return host.finish(host.solve(stage, options.solver));
 }
 
-/// The equilibria of a scene for given factors of its settings.
+/// Finds the equilibria of a scene for given factors of its settings.
 class SetScenes {
  public:
   SetScenes(const VariantSource& source, const SearchOptions& options, const StrategyUse& strategy)
@@ -95,8 +95,8 @@ class SetScenes {
   }
 
  private:
-  /// The strategy finds the first equilibrium. The solver alone finds later ones, starting from another
-  /// equilibrium. If the solver fails, the strategy is used.
+  /// Finds an equilibrium. The strategy finds the first one. The solver alone finds later ones, starting from
+  /// the previous equilibrium. If the solver fails, the strategy is used.
   Solution solve(const VariantSource& source, const std::vector<double>& start) {
     Solution near;
     if (has_one_ && !start.empty()) near = spend(solve_near(source, left_, start));

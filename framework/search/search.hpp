@@ -27,13 +27,14 @@ struct StrategyUse {
 struct SearchOptions {
   SolverUse solver;  // for stages that name no solver
   Limits limits;     // of the scene itself; `seconds` and `interrupt` apply to the whole search
-  double work = std::numeric_limits<double>::infinity();  // budget, in the units of work.hpp
+  double work =
+      std::numeric_limits<double>::infinity();  // budget, in Newton iterations of the scene (work.hpp)
   std::function<void(const IterationRecord&)> on_iteration;
   KeptPoint* kept = nullptr;  // receives accepted points of the original scene
-  /// Called after every stage with its record and its final displacements, interpolated to the original mesh
-  /// if the stage was on a coarser one.
+  /// Called after every stage with its record and its final displacements. If the stage was on a coarser
+  /// mesh, the displacements are interpolated to the original mesh.
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};
-  /// Parameters from the user for solvers and strategies that stages name. The key is their type
+  /// Parameters that the user set for solvers and strategies that stages name. The key is their type
   /// ("newton/newton"). These parameters override those of the strategy.
   std::map<std::string, Values> given = {};
 };
@@ -46,9 +47,9 @@ struct SearchOptions {
 /// reason. All stages use the same memory of elements (friction); the elements of the source store the answer
 /// at the end. Throws SceneError or PluginRefused if a stage cannot be made.
 ///
-/// If the scene has settings, they are found as well (settings.hpp). The answer then belongs to a different
-/// scene, with `Solution::factors`: the caller applies set_factors to its own scene and lets its elements
-/// store the answer.
+/// If the scene has settings (such as the length of a rope that is to have a given tension), they are found
+/// as well (settings.hpp). The answer then belongs to a different scene, with `Solution::factors`: the caller
+/// applies set_factors to its own scene and lets its elements store the answer.
 Solution find_equilibrium(const VariantSource& source, const SearchOptions& options,
                           const StrategyUse& strategy, const std::vector<double>& start = {});
 

@@ -26,8 +26,8 @@ class SearchHost {
   Limits limits_of(const netloft_stage& stage, const VariantProblem& variant_problem);
   /// Observer of a stage; it stores points of the original scene only.
   Observer observer_of(const netloft_stage& stage) const;
-  /// The stored result of a request, or null. A stored result costs one evaluation, so that the budget ends a
-  /// strategy that repeats one request forever.
+  /// The stored result of a request, or null. Using a stored result costs one evaluation of work; otherwise a
+  /// strategy could repeat one request forever.
   const KnownStage* find_known(const StageRequest& request);
   void keep_known(KnownStage stage);
   /// Solves `stage`, whose variant is relative to the original scene, and stores its record. A known stage is
@@ -35,13 +35,13 @@ class SearchHost {
   Solution solve(const netloft_stage& stage, const SolverUse& solver);
   /// Assesses the point of a stage.
   Solution assess(const netloft_stage& stage);
-  /// Adds a record. On input, `stage.work` is the work of its assessment.
+  /// Adds the record of a stage. On input, `stage.work` is the work of its assessment.
   void record(StageRecord stage, const VariantProblem& variant_problem);
 
   /// Adds the cost and the records of all stages.
   Solution finish(Solution solution) const;
 
-  /// Exists while a strategy that was called by another one runs. Throws std::invalid_argument beyond
+  /// Counts nested calls of strategies during the lifetime of the object. Throws std::invalid_argument beyond
   /// kDeepestCall, because a strategy that calls itself without end would use up the stack.
   class InnerCall {
    public:
@@ -60,10 +60,10 @@ class SearchHost {
   SearchOptions options_;
   VariantProblems variant_problems_;
   KnownStages known_;
-  double repeated_ = 0;  // work of requests whose result was known
+  double repeated_ = 0;  // work charged for requests whose result was known
   double begun_;
   Cost cost_;
-  JudgedPoint judged_;  // of the original scene
+  JudgedPoint judged_;  // the last judged point of the original scene
   int inner_calls_ = 0;
 };
 

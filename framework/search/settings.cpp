@@ -28,7 +28,7 @@ constexpr int kMostSteps = 60;  // of 5 %: a factor of 18 up or down
 constexpr double kForceTolerance =
     1e-9;  // relative to the given force; ten times the tolerance of equilibria
 
-/// Factors, the equilibrium for them, and the relative errors of its reactions.
+/// Logarithms y of the factors, the equilibrium for them, and the relative errors g of its reactions.
 struct Point {
   VectorXd y, off;  // (1)
   Solution solution;
@@ -69,8 +69,8 @@ class SettingSearch {
     return point;
   }
 
-  /// Measures J at a point along the columns of directions(). Returns false if there are no equilibria near
-  /// the point.
+  /// Measures the slopes J at a point along the columns of directions(). Returns false if there are no
+  /// equilibria near the point.
   bool measure_slopes(const Point& at) {
     const MatrixXd along = directions(at.y.size());
     MatrixXd slopes(at.y.size(), at.y.size());
@@ -88,9 +88,9 @@ class SettingSearch {
     return true;
   }
 
-  /// Directions of the measurement: first all factors together, then one against the others. Warps of equal
-  /// length pull a gear straight. If one is longer than the other, the tension of each hardly depends on
-  /// their common length.
+  /// Directions of the measurement: first all factors together, then each one against the previous ones. The
+  /// reason: warps of equal length pull a gear straight, but if one is longer than the other, the tension of
+  /// each hardly depends on their common length.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();
@@ -116,7 +116,7 @@ class SettingSearch {
     }
   }
 
-  /// A step by (2), and the update (3).
+  /// Makes a step by (2) of settings.hpp, and updates the slopes by (3).
   Point best_step(const Point& at) {
     VectorXd s = slopes_.fullPivLu().solve(-at.off);
     if (!s.allFinite()) s.setZero();
@@ -176,7 +176,7 @@ class SettingSearch {
   MatrixXd slopes_;  // J of (2)
   Cost cost_;        // of all equilibria
   bool is_interrupted_ = false;
-  std::string failed_;  // reason for which the last step found no equilibrium
+  std::string failed_;  // the reason why the last step found no equilibrium
 };
 
 template <class Visit>

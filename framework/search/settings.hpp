@@ -8,7 +8,8 @@
 
 namespace netloft {
 
-/// Scales data of the scene such that its settings have these factors.
+/// Scales the data of the scene's settings (such as the length of a rope) to these factors, relative to the
+/// data as read.
 void set_factors(Scene& scene, std::span<const double> factors);
 
 /// Sum of the data of a setting over the elements of its part, such as the length of a rope.
@@ -20,8 +21,8 @@ struct SetEquilibrium {
   std::vector<double> reactions;  // one per setting; empty: no equilibrium was found
 };
 
-/// Finds the equilibrium for these factors near displacements `start`, or from the start of the scene if that
-/// is empty.
+/// Finds the equilibrium for these factors near displacements `start`; if `start` is empty, from the start of
+/// the scene.
 using FindWithFactors =
     std::function<SetEquilibrium(std::span<const double> factors, const std::vector<double>& start)>;
 

@@ -11,7 +11,7 @@
 
 namespace netloft {
 
-/// A variant of a scene, ready to be evaluated, with the cost of its operations.
+/// A variant of a scene, ready to be evaluated, with the cost of its operations (WorkModel).
 struct VariantProblem {
   const Scene* scene = nullptr;
   Assembler* assembler = nullptr;
@@ -33,8 +33,8 @@ struct VariantSource {
   int threads = 1;
 };
 
-/// Makes the variants of a scene at their first request. Stores the unmodified scene of each level, and of
-/// the other variants only the last one.
+/// Creates the variants of a scene when they are first requested. Keeps the unmodified scene of each level,
+/// and of the other variants only the last one.
 class VariantProblems {
  public:
   explicit VariantProblems(VariantSource source);

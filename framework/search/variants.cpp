@@ -54,7 +54,7 @@ double value_of(const Part& part, const ElementType& type, const netloft_paramet
   return faults.empty() ? block.number(parameter) : 0.0;
 }
 
-/// Whether a stiffness is that of a bar, in newtons, and not of a hinge or of the ground.
+/// Whether a stiffness is axial (in newtons), not that of a hinge or of the ground.
 bool is_in_newtons(const netloft_parameter& parameter) { return std::strcmp(parameter.unit, "N") == 0; }
 
 /// Calls visit(part, type, parameter) for every real parameter with the role.
@@ -67,7 +67,7 @@ void for_role(PartOf& parts, Registry& registry, std::uint32_t role, Visit&& vis
   }
 }
 
-/// Largest stiffness in newtons by name of part; a part and its companions share a name.
+/// Largest axial stiffness by name of part. A part and the parts that ride on it have one name.
 std::map<std::string, double> stiffness_by_name(const Scene& scene, Registry& registry) {
   std::map<std::string, double> largest;
   for_role(scene.parts, registry, NETLOFT_STIFFNESS, [&](const Part& part, const auto& type, const auto& p) {

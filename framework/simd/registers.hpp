@@ -32,7 +32,7 @@ struct Eight {
   static constexpr int kLanes = 8;
 };
 
-/// Sums of all lanes. They are formed in pairs, so that additions do not wait for each other.
+/// Sums of all lanes, formed in pairs so that additions do not wait for each other.
 NETLOFT_INLINE double sum_of(const Two::V& v) { return v[0] + v[1]; }
 NETLOFT_INLINE double sum_of(const Four::V& v) {
   return sum_of(__builtin_shufflevector(v, v, 0, 1) + __builtin_shufflevector(v, v, 2, 3));
