@@ -22,7 +22,8 @@ std::string not_finite(const Answer& a, std::size_t lane) {
   return {};
 }
 
-/// Error of the first answer to these states that is not finite. An answer outside the domain is valid.
+/// Describes the first answer to these states that is not finite. (A term may refuse a state as outside its
+/// domain.)
 std::string fault_of_terms(const Bench& b, const States& s) {
   for (const auto& term : b.type.terms)
     for (const auto want : wants_of(term)) {

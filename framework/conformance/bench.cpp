@@ -45,7 +45,7 @@ void Bench::make_elements() {
       refusal = e.what();
       const std::size_t part = sample.part[e.element];
       sampler.data(sample, e.element);
-      // Defaults may be refused in combination, so that parameters are drawn as well.
+      // A combination of defaults may be refused, so that parameters are drawn again as well.
       if (tries % 10 == 9) sample.parameters[part] = sampler.parameters(std::max<std::size_t>(part, 1));
     } catch (const Escaped& e) {
       escape = e.what();
@@ -63,7 +63,7 @@ void Bench::make_states() {
     remember(s);
     tiles.push_back(std::move(s));
   }
-  for (std::size_t tile = 1; tile < tiles.size(); tile += 2)  // half of the elements see a moving ground
+  for (std::size_t tile = 1; tile < tiles.size(); tile += 2)  // every other tile has a moving ground
     tiles[tile].ground = {sampler.uniform(0.5, 2), sampler.uniform(-1, 1), 0};
 }
 
@@ -77,7 +77,7 @@ void Bench::settle(States& s) {
   error = "all of " + std::to_string(kTriesPerState) + " sampled states are outside the domain of some term";
 }
 
-/// Gives every other element a memory, from a state nearby.
+/// Gives every other element the memory of a state nearby.
 void Bench::remember(States& s) {
   if (s.memory.empty()) return;
   std::vector<double> step(kLanes, 0.0);

@@ -10,15 +10,16 @@
 
 namespace netloft::conformance {
 
-/// Numbers of the threads of this program, in ascending order; empty if the system does not report them.
+/// Numbers that the system gives to the threads of this program, in ascending order; empty if it does not
+/// report them.
 using Threads = std::vector<int>;
 Threads threads_now();
 int number_of_this_thread();
 /// Waits until the system no longer shows a thread that was joined.
 void wait_until_gone(int thread);
 
-/// The fixture of the element checks: a family of sampled elements, each in a sampled state at which all
-/// terms are inside their domain.
+/// The fixture of the checks of an element type: sampled elements, each in a sampled state at which all of
+/// its terms are defined.
 struct Bench {
   Bench(const ElementType& type, const ConformanceOptions& options);
 
@@ -27,17 +28,17 @@ struct Bench {
   bool is_turn(std::size_t dof) const { return type.is_on_body() && dof / 3 == 1; }
   /// "term elastic, element 12"
   std::string place(const netloft_term& term, const States& states, std::size_t lane) const;
-  /// Shortest distance between two nodes of a lane [m]; 1 m for a single node or a body. At least 1e-6 of the
-  /// size.
+  /// Shortest distance between two nodes of the element in a lane [m], at least 1e-6 of its size; 1 m if it
+  /// has a single node or is on a body.
   double spacing(const States& states, std::size_t lane) const;
   double size(const States& states, std::size_t lane) const {
     return sampler.size(sample, states.first + lane);
   }
-  /// Largest force of each lane, in this state and in three states nearby [N].
+  /// Largest force of the element in each lane, in this state and in three states nearby [N].
   std::vector<double> force_scale(const netloft_term& term, const States& states);
-  /// States of the same shape, filled with zeros.
+  /// States for `count` elements from `first` on, filled with zeros.
   States blank(std::uint32_t first, std::uint32_t count) const;
-  /// A random field [dof][64] of size 1 in every node.
+  /// A random field [dof][64], with a vector of length 1 at every node.
   std::vector<double> random_field();
 
   const ElementType& type;
@@ -47,7 +48,7 @@ struct Bench {
   Sample sample;
   std::unique_ptr<Specimen> specimen;  // null if refused or failed, see `refusal` and `escape`
   std::vector<States> tiles;
-  std::string refusal;  // why no elements could be made
+  std::string refusal;  // why the plugin refused all sampled elements
   std::string escape;   // the exception that the plugin threw
   std::string error;    // the evaluation that failed
 
@@ -59,15 +60,15 @@ struct Bench {
   bool is_settled(States& states, const netloft_term& term);
 };
 
-/// states + step·direction, [dof][64] with one step per lane. The current follows its derivative with respect
-/// to depth.
+/// Returns states displaced by step × direction, with one step per lane and `direction` [dof][64]. The
+/// current changes by its derivative with respect to depth.
 States moved(const States& states, const std::vector<double>& direction, const std::vector<double>& step);
 
 bool same_bits(double a, double b);
 /// Whether lane `i` of one array holds the same bits as lane `j` of another.
 bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j);
 
-/// The worst figure of a check and its place. NaN counts as infinite.
+/// The largest (worst) figure of a check and its place. NaN counts as infinite.
 class Worst {
  public:
   explicit Worst(double limit) : limit_(limit) {}

@@ -55,7 +55,7 @@ void write_body(const Moving& m, const V& psi, States& s, std::size_t lane) {
   write(s.current_dz, 0, lane, m.current_dz);
 }
 
-/// The moment that belongs to a generalised force on a rotation vector.
+/// The moment that does the same work as a generalised force on a rotation vector.
 V moment_of(const V& psi, const V& generalised) { return rate_of_spin(-psi, generalised); }
 
 /// Transforms every lane of a tile and its answer. `carry(motion, psi)` changes the motion and returns the
@@ -76,7 +76,7 @@ void carry_lanes(const States& from, const Answer& answer, const Carry& carry, c
   }
 }
 
-/// Draws again rotations that are close to a full turn.
+/// Draws rotations again if they are close to a full turn.
 States away_from_turns(Bench& b, States s) {
   for (std::size_t lane = 0; lane < s.count; ++lane)
     for (V psi = read(s.x, 3, lane); is_near_a_turn(psi); psi = read(s.x, 3, lane)) {
@@ -87,8 +87,8 @@ States away_from_turns(Bench& b, States s) {
   return s;
 }
 
-/// Compares a term in the world rotated by the vector `by`, which is along z for terms that distinguish the
-/// vertical, with gravity, a bed or a current that varies with depth.
+/// Compares a term before and after a rotation of the world by the vector `by`. For terms that distinguish
+/// the vertical (gravity, a bed, a current that varies with depth), `by` is along z.
 void note_in_turned_world(Bench& b, const netloft_term& term, States s, const V& by, Worst& worst) {
   const auto turn = [&](const V& w, bool) { return rotated(by, w); };
   const auto carry = [&](Moving& m, const V& psi) {
@@ -146,8 +146,8 @@ Finding full_turns_change_nothing(Bench& b) {
   return judged(worst, "there are no terms");
 }
 
-/// Compares with the mirror image at y = 0, which is the body of the other side: axial vectors reverse x and
-/// z, all others y.
+/// Compares an element with its mirror image at y = 0, which is the body on the other side of the gear. The
+/// reflection reverses x and z of axial vectors, and y of all others.
 Finding sides_mirror_each_other(Bench& b) {
   const auto is_side = [](const netloft_datum& d) { return std::string_view(d.name) == datum::kSide.name; };
   const auto at = std::ranges::find_if(b.type.data, is_side);
@@ -183,7 +183,8 @@ Finding sides_mirror_each_other(Bench& b) {
 
 namespace {
 
-/// ½ q̇·M q̇ of every lane, where M is the derivative of the force with respect to acceleration.
+/// Kinetic energy ½ q̇·M q̇ of every lane, where M is the derivative of the force with respect to
+/// acceleration.
 std::vector<double> kinetic_energy(const Bench& b, const netloft_term& term, const States& s) {
   States as_rates = s;
   as_rates.a = s.v;
@@ -206,8 +207,8 @@ States later(States s, double t) {
 
 }  // namespace
 
-/// The power of inertia is the rate of kinetic energy, also in rotation: r·q̇ = d/dt (½ q̇·M q̇), in water at
-/// rest.
+/// Checks, in water at rest, that the power of the inertia force is the rate of change of the kinetic energy,
+/// also in rotation: r·q̇ = d/dt (½ q̇·M q̇).
 Finding inertia_makes_kinetic_energy(Bench& b) {
   constexpr double kLimit = 1e-6, kStep = 1e-4;
   if (!b.type.is_on_body()) return not_applicable(kNoBody);

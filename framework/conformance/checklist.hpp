@@ -6,12 +6,13 @@
 
 namespace netloft::conformance {
 
-/// One check, for an element, a law or a method.
+/// One check of an element, a law or a method (solver, integrator, strategy).
 template <class Bench>
 struct Check {
   const char* name;
   Finding (*run)(Bench&);
-  std::vector<const char*> depends_on;  // skipped if one of these failed, or was skipped for that reason
+  std::vector<const char*>
+      depends_on;  // the check is skipped if one of these failed, or was skipped for that reason
   const char* hint;
 };
 
@@ -30,7 +31,7 @@ class Doubtful {
   std::vector<std::string> names_;
 };
 
-/// Publishes the name of the running check to all threads during its lifetime.
+/// While the object exists, all threads can read the name of the running check.
 class UnderWay {
  public:
   explicit UnderWay(const char* name);

@@ -15,11 +15,11 @@ inline Finding not_applicable(const char* why) { return {true, true, 0, 0, why};
 inline Finding failed(std::string detail) { return {false, false, 0, 0, std::move(detail)}; }
 /// Passed if no figure exceeds the limit; skipped if there were none.
 Finding judged(const Worst& worst, const char* nothing_noted);
-/// Result of a check of yes-or-no questions: passed if there is no fault.
+/// Result of a check without a figure: passed if `fault` is empty.
 Finding judged(const std::string& fault);
-/// Whether defaults, and sampled values of parameters without one, are within their ranges. (bench.cpp)
+/// Fails if a default, or a sampled value of a parameter without one, is outside its range. (bench.cpp)
 Finding judged_defaults(std::span<const netloft_parameter> table, std::size_t bytes, const Values& sampled);
-/// Whether no threads were left. Skipped if the system does not report threads. (bench.cpp)
+/// Fails if the plugin left threads running. Skipped if the system does not report threads. (bench.cpp)
 Finding no_more_threads_than(const Threads& before);
 
 // Evaluation: does it answer at all? (answering_checks.cpp)

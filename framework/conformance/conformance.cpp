@@ -12,7 +12,7 @@ namespace {
 
 using namespace conformance;
 
-// The order matters: a check follows those that it depends on.
+// A check follows those on which it depends.
 const std::vector<Check<Bench>>& table() {
   static const std::vector<Check<Bench>> checks = {
       {"defaults-are-allowed",
@@ -194,7 +194,7 @@ bool ConformanceReport::passed() const {
 
 namespace {
 
-/// The kinds of laws with which the element is tested: all kinds that its slots accept.
+/// The kinds of laws with which the element is tested: all that it accepts.
 std::vector<std::uint32_t> law_kinds(const ElementType& type) {
   std::uint32_t accepted = 0;
   for (const auto& slot : type.laws) accepted |= slot.accepts;

@@ -15,7 +15,7 @@ struct ConformanceOptions {
   int directions = 3;      // directions of each directional check, 1 … 100
   bool timings = true;
   std::uint32_t law_kind =
-      0;  // of the laws in the slots of an element; 0: every kind that they accept, in turn
+      0;  // kind of laws that the element uses in the tests; 0: every kind that it accepts, in turn
 };
 
 /// Result of one check. A check is skipped if it does not apply, or if one that it depends on failed, so that
@@ -43,8 +43,9 @@ struct ConformanceReport {
   bool passed() const;
 };
 
-/// Checks that an element keeps the promises of its description, with samples from the description
-/// (sampler.hpp). Failures of the element never throw; an element that crashes ends the program.
+/// Checks that an element keeps the promises of its description (ranges, traits, derivatives …). Samples are
+/// drawn from the description (sampler.hpp). A failure of the element is reported and never throws; an
+/// element that crashes ends the program.
 ConformanceReport check_element(const ElementType& type, const ConformanceOptions& options = {});
 
 /// Checks a hydrodynamic law, with 64 flows for each sampled set of parameters.
@@ -62,7 +63,7 @@ ConformanceReport check_strategy(const StrategyType& type, const ConformanceOpti
 /// Checks the file of a plugin.
 ConformanceReport check_file(const std::filesystem::path& file);
 
-/// The check that is running, for the report of a crash; null between checks.
+/// Name of the check that is running, for the report of a crash; null between checks.
 const char* check_under_way();
 
 /// Names of all checks in their order: of elements, laws, solvers, integrators and strategies.

@@ -20,8 +20,7 @@ bool same_answer(const Answer& a, const Answer& b, std::size_t count) {
   return true;
 }
 
-/// The first term or output with different answers from two families of the same elements; empty if there is
-/// none.
+/// The first term or output that differs between two families of the same elements; empty if there is none.
 std::string first_difference(const Bench& b, const Specimen& other, const States& s) {
   for (const auto& term : b.type.terms)
     for (const auto want : wants_of(term))
@@ -35,7 +34,8 @@ std::string first_difference(const Bench& b, const Specimen& other, const States
   return {};
 }
 
-/// The function whose result changes with the bytes that no row declares; empty if there is none.
+/// The function whose result changes if the bytes of `range`, which no row of the table declares, are
+/// overwritten; empty if there is none.
 std::string reader_of(const Bench& b, const ByteRange& range) {
   Sample spoilt = b.sample;
   spoilt.spoilt = {range};
@@ -68,7 +68,7 @@ Finding reads_what_it_declares(Bench& b) {
 
 namespace {
 
-/// An input that a term is given if it declares the trait; `also` is another trait with which it may read it.
+/// An input that a term receives if it declares the trait. A term with the trait `also` may read it, too.
 struct Input {
   std::uint32_t trait;
   const char* text;
@@ -108,7 +108,7 @@ States with_other(const Bench& b, const States& from, std::uint32_t trait, bool 
   return to;
 }
 
-/// Whether a term that does not declare an input answers otherwise when the input changes.
+/// Whether the answer of a term changes with an input that the term does not declare.
 bool reads(const Bench& b, const netloft_term& term, const States& s, const Input& input) {
   for (const bool no_numbers : {false, true}) {
     const States other = with_other(b, s, input.trait, no_numbers);

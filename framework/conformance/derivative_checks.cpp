@@ -58,7 +58,7 @@ class Ledger {
 
 namespace {
 
-/// Energy along a direction: the best central difference compared with the slope by the force.
+/// Compares the slope of the energy along a direction, by the best central difference, with the force.
 class EnergySlope {
  public:
   EnergySlope(Bench& b, const netloft_term& term, const States& s)
@@ -128,7 +128,8 @@ Finding force_is_gradient(Bench& b) {
 
 namespace {
 
-/// The variable of a derivative: the field, the trait of terms that read it, and its factor.
+/// The variable of a derivative: its field, the trait of the terms that read it, and the factors of the
+/// tangent.
 struct Variable {
   std::vector<double> States::*field;
   std::uint32_t trait;
@@ -143,7 +144,7 @@ const Variable kVariables[] = {
     {&States::a, NETLOFT_READS_ACCELERATION, {0, 0, 0.9}, 0.9},
 };
 
-/// Which entries of a column are compared.
+/// Selects the entries of a column that are compared.
 using Rows = std::function<bool(std::size_t row, std::size_t column)>;
 
 /// The tangent of a tile, column by column, compared with differences of the force.
@@ -279,8 +280,8 @@ Finding constant_where_claimed(Bench& b) {
 
 namespace {
 
-/// A straight piece of a path: work of the force by the midpoint rule in `pieces` pieces, and the sum of its
-/// absolute values.
+/// Work of the force along a straight path, by the midpoint rule in `pieces` pieces, and the sum of the
+/// absolute works.
 struct StageRecord {
   Lanes work = Lanes(kLanes, 0.0), effort = Lanes(kLanes, 0.0);
   bool inside = true;  // whether all points are inside the domain
@@ -304,9 +305,10 @@ StageRecord walk(const Bench& b, const netloft_term& term, const States& from,
   return leg;
 }
 
-/// The work must equal the change of energy on every piece of a path; then it is zero on every closed path,
-/// also on one that changes from slack to taut. Pieces are shorter than half the distance of the nodes, so
-/// that no element collapses. Returns the error per lane, or −1 if a piece left the domain.
+/// Compares the work along a path with the change of energy. If they are equal on every path, the work is
+/// zero on every closed path, also on one that changes from slack to taut. Paths are shorter than half the
+/// distance of the nodes, so that no element collapses. Returns the error per lane, or −1 if the path left
+/// the domain.
 Lanes energy_not_accounted_for(const Bench& b, const netloft_term& term, const States& from,
                                const std::vector<double>& direction, const Lanes& length, int pieces) {
   const StageRecord leg = walk(b, term, from, direction, length, pieces);

@@ -15,8 +15,8 @@ bool feels_water(const netloft_term& term) {
   return (term.traits & NETLOFT_READS_CURRENT) && !(term.traits & NETLOFT_FROM_OUTSIDE);
 }
 
-/// The same water and velocity at all nodes of an element, without acceleration. A passive element can only
-/// take energy out of such a flow.
+/// Returns states with the same velocity of water and of nodes within each element, without acceleration. A
+/// passive element can only take energy out of such a flow.
 States in_uniform_flow(const Bench& b, const netloft_term& term, States s) {
   for (std::size_t d = 0; d < b.dofs(); ++d)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -55,7 +55,7 @@ Finding no_force_without_flow(Bench& b) {
   return judged(worst, kNoCurrent);
 }
 
-/// The power of the physical force −r relative to the water, −r·(v − c), may not be positive.
+/// Checks that the power of the physical force −r relative to the water, −r·(v − c), is not positive.
 Finding never_gains_energy(Bench& b) {
   Worst worst(kFlowLimit);
   for (const auto& term : b.type.terms) {
@@ -77,7 +77,8 @@ Finding never_gains_energy(Bench& b) {
   return judged(worst, kNoCurrent);
 }
 
-/// Reports use the extents of lanes to weigh laws that are used beyond their range.
+/// Checks that elements tell their laws the length of twine or area of netting of each lane. Reports weigh
+/// the use of a law outside its range by it.
 Finding says_how_much_it_stands_for(Bench& b) {
   if (b.type.laws.empty()) return not_applicable("it has no slot for a law");
   for (const auto& term : b.type.terms)

@@ -78,7 +78,7 @@ double order_of(IntegratorBench& b, const PracticeSwing& like) {
   return std::log2(error_with(b, like, 128) / error_with(b, like, 256));
 }
 
-/// Accuracy of observed orders.
+/// An observed order may differ from the expected one by this much.
 constexpr double kOrderSeen = 0.2;
 
 Finding converges(IntegratorBench& b) {
@@ -103,7 +103,7 @@ Finding keeps_its_order_under_a_load(IntegratorBench& b) {
   return keeps_its_order(b, kPushed, "a motion under a load that grows");
 }
 
-/// A step that is too long may be refused, but not be shortened silently.
+/// Checks that a step is not shortened silently. A step that is too long may be refused.
 Finding goes_all_the_way(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   const double stable = b.stable_step(2), h = stable > 0 ? std::min(0.2, 0.5 * stable) : 0.2;
@@ -155,7 +155,8 @@ Finding gains_no_energy(IntegratorBench& b) {
   return up_to(motion.energy(), 1.05, "energy after 2000 steps of a free motion over that of the start");
 }
 
-/// Uses steps of the declared stable length; if all steps are stable, long ones of 100 over the frequency.
+/// Checks the declared stable step: the energy stays bounded with 0.8 of it, or, if all steps are declared
+/// stable, with steps of 100 over the angular frequency.
 Finding stable_as_it_says(IntegratorBench& b) {
   const double fastest = 2, stable = b.stable_step(fastest);
   const double h = stable > 0 ? 0.8 * stable : 100 / fastest;
@@ -215,7 +216,7 @@ Finding steps_nothing(IntegratorBench& b) {
   return status == NETLOFT_OK ? Finding{} : failed("returned " + std::to_string(status));
 }
 
-// The order matters: a check follows those that it depends on.
+// A check follows those on which it depends.
 const std::vector<Check<IntegratorBench>>& integrator_table() {
   static const std::vector<Check<IntegratorBench>> checks = {
       {"defaults-are-allowed",

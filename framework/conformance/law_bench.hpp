@@ -29,9 +29,9 @@ struct LawBench {
   bool call(std::size_t part, const netloft_law_tile& flow, std::string& thrown) const;
   /// "parameters 3, flow 12 (along the direction)"
   std::string place(std::size_t part, std::size_t lane) const;
-  /// Speed over which a flow is varied [m/s].
+  /// The speed by which checks vary a flow [m/s].
   double reach(const Flows& flows, std::size_t lane) const;
-  /// Largest force of each lane at that speed [N].
+  /// Largest force of each lane for flows of the speed reach() [N].
   std::vector<double> force_scale(std::size_t part, const Flows& flows);
   std::vector<double> random_field();
 
@@ -47,7 +47,7 @@ struct LawBench {
   Flows sample();
 };
 
-/// Value in arrays of the answer before the law writes to them.
+/// The value (NaN) of the answer's arrays before the law writes to them.
 double not_written();
 
 }  // namespace netloft::conformance

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLawKinkStep = 1e-6, kKinkLimit = 1e-3;
 constexpr double kSlopeLimit = 1e-5;
 
-/// flows + step·field in one of their arrays, with one step per lane.
+/// Returns flows in which one array is changed by sign × step × field, with one step per lane.
 Flows varied(const Flows& from, std::vector<double> Flows::*array, const std::vector<double>& field,
              const std::vector<double>& step, double sign) {
   Flows to = from;
@@ -33,7 +33,7 @@ double largest(const std::array<double, 3>& v) {
 }
 
 /// Compares a derivative along a field of variations with the best central difference, relative to the force
-/// at `reach`. `promised(answer, lane, row)` is the derivative times the field.
+/// at the speed `reach`. `promised(answer, lane, row)` is the derivative given by the law, times the field.
 template <class Promised>
 void compare_slopes(LawBench& b, std::size_t part, std::vector<double> Flows::*array,
                     const std::vector<double>& field, bool by_speed, Promised&& promised, Worst& worst) {
@@ -66,7 +66,8 @@ double along_field(const std::vector<double>& matrix, const std::vector<double>&
 
 }  // namespace
 
-/// Checks that the one-sided slopes on both sides of each flow agree, in particular for the special flows.
+/// Checks that the slopes on both sides of each flow agree, in particular at special flows (zero, along or
+/// across the direction).
 Finding law_has_no_kink(LawBench& b) {
   Worst worst(kKinkLimit);
   for (std::size_t part = 0; part < b.tiles.size(); ++part)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFlowRounding = 1e-10;
 
-/// Compares the force for a reversed array with `sign` times the original force.
+/// Compares the force after one array of the flows was reversed with `sign` times the original force.
 Finding compare_turned_over(LawBench& b, std::vector<double> Flows::*array, double sign) {
   Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {

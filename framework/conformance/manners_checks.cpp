@@ -28,7 +28,7 @@ std::size_t first_difference(const Answer& a, const Answer& b, std::size_t count
   return lane;
 }
 
-/// Calls `ask(term, states, want)` for all terms, tiles and combinations of outputs; it returns a fault or an
+/// Calls `ask(term, states, want)` for all terms, tiles and combinations of outputs. It returns a fault or an
 /// empty string.
 template <class Ask>
 Finding ask_all(Bench& b, Ask&& ask) {
@@ -64,7 +64,8 @@ namespace {
 constexpr double kCanary = -7.25e-300;  // small, so that any number added to it is visible
 constexpr std::size_t kMargin = 4 * kLanes;
 
-/// An array surrounded by canaries, also in all lanes from `count` on; zero where a term may add.
+/// An array surrounded by a known number, which is also in all lanes from `count` on; zero where a term may
+/// add.
 struct Guarded {
   Guarded(std::size_t rows, std::size_t count) : values(rows * kLanes + 2 * kMargin, kCanary) {
     for (std::size_t row = 0; row < rows; ++row)
@@ -81,7 +82,8 @@ struct Guarded {
   std::vector<double> values;
 };
 
-/// Calls a term with guarded arrays, and with inputs that are NaN from lane `count` on.
+/// Calls a term with guarded arrays, and with inputs that are NaN from lane `count` on. Returns where it
+/// wrote outside.
 std::string trespass(const Bench& b, const netloft_term& term, States s, std::uint32_t count,
                      std::uint32_t want) {
   for (const auto field : kFields)
@@ -131,7 +133,8 @@ void prefill(std::vector<double>& values, const std::vector<double>& like) {
     values[i] = (largest(like, i % kLanes) + 1) * (1 + 0.01 * static_cast<double>(i / kLanes % 7));
 }
 
-/// Error of (prefilled + answer) against the sum of both, relative to the largest number of the lane.
+/// Difference between `sum` and the numbers of prefill() plus the answer, relative to the largest number of
+/// the lane.
 double adding_error(const std::vector<double>& sum, const std::vector<double>& answer, std::size_t lane) {
   std::vector<double> before(answer.size());
   prefill(before, answer);
@@ -234,7 +237,7 @@ Finding same_in_any_lane(Bench& b) {
 
 namespace {
 
-/// Whether one output has the same bits with and without other outputs.
+/// Checks that one output has the same bits whether or not others are requested.
 Finding same_alone(Bench& b, std::uint32_t part, std::vector<double> Answer::*values) {
   return ask_all(b, [&](const netloft_term& term, const States& s, std::uint32_t want) -> std::string {
     if (!(want & part)) return {};
@@ -311,9 +314,9 @@ bool nothing_begins_during(Work&& work) {
 
 enum class Starts { none, some, unknown };
 
-/// Whether `work` starts threads, however short-lived. Because other programs start threads as well, the same
-/// time is also observed without work. `work` starts none if once nothing begins during it; it starts some if
-/// nothing begins without work kProof times before that. The answer is unknown if other programs start
+/// Whether `work` starts threads, however short-lived. Other programs start threads, too; therefore the same
+/// time is also observed without work. `work` starts none if, once, nothing begins during it. It starts some
+/// if nothing begins without work in kProof tries before that. The result is unknown if other programs start
 /// threads all the time.
 template <class Work>
 Starts threads_started_by(Work&& work) {
@@ -372,8 +375,8 @@ Finding missing_inputs_are_zero(Bench& b) {
         worst.note(ratio(c.force[i] - a.force[i], largest(moving.force, i % kLanes)),
                    [&] { return b.place(term, s, i % kLanes); });
       if (term.traits & NETLOFT_CONSTANT) continue;
-      // Matrices with respect to rates are needed at rest as well: masses, and the damping of small
-      // disturbances.
+      // At rest, matrices with respect to velocities and accelerations are needed, too: masses, and the
+      // damping of small disturbances.
       const Answer there = b.specimen->evaluate(term, zero, NETLOFT_WANT_TANGENT, kAllFactors);
       const Answer none = b.specimen->evaluate(term, missing, NETLOFT_WANT_TANGENT, kAllFactors);
       for (std::size_t i = 0; i < there.matrix.size(); ++i)

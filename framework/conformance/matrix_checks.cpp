@@ -20,7 +20,7 @@ Eigen::MatrixXd matrix_of(const Bench& b, const netloft_term& term, const Answer
   return m;
 }
 
-/// The amount by which the least eigenvalue is negative, relative to the largest entry of `scale`.
+/// Magnitude of the least eigenvalue if it is negative, else zero; relative to the largest entry of `scale`.
 double negativity(const Eigen::MatrixXd& m, const Eigen::MatrixXd& scale) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (m + m.transpose()),
                                                              Eigen::EigenvaluesOnly);

@@ -15,8 +15,9 @@ struct Pull {
   std::vector<double> force;  // by degree of freedom
 };
 
-/// Adds a member at a state of its element. Returns false if it has no length and therefore no direction.
-///   l = ‖w‖, w = Σ c x,  E = ½ number T (l − l₀),  f_i = number c_i T w/l     (netloft_member)
+/// Adds the energy and the forces of a member (netloft_member) at a state of its element. Returns false if it
+/// has no length and therefore no direction.
+///   l = ‖w‖, w = Σ c x,  E = ½ number T (l − l₀),  f_i = number c_i T w/l
 bool add_member(const netloft_member& m, const States& s, std::size_t lane, Pull& sum) {
   double w[3] = {};
   const std::size_t nodes = std::min<std::size_t>(3, sum.force.size() / 3);
@@ -48,7 +49,8 @@ const netloft_term& term_of_members(const ElementType& type) {
                        [](const netloft_term& t) { return (t.traits & NETLOFT_OF_MEMBERS) != 0; });
 }
 
-/// Difference of the members from their term: of the forces, or of the energies over the size of the element.
+/// Largest difference between members and their term: of forces, and of energies divided by the size of the
+/// element.
 double difference(const Answer& term, const Pull& members, std::size_t lane, double size) {
   double off = std::abs(term.energy[lane] - members.energy) / size;
   for (std::size_t d = 0; d < members.force.size(); ++d)
@@ -74,7 +76,8 @@ void compare(Bench& b, const States& s, Worst& worst) {
 
 }  // namespace
 
-/// The rounding of positions of 10 m is a strain of 1e-12 in an element of 1 mm, far below the limit.
+/// Checks that the members add up to their term. Rounding of positions of 10 m is a strain of 1e-12 in an
+/// element of 1 mm, far below the limit.
 Finding members_make_their_term(Bench& b) {
   if (b.type.members.count == 0) return not_applicable("the element declares no members");
   Worst worst(1e-6);

@@ -4,7 +4,7 @@
 
 namespace netloft::conformance {
 
-/// A solver, an integrator or a strategy with its defaults.
+/// The fixture of the checks of a solver, an integrator or a strategy: its default parameters.
 class MethodBench {
  public:
   MethodBench(std::span<const netloft_parameter> table, std::size_t bytes, const ConformanceOptions& o)

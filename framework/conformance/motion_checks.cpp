@@ -12,14 +12,14 @@ namespace {
 constexpr double kLowDigits = 1e-3;  // relative to the distance of nodes; far above rounding, to be visible
 constexpr const char* kAllFromOutside = "all terms act from outside";
 
-/// Whether the nodes act only on each other: no weight, no water, no inertia.
+/// Whether the forces of a term act between the nodes of its element only: no weight, no water, no inertia.
 bool is_internal(const Bench& b, const netloft_term& term) {
   return !b.type.is_on_body() &&
          !(term.traits & (NETLOFT_FROM_OUTSIDE | NETLOFT_NEEDS_GRAVITY | NETLOFT_NEEDS_FLOW |
                           NETLOFT_READS_CURRENT | NETLOFT_READS_ACCELERATION | NETLOFT_NEEDS_WAVES));
 }
 
-/// Difference from the nearer of two answers; infinite if there is none.
+/// Difference between `found` and the nearer of two answers; infinite if there is none.
 double least_difference(const Bench& b, const Answer& found, const Answer& one, const Answer& other,
                         const States& s, double scale, std::size_t lane) {
   double least = std::numeric_limits<double>::infinity();

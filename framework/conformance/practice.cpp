@@ -9,8 +9,8 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kBarrier = 0.1, kHardening = 100;  // b, q/h of (1)
-constexpr double kStrength = 100, kShift = 0.025;   // F, d of (1)
+constexpr double kBarrier = 0.1, kHardening = 100;  // b and q/h of (1) in practice.hpp
+constexpr double kStrength = 100, kShift = 0.025;   // F and d of (1)
 constexpr double kReach = 0.72;  // R of (1): n² f/(2 k) of a chain with the defaults of Practice
 constexpr double kPracticeTolerance = 1e-10;
 constexpr int kMostIterations = 20000, kMostEvaluations = 1000000;
@@ -50,7 +50,7 @@ PracticeProblem::PracticeProblem(const Practice& like)
   like_.runaway = 0;
   like_.buckling = -like.buckling;
   metric_ = tangent(u_.data());
-  for (std::uint32_t i = 0; i < n_; ++i)  // without the swirl
+  for (std::uint32_t i = 0; i < n_; ++i)  // the metric is symmetric: the swirl is left out
     for (std::uint32_t j = 0; j < i; ++j)
       metric_[i * n_ + j] = metric_[j * n_ + i] = (metric_[i * n_ + j] + metric_[j * n_ + i]) / 2;
   like_ = like;
@@ -60,7 +60,7 @@ bool PracticeProblem::is_inside(const double* u) const {
   return like_.wall == 0 || std::all_of(u, u + n_, [this](double v) { return v < like_.wall; });
 }
 
-/// x = S (u − a)/F of (1).
+/// The argument x = S (u − a)/F of γ in (1).
 double PracticeProblem::gripped(std::uint32_t i, double u) const {
   const double s = (i + 1) / double(masses_);
   return like_.grip / kStrength * (u - kReach * (2 * s - s * s) - kShift);
@@ -170,7 +170,7 @@ PracticeProblem::Matrix PracticeProblem::shifted(int matrix, double shift) const
   const bool none = (matrix & ~NETLOFT_INDEFINITE) == NETLOFT_NONE;
   const bool convex = (matrix & ~NETLOFT_INDEFINITE) == NETLOFT_CONVEX;
   Matrix K = none || matrix_.empty() ? Matrix(metric_.size(), 0.0) : matrix_;
-  if (convex && masses_ < n_) K.back() = std::abs(K.back());  // chains are their own convex part
+  if (convex && masses_ < n_) K.back() = std::abs(K.back());  // the tangent of a chain is its own convex part
   for (std::size_t i = 0; i < K.size(); ++i) K[i] += shift * metric_[i];
   return K;
 }

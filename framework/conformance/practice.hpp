@@ -8,16 +8,17 @@
 
 namespace netloft::conformance {
 
-/// Properties of a practice problem, beyond a chain of springs.
+/// Properties of a practice problem (a small problem with a known solution), in addition to a chain of
+/// springs.
 struct Practice {
-  double stiffness = 100;      // k [N/m]
-  double load = 1;             // f [N], on every mass
-  double stiffening = 0;       // c [N/m³]
-  double wall = 0;             // position at which the energy is infinite, for every mass [m]; 0: none
-  double swirl = 0;            // a force without an energy, s (u_{i+1} − u_{i−1}) [N/m]
-  double grip = 0;             // S [N/m], a stiffness near one position only, for every mass
-  double runaway = 0;          // l [m], the load is f (1 + u²/l²); 0: it is constant
-  double buckling = 0;         // h [N/m], the last unknown is a deflection v that buckles, without mass
+  double stiffness = 100;  // k [N/m]
+  double load = 1;         // f [N], on every mass
+  double stiffening = 0;   // c [N/m³]
+  double wall = 0;         // position at which the energy is infinite, for every mass [m]; 0: none
+  double swirl = 0;        // a force without an energy, s (u_{i+1} − u_{i−1}) [N/m]
+  double grip = 0;         // S [N/m], a stiffness near one position only, for every mass
+  double runaway = 0;      // l [m], the load is f (1 + u²/l²); 0: it is constant
+  double buckling = 0;  // h [N/m]; the last unknown is a deflection v of a column that buckles, without mass
   bool no_factor = false;      // no matrix can be factorised
   bool no_number = false;      // every evaluation away from the start overflows
   int interrupted_after = -1;  // iterations before the user interrupts; -1: never
@@ -82,8 +83,8 @@ class PracticeProblem {
   std::uint32_t n_, masses_;
   netloft_problem interface_{};
   std::vector<double> u_;
-  Matrix matrix_, metric_, factor_;  // of the last evaluation; constant; last factorised
-  std::uint32_t kept_ = 0;           // union of `want` of all evaluations
+  Matrix matrix_, metric_, factor_;  // tangent of the last evaluation; linear stiffness; last factor
+  std::uint32_t kept_ = 0;           // all bits of `want` in evaluations so far
   bool stopped_ = false;
   char message_[256] = "";
 };

@@ -9,7 +9,7 @@
 
 namespace netloft::conformance {
 
-/// Properties of a practice motion.
+/// Properties of a practice motion (a small motion with a known solution).
 struct PracticeSwing {
   double damping = 0;          // ζ, fraction of the critical damping
   double push = 0;             // f [m/s²], proportional to time
@@ -38,12 +38,13 @@ class PracticeMotion {
   /// failed.
   int run(const netloft_integrator& scheme, const void* parameters, const std::vector<double>& lengths,
           double end);
-  /// Largest distance from (2) at the current time, relative to the start [m/m].
+  /// Largest distance from the exact solution (2) at the current time, relative to the displacement at the
+  /// start [m/m].
   double error() const;
-  /// Energy relative to that of the start.
+  /// Energy divided by the energy at the start.
   double energy() const;
   bool is_finite() const;
-  /// Whether no step changed its start.
+  /// Whether all steps left the state at their start unchanged.
   bool left_alone() const { return left_alone_; }
 
   int solves = 0;
@@ -77,7 +78,7 @@ class PracticeMotion {
   std::size_t n_;
   netloft_motion interface_{};
   std::vector<double> start_, next_u_, next_v_, next_a_, error_;
-  std::vector<double> rates_;  // r of (4) [m/s]
+  std::vector<double> rates_;  // remembered rates r of (4) [m/s]
   double memory_ = 0;          // ν of the current step
   std::deque<std::vector<double>> scratch_;
   bool left_alone_ = true;

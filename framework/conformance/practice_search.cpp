@@ -27,7 +27,8 @@ double largest_residual(const std::vector<double>& r) {
   return most;
 }
 
-/// Value at the fraction x of a chain with masses at 1/n, 2/n … 1 and a fixed end at rest.
+/// Interpolates a chain at the fraction x of its length. Its masses are at 1/n, 2/n … 1, and its end at 0 is
+/// fixed.
 double at_fraction(const double* u, std::uint32_t n, double x) {
   const double place = x * n;
   const auto below = static_cast<std::uint32_t>(place);
@@ -249,7 +250,8 @@ netloft_ending PracticeSearch::step_to_balance(PracticeProblem& problem, netloft
   }
 }
 
-/// Writes the result of a stage, and records what the strategy knows from it.
+/// Writes the result of a stage to `s`, and notes what the strategy has learnt from it (an interrupt, work
+/// used up).
 void PracticeSearch::judge(const PracticeProblem& problem, netloft_stage& s, netloft_ending ending) {
   const std::vector<double> u(s.u, s.u + size_of(s.variant.level));
   const Rank found = rank(problem, s.u, tolerance_of(s));
@@ -294,7 +296,8 @@ int PracticeSearch::assess(netloft_stage* stage) {
   return NETLOFT_OK;
 }
 
-/// Limits iterations by the work that is left; each counts as a factorisation.
+/// Gives a problem to a strategy with a method of its own. The work that is left limits its iterations; each
+/// counts as a factorisation.
 int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   if (is_refused(*stage)) return fail("the host broke down");
   const double budget = stage->work > 0 ? stage->work : left();
@@ -332,7 +335,7 @@ int PracticeSearch::transfer(std::uint32_t from, const double* u, std::uint32_t 
   return NETLOFT_OK;
 }
 
-/// Work that is left; less than the cheapest iteration counts as none.
+/// Work that is left. If it is less than the cheapest iteration, it counts as zero.
 double PracticeSearch::left() const {
   const double left = scene_.budget - spent_;
   return left < (1 + kStageCost) * std::exp2(1 - double(scene_.levels)) ? 0 : left;

@@ -26,7 +26,7 @@ struct PracticeScene {
   std::string by = {};             // type of the strategy under test, if it may not call itself
 };
 
-/// Mistakes of a strategy, by the promise that they break.
+/// Mistakes of a strategy, one for each promise that it can break.
 enum class Slip {
   stage_without_name,
   stage_not_filled,  // size of a struct, or no displacements
@@ -40,10 +40,10 @@ enum class Slip {
   after_budget      // a stage was requested without work left, which the strategy knew
 };
 
-/// A search of a practice problem: the chain of practice.hpp, its variants and its coarser meshes, solved by
-/// Newton's method with whole steps and |K| in place of an indefinite K,
+/// A search (what a strategy sees) of a practice problem: the chain of practice.hpp, its variants and its
+/// coarser meshes, solved by Newton's method with full steps and |K| in place of an indefinite K,
 ///   u ← u − |K|⁻¹ r.
-/// An iteration on the finest mesh costs 1, on the next 1/2, and so on; every stage and every assessment
+/// An iteration costs 1 on the finest mesh, 1/2 on the next, and so on; every stage and every assessment
 /// costs a tenth in addition. After an interrupt, no work is left. The cap on stiffness reduces k and S, the
 /// factor on the current reduces s and half of f. The search offers no members. All requests and answers are
 /// recorded for the checks.
@@ -61,13 +61,14 @@ class PracticeSearch {
   /// Largest residual of the best answer in the scene itself, relative to its load; infinite without an
   /// answer.
   double imbalance() const;
-  /// Whether some stage met an equilibrium of the scene itself that is better than all answers: a stable one
-  /// if no answer is stable, or any if no answer is an equilibrium.
+  /// Whether some stage found an equilibrium of the scene itself that is better than all answers: a stable
+  /// one if no answer is stable, or any equilibrium if no answer is one.
   bool has_kept_an_equilibrium() const;
   /// A sentence about the first mistake; empty if there was none.
   std::string slip(Slip kind) const;
   std::string any_slip() const { return slips_.empty() ? "" : slips_.begin()->second; }
-  /// Whether the start, the struct of the search and the guard behind the message are unchanged.
+  /// Whether the strategy has left unchanged the start, the struct of the search and the bytes behind the
+  /// message.
   bool is_left_alone() const;
   /// A record of all requests and answers, bit by bit.
   const std::string& trace() const { return trace_; }
@@ -121,12 +122,13 @@ class PracticeSearch {
   PracticeScene scene_;
   netloft_search interface_{}, as_made_{};
   std::vector<double> start_, growing_;
-  std::unique_ptr<PracticeProblem> own_;  // of a strategy with a method of its own
-  double own_cost_ = 1;                   // of its factorisations
+  std::unique_ptr<PracticeProblem> own_;  // problem of a method that the strategy runs by itself
+  double own_cost_ = 1;                   // cost of its factorisations
   double spent_ = 0;
   bool interrupted_ = false, knows_interrupt_ = false, knows_budget_ = false;
-  std::vector<std::vector<double>> answers_, of_variants_;  // points of the scene; equilibria of variants
-  Rank met_;                                                // best equilibrium of the scene in any stage
+  std::vector<std::vector<double>> answers_,
+      of_variants_;  // answers: points of the scene itself; of_variants: equilibria of variants
+  Rank met_;         // best equilibrium of the scene itself in any stage
   std::map<Slip, std::string> slips_;
   std::string trace_, message_;
 };

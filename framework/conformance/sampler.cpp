@@ -66,7 +66,7 @@ Values ParameterSampler::parameters(std::size_t part) {
   Values values;
   for (const auto& p : table_) {
     if (p.kind > NETLOFT_TABLE) continue;  // an unknown kind keeps its default
-    const auto before = random_;           // so that the length of a table does not change other samples
+    const auto before = random_;           // restored below, so that a table does not change other samples
     const bool leave_out = part == 0 || (p.kind != NETLOFT_CHOICE && uniform(0, 1) < 0.5);
     if (!leave_out || !has_default(p)) values[p.name] = value(p, part);
     if (p.kind == NETLOFT_TABLE) random_ = before;
@@ -192,7 +192,7 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
   for (std::size_t node = 0; 6 * (node + 1) * kLanes <= s.bed.size(); ++node) lay_bed(s, node, length, lane);
 }
 
-/// Draws a bed, which is above the node as often as below.
+/// Draws a bed below a node. It is above the node as often as below.
 void Sampler::lay_bed(States& s, std::size_t node, double length, std::size_t lane) {
   s.bed[at(6 * node, lane)] = s.x[at(3 * node + 2, lane)] + length * uniform(-0.5, 0.5);
   for (std::size_t k = 1; k < 6; ++k)

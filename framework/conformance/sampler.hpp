@@ -40,7 +40,7 @@ class ParameterSampler {
   std::mt19937_64 random_;
 };
 
-/// The sampled parameters that have no default.
+/// Those of the sampled parameters that have no default.
 Values required_of(std::span<const netloft_parameter> table, const Values& sampled);
 
 /// Draws parameters, data and states of an element.
@@ -63,7 +63,7 @@ class Sampler : public ParameterSampler {
   void state(const Sample& sample, std::size_t element, States& states, std::size_t lane);
   /// Length of an element's data [m], 1 m if it has none, times the extent of its corner coordinates.
   double size(const Sample& sample, std::size_t element) const;
-  /// The same without the corner coordinates, which is the rest length of a plain bar.
+  /// Length of an element's data without the corner coordinates: the rest length of a plain bar [m].
   double length(const Sample& sample, std::size_t element) const;
   bool is_corner(const netloft_datum& datum) const;
 

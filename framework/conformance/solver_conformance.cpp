@@ -18,7 +18,7 @@ struct SolverBench : MethodBench {
   SolverBench(const SolverType& t, const ConformanceOptions& o)
       : MethodBench(t.parameters, t.solver.parameter_bytes, o), type(t) {}
 
-  /// The outcome of a practice problem.
+  /// Solves a practice problem and returns the outcome.
   int solve(PracticeProblem& problem) {
     return guarded("solve", NETLOFT_SOLVER_ERROR,
                    [&] { return type.solver.solve(parameters.data(), &problem.interface()); });
@@ -122,7 +122,7 @@ Finding says_progress(SolverBench& b) {
   return problem.iterations > 0 ? Finding{} : failed("ended without a single call of `progress`");
 }
 
-/// The solver must return, and with a correct outcome.
+/// Checks that the solver returns from a problem that it cannot solve, with a correct outcome.
 Finding gives_up(SolverBench& b, const Practice& p, const char* where) {
   PracticeProblem problem(p);
   const int outcome = b.solve(problem);
@@ -159,7 +159,7 @@ Finding solves_nothing(SolverBench& b) {
   return outcome == NETLOFT_STOPPED ? Finding{} : failed("returned outcome " + std::to_string(outcome));
 }
 
-// The order matters: a check follows those that it depends on.
+// A check follows those on which it depends.
 const std::vector<Check<SolverBench>>& solver_table() {
   static const std::vector<Check<SolverBench>> checks = {
       {"defaults-are-allowed",

@@ -216,7 +216,7 @@ void turn_ground(States& s, double angle) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const auto b = [&](std::size_t k) -> double& { return s.bed[at(row + k, lane)]; };
       turn(b(1), b(2));
-      double yx = b(4);  // R H Rᵀ, first columns and then rows
+      double yx = b(4);  // rotates the second derivatives H to R H Rᵀ: first the columns, then the rows
       turn(b(3), yx);
       turn(b(4), b(5));
       turn(b(3), b(4));

@@ -13,13 +13,16 @@ inline constexpr std::size_t kLanes = NETLOFT_LANES;
 /// Index of a degree of freedom (or matrix entry) of a lane in the array of a tile.
 constexpr std::size_t at(std::size_t row, std::size_t lane) { return row * kLanes + lane; }
 
-/// Input of a family: parameters of each part, part and data of each element, kind of law in its slots.
+/// Sampled elements: parameters of each part, part and data of each element, kind of the laws that the
+/// elements use.
 struct Sample {
   std::vector<Values> parameters;
   std::vector<std::uint32_t> part;
   std::vector<std::vector<double>> data;  // [datum] -> [element][width]
-  std::uint32_t law_kind = 0;             // of laws in slots that accept it; else the first kind accepted
-  std::vector<ByteRange> spoilt = {};     // overwritten bytes of the parameters, which no row declares
+  std::uint32_t law_kind =
+      0;  // kind of the laws in slots that accept it; other slots have the first kind accepted
+  std::vector<ByteRange> spoilt =
+      {};  // bytes of the parameters that are overwritten because no row of the table declares them
 };
 
 /// The states of up to 64 elements, in arrays [dof][64] like those of a tile. An empty array is passed as
@@ -34,10 +37,10 @@ struct States {
   std::vector<double> swing = {};    // [dof][64] acceleration of the water; empty: none
   std::vector<double> surface = {};  // [nodes][64] height of the surface of the water; empty: z = 0
   double time = 1;                   // [s]
-  std::uint32_t exposed = 0;         // traits of inputs that a term receives without having declared them
+  std::uint32_t exposed = 0;         // traits; terms receive these inputs even if they have not declared them
 };
 
-/// The fields of States that have lanes.
+/// The arrays of States with one number per lane.
 inline constexpr std::vector<double> States::*kFields[] = {
     &States::x,      &States::v,     &States::a,   &States::current, &States::current_dz,
     &States::memory, &States::x_low, &States::bed, &States::swing,   &States::surface};
@@ -67,7 +70,7 @@ struct Escaped : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A family of sampled elements, made by its plugin.
+/// Sampled elements, created by their plugin.
 class Specimen {
  public:
   /// Throws Refused if the plugin refuses an element, Escaped if it throws an exception.
@@ -92,7 +95,7 @@ class Specimen {
   std::vector<netloft_member> members(std::uint32_t first, std::uint32_t count) const;
 
   std::size_t entries(const netloft_term& term) const;
-  /// Counts of the lanes for which laws were called.
+  /// Number of lanes for which the elements called their laws.
   const LaneCounts& law_lanes() const { return law_lanes_; }
   /// Size of the memory of a term, in numbers per element.
   std::size_t remembered(const netloft_term& term) const;
@@ -109,7 +112,7 @@ class Specimen {
   void* self_ = nullptr;
 };
 
-/// Moves a node over its bed by (dx, dy), which is a paraboloid.
+/// Moves a node over its bed, which is a paraboloid, by (dx, dy).
 void move_bed(States& states, std::size_t node, std::size_t lane, double dx, double dy);
 /// Raises the beds of all nodes by dz.
 void lift_bed(States& states, double dz);
@@ -120,7 +123,7 @@ void reflect_ground(States& states);
 bool wants_matrix(std::uint32_t want);
 /// "energy + force + tangent"
 std::string want_text(std::uint32_t want);
-/// All combinations of outputs that the host requests of a term.
+/// All combinations of outputs that the host requests from a term.
 std::vector<std::uint32_t> wants_of(const netloft_term& term);
 
 }  // namespace netloft::conformance

@@ -39,7 +39,8 @@ inline const PracticeScene kGripped{.like = {.grip = 1e4}};
 inline const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
 inline const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};
 inline const PracticeScene kBucklingUnseen{.like = {.buckling = 10, .unknowns = 13}, .knows_growth = false};
-// k² < 4 n f²/l²: no equilibrium of the first mass under the loads of all n, hence none of the chain.
+// The first mass, under the loads of all n masses, has no equilibrium because k² < 4 n f²/l², and hence the
+// chain has none.
 inline const PracticeScene kRunaway{.like = {.runaway = 0.05}};
 inline const PracticeScene kFlowing{.like = {.swirl = 5}};
 

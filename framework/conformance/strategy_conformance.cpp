@@ -54,8 +54,8 @@ Finding strategy_lets_no_exception_escape(StrategyBench& b) {
 
 constexpr double kBalancedSearch = 1e-7;  // ten times the tolerance of the search
 
-/// Skipped if the strategy requests nothing, because it does not apply to such a small scene or to one
-/// without a current.
+/// Checks that the best answer is in balance. Skipped if the strategy requests nothing, because it does not
+/// apply to such a small scene or to one without a current.
 Finding is_answered(StrategyBench& b, PracticeScene scene) {
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
   PracticeSearch search(scene);
@@ -72,7 +72,7 @@ Finding is_answered(StrategyBench& b, PracticeScene scene) {
   return f;
 }
 
-/// A strategy may not apply to some of these scenes, but must apply to at least one.
+/// Checks that the strategy answers with equilibria of easy scenes. It must apply to at least one of them.
 Finding answers_easy_searches(StrategyBench& b) {
   Finding worst = not_applicable(kNoScene);
   bool takes_any = false;
@@ -87,8 +87,8 @@ Finding answers_easy_searches(StrategyBench& b) {
                                     : worst;
 }
 
-/// Returns the equilibrium of a chain with a grip, found in stages whose stiffness increases tenfold, and
-/// displaced by 1e-4.
+/// Returns a point near the equilibrium of a chain with a grip: the equilibrium, found in stages whose
+/// stiffness increases tenfold, with all displacements increased by 1e-4 of themselves.
 std::vector<double> near_the_answer(const PracticeScene& scene) {
   PracticeSearch search(scene);
   std::vector<double> u(scene.like.unknowns, 0.0);
@@ -104,7 +104,8 @@ std::vector<double> near_the_answer(const PracticeScene& scene) {
   return u;
 }
 
-/// Full Newton steps converge from the given start, but not from the initial shape.
+/// Checks that the strategy uses the given start, from which full Newton steps converge; from the initial
+/// shape they do not.
 Finding answers_from_a_start(StrategyBench& b) {
   PracticeScene scene = kGripped;
   scene.start = near_the_answer(kGripped);
@@ -136,7 +137,8 @@ Finding no_equilibrium_is_no_error(StrategyBench& b) {
               });
 }
 
-/// Includes scenes in which the called strategies return at once without work, or are the strategy itself.
+/// Checks that the strategy ends, also in a scene where all strategies that it calls return at once without
+/// work, and without calls of itself.
 Finding comes_to_an_end(StrategyBench& b) {
   NamedScene idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
   idle.scene.others_decline = true;
@@ -238,8 +240,8 @@ Finding survives_its_bounds(StrategyBench& b) {
 
 constexpr std::size_t kExplainGuard = 64;
 
-/// Calls `explain` with space for a text of the given size. Returns an error if it writes elsewhere or makes
-/// wrong requests.
+/// Calls `explain` with room for a text of the given size. Returns an error if it writes beyond that room,
+/// or, if `asks`, if it requests a stage or answers.
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
@@ -269,7 +271,7 @@ Finding explains(StrategyBench& b, bool asks) {
 Finding explains_within_its_room(StrategyBench& b) { return explains(b, false); }
 Finding explains_without_solving(StrategyBench& b) { return explains(b, true); }
 
-// The order matters: a check follows those that it depends on.
+// A check follows those on which it depends.
 const std::vector<Check<StrategyBench>>& strategy_table() {
   static const std::vector<Check<StrategyBench>> checks = {
       {"defaults-are-allowed",

@@ -7,13 +7,14 @@
 
 namespace netloft::conformance {
 
-/// Lanes for which a law was called, and those of them whose extent is not a positive number.
+/// Number of lanes for which a law was called, and of those whose extent (metres of twine, square metres of
+/// netting) is not a positive number.
 struct LaneCounts {
   std::atomic<std::uint64_t> all{0}, wrong{0};
 };
 
-/// A law in the slots of an element under test, so that its checks need no plugin. With h = D for twines, 1
-/// for screens:
+/// The law that an element uses in its checks, so that they need no plugin. With the relative velocity W of
+/// the water, the direction t, the solidity S, and h = D for twines, 1 for screens:
 ///   F = ½ ρ h (1 + S) [‖W‖ W + 0.5 (W·t) ‖W‖ t]
 /// It is twice differentiable except at W = 0, passive, and uses every input. `lanes` counts lanes unless it
 /// is null, and must outlive the law.

@@ -6,8 +6,8 @@
 
 namespace netloft::conformance {
 
-/// Time of `work` with an object made by `prepare` for each repeat [ns]: the least of several repeats,
-/// because every disturbance makes a measurement longer.
+/// Time of `work` on an object that `prepare` makes for each repeat [ns]. The least time of several repeats
+/// counts, because disturbances only make a measurement longer.
 template <class Prepare, class Work>
 double least_nanoseconds(Prepare&& prepare, Work&& work) {
   using Clock = std::chrono::steady_clock;

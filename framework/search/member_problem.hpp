@@ -75,9 +75,9 @@ class MemberProblem {
     std::int32_t point, origin;
   };
   std::vector<Carried> carried_;
-  std::vector<std::size_t> rotations_;  // rotations of bodies: indices among the unknowns
+  std::vector<std::size_t> rotations_;  // indices among the unknowns, of bodies
   std::vector<std::size_t> of_rotations_,
-      beside_;  // indices of the values in their rows and columns: on the diagonal, off it
+      beside_;  // values on the diagonal, and beside it
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;    // by member
   std::vector<double> x_, step_;          // over all degrees of freedom
