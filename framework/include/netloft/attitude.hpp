@@ -6,9 +6,9 @@
 
 namespace netloft {
 
-/// The rotation of a body, in three angles [rad]. Its axes are x aft, y outward and z up. Without rotation,
-/// they are the axes of the scene, in which the gear is towed against x. Outward is to starboard (+y) if
-/// `side` is 1, and to port if it is -1.
+/// The rotation of a body, in three angles [rad]. The axes of the body are x aft, y outward and z up. Without
+/// rotation, they are the axes of the scene, in which the gear is towed against x. The argument `side` of the
+/// functions below is 1 if outward is starboard (+y), and -1 if it is port.
 ///   heading   turns the nose outward: the angle of attack of an upright board in water that flows along x
 ///   heel      turns the top outward
 ///   trim      turns the nose upward

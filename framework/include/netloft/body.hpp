@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// Position and rotation of a body: its origin, and its axes expressed in the axes of the world (columns of
-/// R). T is double or a dual number.
+/// Position and rotation of a body: its origin, and its axes as unit vectors of the world (the columns of the
+/// rotation matrix). T is double or a dual number.
 template <class T>
 struct Pose {
   Vec3<T> x;                    // origin [m]
@@ -32,7 +32,7 @@ struct Pose {
 template <class T>
 struct Body : Pose<T> {
   Vec3<T> v, omega;  // velocity of the origin [m/s], spin [rad/s]
-  Vec3<T> a, alpha;  // their rates of change
+  Vec3<T> a, alpha;  // acceleration of the origin [m/s²], rate of the spin [rad/s²]
   Vec3<T> current;   // velocity of the water at the origin [m/s]
   Vec3<double> current_dz, ground{};
   Bed bed{};  // below the origin
@@ -44,7 +44,7 @@ struct Body : Pose<T> {
   Vec3<T> velocity(const Vec3<S>& r) const {
     return v + cross(omega, this->to_world(r));
   }
-  /// Velocity of the water at a point r of the body, extrapolated linearly in depth from the origin [m/s].
+  /// Velocity of the water at a point r of the body [m/s], extrapolated linearly in depth from the origin.
   template <class S>
   Vec3<T> current_at(const Vec3<S>& r) const {
     const T height = this->to_world(r).z;
@@ -64,8 +64,8 @@ struct Wrench {
   }
 };
 
-/// The nodes of an element in motion, for forces that are differentiated. Inputs that the traits of the term
-/// do not request are zero.
+/// The nodes of an element in motion, as argument of a term's `force`, which is differentiated. Inputs that
+/// the traits of the term do not request are zero.
 template <class T, int Nodes>
 struct MovingNodes {
   Points<T, Nodes> x, v, a, current;

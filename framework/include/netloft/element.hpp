@@ -9,22 +9,24 @@
 //   static Status evaluate(const Parameters&, const Data&, const State<N>&, Local<N>&);
 //   static Status tile(const Family<Element>&, netloft_tile&);
 //
-// `energy` and `force` are differentiated; `evaluate` fills one element; `tile` loops over 64. `force`
-// returns the physical force on the nodes; the other functions return residuals, its opposite.
+// `energy` and `force` are differentiated automatically; `evaluate` computes one element, `tile` up to 64 in
+// a loop. `force` returns the physical force on the nodes; the other functions compute the residual, which is
+// minus the physical force.
 //
 // On a rigid body (`stencil = NETLOFT_BODY`), `energy` takes a `Pose<T>` instead of points, and `force` takes
 // a `Body<T>` and returns a `Wrench<T>`: see body.hpp. `evaluate` and `tile` see the body as two nodes, the
-// second of which is its rotation vector, as plugin.h says.
+// second of which is its rotation vector: see ext/bodies.h.
 //
-// If an element needs data of its whole part, it declares a struct `Whole`, which `gather(parameters, data,
-// whole)` fills, called for each element of the part in turn. `evaluate`, `force` and outputs receive it
-// after the data, and `check_whole(parameters, whole)` may throw std::invalid_argument. Curves from tables
-// (interpolation.hpp) belong there, too, because it is filled only once. If the elements of a part share
-// unknowns (the front of a catch), the element declares their number, `static constexpr int globals = 1`.
-// They are the coordinates of an additional last node, so that N is one more.
+// If an element needs data of its whole part (all elements with the same parameters), it declares a struct
+// `Whole`. The function `gather(parameters, data, whole)` fills it; it is called for each element of the part
+// in turn. `evaluate`, `force` and outputs receive it after the data, and `check_whole(parameters, whole)`
+// may throw std::invalid_argument. Curves from tables (interpolation.hpp) are best stored in `Whole`, too,
+// because it is filled only once. If the elements of a part share unknowns (the front of a catch), the
+// element declares their number, `static constexpr int globals = 1`. They are the coordinates of an
+// additional last node, so that N is greater by one.
 //
-// If an element bears tension along straight lines, it declares these members, and solvers may treat the
-// tensions as unknowns:
+// If an element bears tension along straight lines, it can declare these lines, its members. Solvers may then
+// treat the tensions as unknowns:
 //
 //   static std::array<Member, N> members(const Parameters&, const Data&, double time);
 //
@@ -72,8 +74,8 @@ enum Trait : std::uint32_t {
 /// The meaning of an output to reports that compare parts of different types.
 enum class OutputRole : std::uint32_t {
   plain = NETLOFT_OUTPUT_PLAIN,
-  tension = NETLOFT_OUTPUT_TENSION,  // in a rope or in one twine [N], negative in compression
-  doubt = NETLOFT_OUTPUT_DOUBT,      // not zero where the element is used beyond what is known of it
+  tension = NETLOFT_OUTPUT_TENSION,  // tension in a rope or in one twine [N], negative in compression
+  doubt = NETLOFT_OUTPUT_DOUBT,      // not zero if the element is used beyond its known range of validity
 };
 
 /// Describes one element to the host: parameters, data, terms, outputs.
@@ -105,8 +107,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     add_datum(name, unit, doc, offset_of(member), Width);
   }
 
-  /// Declares a term. `needs` names parameters, separated by spaces; the term acts only if one of them
-  /// differs from zero.
+  /// Declares a term. `needs` are names of parameters, separated by spaces; the term acts only if at least
+  /// one of them is not zero.
   template <class T, std::uint32_t Traits = 0>
   void term(const char* name, const char* doc, const char* needs = nullptr) {
     constexpr std::uint32_t traits =
@@ -125,7 +127,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     list_inputs(traits);
   }
 
-  /// Declares a number that is reported per element, with its physical sign.
+  /// Declares a number that is reported for each element, with the sign of the physical quantity: tension is
+  /// positive.
   void output(const char* name, const char* unit, const char* doc, Output function,
               OutputRole role = OutputRole::plain) {
     add_output(name, unit, doc, {function, nullptr, nullptr}, role);
@@ -134,13 +137,13 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
                        OutputRole role = OutputRole::plain) {
     add_output(name, unit, doc, {nullptr, function, nullptr}, role);
   }
-  /// Declares an output that is computed for 64 elements at once from their family, such as the result of a
-  /// law.
+  /// Declares an output that is computed for 64 elements at once, such as the result of a law.
   void output_lanes(const char* name, const char* unit, const char* doc, LanesOutput function) {
     add_output(name, unit, doc, {nullptr, nullptr, function}, OutputRole::plain);
   }
 
-  /// Declares a key under which users choose a law by name; `accepts` is a sum of netloft_law_kind.
+  /// Declares a key under which users choose a law by name. `accepts` is a sum of netloft_law_kind,
+  /// `fallback` the law used by default.
   void law(const char* name, std::uint32_t accepts, const char* fallback, const char* doc) {
     netloft_law_slot l{};
     l.size = sizeof l;
@@ -151,14 +154,14 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     require(NETLOFT_EXT_LAWS, &detail::take_laws<E>);
     offers_.template rows<netloft_law_slots>(NETLOFT_EXT_LAWS).push_back(l);
   }
-  /// Makes the host create this element on each pair of neighbouring elements of another type of the plugin,
-  /// such as bending on the bars of a rope.
+  /// Makes the host create this element on each pair of neighbouring elements of another type of the same
+  /// plugin, such as bending on the bars of a rope.
   void rides_on(const char* element) {
     offers_.template one<netloft_rider>(NETLOFT_EXT_PAIRS).rides_on = element;
   }
-  /// Declares a number that all elements of a part share. It is an unknown if the parameter `needs` differs
-  /// from zero or `needs` is null; else it keeps its initial value, `start`. These numbers are x, y, z of the
-  /// last node of State::x.
+  /// Declares a number that all elements of a part share. It is an unknown if the parameter `needs` is not
+  /// zero or if `needs` is null; otherwise it keeps its initial value, `start`. These numbers are x, y, z of
+  /// the last node of State::x.
   void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
     netloft_global g{};
     g.size = sizeof g;
@@ -216,7 +219,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     OutputWithWhole with_whole;
     LanesOutput lanes;
   };
-  /// An element has members only with the term that is their force.
+  /// Declares the members of the element, to which the term with the trait `of_members` belongs.
   void declare_members() {
     static_assert(detail::HasMembers<E>,
                   "A term of members needs a static function of the element, `std::array<Member, N> "
@@ -236,7 +239,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     inputs_[place] = id;
     lists_inputs_ = true;
   }
-  /// Requires an extension. At creation, `take` reads the host's data for it; it is null if there are none.
+  /// Requires an extension. `take` reads the host's data for it when the elements are created; it is null if
+  /// there are no such data.
   void require(const char* id, void (*take)(Family<E>&, netloft_create&)) {
     for (const char* known : required_)
       if (std::strcmp(known, id) == 0) return;
@@ -303,11 +307,12 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   const char *name_, *doc_;
   std::vector<const char*> required_;
   bool lists_inputs_ = false;
-  // Places that no term reads have the identifier "", which no host knows, and therefore get no data.
+  // Inputs that no term reads have the identifier "", which no host knows, so that the host gives no data for
+  // them.
   std::array<const char*, detail::kInputPlaces + 1> inputs_{"", "", "", nullptr};
   std::vector<netloft_term> terms_;
   std::vector<netloft_output> outputs_;
-  // One table per element type, described once, before any family is made.
+  // One table per element type, filled before any element is created.
   static inline std::vector<netloft_datum> data_;
   static inline std::vector<std::size_t> offsets_;
   static inline std::vector<OutputFunction> functions_;

@@ -29,21 +29,21 @@ consteval int count_globals() {
 }
 template <class E>
 inline constexpr bool is_on_body = E::stencil == NETLOFT_BODY;
-/// Number of nodes: those of the stencil, one for the rotation of a body, and one for unknowns that a part
-/// shares.
+/// Number of nodes: those of the stencil, one for the rotation of a body, and one for the unknowns that a
+/// part shares.
 template <class E>
 inline constexpr int nodes_of = (E::stencil & 0xff) + is_on_body<E> + (count_globals<E>() > 0);
 template <class E>
 inline constexpr int dofs_of = 3 * nodes_of<E>;
 
-/// The arguments of an energy, of a differentiated force and of an output.
+/// Types of the arguments of `energy`, of `force` and of an output.
 template <class E, class T>
 using PlacesOf = std::conditional_t<is_on_body<E>, Pose<T>, Points<T, nodes_of<E>>>;
 template <class E, class T>
 using MotionOf = std::conditional_t<is_on_body<E>, Body<T>, MovingNodes<T, nodes_of<E>>>;
 template <class E>
 using ViewOf = std::conditional_t<is_on_body<E>, Body<double>, State<nodes_of<E>>>;
-/// The result of a differentiated force.
+/// Type of the result of `force`.
 template <class E, class T>
 using PushOf = std::conditional_t<is_on_body<E>, Wrench<T>, Points<T, nodes_of<E>>>;
 
@@ -134,7 +134,8 @@ inline Bed bed_below(const netloft_tile& t, std::size_t node, std::size_t lane) 
           at(5)};
 }
 
-/// The bed below the nodes of a stencil; the nodes after those have none.
+/// The bed below the nodes. Those after the first `of_stencil` (rotation, shared unknowns) are no places and
+/// have no bed.
 template <std::size_t Nodes>
 std::array<Bed, Nodes> beds_below(const netloft_tile& t, std::size_t of_stencil, std::size_t lane) {
   std::array<Bed, Nodes> beds{};
@@ -212,7 +213,8 @@ Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor)
   return to;
 }
 
-/// Reads the velocity of the water at the nodes, with its derivatives with respect to their heights.
+/// Reads the velocity of the water at the nodes, with its derivatives with respect to the heights of the
+/// nodes.
 template <class T, int Nodes>
 Points<T, Nodes> read_current(const netloft_tile& t, std::size_t lane, const Points<T, Nodes>& x) {
   const auto velocity = read_dual<double, Nodes>(t.current, lane, 0),
@@ -234,8 +236,8 @@ Pose<T> pose_of(const Vec3<T>& x, const Vec3<T>& psi) {
   return {x, turned_axes(psi)};
 }
 
-/// Reads the motion of one element, with derivatives with respect to its unknowns times the factors of the
-/// tangent.
+/// Reads the motion of one element as dual numbers. Their derivatives are those of the tangent: cu for
+/// positions, cv for velocities, ca for accelerations.
 template <class E, class T, std::uint32_t Traits>
 MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   constexpr int N = nodes_of<E>;
@@ -265,8 +267,8 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   return m;
 }
 
-/// Returns the residual of a push: minus the force and, on a body, minus the vector that does the work of the
-/// moment on the rotation vector.
+/// Converts the result of `force` to a residual: minus the force and, on a body, minus the generalised force
+/// that does the work of the moment on the rotation vector.
 template <class E, class T>
 Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile& t, std::size_t lane) {
   Points<T, nodes_of<E>> residual{};
@@ -280,8 +282,8 @@ Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile&
   return residual;
 }
 
-/// Force and tangent of a force without an energy, by first-order forward differentiation. Derivatives do not
-/// change values: without them, the force would have the same bits.
+/// Residual and tangent of a term without an energy, by first-order forward differentiation. The derivatives
+/// do not change the bits of the force.
 template <class E, class T, std::uint32_t Traits = kEveryTrait>
 void differentiate_force(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                          Local<nodes_of<E>>& local) {
@@ -302,7 +304,7 @@ void differentiate_force(const Family<E>& f, std::size_t element, const netloft_
   }
 }
 
-/// Force and tangent of an energy, by second-order forward differentiation.
+/// Residual and tangent of a term with an energy, by second-order forward differentiation.
 template <class E, class T>
 void differentiate(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                    Local<nodes_of<E>>& local) {
@@ -323,7 +325,7 @@ void differentiate(const Family<E>& f, std::size_t element, const netloft_tile& 
   }
 }
 
-/// The argument of an output.
+/// Reads the argument of an output.
 template <class E>
 ViewOf<E> view_of(const netloft_tile& t, std::size_t lane) {
   if constexpr (is_on_body<E>)
@@ -389,7 +391,7 @@ int write_members(const void* self, double time, std::uint32_t first, std::uint3
   }
 }
 
-/// Data of an extension that the host gives to `create`; null if it has none.
+/// Data of an extension that the host gives to `create`; null if it gives none.
 template <class Given>
 const Given* given(const netloft_create& in, const char* id) {
   return in.extension ? static_cast<const Given*>(in.extension(in.host, id)) : nullptr;

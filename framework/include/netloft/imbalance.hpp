@@ -4,7 +4,7 @@
 namespace netloft {
 
 /// The smallest imbalance (as a fraction of the load), stiffness (as a fraction of the linear stiffness) and
-/// strain that matter. Drag, stiffness and lengths of netting are known to a hundredth at best; a tenth of
+/// strain that matter. Drag, stiffness and lengths of netting are known to 1 % at best, so that a tenth of
 /// that makes no difference to a gear.
 inline constexpr double kMatters = 1e-3;
 

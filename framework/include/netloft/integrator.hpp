@@ -3,11 +3,12 @@
 // The header for authors of time schemes. An integrator is a struct with `Parameters` and
 //
 //   static Step step(const Parameters&, Motion&);            // fills next_u, next_v, next_a
-//   static double order(const Parameters&);                  // order of the estimate in `error`
-//   static double stable_step(const Parameters&, double w);  // longest, at the highest frequency w; 0: any
+//   static double order(const Parameters&);                  // power of h in the estimate in `error`
+//   static double stable_step(const Parameters&, double w);  // longest stable h at frequency w; 0: any
 //
-// It solves F(t, u, v, a) = 0 over one step in any way: by a sum of accelerations, or by an algebraic problem
-// that the solver of the analysis solves. The host controls the length of the step and counts the work.
+// It solves F(t, u, v, a) = 0 over one step in any way: explicitly from accelerations, or as an algebraic
+// problem that the solver of the analysis solves. The host controls the length of the step and counts the
+// work.
 #pragma once
 #include <netloft/ext/integrator.h>
 #include <netloft/parameters.hpp>
@@ -54,8 +55,9 @@ class Motion {
              std::span<double> u) {
     return checked(m_.solve(m_.host, t, v0.data(), cv, a0.data(), ca, u.data()));
   }
-  /// Finds the u at the end of the step for which its mean forces are in balance, with rates v0 + cv u and
-  /// a0 + ca u in the middle; netloft_motion describes the mean forces and the damping of members.
+  /// Finds the u at the end of the step for which the mean forces of the step are in balance, with rates v0 +
+  /// cv u and a0 + ca u in the middle of the step; netloft_motion describes the mean forces and the damping
+  /// of members.
   Step solve_between(std::span<const double> v0, double cv, std::span<const double> a0, double ca,
                      double damping, double memory, std::span<double> u) {
     return checked(m_.solve_between(m_.host, v0.data(), cv, a0.data(), ca, damping, memory, u.data()));
@@ -87,7 +89,7 @@ int run_step(const void* parameters, netloft_motion* motion) noexcept {
 template <class I>
 class IntegratorTable : public ParameterTable<typename I::Parameters> {
  public:
-  using Offer = netloft_integrators;  // the list in which a plugin offers it
+  using Offer = netloft_integrators;  // the list in which a plugin offers its integrators
   static constexpr const char* extension = NETLOFT_EXT_INTEGRATOR;
 
   using Parameters = typename I::Parameters;

@@ -3,17 +3,20 @@
 // Smooth curves and surfaces through the samples of a table, for doubles and dual numbers.
 //
 // A curve is a cubic on every interval, with the samples' values and slopes at its ends, so that its first
-// derivative is continuous: solvers converge badly at a kink in a force. Slopes are the weighted harmonic
-// means of the differences to both sides, zero at an extremum of the samples:
+// derivative is continuous: solvers converge badly at a kink in a force. The slope m at a sample is zero if
+// the sample is an extremum; otherwise it is a weighted harmonic mean of the difference quotients δ₁, δ₂ of
+// the intervals on both sides, of lengths h₁, h₂:
 //   m = (w₁ + w₂)/(w₁/δ₁ + w₂/δ₂),  w₁ = 2h₂ + h₁, w₂ = h₂ + 2h₁   where δ₁δ₂ > 0, else 0            (1)
-// so that the curve is monotone wherever the samples are, and never above or below them (F. N. Fritsch and
-// J. Butland, SIAM Journal on Scientific and Statistical Computing 5, 1984). A surface over two arguments has
-// these slopes along both and no twist at the samples:
+// so that the curve is monotone wherever the samples are, and never above or below them (F. N. Fritsch and J.
+// Butland, SIAM Journal on Scientific and Statistical Computing 5, 1984). A surface over two arguments has
+// these slopes along both arguments and no twist at the samples. With Hermite's cubics H and the fractions s,
+// t of the intervals below the arguments,
 //   f = Σ_ij H_i(s) H_j(t) f_ij + …                        bicubic Hermite form, ∂²f/∂x∂y = 0 at samples (2)
 // Its first derivatives are continuous as well, and along the lines of its grid it is the curve.
 //
-// Beyond the samples, both keep the value at the edge, and therefore their slope at the edge is zero. An
-// element must not extrapolate without notice: it calls `covers` and reports the result (OutputRole::doubt).
+// Beyond the samples, curve and surface keep the value at the edge, and therefore their slope at the edge is
+// zero. An element must not extrapolate without notice: it calls `covers` and reports the result
+// (OutputRole::doubt).
 #pragma once
 #include <netloft/plugin.h>
 #include <netloft/dual.hpp>
@@ -34,7 +37,7 @@ double value_of(const Dual<N, Order>& x) {
   return x.value;
 }
 
-/// (1) between two intervals.
+/// The slope (1) at a sample between two intervals of lengths h1, h2 and difference quotients d1, d2.
 inline double slope_between(double h1, double d1, double h2, double d2) {
   if (!(d1 * d2 > 0)) return 0;
   const double w1 = 2 * h2 + h1, w2 = h2 + 2 * h1;
@@ -51,8 +54,8 @@ inline std::vector<double> sample_slopes(const std::vector<double>& x, const std
   return m;
 }
 
-/// The interval that contains an argument: its index, its length, and the fraction s of it below the
-/// argument. Beyond the samples, the argument is moved to the edge.
+/// The interval that contains an argument: its index, its length, and the fraction s of the interval that is
+/// below the argument. An argument beyond the samples is moved to the edge.
 template <class T>
 struct Interval {
   Interval(const std::vector<double>& x, const T& at) {
@@ -86,7 +89,7 @@ class Curve {
 
   bool empty() const { return x_.empty(); }
   bool covers(double x) const { return !empty() && x >= x_.front() && x <= x_.back(); }
-  /// Zero without samples.
+  /// The value at x; zero if there are no samples.
   template <class T>
   T at(const T& x) const {
     if (empty()) return T(0);
@@ -112,7 +115,7 @@ class Curve {
 class Surface {
  public:
   Surface() = default;
-  /// f[x][y], both ascending.
+  /// Samples f[x][y]; x and y are ascending.
   Surface(std::vector<double> x, std::vector<double> y, std::vector<double> f)
       : x_(std::move(x)), y_(std::move(y)), f_(std::move(f)) {
     find_slopes();
@@ -149,7 +152,7 @@ class Surface {
       }
     return true;
   }
-  /// Zero without samples.
+  /// The value at (x, y); zero if there are no samples.
   template <class T>
   T at(const T& x, const T& y) const {
     if (empty()) return T(0);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The header for authors of hydrodynamic laws. A law is a struct with `Parameters`, the kind of body that it
-// applies to
-// (`kind`), and one of two functions, the first quicker to write, the second faster to run:
+// The header for authors of hydrodynamic laws. A law is a struct with `Parameters`, the kind of body to which
+// it applies (`kind`), and one of two functions, the first quicker to write, the second faster to run:
 //
 //   template <class T> static Vec3<T> force(const Parameters&, const Flow<T>&);
 //   static void lanes(const Parameters&, const netloft_law_tile&);
 //
-// `force` is differentiated; `lanes` fills 64 at a time, with derivatives if these are requested.
+// `force` is differentiated automatically; `lanes` computes up to 64 flows at a time, with derivatives if
+// these are requested.
 #pragma once
 #include <netloft/element.hpp>
 
 namespace netloft {
 
-/// The flow at one twine, or at one piece of netting taken as a screen.
+/// The flow at one twine, or at one piece of netting that is treated as a screen.
 template <class T>
 struct Flow {
   Vec3<T> flow;                       // velocity of the water relative to the twine or netting [m/s]
@@ -23,7 +23,7 @@ struct Flow {
   double density = 0, viscosity = 0;  // of the water [kg/m3], [m2/s]
 };
 
-/// Arrays for 64 calls of a law, in the layout of elements.
+/// Arrays for 64 calls of a law, in the layout of tiles of elements.
 struct FlowLanes {
   double flow[3][kLanes], direction[3][kLanes], diameter[kLanes], solidity[kLanes];
   double force[3][kLanes], d_flow[9][kLanes], d_direction[9][kLanes], d_solidity[3][kLanes];
@@ -96,17 +96,18 @@ int evaluate_law(const void* parameters, const netloft_law_tile* flow) noexcept 
 
 }  // namespace detail
 
-/// Quantities for which a law may be valid in a limited range only.
+/// Quantities for which a law may be valid in a limited range only. W is the velocity of the water relative
+/// to the twine, D the diameter, ν the viscosity, S the solidity.
 enum class Quantity : std::uint32_t {
   reynolds = NETLOFT_REYNOLDS,                      // ‖W‖ D/ν
-  reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // of the flow across a twine
+  reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // the same for the part of W across a twine
   reynolds_in_meshes = NETLOFT_REYNOLDS_IN_MESHES,  // ‖W‖ D/(ν (1 − S))
   solidity = NETLOFT_SOLIDITY,
   attack = NETLOFT_ATTACK,  // angle between flow and twine or netting [rad]
 };
 
-/// Names of the parameters on which the validity of a range depends. A parameter counts as given unless it is
-/// a real number equal to zero, an empty table or the first word of a choice.
+/// Names of parameters that decide whether a range of validity applies. A parameter counts as given unless it
+/// is a real number equal to zero, an empty table or the first word of a choice.
 struct Condition {
   const char* where = nullptr;   // the range applies only if this parameter is given
   const char* unless = nullptr;  // the range does not apply if this parameter is given
@@ -116,13 +117,13 @@ struct Condition {
 template <class L>
 class LawTable : public ParameterTable<typename L::Parameters> {
  public:
-  using Offer = netloft_laws;  // the list in which a plugin offers it
+  using Offer = netloft_laws;  // the list in which a plugin offers its laws
   static constexpr const char* extension = NETLOFT_EXT_LAWS;
 
   LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
 
   /// States that the law was measured for lo ≤ quantity ≤ hi. It must return forces outside this range, too;
-  /// reports then say for how much of the gear it was used there.
+  /// reports then say for which fraction of the gear it was used there.
   void valid(Quantity quantity, double lo, double hi, const char* source, Condition condition = {}) {
     netloft_validity v{};
     v.size = sizeof v;

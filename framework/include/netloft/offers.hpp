@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Structs that a plugin or an element offers for extensions of the boundary. Included by register.hpp and
-// element.hpp; nothing here is for authors.
+// Structs that a plugin or an element offers for extensions of the plugin interface. Included by register.hpp
+// and element.hpp; nothing here is for authors.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -15,14 +15,15 @@ namespace netloft::detail {
 /// extensions does not need their headers.
 class Offers {
  public:
-  /// Returns the struct offered under an identifier, which is the complete offer.
+  /// Returns the struct that is offered under an identifier, for an extension whose offer is a single struct.
   template <class Struct>
   Struct& one(const char* id) {
     auto& offer = of<One<Struct>>(id);
     offer.value.size = sizeof(Struct);
     return offer.value;
   }
-  /// Returns the rows of an offer that is a List {size, count, rows}.
+  /// Returns the rows that are offered under an identifier, for an extension whose offer is a List {size,
+  /// count, rows}.
   template <class List>
   auto& rows(const char* id) {
     return of<Rows<List>>(id).rows;

@@ -23,17 +23,18 @@ enum class Role : std::uint32_t {
   damping = NETLOFT_DAMPING,          // tension per strain rate
 };
 
-/// Range and default of a real parameter. Without a default the user must give a value.
+/// Range and default of a real parameter. If there is no default, users must give a value.
 struct Real {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
   double fallback = std::numeric_limits<double>::quiet_NaN();
-  const char* fallback_of = nullptr;  // name of an earlier parameter: `fallback` is a factor on it
+  const char* fallback_of =
+      nullptr;  // name of an earlier parameter; `fallback` is then a factor on its value
   Role role = Role::plain;
 };
 
-/// The parameter table of one element or solver: binds names in a scene to members of the struct P. Name,
-/// unit, range, default and description are given here and nowhere else.
+/// The parameter table of one component (element, law, solver …): binds names in a scene to members of the
+/// struct P. Name, unit, range, default and description are given here and nowhere else.
 template <class P>
 class ParameterTable {
  public:
@@ -55,7 +56,8 @@ class ParameterTable {
   void boolean(const char* name, bool P::*member, const char* doc, bool fallback) {
     set_fallback(add(NETLOFT_BOOLEAN, name, offset(member), "1", doc), fallback ? 1 : 0, false);
   }
-  /// One of several words; the member is its index in the list. The first word is the default.
+  /// A parameter whose value is one of several words; the member is the index of the word. The first word is
+  /// the default.
   void choice(const char* name, std::int64_t P::*member, const char* doc,
               std::initializer_list<const char*> words) {
     auto& p = add(NETLOFT_CHOICE, name, offset(member), "1", doc);
@@ -70,7 +72,7 @@ class ParameterTable {
     if (!fallback) p.flags |= NETLOFT_REQUIRED;
   }
 
-  /// A sampled curve with named columns, the first increasing; empty if not given.
+  /// A parameter that is a sampled curve with named columns, the first increasing; empty if not given.
   void table(const char* name, netloft_table P::*member, const char* doc,
              std::initializer_list<std::pair<const char*, const char*>> columns, bool required = false) {
     auto& p = add(NETLOFT_TABLE, name, offset(member), "1", doc);
@@ -86,7 +88,8 @@ class ParameterTable {
     p.column_units = units.data();
     if (required) p.flags |= NETLOFT_REQUIRED;
   }
-  /// Samples on a grid of two arguments, the first two columns; empty if not given.
+  /// A parameter that is a table of samples on a grid of two arguments, the first two columns; empty if not
+  /// given.
   void grid(const char* name, netloft_table P::*member, const char* doc,
             std::initializer_list<std::pair<const char*, const char*>> columns, bool required = false) {
     table(name, member, doc, columns, required);
@@ -135,16 +138,17 @@ inline std::uint32_t bytes_of_kind(std::uint32_t kind) {
 }
 
 /// The parameters of component C as its functions receive them: members that the table declares have the
-/// host's values, all others the defaults of the struct. The host knows only the members in the table and
-/// leaves the others zero; a struct that several plugins share has members that only one of their tables
-/// declares.
+/// host's values, all others the defaults of the struct. (The host knows only the members in the table and
+/// leaves the others zero. If several plugins share a struct, each table may declare only some of its
+/// members.)
 template <class C>
 class OwnParameters {
  public:
   using Parameters = typename C::Parameters;
   static_assert(std::is_trivially_copyable_v<Parameters>, "Parameters must be plain numbers");
 
-  /// Notes the declared members. Must be called with the complete table before any component is created.
+  /// Stores which members are declared. Must be called with the complete table before any component is
+  /// created.
   static void declare(const std::vector<netloft_parameter>& rows) {
     std::vector<DeclaredBytes> declared;
     for (const auto& row : rows) declared.push_back({row.offset, bytes_of_kind(row.kind)});
@@ -154,8 +158,8 @@ class OwnParameters {
     declared_ = std::move(declared);
     is_known_ = true;
   }
-  /// Returns the parameters. If no table describes them, they are unchanged, because their author is the
-  /// caller.
+  /// Returns the parameters. If no table describes them, they are unchanged: then not the host but the
+  /// author's own code has filled them.
   static Parameters from(const void* host) {
     if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};

@@ -17,7 +17,7 @@
  * reads a field of an extension that was appended. Any other change of an extension changes the number in its
  * identifier. The stride of an array of structs is the size of its first entry.
  *
- * Units are SI. World frame: z up, z = 0 at the water surface. Positions [m], velocities [m/s], forces [N].
+ * Units are SI. In the world frame, z points up and is zero at the water surface.
  *
  * Signs: a term returns its contribution to the residual, +dE/dx (minus the physical force). Its tangent
  * cu dforce/du + cv dforce/dv + ca dforce/da is positive definite for a taut twine.
@@ -34,7 +34,7 @@ extern "C" {
 #define NETLOFT_ABI_MINOR 0
 #define NETLOFT_LANES 64 /* elements in a tile */
 
-/* Status of a call. OUTSIDE_DOMAIN: this state has no force, shorten the step. ERROR: stop. */
+/* Status of a call. OUTSIDE_DOMAIN: forces are not defined at this state, shorten the step. ERROR: stop. */
 enum { NETLOFT_OK = 0, NETLOFT_OUTSIDE_DOMAIN = 1, NETLOFT_ERROR = -1 };
 
 /* ---------------------------------------------------------------- parameters */
@@ -43,14 +43,14 @@ enum netloft_kind {
   NETLOFT_REAL = 0,    /* double */
   NETLOFT_INTEGER = 1, /* int64_t */
   NETLOFT_BOOLEAN = 2, /* one byte, 0 or 1 (bool) */
-  NETLOFT_CHOICE = 3,  /* int64_t: place in `choices` */
+  NETLOFT_CHOICE = 3,  /* int64_t: index in `choices` */
   NETLOFT_TEXT = 4,    /* const char *, owned by the host */
   NETLOFT_TABLE = 5    /* netloft_table, owned by the host */
 };
 
 /* A sampled curve: rows with ascending first column, `columns` numbers each, row by row. Over two arguments
- * (netloft_parameter.arguments) the rows are a grid: they ascend by the first column, and within each value
- * of it by the second, which has the same values every time. */
+ * (netloft_parameter.arguments) the rows are a grid: they ascend by the first column, and rows with the same
+ * first value by the second column, which has the same values for each first value. */
 typedef struct netloft_table {
   const double* values;
   uint32_t rows, columns;
@@ -60,23 +60,23 @@ typedef struct netloft_table {
 enum {
   NETLOFT_REQUIRED = 1,
   NETLOFT_STIFFNESS = 2,   /* elastic forces grow in proportion to it: a host may start with less */
-  NETLOFT_COMPRESSION = 4, /* stiffness of slack members: at zero, the elastic energy is convex */
+  NETLOFT_COMPRESSION = 4, /* stiffness of slack members; if it is zero, the elastic energy is convex */
   NETLOFT_DAMPING = 8      /* tension per strain rate of the parts that NETLOFT_STIFFNESS describes */
 };
 
-/* One value that a user may set. Its name may hold dots: "twine.EA" is EA in the table `twine`. */
+/* One value that a user may set. Its name may contain dots: "twine.EA" is EA in the table `twine`. */
 typedef struct netloft_parameter {
   uint32_t size;
   uint32_t kind;
   const char* name;
-  const char* unit;                /* SI; "1": a pure number; "solver", "strategy": a text names one */
+  const char* unit;                /* SI; "1": a pure number; "solver" or "strategy": a text that names one */
   const char* doc;                 /* half a sentence: "axial stiffness of one twine" */
-  double fallback;                 /* value when absent; with `fallback_of`, a factor on that parameter */
+  double fallback;                 /* default value, or, with `fallback_of`, a factor on that parameter */
   double lo, hi;                   /* allowed range, both ends included */
   uint32_t flags;                  /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS and the other roles above */
   uint32_t offset;                 /* of the value in the parameter struct */
   const char* fallback_of;         /* name of an earlier real, or null */
-  const char* const* choices;      /* null-terminated, for NETLOFT_CHOICE; of a text: any of them, by + */
+  const char* const* choices;      /* null-terminated: one word of a CHOICE; a TEXT may join several by + */
   const char* fallback_text;       /* for NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
   const char* const* column_units; /* their units, as many */
@@ -86,15 +86,14 @@ typedef struct netloft_parameter {
 
 /* ---------------------------------------------------------------- elements */
 
-/* The nodes that an element connects; the low byte is their number. ext/pairs.h and ext/bodies.h have more.
- */
+/* The nodes that an element connects; the low byte is their number. More are in ext/pairs.h, ext/bodies.h. */
 enum netloft_stencil {
   NETLOFT_NODE = 1,
   NETLOFT_BAR = 2,
-  NETLOFT_TRIANGLE = 3 /* outer face seen counter-clockwise */
+  NETLOFT_TRIANGLE = 3 /* counter-clockwise, seen from outside */
 };
 
-/* A number (or `width` numbers) of every element: rest length, twine coordinates of corners. */
+/* A number (or `width` numbers) of every element, such as its rest length or coordinates of its corners. */
 typedef struct netloft_datum {
   uint32_t size;
   uint32_t width;
@@ -103,18 +102,18 @@ typedef struct netloft_datum {
 
 /* Traits of a term. Bits that have no name here belong to extensions. */
 enum {
-  NETLOFT_CONSERVATIVE = 1 << 0,   /* force is the gradient of an energy, which the term computes */
+  NETLOFT_CONSERVATIVE = 1 << 0,   /* residual is the gradient of an energy, which the term computes */
   NETLOFT_SYMMETRIC = 1 << 1,      /* tangent is symmetric and packed as lower triangle */
   NETLOFT_CONSTANT = 1 << 2,       /* force does not depend on the state: no tangent */
-  NETLOFT_READS_VELOCITY = 1 << 3, /* reads tile.v if there is one */
+  NETLOFT_READS_VELOCITY = 1 << 3, /* reads tile.v, if it is not null */
   NETLOFT_READS_ACCELERATION = 1 << 4,
-  NETLOFT_READS_CURRENT = 1 << 5, /* reads tile.current and tile.current_dz if there is one */
+  NETLOFT_READS_CURRENT = 1 << 5, /* reads tile.current and tile.current_dz, if not null */
   NETLOFT_NEEDS_GRAVITY = 1 << 6, /* zero without gravity */
   NETLOFT_NEEDS_FLOW = 1 << 7,    /* zero without a current or motion */
   NETLOFT_NEEDS_MOTION = 1 << 8,  /* zero in a static analysis */
-  NETLOFT_FROM_OUTSIDE = 1 << 11, /* pushes against something that is no node (seabed, wall, pressure): the
-                                     forces need not sum to zero, nor be the same in another place */
-  NETLOFT_READS_TIME = 1 << 13,   /* force and energy may change with tile.time where nothing moves */
+  NETLOFT_FROM_OUTSIDE = 1 << 11, /* acts against something that is no node (seabed, wall, pressure): the
+                                     forces need not sum to zero, and may depend on the place */
+  NETLOFT_READS_TIME = 1 << 13,   /* force and energy may change with tile.time, even if nothing moves */
   NETLOFT_IS_WEIGHT = 1 << 15,    /* reports count it as weight in water */
   NETLOFT_IS_DRAG = 1 << 16       /* reports count it as force of the flowing water */
 };
@@ -122,14 +121,14 @@ enum {
 /* Results that a call of a term must add. */
 enum { NETLOFT_WANT_ENERGY = 1, NETLOFT_WANT_FORCE = 2, NETLOFT_WANT_TANGENT = 4 };
 
-/* Up to 64 elements of one family. Arrays are [degree of freedom][64], lanes 0 ... count-1 in use; the degree
+/* Up to 64 elements of one type. Arrays are [degree of freedom][64], lanes 0 ... count-1 in use; the degree
  * of freedom is 3*node + axis. Inputs that the traits of the term do not request, or that the scene does not
  * have, are null. A term ADDS to its outputs, in lanes below `count` only; outputs that are not requested are
  * null. */
 typedef struct netloft_tile {
   uint32_t size;
   uint32_t want;
-  uint32_t first; /* index of lane 0 in the family; a multiple of 64 */
+  uint32_t first; /* index of the element in lane 0; a multiple of 64 */
   uint32_t count;
   double time;              /* [s] */
   double cu, cv, ca;        /* factors of the tangent */
@@ -137,11 +136,11 @@ typedef struct netloft_tile {
   double water_viscosity;   /* kinematic [m2/s] */
   double gravity;           /* [m/s2] */
   const double* x;          /* positions [m] */
-  const double* x_low;      /* low-order part: positions are x + x_low, which is useful in differences of
-                               positions [m]; usually null: not known. A term may ignore it */
+  const double* x_low;      /* digits that rounding removes from x: positions are x + x_low, for exact
+                               differences [m]; usually null: not known. A term may ignore it */
   const double *v, *a;      /* velocities, accelerations; null at rest */
   const double* current;    /* velocity of the water at the nodes [m/s] */
-  const double* current_dz; /* its derivative with z [1/s] */
+  const double* current_dz; /* its derivative with respect to z [1/s] */
   double* energy;           /* [64] [J] */
   double* force;            /* [dof][64] residual [N] */
   double* tangent; /* packed lower triangle, entry r(r+1)/2+c, if symmetric; else r*dofs+c; [entry][64] */
@@ -156,8 +155,8 @@ typedef struct netloft_term {
   uint32_t size;
   uint32_t traits;
   const char *name, *doc;
-  const char* needs; /* real parameters, one of which must differ from zero for the term to act, a space
-                        between two; or null */
+  const char* needs; /* names of real parameters, separated by spaces: the term acts only if one of them
+                        is not zero; null: always */
   int (*evaluate)(const void* self, netloft_tile* tile);
 } netloft_term;
 
@@ -165,11 +164,11 @@ typedef struct netloft_term {
 enum netloft_output_role {
   NETLOFT_OUTPUT_PLAIN = 0,
   NETLOFT_OUTPUT_TENSION = 1, /* tension in a rope or in one twine [N], negative in compression */
-  NETLOFT_OUTPUT_DOUBT = 2    /* not zero if the element is used beyond its known range of validity, as its
-                                 `doc` says; reports warn of it */
+  NETLOFT_OUTPUT_DOUBT = 2    /* not zero if the element is used beyond its known range of validity, which
+                                 `doc` describes; reports warn of it */
 };
 
-/* A number reported per element, in physical sign: tension is positive when the rope pulls. */
+/* A number reported for each element, with its physical sign: tension is positive when the rope pulls. */
 typedef struct netloft_output {
   uint32_t size;
   uint32_t role; /* netloft_output_role */
@@ -182,7 +181,7 @@ typedef struct netloft_create {
   uint32_t count; /* elements */
   uint32_t part_count;
   uint32_t at_fault;             /* set by `create`: the element it refuses */
-  const void* const* parameters; /* [part] filled parameter struct, valid as long as the family */
+  const void* const* parameters; /* [part] filled parameter struct, valid until `destroy` */
   const uint32_t* part;          /* [element] which part it belongs to */
   const double* const* data;     /* [datum] -> [element][width] */
   char* message;
@@ -209,7 +208,7 @@ typedef struct netloft_element {
   int (*create)(netloft_create* in, void** self);
   void (*destroy)(void* self);
   int (*output)(const void* self, netloft_tile* tile, double* values); /* values[output][64] */
-  const char* const* inputs; /* identifiers of extensions whose data a tile shall have, then null; or null */
+  const char* const* inputs; /* extensions whose data its tiles need, null-terminated; or null */
   const void* (*extension)(const char* id); /* what the element offers for an extension, or null */
 } netloft_element;
 
@@ -221,13 +220,12 @@ enum { NETLOFT_FAST_MATH = 1 };
 typedef struct netloft_plugin {
   uint32_t size;
   uint32_t abi_major, abi_minor;
-  uint32_t flags;   /* NETLOFT_FAST_MATH when compiled so: refused */
+  uint32_t flags;   /* NETLOFT_FAST_MATH if compiled with it: the host refuses this */
   const char* name; /* the stem of its file: "rope" in rope.so */
   const char *version, *doc, *compiler;
   const netloft_element* elements;
   uint32_t element_count, reserved;
-  const char* const* required; /* identifiers of extensions without which the host must refuse it, then null;
-                                  or null */
+  const char* const* required; /* extensions that a host must have to accept it, null-terminated; or null */
   const void* (*extension)(const char* id); /* what the plugin offers for an extension, or null */
 } netloft_plugin;
 

@@ -19,7 +19,7 @@ class IntegratorTable;
 template <class S>
 class StrategyTable;
 
-/// Collects the tables of a plugin and turns them into the C tables of the boundary.
+/// Collects the tables of a plugin and converts them to the C structs that the host reads.
 class Plugin {
  public:
   template <class E>
@@ -75,7 +75,7 @@ class Plugin {
     return table;
   }
 
-  /// A table that is complete only after the author's function has returned.
+  /// A table. It is converted later, because it is complete only after the author's function has returned.
   struct Pending {
     virtual ~Pending() = default;
     virtual void describe(Plugin& plugin) const = 0;
@@ -102,7 +102,7 @@ class Plugin {
 };
 
 namespace detail {
-/// The plugin that a function describes.
+/// The plugin that the function Describe describes.
 template <void (*Describe)(Plugin&)>
 Plugin& plugin_of() {
   static Plugin plugin;
@@ -114,7 +114,7 @@ const void* offer_of(const char* id) noexcept {
   return plugin_of<Describe>().offer(id);
 }
 
-/// Describes the plugin at the first call; null if the description fails.
+/// Returns the description of the plugin, which is made at the first call; null if this fails.
 template <void (*Describe)(Plugin&)>
 const netloft_plugin* describe_once(const char* name, const char* version, const char* doc) noexcept {
   try {

@@ -19,7 +19,7 @@ namespace netloft {
 
 namespace detail {
 
-/// a, b, c of (1) and (2), and the derivatives of b and c with respect to s.
+/// The factors a, b, c of (1) and (2), and the derivatives of b and c with respect to s.
 template <class T>
 struct RotationFactors {
   T a, b, c, db, dc;
@@ -66,7 +66,7 @@ RotationFactors<T> rotation_factors(const T& s) {
 
 }  // namespace detail
 
-/// R r of (1).
+/// Returns R r, the vector r rotated by ψ (1).
 template <class T>
 Vec3<T> rotated(const Vec3<T>& psi, const Vec3<T>& r) {
   const auto f = detail::rotation_factors<T>(dot(psi, psi));
@@ -74,14 +74,14 @@ Vec3<T> rotated(const Vec3<T>& psi, const Vec3<T>& r) {
   return r + f.a * once + f.b * cross(psi, once);
 }
 
-/// The axes that turn with ψ: columns of R.
+/// Returns the axes of a body that is rotated by ψ: the columns of R.
 template <class T>
 std::array<Vec3<T>, 3> turned_axes(const Vec3<T>& psi) {
   return {rotated(psi, Vec3<T>{T(1), T(0), T(0)}), rotated(psi, Vec3<T>{T(0), T(1), T(0)}),
           rotated(psi, Vec3<T>{T(0), T(0), T(1)})};
 }
 
-/// ω of (2).
+/// Returns the spin ω at the rate ψ̇ (2).
 template <class T>
 Vec3<T> spin_of(const Vec3<T>& psi, const Vec3<T>& rate) {
   const auto f = detail::rotation_factors<T>(dot(psi, psi));
@@ -89,7 +89,7 @@ Vec3<T> spin_of(const Vec3<T>& psi, const Vec3<T>& rate) {
   return rate + f.b * once + f.c * cross(psi, once);
 }
 
-/// α of (3).
+/// Returns the angular acceleration α at the rates ψ̇ and ψ̈ (3).
 template <class T>
 Vec3<T> spin_rate_of(const Vec3<T>& psi, const Vec3<T>& rate, const Vec3<T>& second) {
   const auto f = detail::rotation_factors<T>(dot(psi, psi));
@@ -99,7 +99,7 @@ Vec3<T> spin_rate_of(const Vec3<T>& psi, const Vec3<T>& rate, const Vec3<T>& sec
          (f.dc * ds) * cross(psi, once) + f.c * cross(rate, once);
 }
 
-/// Tᵀm of (4).
+/// Returns Tᵀm (4), the generalised force that does the work of the moment m on ψ.
 template <class T>
 Vec3<T> moment_on_vector(const Vec3<T>& psi, const Vec3<T>& moment) {
   const auto f = detail::rotation_factors<T>(dot(psi, psi));
@@ -112,7 +112,7 @@ Vec3<T> moment_on_vector(const Vec3<T>& psi, const Vec3<T>& moment) {
 inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& omega) {
   const double s = dot(psi, psi);
   const auto f = detail::rotation_factors<double>(s);
-  // For small s, 2b − a suffers from cancellation and d is replaced by the first two terms of its series.
+  // For small s, 2b − a suffers from cancellation, and d is replaced by the first two terms of its series.
   const double d = s < 1e-4 ? 1.0 / 12 + s / 720 : (2 * f.b - f.a) / (2 * f.b * s);
   const Vec3<double> once = cross(psi, omega);
   return omega - 0.5 * once + d * cross(psi, once);
@@ -123,7 +123,8 @@ inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& om
 inline Vec3<double> rotation_vector(const std::array<Vec3<double>, 3>& axes) {
   const auto R = [&](int row, int column) { return axes[static_cast<std::size_t>(column)][row]; };
   const double trace = R(0, 0) + R(1, 1) + R(2, 2);
-  // A quaternion by its largest component (S. W. Shepperd, Journal of Guidance and Control 1, 1978).
+  // Computes a quaternion from its largest component (S. W. Shepperd, Journal of Guidance and Control 1,
+  // 1978).
   int largest = 3;
   for (int i = 0; i < 3; ++i)
     if (R(i, i) > (largest == 3 ? trace : R(largest, largest))) largest = i;

@@ -56,7 +56,7 @@ class Problem {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | matrix, u.data(), &energy,
                                residual.data()));
   }
-  /// Energy alone.
+  /// Computes the energy alone.
   Evaluation evaluate(std::span<const double> u, double& energy) {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY, u.data(), &energy, nullptr));
   }
@@ -81,7 +81,7 @@ class Problem {
   Factor factorise(Matrix matrix, double shift) {
     return checked_factor(p_.factorise(p_.host, static_cast<int>(matrix), shift));
   }
-  /// The same for a matrix of any definiteness.
+  /// Factorises matrix + shift x metric, which need not be positive definite.
   Factor factorise_indefinite(Matrix matrix, double shift) {
     return checked_factor(p_.factorise(p_.host, static_cast<int>(matrix) | NETLOFT_INDEFINITE, shift));
   }
@@ -93,8 +93,7 @@ class Problem {
   void solve(std::span<const double> rhs, std::span<double> x) {
     check(p_.solve(p_.host, rhs.data(), x.data()));
   }
-  /// Solves with the latest factorisation, possibly that of an earlier problem. Returns false if there is
-  /// none.
+  /// Solves with the last factor, which may be that of an earlier problem. Returns false if there is none.
   bool try_solve(std::span<const double> rhs, std::span<double> x) {
     return p_.solve(p_.host, rhs.data(), x.data()) == NETLOFT_OK;
   }
@@ -113,7 +112,7 @@ class Problem {
                 const char* note = "") {
     return p_.progress(p_.host, u.data(), energy, residual.data(), note) == NETLOFT_GO_ON;
   }
-  /// Largest displacement of a node in the step du, divided by the largest element length.
+  /// Largest displacement of a node in the step du, divided by the length of the longest element.
   double step_length(std::span<const double> du) { return p_.step_length(p_.host, du.data()); }
 
  private:
@@ -145,11 +144,11 @@ int run_solver(const void* parameters, netloft_problem* problem) noexcept {
 }
 }  // namespace detail
 
-/// Describes one solver to the host. `needs` are traits the problem must have.
+/// Describes one solver to the host. `needs` are traits that the problem must have.
 template <class S>
 class SolverTable : public ParameterTable<typename S::Parameters> {
  public:
-  using Offer = netloft_solvers;  // the list in which a plugin offers it
+  using Offer = netloft_solvers;  // the list in which a plugin offers its solvers
   static constexpr const char* extension = NETLOFT_EXT_SOLVER;
 
   SolverTable(const char* name, const char* doc) : name_(name), doc_(doc) {}

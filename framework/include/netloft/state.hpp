@@ -18,7 +18,8 @@ inline constexpr int kLanes = NETLOFT_LANES;
 
 enum class Status { ok = NETLOFT_OK, outside_domain = NETLOFT_OUTSIDE_DOMAIN };
 
-/// Thrown if a term has no force at a state, such as a bar of zero length; the solver then shortens its step.
+/// Thrown if the force of a term is not defined at a state, such as a bar of zero length; the solver then
+/// shortens its step.
 struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -52,9 +53,9 @@ struct Bed {
 template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
-  Points<double, Nodes> x_low{};               // low-order part of x [m]; zero if it is not known
-  Vec3<double> ground{};                       // velocity of the ground [m/s]; zero if it is at rest
-  std::array<Bed, Nodes> bed{};                // below the nodes
+  Points<double, Nodes> x_low{};  // digits that rounding removes from x [m]; zero if they are not known
+  Vec3<double> ground{};          // velocity of the ground [m/s]; zero if it is at rest
+  std::array<Bed, Nodes> bed{};   // below the nodes
   Points<double, Nodes> water_acceleration{};  // [m/s2]
   std::array<double, Nodes> surface{};         // height of the water's surface over the nodes [m]
   Water water{};
@@ -62,8 +63,8 @@ struct State {
   double cu = 1, cv = 0, ca = 0;  // factors of dforce/dx, dforce/dv, dforce/da in the tangent
   bool wants_tangent = false;
 
-  /// The vector from one node to another [m], including the low-order parts of their positions if these are
-  /// known.
+  /// The vector from one node to another [m], including the digits that rounding removes from the positions,
+  /// if they are known.
   Vec3<double> between(std::size_t from, std::size_t to) const {
     return (x[to] - x[from]) + (x_low[to] - x_low[from]);
   }
@@ -78,7 +79,8 @@ struct Local {
   double tangent[dofs][dofs] = {};
 };
 
-/// All elements of one type in a scene, part by part.
+/// All elements of one type in a scene, part by part (a part is a named group of elements with the same
+/// parameters).
 template <class E>
 class Family {
  public:
@@ -112,7 +114,8 @@ class Family {
   };
   using Whole = typename WholeOf<E>::type;
 
-  /// The law in a slot, in the order the slots were declared. Its arrays are those of netloft_law_tile.
+  /// The law that the user chose for a slot; slots are numbered in the order of their declaration. Its arrays
+  /// are those of netloft_law_tile.
   const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
 
   std::vector<Parameters> parameters_;  // per part

@@ -42,18 +42,18 @@ inline Displacements perturbed(Displacements u, double amplitude, int turn = 0) 
   return u;
 }
 
-/// An easier variant of a scene; by default, the scene itself.
+/// An easier variant of a scene. The defaults are the scene itself.
 struct Variant {
-  unsigned level = 0;        // mesh: 0 the scene's own, 1, 2, … coarser
-  double stiffness_cap = 0;  // [N]; 0: as written
-  double compression = 1;    // factor on the stiffness of what is slack
+  unsigned level = 0;        // mesh: 0 is that of the scene, 1, 2, … are coarser
+  double stiffness_cap = 0;  // upper limit of stiffnesses [N]; 0: unchanged
+  double compression = 1;    // factor on the stiffness of slack members
   double current = 1;        // factor on the current
 
   netloft_variant c() const { return {sizeof(netloft_variant), level, stiffness_cap, compression, current}; }
 };
 
-/// Tolerance of a stage that only gives the next stage its initial guess: an imbalance that does not matter
-/// in the easier problem is smaller than the difference between that problem and the scene.
+/// Tolerance of a stage that only gives the next stage its initial guess. An imbalance below it does not
+/// matter, because the difference between the easier problem and the scene is larger.
 inline constexpr double kOnlyAStart = kMatters;
 
 /// The task of one stage: a variant, its solver, the tolerance and the budget.
@@ -64,9 +64,9 @@ struct Ask {
   const char* parameters = nullptr;  // "method=classic,damping=1"
   double tolerance = 0;              // 0: that of the analysis
   double work = 0;                   // budget; 0: all that is left
-  double path = 0;                   // limit of the path of nodes over the gear's size; 0: none
-  unsigned iterations = 0;           // 0: that of the analysis
-  bool compensated = false;          // positions keep the digits that double precision rounds off
+  double path = 0;          // limit of the sum of the steps' largest nodal displacements / gear size; 0: none
+  unsigned iterations = 0;  // 0: that of the analysis
+  bool compensated = false;  // whether positions keep the digits that double precision rounds off
 };
 
 enum class Ending {
@@ -78,9 +78,9 @@ enum class Ending {
   interrupted = NETLOFT_ENDED_INTERRUPTED
 };
 
-/// A solver or a strategy and its parameters in one word, as a user writes it: "auto:restarts=0;slice=100".
+/// A solver or a strategy and its parameters in one text, as users write it: "auto:restarts=0;slice=100".
 struct Specification {
-  std::string name, parameters;  // the latter as Ask::parameters and Search::call take them
+  std::string name, parameters;  // parameters: as Ask::parameters and Search::call take them
 };
 
 inline Specification specification_of(const std::string& word) {
@@ -96,22 +96,22 @@ struct Stage {
   Displacements u;
   Ending ending = Ending::not_converged;
   int stability = NETLOFT_STABILITY_UNKNOWN;
-  double residual = 0, load = 0, energy = 0;  // largest on a node [N], [N]; [J]; 0 where not `has_forces`
-  double rounding = 0;                        // force by rounding of the positions [N]
-  double spent = 0;                           // work
+  double residual = 0, load = 0,
+         energy = 0;    // largest residual and load on a node [N], [N]; energy [J]; 0 if not `has_forces`
+  double rounding = 0;  // residual that rounding of the positions can cause [N]
+  double spent = 0;     // work
   unsigned iterations = 0, factorisations = 0;
   Displacements growing = {};                    // a disturbance that grows; empty: not known
   double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; frequency 0: it does not oscillate
 
   /// Whether the forces of the requested variant were evaluated at `u`. False if elements are not defined
-  /// there, or if a strategy that was called has solved no stage of that variant; `u` is then its initial
+  /// there, or if another strategy was called and solved no stage of that variant; `u` is then the initial
   /// guess.
   bool has_forces() const { return load > 0; }
   /// Whether forces balance, stable or not.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
   bool has_converged() const { return ending == Ending::converged; }
-  /// Whether the stage used up its budget after some work. A stage with no budget to begin with is not cut
-  /// off.
+  /// Whether the stage used up its budget after some work. This is false if it had no budget to begin with.
   bool was_cut_off() const { return ending == Ending::out_of_work && spent > 0; }
   /// Whether the equilibrium has a flutter instability, an oscillation that grows: a motion from there does
   /// not come to rest nearby.
@@ -136,8 +136,8 @@ class Search {
   std::size_t members() const { return s_.member_count; }
   double gear_size() const { return s_.gear_size; }        // [m]
   double element_size() const { return s_.element_size; }  // [m]
-  double load() const { return s_.load; }                  // sum of what drives the gear at the start [N]
-  double largest_load() const { return s_.largest_load; }  // on a node [N]
+  double load() const { return s_.load; }  // sum of the forces that drive the gear at the start [N]
+  double largest_load() const { return s_.largest_load; }  // largest of them on a node [N]
   double stiffness() const { return s_.stiffness; }        // largest axial stiffness [N]
 
   /// The initial displacements of the unknowns of the scene itself.
@@ -153,9 +153,10 @@ class Search {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
   /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work). The
-  /// returned stage is its answer; of several, the one that the host chose. Without an answer, it is the
-  /// point of that variant that came closest to balance, or the initial guess, with the ending of the last
-  /// stage of that variant: out_of_work if that was cut off or if no work is left.
+  /// returned stage is the answer of that strategy; if there are several, the one that the host chose. If
+  /// there is none, the stage is the point of that variant that came closest to balance, or the initial
+  /// guess. Its ending is then that of the last stage of that variant: out_of_work if that stage was cut off
+  /// or if no work is left.
   Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
     return ended(ask, std::move(u),
                  [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });
@@ -196,8 +197,8 @@ class Search {
     return u;
   }
 
-  /// States why the strategy does not solve the scene, or does not continue; the strategy must then return.
-  /// The reason is reported to the user if there is nothing else to report: "there is no current".
+  /// States why the strategy does not solve the scene, or does not continue ("there is no current"); the
+  /// strategy must then return. The reason is reported to the user if there is nothing else to report.
   void decline(const char* why) { std::snprintf(s_.message, s_.message ? s_.message_size : 0, "%s", why); }
 
   double work_left() { return s_.work_left(s_.host); }
@@ -281,24 +282,25 @@ int explain_strategy(const void* parameters, netloft_search* search, char* text,
 }
 }  // namespace detail
 
-/// Describes one strategy to the host. `needs` are traits the search must have.
+/// Describes one strategy to the host. `needs` are traits that the search must have.
 ///
 /// The value of a parameter declared by `strategy` or `solver` is a Specification. If there is no such
-/// strategy or solver, or its parameters are wrong, the host refuses it before anything is solved. In C it is
-/// a text whose `unit` is "strategy" or "solver"; a parameter declared by `several` is a text with `choices`.
+/// strategy or solver, or its parameters are wrong, the host refuses the value before anything is solved. In
+/// C it is a text whose `unit` is "strategy" or "solver"; a parameter declared by `several` is a text with
+/// `choices`.
 template <class S>
 class StrategyTable : public ParameterTable<typename S::Parameters> {
   using P = typename S::Parameters;
   using Word = const char* P::*;
 
  public:
-  using Offer = netloft_strategies;  // the list in which a plugin offers it
+  using Offer = netloft_strategies;  // the list in which a plugin offers its strategies
   static constexpr const char* extension = NETLOFT_EXT_STRATEGY;
 
   StrategyTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
   void needs(std::uint32_t traits) { needs_ = traits; }
 
-  /// Declares a parameter that names a strategy. It may be empty only if that is the default.
+  /// Declares a parameter that names a strategy. The text may be empty only if the default is empty.
   void strategy(const char* name, Word member, const char* doc, const char* fallback) {
     this->text(name, member, doc, fallback);
     last_row().unit = "strategy";
@@ -333,7 +335,7 @@ class StrategyTable : public ParameterTable<typename S::Parameters> {
   }
 
  private:
-  /// Returns a copy of the last row, which replaces that row in the descriptor.
+  /// Returns a copy of the last row of the table, which replaces that row in the descriptor.
   netloft_parameter& last_row() {
     return described_.emplace_back(this->rows().size() - 1, this->rows().back()).second;
   }

@@ -5,7 +5,7 @@
 
 namespace netloft {
 
-/// Three numbers of the world frame (x, y, z up), of double or of a dual number.
+/// A vector in the world frame (x, y, z up), of doubles or dual numbers.
 template <class T>
 struct Vec3 {
   T x{}, y{}, z{};
@@ -20,7 +20,7 @@ struct Vec3 {
   friend Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
 };
 
-/// Whether a type is a Vec3. The operator * excludes products of two of them: use dot or cross.
+/// Whether a type is a Vec3. The operator * is not defined for two of them: use dot or cross.
 template <class S>
 inline constexpr bool is_vector = false;
 template <class T>

@@ -2,11 +2,12 @@
  *
  * Elements on a rigid body.
  *
- * A rigid body is its origin and, in place of one more node, the rotation vector p that turns its axes into
- * those of the world [rad]: a point r of the body is at x + R r, R = exp [p]x. Rows 3 to 5 of tile.x, v and a
- * are p and its rates, those of tile.force minus the moment that does work on p [N m], and the tangent is the
- * plain derivative: netloft/rotation.hpp has the formulas, and netloft/element.hpp spares authors from all of
- * this. p may be longer than a turn. Rows 3 to 5 of tile.current have no meaning.
+ * A rigid body has two nodes in a tile: its origin x and, in rows 3 to 5, its rotation vector p [rad]. A
+ * point r, in the axes of the body, is at x + R r in the world, where R is the rotation by the angle |p|
+ * about p. Rows 3 to 5 of tile.v and tile.a are the first and second derivatives of p with respect to time.
+ * Rows 3 to 5 of tile.force are minus the generalised force that does the work of the moment on p [N m], and
+ * the tangent is their plain derivative. netloft/rotation.hpp has the formulas; with netloft/element.hpp,
+ * authors need none of them. p may be longer than a full turn. Rows 3 to 5 of tile.current have no meaning.
  */
 #ifndef NETLOFT_EXT_BODIES_H
 #define NETLOFT_EXT_BODIES_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Matrices that approximate the exact tangent. A term can compute them better than its host, which otherwise
- * projects and bounds the tangent. A host requests them only from terms with the trait, one per call.
+ * Two matrices that approximate the exact tangent: a convex part and a metric. A term can often compute them
+ * faster and more accurately than the host, which derives them from the tangent by a projection and a bound.
+ * The host requests them only from terms with the trait, one matrix per call.
  */
 #ifndef NETLOFT_EXT_CONVEX_H
 #define NETLOFT_EXT_CONVEX_H
@@ -14,11 +15,11 @@ extern "C" {
 #define NETLOFT_EXT_CONVEX "netloft.convex/1"
 
 /* Traits of a term with NETLOFT_SYMMETRIC. */
-#define NETLOFT_HAS_CONVEX (1u << 9)  /* answers NETLOFT_WANT_CONVEX */
-#define NETLOFT_HAS_METRIC (1u << 10) /* answers NETLOFT_WANT_METRIC */
+#define NETLOFT_HAS_CONVEX (1u << 9)  /* computes NETLOFT_WANT_CONVEX */
+#define NETLOFT_HAS_METRIC (1u << 10) /* computes NETLOFT_WANT_METRIC */
 
 /* Values of netloft_tile.want. The matrix is added to netloft_tile.tangent. */
-#define NETLOFT_WANT_CONVEX 8u  /* a positive semi-definite part of the tangent */
+#define NETLOFT_WANT_CONVEX 8u  /* a positive semi-definite approximation of the tangent */
 #define NETLOFT_WANT_METRIC 16u /* the linear stiffness: constant, semi-definite, bounds the convex part */
 
 #ifdef __cplusplus

@@ -14,9 +14,9 @@ extern "C" {
 #define NETLOFT_EXT_GROUND "netloft.ground/1"
 
 /* Traits of a term. */
-#define NETLOFT_READS_GROUND                                                          \
-  (1u << 17) /* wants netloft_ground.velocity when the ground passes the gear; a host \
-                may give no memory then: what only slides remembers nothing */
+#define NETLOFT_READS_GROUND                                                                                \
+  (1u << 17) /* reads netloft_ground.velocity if the ground passes the gear; a host may then give no memory \
+                (ext/memory.h), because friction that only slides needs none */
 #define NETLOFT_READS_BED (1u << 18) /* reads netloft_ground.bed if the scene has a bed */
 
 /* Input of a tile; its place is null if both arrays would be null. */

@@ -12,22 +12,22 @@ extern "C" {
 
 #define NETLOFT_EXT_INTEGRATOR "netloft.integrator/1"
 
-/* A scene that moves, as an integrator sees it: F(t, u, v, a) = 0; one step leads from t to t + h.
- * u are displacements of the unknowns from the start [m], v and a their rates. F is the residual: inertia and
- * all other forces, +dE/dx. The host chooses h, accepts or rejects the result of a step, and keeps the
- * statistics. */
+/* A scene that moves, as an integrator sees it: F(t, u, v, a) = 0. One step leads from t to t + h. u are
+ * displacements of the unknowns from the start [m], v and a their first and second derivatives. F is the
+ * residual, +dE/dx: inertia and all other forces. The host chooses h, accepts or rejects the result of a
+ * step, and keeps the statistics. */
 typedef struct netloft_motion {
   uint32_t size;
   uint32_t unknowns;
   void* host;
   double t, h;                   /* [s] */
-  const double *u, *v, *a;       /* at t; a is what the integrator set as a_new */
+  const double *u, *v, *a;       /* at t; a is the a_new of the step before */
   double *u_new, *v_new, *a_new; /* out: at t + h */
   double* error;                 /* out: estimate of the error of u_new in this step [m]; zero if not set */
 
   /* F(t, u, v, a) [N]. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */
   int (*residual)(void* host, double t, const double* u, const double* v, const double* a, double* residual);
-  /* Finds a such that F(t, u, v, a) = 0, explicitly by the masses of the nodes. */
+  /* Finds a such that F(t, u, v, a) = 0, with the masses of the nodes, without a system of equations. */
   int (*accelerate)(void* host, double t, const double* u, const double* v, double* a);
   /* Finds u such that F(t, u, v0 + cv u, a0 + ca u) = 0, from the given u, by the solver of the analysis.
    * Returns NETLOFT_OK, or NETLOFT_OUTSIDE_DOMAIN if the solver did not converge: a shorter step may. */
@@ -40,13 +40,14 @@ typedef struct netloft_motion {
   uint32_t reserved;
 
   /* Finds u at t + h such that the mean forces of the step from the u at t are in balance, where
-   *   v = v0 + cv u and a = a0 + ca u
-   * are the rates in the middle of the step. The mean force is F at the middle of both ends. Forces with an
-   * energy have another mean: its work over the step is exactly the decrease of their energy, and its
-   * resultant force and moment vanish if those of the force in the middle do. In addition, members
+   *    v = v0 + cv u and a = a0 + ca u
+   * are the rates in the middle of the step. The mean force is F at the midpoint between both ends. Forces
+   * with an energy have another mean: its work over the step is exactly the decrease of their energy, and its
+   * resultant force and moment vanish if those of the force at the midpoint do. In addition, members
    * (ext/members.h) of stiffness k resist the change Dl of their length in the step by the tension
-   *   T = damping/2 k (Dl - m),  m <- m + memory (Dl - m) once the step is accepted
-   * Returns the same as `solve`. */
+   *    T = damping/2 k (Dl - h m),  m <- m + memory (Dl/h - m) once the step is accepted
+   * where m is the rate of stretch that the host remembers for each member [m/s], zero after a step at whose
+   * ends the member was not taut. Returns the same as `solve`. */
   int (*solve_between)(void* host, const double* v0, double cv, const double* a0, double ca, double damping,
                        double memory, double* u);
 } netloft_motion;
@@ -64,7 +65,8 @@ typedef struct netloft_integrator {
   uint32_t parameter_bytes;
   uint32_t parameter_count;
   const netloft_parameter* parameters;
-  /* Takes a step. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN (a shorter step may do) or NETLOFT_ERROR. */
+  /* Takes a step. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN (a shorter step may succeed) or NETLOFT_ERROR.
+   */
   int (*step)(const void* parameters, netloft_motion* motion);
   /* Order of the error estimate, which is proportional to this power of the step. */
   double (*order)(const void* parameters);

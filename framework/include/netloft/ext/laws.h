@@ -14,7 +14,7 @@ extern "C" {
 
 #define NETLOFT_EXT_LAWS "netloft.laws/1"
 
-/* Bodies that a law applies to. */
+/* Kinds of bodies to which a law can apply. */
 enum netloft_law_kind {
   NETLOFT_TWINE_LAW = 1, /* force of the water on a twine, bar or rope, per metre of it */
   NETLOFT_SCREEN_LAW = 2 /* force of the water on netting as a screen, per square metre of it */
@@ -35,8 +35,8 @@ typedef struct netloft_law_tile {
   double* d_flow;          /* [9][64] dforce[r]/dflow[c] at 3r+c */
   double* d_direction;     /* [9][64] dforce[r]/ddirection[c] */
   double* d_solidity;      /* [3][64] */
-  const double* extent; /* [64] metres of twine, square metres of netting that a lane stands for, for reports
-                           of how much of a gear is where; null: not known. No force depends on it */
+  const double* extent; /* [64] metres of twine or square metres of netting that a lane represents, as weights
+                           in reports (no force depends on them); null: not known */
 } netloft_law_tile;
 
 /* Quantities of a flow in which a law may be valid over a range only. */
@@ -48,15 +48,16 @@ enum netloft_law_quantity {
   NETLOFT_ATTACK = 4 /* angle between the flow and the twine or the netting, 0 to pi/2 [rad] */
 };
 
-/* A range in which a law was measured. The host compares the flows with it and reports how much of a gear is
- * outside; the law itself returns a force everywhere. */
+/* A range in which a law was measured. The host compares the flows with it and reports which fraction of a
+ * gear is outside; the law itself returns a force everywhere. */
 typedef struct netloft_validity {
   uint32_t size;
   uint32_t quantity;
   double lo, hi;
   const char* source;         /* who measured: "Loland 1991" */
-  const char *where, *unless; /* parameters with which the range holds, with which it does not: those that are
-                                 given, no real at zero, no empty table, no first word of a choice; or null */
+  const char *where, *unless; /* names of parameters, or null: the range applies only if `where` is given, and
+                                 not if `unless` is given. A parameter is given unless it is a real of value
+                                 zero, an empty table or the first word of a choice */
 } netloft_validity;
 
 /* A law, such as "hydro/morison". */
@@ -107,7 +108,7 @@ typedef struct netloft_bound_law {
 typedef struct netloft_bound_laws {
   uint32_t size;
   uint32_t count;
-  const netloft_bound_law* laws; /* [slot] valid as long as the family */
+  const netloft_bound_law* laws; /* [slot] valid until the elements are destroyed */
 } netloft_bound_laws;
 
 #ifdef __cplusplus

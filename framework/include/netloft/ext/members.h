@@ -13,17 +13,18 @@ extern "C" {
 
 #define NETLOFT_EXT_MEMBERS "netloft.members/1"
 
-/* Trait of a term. */
-#define NETLOFT_OF_MEMBERS (1u << 14) /* the force is that of the element's members, no more */
+/* Trait of a term whose force is that of the element's members, and nothing else. */
+#define NETLOFT_OF_MEMBERS (1u << 14)
 
-/* The chord is w = sum of c[i] x[i] over the nodes of the element, l = |w|, t = w/l, and the force on node i
- *     number c[i] T t,   T = EA (l/l0 - 1) where l > l0, else EA_compression (l/l0 - 1)
+/* The chord is w = sum of c[i] x[i] over the nodes of the element, l = |w|, t = w/l, and the residual of node
+ * i is
+ *      number c[i] T t,   T = EA (l/l0 - 1) where l > l0, else EA_compression (l/l0 - 1)
  * The sum over the members of an element is its term with NETLOFT_OF_MEMBERS. */
 typedef struct netloft_member {
-  double c[3];               /* of the chord; the third is zero on two nodes */
+  double c[3];               /* coefficients of the chord; the third is zero on two nodes */
   double rest_length;        /* l0 [m] */
   double EA, EA_compression; /* axial stiffness of one, taut and slack [N] */
-  double number;             /* bars or twines alike that it represents */
+  double number;             /* number of equal bars or twines that it represents */
 } netloft_member;
 
 /* Offered by an element with such a term. */

@@ -15,7 +15,7 @@ extern "C" {
 #define NETLOFT_EXT_MEMORY "netloft.memory/1"
 
 /* Trait of a term. */
-#define NETLOFT_READS_STATE (1u << 12) /* wants netloft_remembered and fills its state_new */
+#define NETLOFT_READS_STATE (1u << 12) /* reads netloft_remembered.state and fills state_new */
 
 /* Offered by an element. */
 typedef struct netloft_memory {
@@ -27,7 +27,7 @@ typedef struct netloft_memory {
 typedef struct netloft_remembered {
   uint32_t size;
   uint32_t reserved;
-  const double* state; /* [width][64] after the last accepted step; all zeros: there was none */
+  const double* state; /* [width][64] after the last accepted step; all zeros before the first */
   double*
       state_new; /* [width][64] to be written: what will be remembered if this step is accepted; or null */
 } netloft_remembered;

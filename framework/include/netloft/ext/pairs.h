@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Elements on pairs of neighbours, such as the bending of a rope or of netting. A host makes them wherever it
- * makes the element that they ride on.
+ * Elements on pairs of neighbouring elements, such as the bending of a rope or of netting. The host creates
+ * them on every pair of neighbours of the element type that they name.
  */
 #ifndef NETLOFT_EXT_PAIRS_H
 #define NETLOFT_EXT_PAIRS_H
@@ -13,15 +13,16 @@ extern "C" {
 
 #define NETLOFT_EXT_PAIRS "netloft.pairs/1"
 
-/* More values of netloft_element.stencil. */
-#define NETLOFT_BAR_PAIR 0x103u      /* nodes of two neighbouring bars of one rope, in order */
-#define NETLOFT_TRIANGLE_PAIR 0x104u /* shared edge (a, b), then opposite corners: c of (a, b, c), d */
+/* More values of netloft_element.stencil: the nodes of two neighbouring bars of one rope, in order; or of two
+ * triangles with a common edge (a, b): a, b, then the other corners, c of the triangle (a, b, c), and d. */
+#define NETLOFT_BAR_PAIR 0x103u
+#define NETLOFT_TRIANGLE_PAIR 0x104u
 
 /* Offered by an element. */
 typedef struct netloft_rider {
   uint32_t size;
   uint32_t reserved;
-  const char* rides_on; /* an element of the same plugin: this one is made wherever that one is used */
+  const char* rides_on; /* element of the same plugin on whose pairs of neighbours this one is created */
 } netloft_rider;
 
 #ifdef __cplusplus

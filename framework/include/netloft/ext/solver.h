@@ -15,8 +15,8 @@ extern "C" {
 /* An additional value of `want`: residual of the conservative terms, which is the gradient of the energy. */
 #define NETLOFT_WANT_GRADIENT 32u
 
-/* The matrix of the last evaluation that is factorised. With INDEFINITE added, any matrix that is not
- * singular is accepted (LU); without it, a symmetric matrix that is not positive definite is refused at
+/* Selects the matrix of the last evaluation that is factorised. If INDEFINITE is added, any matrix that is
+ * not singular is accepted (LU); otherwise, a symmetric matrix that is not positive definite is refused at
  * little cost. */
 enum netloft_matrix { NETLOFT_EXACT = 0, NETLOFT_CONVEX = 1, NETLOFT_NONE = 2, NETLOFT_INDEFINITE = 16 };
 
@@ -64,14 +64,14 @@ typedef struct netloft_problem {
   /* Counts an iteration at an accepted point u with the given residual. Returns a netloft_progress. The last
    * evaluation need not have been at u. */
   int (*progress)(void* host, const double* u, double energy, const double* residual, const char* note);
-  /* Largest displacement of a node in the step du, divided by the largest element length. */
+  /* Largest displacement of a node in the step du, divided by the length of the longest element. */
   double (*step_length)(void* host, const double* du);
 
   char* message; /* memory for a sentence of the solver */
   uint32_t message_size;
 
-  /* y[i] = sum of |entry| over row i of (matrix + shift x metric), of the last evaluation. They bound its
-   * largest eigenvalue, and serve as masses. */
+  /* y[i] = sum of |entry| over row i of (matrix + shift x metric), of the last evaluation. The largest of
+   * them bounds the largest eigenvalue; dynamic relaxation uses them as masses. */
   int (*row_sums)(void* host, int matrix, double shift, double* y);
   /* Negative eigenvalues of the last matrix factorised with INDEFINITE, or -1 if not known. */
   int (*negative_pivots)(void* host);

@@ -13,15 +13,15 @@ extern "C" {
 
 #define NETLOFT_EXT_STRATEGY "netloft.strategy/1"
 
-/* An easier variant of a scene, described by values that need no knowledge of elements. The host uses the
- * roles of parameters to find those that each value changes. */
+/* An easier variant of a scene, described by numbers that do not refer to particular elements. The host uses
+ * the roles of parameters (NETLOFT_STIFFNESS …) to find those that each number changes. */
 typedef struct netloft_variant {
   uint32_t size;
   uint32_t level; /* mesh: 0 the scene's own, 1, 2, … each with about half as many cells along a side */
-  double
-      stiffness_cap; /* [N] stiffnesses of a part are lowered together until none exceeds it; 0: as written */
-  double compression; /* factor on the stiffness of slack members, in [0, 1] */
-  double current;     /* factor on the current, in [0, 1] */
+  double stiffness_cap; /* [N] all stiffnesses of a part are lowered by one factor, so that none exceeds it;
+                           0: unchanged */
+  double compression;   /* factor on the stiffness of slack members, in [0, 1] */
+  double current;       /* factor on the current, in [0, 1] */
 } netloft_variant;
 
 /* Traits of the scene of a search, in addition to NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC. */
@@ -30,7 +30,7 @@ enum netloft_search_trait {
   NETLOFT_SEARCH_FLOWS = 1 << 21,       /* there is a current */
   NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of slack members is not zero */
   NETLOFT_SEARCH_MEMBERS =
-      1 << 23 /* `members` works: tension is borne by members, on nodes that move freely */
+      1 << 23 /* `members` works: members bear tension, and all nodes move along x, y, z */
 };
 
 /* The end of a stage, as assessed by the host. */
@@ -39,7 +39,7 @@ enum netloft_ending {
   NETLOFT_ENDED_UNSTABLE = 1,      /* forces balance, and a small disturbance grows */
   NETLOFT_ENDED_NOT_CONVERGED = 2, /* the solver found no further step */
   NETLOFT_ENDED_OUT_OF_WORK = 3,   /* its budget of work or of iterations was used up */
-  NETLOFT_ENDED_UNSETTLED = 4,     /* it moved farther than `path`, or without end */
+  NETLOFT_ENDED_UNSETTLED = 4,     /* its path exceeded `path`, or it ran away */
   NETLOFT_ENDED_INTERRUPTED = 5    /* by the user or the time limit: return */
 };
 
@@ -47,13 +47,13 @@ enum netloft_stability {
   NETLOFT_STABILITY_UNKNOWN = 0,
   NETLOFT_STABLE = 1,
   NETLOFT_NEUTRAL = 2,  /* some motion meets no resistance */
-  NETLOFT_MARGINAL = 3, /* growth cannot be distinguished from none: growth.hpp */
+  NETLOFT_MARGINAL = 3, /* growth cannot be distinguished from none (framework/judging/growth.hpp) */
   NETLOFT_UNSTABLE = 4
 };
 
 enum netloft_stage_flag {
-  NETLOFT_COMPENSATED = 1 /* positions keep the digits that double precision rounds off; slower, for what
-                             rounding alone keeps from balance */
+  NETLOFT_COMPENSATED = 1 /* positions keep the digits that double precision rounds off: slower, for scenes in
+                             which rounding alone prevents balance */
 };
 
 /* One solve of one variant: its task and its result. The unit of work is one factorisation of the tangent of
@@ -62,25 +62,24 @@ typedef struct netloft_stage {
   uint32_t size;
   uint32_t flags; /* netloft_stage_flag */
   netloft_variant variant;
-  const char* name;       /* purpose in a few words, for the report */
+  const char* name;       /* purpose of the stage in a few words, for the report */
   const char* solver;     /* "ptc"; null: the solver of the analysis, with its parameters */
   const char* parameters; /* "method=classic,damping=1"; null: no others */
   double tolerance;       /* largest residual over the largest load; 0: that of the analysis */
   double work;            /* budget; 0: all that is left of the search */
-  double path;            /* limit of the path of nodes over the gear's size; 0: none */
+  double path;            /* limit of the sum of largest nodal displacements / gear size; 0: none */
   uint32_t iterations;    /* limit; 0: that of the analysis */
   uint32_t reserved;
-  double*
-      u; /* displacements of the unknowns of the variant's level: in, where to start; out, where it ended */
+  double* u; /* displacements of the unknowns of the variant's level; in: initial guess, out: final point */
 
   uint32_t ending, stability;    /* netloft_ending, netloft_stability */
   double residual, load, energy; /* largest residual and load on a node [N], [N]; [J] */
-  double rounding;               /* force by rounding of the positions [N] */
+  double rounding;               /* residual that rounding of the positions can cause [N] */
   double spent;                  /* work */
   uint32_t iterations_done, factorisations;
-  const double*
-      growing;        /* a disturbance that grows, as long as u; null: not known. Valid until the next call */
-  double growth_rate; /* of the disturbance [1/s]; zero if it is not known */
+  const double* growing; /* a disturbance that grows, with as many entries as u; null: not known. Valid until
+                            the next call */
+  double growth_rate;    /* of the disturbance [1/s]; zero if it is not known */
   double growth_frequency; /* of its oscillation [rad/s] */
 } netloft_stage;
 
@@ -93,7 +92,7 @@ typedef struct netloft_members {
   uint32_t unknowns, dofs;      /* lengths of u, of a residual */
   uint32_t parts;               /* parts of the scene */
   uint32_t traits;              /* NETLOFT_SYMMETRIC: of the tangent of the other forces */
-  void* host;                   /* valid until another function of the search is called */
+  void* host;                   /* the struct is valid until another function of the search is called */
   const netloft_member* member; /* [count] */
   const uint32_t* part;         /* [count] part of the scene that a member belongs to */
   double largest_coordinate;    /* [m] at the start, to estimate rounding */
@@ -102,38 +101,40 @@ typedef struct netloft_members {
   int (*chords)(void* host, const double* u, double* w);
   /* Computes the changes w[count][3] of the chords in a step of the unknowns [m]. */
   int (*changes)(void* host, const double* step, double* w);
-  /* Computes the residual of all other forces at u [N], dofs long, and stores their tangent. Any result other
-   * than NETLOFT_OK: there are no forces at u. */
+  /* Computes the residual of all other forces at u [N], dofs long, and stores their tangent. If the result is
+   * not NETLOFT_OK, the forces are not defined at u. */
   int (*evaluate)(void* host, const double* u, double* residual);
-  /* residual += sum of number c f over the members, f[count][3] [N]. */
+  /* Adds number c f to the residual for every member, with forces f[count][3] [N]. */
   int (*add_forces)(void* host, const double* f, double* residual);
-  /* Sets the matrix: the tangent of the last evaluation + sum of number c c^T K, K[count][9] symmetric [N/m].
+  /* Sets the matrix: the tangent of the last evaluation + sum over members of number (c c^T) K, with
+   * K[count][9] symmetric [N/m].
    */
   int (*set_matrix)(void* host, const double* K);
-  /* Sets the matrix for members with K = a t t^T + b I, lines[count][6] = (t, f, a, b), and adds number c f t
-   * to the residual. */
+  /* Sets the matrix for K = a t t^T + b I, and adds number c f t to the residual for every member, with
+   * lines[count][6] = (t, f, a, b): unit vector, tension [N], a and b [N/m]. */
   int (*set_matrix_along)(void* host, const double* lines, double* residual);
-  /* Factorises the matrix; with NETLOFT_INDEFINITE, any that is not singular. Returns a netloft_factor. */
+  /* Factorises the matrix. With how = NETLOFT_INDEFINITE, any matrix that is not singular is accepted.
+   * Returns a netloft_factor. */
   int (*factorise)(void* host, int how);
   int (*solve)(void* host, const double* rhs, double* x);
   /* Counts an iteration with the given largest residual [N]. Returns a netloft_progress. */
   int (*progress)(void* host, double residual, const char* note);
 } netloft_members;
 
-/* A scene as a strategy sees it, with its easier variants, solved stage by stage within a budget of work. The
- * host counts, assesses and keeps the statistics; a strategy does not decide that it has converged.
- * Functions take `host` first and return NETLOFT_OK, or NETLOFT_ERROR with a sentence in `message`. */
+/* A scene as a strategy sees it, with its easier variants, which are solved stage by stage within a budget of
+ * work. The host counts work, assesses points and decides on convergence; a strategy does not. Functions take
+ * `host` first and return NETLOFT_OK, or NETLOFT_ERROR with a sentence in `message`. */
 typedef struct netloft_search {
   uint32_t size;
   uint32_t unknowns;
-  uint32_t levels; /* largest number of meshes, at least one; see `size_of` */
+  uint32_t levels; /* number of meshes at most, at least one; see `size_of` */
   uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC, netloft_search_trait */
   void* host;
-  const double* start; /* displacements to start from, `unknowns` long; null: from the sketch */
+  const double* start; /* displacements to start from [unknowns]; null: from the positions of the scene */
   double gear_size;    /* largest distance of nodes at the start [m] */
   double element_size; /* longest element at the start [m] */
   double load;         /* sum of the forces that drive the gear at the start [N] */
-  double largest_load; /* largest of them on a node [N] */
+  double largest_load; /* largest nodal force of them [N] */
   double stiffness;    /* largest axial stiffness [N] */
   uint32_t member_count;
   uint32_t message_size;
@@ -142,22 +143,25 @@ typedef struct netloft_search {
   /* Number of unknowns of a level; zero if there is no such level. */
   uint32_t (*size_of)(void* host, uint32_t level);
   int (*solve)(void* host, netloft_stage* stage);
-  /* Lets another strategy solve a stage: the variant is its scene, stage.work its budget. */
+  /* Lets another strategy solve a stage: the stage's variant is its scene, and stage.work its budget. */
   int (*call)(void* host, const char* strategy, const char* parameters, netloft_stage* stage);
   /* Interpolates displacements from one level to another. */
   int (*transfer)(void* host, uint32_t from, const double* u, uint32_t to, double* out);
   /* Assesses stage.u without solving anything. */
   int (*assess)(void* host, netloft_stage* stage);
-  /* Gives r(u) = 0 of a variant, with stage.u as its u and the budget stage.work, to a strategy with a method
-   * of its own. The caller sets `problem->size` to the size of its struct, and the host to the size that it
-   * filled. The problem is valid until another function of the search is called. Then call `assess`. */
+  /* Gives the problem r(u) = 0 of a variant to a strategy with a method of its own, with stage.u as its u and
+   * the budget stage.work. The caller sets `problem->size` to the size of its struct; the host sets it to the
+   * size that it filled. The problem is valid until another function of the search is called. Afterwards,
+   * `assess` computes the result. */
   int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
-  /* Gives the members of a variant in the same way, if the search has NETLOFT_SEARCH_MEMBERS. */
+  /* Gives the members of a variant in the same way; the search must have NETLOFT_SEARCH_MEMBERS. */
   int (*members)(void* host, netloft_stage* stage, netloft_members* members);
-  /* Budget that is left; never negative. If it is zero, also after an interruption by the user, return. */
+  /* Work that is left; never negative. If it is zero, also after an interruption by the user, the strategy
+   * must return. */
   double (*work_left)(void* host);
-  /* Reports an equilibrium of the scene itself. May be called again for another one. The host assesses each
-   * and chooses a converged one if there is any, then the least energy if forces have one, then the first. */
+  /* Reports an equilibrium of the scene itself. May be called again for another one. The host assesses all of
+   * them and chooses: a converged one if there is any; among several, that of least energy if all forces have
+   * an energy, otherwise the first. */
   int (*answer)(void* host, const double* u);
 } netloft_search;
 
