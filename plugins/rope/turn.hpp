@@ -29,7 +29,7 @@ struct Turn {
   bool is_inside(const std::array<double, 2>& rest_length) const {
     return l[0] > kShortest * rest_length[0] && l[1] > kShortest * rest_length[1];
   }
-  /// ∂²c/∂w_a∂w_b, (3) and (4).
+  /// Entry (r, s) of ∂²c/∂w_a∂w_b, by (3) if a = b, else by (4).
   double second(int a, int b, int r, int s) const {
     const auto across = [this](int k, int i, int j) { return (i == j ? 1 : 0) - t[k][i] * t[k][j]; };
     if (a == b) return -(t[a][r] * g[a][s] + g[a][r] * t[a][s]) / l[a] - c * across(a, r, s) / (l[a] * l[a]);
@@ -47,7 +47,7 @@ struct OfCosine {
   double E, E1, E2;
 };
 
-/// Fills in energy, force and tangent.
+/// Fills in energy, force and tangent of an energy f of c.
 inline void add_of_cosine(const Turn& q, const OfCosine& f, const State<3>& s, Local<3>& out) {
   constexpr double chord[2][3] = {{-1, 1, 0}, {0, -1, 1}};  // w_k = Σ chord[k][p] x_p
   out.energy = f.E;

@@ -54,7 +54,7 @@ void remember(const Vec3<double>& anchor, bool has_past, std::size_t lane, netlo
   state_new[at(3, lane)] = has_past ? 1 : 0;
 }
 
-/// Adds the friction of a bed at rest, plane.hpp (4) to (7).
+/// Adds the friction of a bed at rest, on which the node sticks or slides: plane.hpp (4) to (7).
 void hold(const OnBed::Parameters& p, const OnBed::Data& d, const OnBed::Whole& whole, std::size_t lane,
           netloft_tile& t) {
   const Vec3<double> x = read(t.x, lane);

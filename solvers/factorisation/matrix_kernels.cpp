@@ -30,8 +30,8 @@ NETLOFT_INLINE void add(const double* x, std::ptrdiff_t count, double* y) {
   if (i < count) y[i] += x[i];
 }
 
-/// Adds the columns of a child that are pivots of the front to the left panel. In the other columns, the rows
-/// that are pivots are added to the upper panel.
+/// Adds the update of a child: columns that are pivots of the front to the left panel; in other columns, rows
+/// that are pivots to the upper panel, and the rest to C.
 template <class Register>
 NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {
   const std::ptrdiff_t n = f.pivots, from = upper_stride(child.others), left = left_stride(n, f.others),

@@ -62,7 +62,7 @@ int solve_with_factor(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b,
   });
 }
 
-// --- owners of KINSOL's objects
+// Deleters, for owners of KINSOL's objects.
 struct FreeMatrix {
   void operator()(SUNMatrix m) const { SUNMatFreeEmpty(m); }
 };

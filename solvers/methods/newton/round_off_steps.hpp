@@ -38,7 +38,7 @@ class RoundOffSteps {
   RoundOffSteps(const Newton::Parameters& parameters, Problem& problem, NearlyDefinite& nearly_definite,
                 NegativeCurvature& curvature);
 
-  /// Moves u by the whole step, or by (7).
+  /// Moves u by the whole step, or by a part of it by the slope, (7).
   Step take(Iterate& iterate, const Direction& direction);
   /// Tries the undamped K, once at every point, after a damped step that has not moved u. If K is positive
   /// definite or unsymmetric, its step is tried by the same two rules. If all forces have an energy and K is

@@ -101,7 +101,7 @@ class Motion {
 
   bool is_past_peak() const { return kinetic_[2] < kinetic_[1]; }
 
-  /// Returns to the peak by (4). The velocity of (4) led to u: it is that before the last update, v + r/m.
+  /// Returns to the peak by (4). The velocity v in (4) is the one before the last update (2), here v + r/m.
   bool return_to_peak() {
     const auto [before, peak, after] = kinetic_;
     const double q = (peak - after) / (2 * peak - after - before);

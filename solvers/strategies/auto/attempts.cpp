@@ -30,9 +30,10 @@ struct Row {
 /// The attempts in their order, each with a test of which scenes it suits. The order was chosen on random
 /// variants of the hard cases of tests/stability.
 const Row kTable[] = {
-    // `by=auto` solves the coarser mesh with this strategy, which begins with a still coarser mesh if there
-    // is one. On the finer mesh it remains to determine which members are slack: Newton's method does so
-    // member by member, tension/only for all at once.
+    // The strategy auto itself solves the coarser mesh, from a still coarser one if there is one. On the
+    // finer
+    // mesh it remains to determine which members are slack: Newton's method does so member by member,
+    // tension/only for all at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
      [](const Kind& k) { return k.has_meshes && k.has_loaded_members; }},

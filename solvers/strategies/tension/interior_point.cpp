@@ -66,7 +66,7 @@ bool InteriorPoint::has_converged() const {
   return mu_ <= kSolved * load_ && largest_residual() <= kSolved * load_;
 }
 
-/// Returns the mean of z·y over all bars, weighted by their length.
+/// Returns the mean of z·y over all members, weighted by their length: the μ that the point has reached.
 double InteriorPoint::mean_complementarity() const {
   double sum = 0, length = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {

@@ -7,8 +7,8 @@ namespace netloft::tension {
 
 /// Equilibrium of members that bear tension only, by an interior-point method. Two complementary points z, y
 /// of the second-order cone K (z ∘ y = 0) state whether a member is slack or taut; they are solved for
-/// together with the positions, so that no step has to guess which members are slack. r are all other forces,
-/// w is the chord of a member, n and c are its number and coefficients in netloft_member:
+/// together with the positions, so that no step has to guess which members are slack. A member has tension T,
+/// force vector q, chord w, and number n and coefficients c of netloft_member; r are all other forces:
 ///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
 ///   z ∘ y = μ e,  μ → 0                                                                     (2)
 /// At μ = 0, either T = 0 and the member may have any shorter length, or w has the length l₀ (1 + T/EA) and q
@@ -41,7 +41,7 @@ class InteriorPoint {
 
   InteriorPoint(const Parameters& parameters, netloft_members& members);
 
-  /// Solves from u, which it changes. `load` is the first μ [N], the sum of the forces that drive the gear.
+  /// Solves from u, which it changes. `load` [N], the sum of the forces that drive the gear, is the first μ.
   Ending solve(std::span<double> u, double load);
 
   double largest_residual() const { return largest_of({residual_.data(), members_.unknowns()}); }
@@ -49,7 +49,7 @@ class InteriorPoint {
 
  private:
   struct State {
-    double z0;  // the rest of z is w/l₀
+    double z0;  // first coordinate of z; the others are w/l₀
     cone::Point y;
     cone::Point dz{}, dy{};  // the step
   };

@@ -4,7 +4,7 @@
 
 namespace netloft::hard_cases {
 
-/// How one column did on all rows, or on those of one kind.
+/// The counts of one column, a solver or strategy, over all cases or over those of one kind.
 struct Tally {
   std::string solver;
   std::size_t cases = 0;
