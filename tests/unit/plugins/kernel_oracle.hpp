@@ -9,7 +9,7 @@
 
 namespace netloft {
 
-/// A tile of 64 lanes of one element with all outputs.
+/// A tile of 64 lanes of one element type, with room for all outputs.
 template <int Nodes>
 struct TestTile {
   static constexpr std::size_t dofs = 3 * Nodes, entries = dofs * (dofs + 1) / 2;
@@ -27,7 +27,7 @@ struct TestTile {
   netloft_tile t{};
 };
 
-/// A family of 64 elements that all have the same parameters, filled as its plugin would.
+/// A family of 64 elements with the same parameters, filled in as its plugin fills it.
 template <class E>
 Family<E> make_family(const typename E::Parameters& parameters, const std::vector<typename E::Data>& data) {
   Family<E> f;
@@ -39,7 +39,7 @@ Family<E> make_family(const typename E::Parameters& parameters, const std::vecto
   return f;
 }
 
-/// The oracle: Term::oracle differentiated twice by dual numbers.
+/// The energy Term::oracle in dual numbers, which contain its first and second derivatives.
 template <class E, class Term, int Nodes>
 Dual<3 * Nodes> oracle(const typename E::Parameters& p, const typename E::Data& d, const Water& w,
                        const TestTile<Nodes>& tile, std::size_t lane) {
@@ -50,7 +50,7 @@ Dual<3 * Nodes> oracle(const typename E::Parameters& p, const typename E::Data& 
   return Term::oracle(p, d, w, x);
 }
 
-/// Largest difference of `count` numbers of a lane to what they should be, over the largest of those.
+/// Largest difference of the numbers of a lane to the expected ones, over the largest expected one.
 template <class Expected>
 double relative_error(const double* found, const Expected& expected, std::size_t lane) {
   double error = 0, size = 0;
@@ -61,7 +61,7 @@ double relative_error(const double* found, const Expected& expected, std::size_t
   return error == 0 ? 0 : error / size;
 }
 
-/// Energy, force and (unless constant) tangent of the kernel against the oracle in every lane.
+/// Compares energy, force and (unless constant) tangent of Term::tile with the oracle in every lane.
 template <class E, class Term, int Nodes>
 void expect_kernel_matches_oracle(const typename E::Parameters& p, const std::vector<typename E::Data>& data,
                                   const Water& water, TestTile<Nodes>& tile, bool constant) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The flat plate of board/otter compared with a vortex lattice at small angles, and with known values at
-// others.
+// larger angles.
 #include "plugins/board/plate.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(FlatPlate, IsTheSamePlateSeenFromItsOtherEdge) {
 TEST(FlatPlate, IsHalfOfOneOfTwiceTheSpanOnTheBed) {
   const Vec3<double> w{std::cos(0.5), std::sin(0.5), 0};
   const auto on_bed = plate_force(w, 2.7, 1.8, 1.0), whole = plate_force(w, 2.7, 3.6);
-  EXPECT_NEAR(on_bed.normal, whole.normal, 0.03);  // but for C_90
+  EXPECT_NEAR(on_bed.normal, whole.normal, 0.03);  // different only because the bed does not change C_90
   EXPECT_NEAR(on_bed.ahead_chord, whole.ahead_chord, 1e-12);
 }
 
@@ -81,7 +81,8 @@ TEST(FlatPlate, HasNoJumpAnywhere) {
   }
 }
 
-/// Square plates lift most near 34°, twice as wide ones near 24°, by some 1.1 and 1.0 (Hoerner and Borst).
+/// Square plates have the greatest lift coefficient, about 1.1, near 34°; plates of twice the width have 1.0
+/// near 24° (Hoerner and Borst).
 TEST(FlatPlate, StallsWhereSquareAndWidePlatesDo) {
   for (const auto& [aspect, angle] : {std::pair{1.0, 36.0}, std::pair{2.0, 26.0}}) {
     double best = 0, most = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// catch/front by hand, against the volume of a box, and its tangent against differences.
+// catch/front compared with values by hand and the volume of a box, and its tangent with differences.
 #include "plugins/catch/front.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ State<4> triangle(const Vec3<double>& a, const Vec3<double>& b, const Vec3<doubl
 
 State<4> somewhere(double front) { return triangle({0.3, -0.2, 1}, {1.4, 0.1, 1.2}, {0.5, 0.9, 0.4}, front); }
 
-/// A box open towards −x, from x = 0 to 2, of which y and z go from 0 to 1: its volume behind ξ is 2 − ξ.
+/// The volume behind a front at ξ in a box that is open towards −x: x from 0 to 2, y and z from 0 to 1, so
+/// that it is 2 − ξ.
 double volume_of_box(double front, double direction = 0) {
   const std::array<Vec3<double>, 8> x{
       {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1}}};
@@ -103,7 +104,7 @@ TEST(CatchFront, HasTheDerivativeOfItsForceAsTangent) {
   }
 }
 
-/// Halfway between 20 % and all of 0.7 m³ there are 60 % of it, and 20 % before.
+/// The table rises from 20 % to 100 % of 0.7 m³: in the middle it gives 60 %, and 20 % before it begins.
 TEST(CatchFront, GrowsByItsTable) {
   const double table[] = {10, 0.2, 20, 1};
   auto p = pressing(120, 0.7);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// catch/pressure by hand, against the gradient of the enclosed volume, and its tangent against dual numbers
-// and differences.
+// catch/pressure compared with values by hand and the gradient of the enclosed volume, and its tangent with
+// dual numbers and differences.
 #include "plugins/catch/pressure.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ Pressure::Parameters filled(double pressure, double volume) {
   return p;
 }
 
-/// A triangle with the front so far from the aft edge.
+/// A triangle, with the front at `front` meshes from the aft edge.
 State<4> somewhere(double front = 1e6) {
   State<4> s;
   s.x = {{{0.3, -0.2, 1}, {1.4, 0.1, 1.2}, {0.5, 0.9, 0.4}, {front, 0, 0}}};
@@ -53,7 +53,7 @@ TEST(CatchPressure, PushesATriangleTowardsTheSideThatSeesItCounterClockwise) {
     EXPECT_EQ(out.force[i].x, 0);
     EXPECT_EQ(out.force[i].y, 0);
   }
-  EXPECT_EQ(out.force[3].x, 0);  // the front is where it is said to be
+  EXPECT_EQ(out.force[3].x, 0);  // the position of the front is given
 }
 
 TEST(CatchPressure, IsThatOfTheFlowTheCatchStops) {
@@ -75,8 +75,8 @@ TEST(CatchPressure, CountsThePartOfATriangleBehindTheFront) {
   EXPECT_NEAR(fraction({0, 2, 2}, 1), 0.25, 1e-15);
 }
 
-// (2-1)/(2-1) and (2-1)/(4-1) of two sides are behind the front: a triangle whose middle is that of its
-// corners.
+// Behind the front are (2-1)/(2-1) and (2-1)/(4-1) of two sides. They span a triangle, whose centroid is the
+// mean of its corners.
 TEST(CatchPressure, ActsInTheMiddleOfThePartBehindTheFront) {
   const std::array<double, 3> s{2, 4, 1};
   const State<4> state = somewhere(2);
@@ -94,7 +94,7 @@ TEST(CatchPressure, ActsInTheMiddleOfThePartBehindTheFront) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(pressed[axis], all[axis] - bare[axis] / 6, 1e-15);
 }
 
-/// (2), (3) with dual numbers.
+/// The tangent is compared with (2), (3) of pressure.hpp in dual numbers.
 TEST(CatchPressure, HasTheDerivativeOfItsForceAsTangent) {
   State<4> s = somewhere();
   s.cu = 0.7;
@@ -112,7 +112,7 @@ TEST(CatchPressure, HasTheDerivativeOfItsForceAsTangent) {
   }
 }
 
-/// All of (4), (8), (9), on both branches of (5), along every axis.
+/// Checks (4), (8) and (9) of pressure.hpp on both branches of (5), along every axis.
 TEST(CatchPressure, HasTheDerivativeOfItsVolumeAndFrontAsTangent) {
   for (const double front : {1.5, 3.0})
     for (const std::int64_t across : {0, 1, 2}) {
@@ -146,7 +146,7 @@ TEST(CatchPressure, SharesTheVolumeThatIsWantedOutAmongItsTriangles) {
   EXPECT_NEAR(out.force[3].x, -10.0 / 2 * 8 / 5, 1e-14);  // p / ∛8 × 8 m³ / 5
 }
 
-/// Halfway between 20 % and all of 8 m³ there are 60 % of it.
+/// The table rises from 20 % to 100 % of 8 m³: in the middle it gives 60 %.
 TEST(CatchPressure, GrowsByItsTable) {
   const double table[] = {10, 0.2, 20, 1};
   auto p = filled(120, 8);
@@ -228,7 +228,7 @@ TEST(CatchVolume, IsThatOfAClosedSurfaceAlongEveryAxis) {
   }
 }
 
-/// A pyramid of base 4 m² and height 3 m whose base, the front, is open; pitched, and somewhere else.
+/// A pyramid with an open base of 4 m², the front, and a height of 3 m; it is pitched and displaced.
 TEST(CatchVolume, NeedsNoNettingAtTheFrontOfWhatIsTheSameOnBothSides) {
   const double c = std::cos(0.4), s = std::sin(0.4);
   Closed pyramid;
@@ -236,7 +236,7 @@ TEST(CatchVolume, NeedsNoNettingAtTheFrontOfWhatIsTheSameOnBothSides) {
   for (auto& x : pyramid.x) x = {c * x.x - s * x.z - 7, x.y, s * x.x + c * x.z - 50};
   pyramid.faces = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
   EXPECT_NEAR(volume(pyramid, {}), 4.0, 1e-13);
-  // Half of it ends in the plane of the middle.
+  // Half of the pyramid, cut at the plane in the middle of the cod-end.
   pyramid.x[1].y = pyramid.x[2].y = 0;
   EXPECT_NEAR(volume(pyramid, {}), 2.0, 1e-13);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Logarithms, exponentials and powers of lanes against those of the C library in long double, over their
-// whole range.
+// Logarithms, exponentials and powers of lane_number.hpp compared with those of the C library in long double,
+// over their whole range.
 #include "plugins/common/lane_number.hpp"
 
 #include "plugins/common/sphere.hpp"
@@ -57,7 +57,7 @@ TEST(LaneExponential, IsWithinOneUnitInTheLastPlace) {
   EXPECT_EQ(lane::exp(0), 1);
 }
 
-// The half unit of ln x, times p ln x, and those of the exponential.
+// The error of a power is half a unit of ln x times p ln x, plus the error of the exponential.
 TEST(LaneNumber, PowersDeviateByTheRoundingOfTheirLogarithm) {
   std::mt19937_64 random(3);
   for (int i = 0; i < kSamples; ++i) {
@@ -84,8 +84,8 @@ TEST(LaneNumber, HasTheDerivativesOfDualNumbers) {
   }
 }
 
-/// The drag of spheres over a loop of `count` lanes. Compilers take several lanes at once only if all calls
-/// in it are inlined.
+/// The drag of spheres in a loop over `count` lanes. Compilers vectorise the loop only if all calls in it are
+/// inlined.
 [[gnu::flatten]] std::vector<double> sphere_drags(const double* Re, std::size_t count) {
   std::vector<double> drag(count);
   for (std::size_t i = 0; i < count; ++i) drag[i] = sphere_phi(LaneNumber::variable(Re[i])).value;

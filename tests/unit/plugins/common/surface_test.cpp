@@ -34,7 +34,7 @@ struct OneEndAt {
   Family<Bar> family;
   TestTile<2> tile;
   double lost_lift() const { return tile.force[2 * kLanes]; }
-  double stiffness() const { return tile.tangent[5 * kLanes]; }  // of z and z
+  double stiffness() const { return tile.tangent[5 * kLanes]; }  // vertical force by vertical displacement
 };
 
 const double kLift = kVolume / 2 * 1000 * 10;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// float/box by hand, and its tangents against differences.
+// float/box compared with values by hand, and its tangents with differences.
 #include "plugins/float/box.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// float/float by hand, and its drag tangent against dual numbers.
+// float/float compared with values by hand, and its drag tangent with dual numbers.
 #include "plugins/float/float.hpp"
 #include "plugins/common/sphere.hpp"
 
@@ -26,7 +26,7 @@ State<1> somewhere() {
 
 TEST(Float, LiftsByItsShareOfTheGivenBuoyancy) {
   Float::Parameters p;
-  p.buoyancy = 24.6, p.volume = 99, p.mass = 1;  // what is given has the last word
+  p.buoyancy = 24.6, p.volume = 99, p.mass = 1;  // a given buoyancy overrides volume and mass
   Local<1> out;
   ASSERT_EQ(Float::Buoyancy::evaluate(p, {2.5}, somewhere(), out), Status::ok);
   EXPECT_DOUBLE_EQ(out.force[0].z, -61.5);  // residual: minus the force

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// force/constant by hand.
+// force/constant compared with values by hand.
 #include "plugins/force/constant.hpp"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@ namespace netloft {
 
 inline constexpr double kDensity = 1025, kViscosity = 1.19e-6;
 
-/// 64 calls of a law with all outputs.
+/// A tile of 64 flows for a law, with room for all its outputs.
 struct TestFlow {
   explicit TestFlow(std::uint32_t count = NETLOFT_LANES) {
     f.size = sizeof f, f.count = count;
@@ -69,7 +69,7 @@ double lane_error(const double (&found)[Rows][kLanes], const double (&expected)[
   return error == 0 ? 0 : error / size;
 }
 
-/// `lanes` against `force` differentiated by dual numbers.
+/// Compares L::lanes with L::force, differentiated by dual numbers.
 template <class L>
 void expect_lanes_match_oracle(const typename L::Parameters& p, TestFlow& t) {
   TestFlow oracle = t;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Laws of netting as a screen against the dual numbers of their formulas, and against the published
+// Laws of netting as a screen compared with their formulas in dual numbers and with the published
 // polynomials.
 #include "plugins/hydro/screen.hpp"
 
@@ -45,7 +45,7 @@ TYPED_TEST(ScreenAtOneReynoldsNumber, LanesMatchTheDualNumbersOfTheScaledFormula
   }
 }
 
-/// C_n = 1.1 + 4/√Re between 30 and 10⁵.
+/// The cylinder has C_n = 1.1 + 4/√Re between Re = 30 and 10⁵.
 TYPED_TEST(ScreenAtOneReynoldsNumber, FollowsTheDragOfACylinder) {
   const Vec3<double> normal{0.8, 0, 0.6};
   const double nu = 1.19e-6, Re = 1 * kTwine / nu;
@@ -59,7 +59,7 @@ TYPED_TEST(ScreenAtOneReynoldsNumber, FollowsTheDragOfACylinder) {
 
 constexpr auto kTakagi = static_cast<std::int64_t>(hydro::Cylinder::takagi);
 
-/// C_n goes with Re^−0.3 between 14 and 160.
+/// Takagi's cylinder has C_n proportional to Re^−0.3 between Re = 14 and 160.
 TYPED_TEST(ScreenAtOneReynoldsNumber, FollowsTakagisCylinderIfAskedTo) {
   const Vec3<double> normal{0.8, 0, 0.6};
   const double fast = 120 * kViscosity / kTwine, slow = 30 * kViscosity / kTwine;
@@ -69,7 +69,8 @@ TYPED_TEST(ScreenAtOneReynoldsNumber, FollowsTakagisCylinderIfAskedTo) {
   EXPECT_NEAR(std::log(at_fast / at_slow) / std::log(4), 1.7, 1e-9);
 }
 
-/// Coefficients of drag and lift at an angle of the flow to the normal, from the force.
+/// Returns the coefficients of drag and lift that follow from the force, at an angle of the flow to the
+/// normal.
 template <class L>
 std::pair<double, double> coefficients(double degrees, double S, double V = 1,
                                        const ScreenParameters& p = kOpen) {
@@ -155,7 +156,7 @@ TEST(Knotted, LanesMatchTheDualNumbersOfTheFormula) {
   }
 }
 
-/// Drag and lift at an angle of attack, over those of the twines' area, S = 0.2.
+/// Drag and lift coefficients on the area of the twines at an angle of attack, S = 0.2.
 std::pair<double, double> knotted_coefficients(double attack, const KnottedParameters& p) {
   const double theta = (90 - attack) * std::numbers::pi / 180, q = 0.5 * kDensity * 0.2;
   const auto f = force_of<Knotted>(p, {1, 0, 0}, {std::cos(theta), 0, std::sin(theta)}, kTwine, 0.2);

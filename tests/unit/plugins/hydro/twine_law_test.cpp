@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Laws of twines and ropes compared with dual numbers of their formulas, by hand, and at 0/0.
+// Laws of twines and ropes compared with their formulas in dual numbers and with values by hand, also where a
+// formula is 0/0.
 #include "plugins/hydro/morison.hpp"
 #include "plugins/hydro/netting_twine.hpp"
 #include "plugins/hydro/reynolds.hpp"
@@ -64,7 +65,7 @@ TEST(MorisonReynolds, LanesMatchTheDualNumbersOfTheFormula) {
   }
 }
 
-// Choo and Casarella 1971, computed apart from the published pieces.
+// Expected values: computed separately from the published formulas of Choo and Casarella 1971.
 TEST(MorisonReynolds, HasThePublishedCoefficientsAwayFromTheJoints) {
   EXPECT_NEAR(drag_coefficient(0.1), 55.641992, 1e-6);
   EXPECT_NEAR(drag_coefficient(0.5), 16.415579, 1e-6);
@@ -158,7 +159,7 @@ TEST(NettingTwine, LanesMatchTheDualNumbersOfTheFormula) {
     }
 }
 
-/// Everything that a law writes for flows `first` to `first` + `count` of `all`.
+/// Returns what a law writes for `count` flows of `all`, from `first` on, in a tile of their own.
 template <class L>
 TestFlow alone(const typename L::Parameters& p, const TestFlow& all, std::size_t first, std::uint32_t count) {
   TestFlow t(count);
@@ -211,8 +212,8 @@ TEST(NettingTwine, IsACylinderAcross) {
   EXPECT_NEAR(pull(90, 100, {1, 0, 2.5, 1}), 1.2589254, 1e-6);
 }
 
-// At 30° of Re = 200: across 100, so that 1.5 sin³ 30° is dragged across and 2π (0.55 √100 + 0.084 100^⅔)/200
-// cos² 30° along, within 1 % of it, for the flow along counts a little.
+// At 30° and Re = 200, the Reynolds number across is 100. The force along the flow is 1.5 sin³ 30° from drag
+// across and 2π (0.55 √100 + 0.084 100^⅔)/200 cos² 30° from friction, within 1 % because ε is not zero.
 TEST(NettingTwine, HasThePublishedFrictionAlong) {
   const double along = 2 * std::numbers::pi * (0.55 * 10 + 0.084 * std::pow(100, 2.0 / 3)) / 200 * 0.75;
   EXPECT_NEAR(pull(30, 200, {1, 0, 2.5, 0}) - 1.5 * 0.125, along, 0.01 * along);

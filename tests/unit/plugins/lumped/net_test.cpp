@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// lumped/net: against its energies differentiated by dual numbers, and as that many ropes side by side. The
-// formulas of one bar are compared with their own oracles in tests/unit/plugins/rope.
+// lumped/net compared with its energies differentiated by dual numbers, and with as many ropes side by side.
+// The formulas of one bar are tested in tests/unit/plugins/rope.
 #include "plugins/lumped/net.hpp"
 
 #include "plugins/hydro/morison.hpp"
@@ -46,7 +46,7 @@ TEST(LumpedNet, MatchesItsOracleWhenTaut) { expect_matches_oracle<Net::Elastic>(
 TEST(LumpedNet, MatchesItsOracleWhenSlack) { expect_matches_oracle<Net::Elastic>(0.1, 0.9, false); }
 TEST(LumpedNet, WeighsWhatItsOracleSays) { expect_matches_oracle<Net::Weight>(0.5, 2, true); }
 
-/// 64 bars that move in a sheared current; full tangent.
+/// A tile of 64 bars that move in a sheared current, with room for the full tangent.
 struct MovingTile {
   MovingTile() {
     std::mt19937_64 random(7);

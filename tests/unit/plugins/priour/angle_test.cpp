@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Resistance to opening and knot contact against their energies differentiated by dual numbers, and by hand.
+// Resistance to opening and knot contact compared with their energies differentiated by dual numbers, and
+// with values by hand.
 #include "plugins/priour/knot_contact.hpp"
 #include "plugins/priour/opening.hpp"
 
@@ -24,7 +25,7 @@ Triangle::Parameters twine(double opening_stiffness, double opening_angle = 0, d
   return p;
 }
 
-/// Triangles of 2 to 6 meshes, either way round; bars of 0.1 m.
+/// Triangles of 2 to 6 meshes, with corners in either sense of rotation; bars of 0.1 m.
 std::vector<Triangle::Data> panels() {
   std::mt19937_64 random(2);
   std::vector<Triangle::Data> all(kLanes);
@@ -36,8 +37,8 @@ std::vector<Triangle::Data> panels() {
   return all;
 }
 
-/// Corners of netting whose meshes have the half angle that `half_angle(lane)` says, in any plane; bars of
-/// 0.07 to 0.13 m.
+/// Places corners so that meshes have the half angle `half_angle(lane)`, in any plane; bars of 0.07 to 0.13
+/// m.
 template <class HalfAngle>
 void place_corners(TestTile<3>& tile, const std::vector<Triangle::Data>& data, HalfAngle&& half_angle) {
   std::mt19937_64 random(3);
@@ -88,8 +89,8 @@ TEST(Opening, MatchesItsOracleWhereTheSeriesTakesOver) {  // e = 0.1 is α = 0.2
   expect_matches<OpeningGiven>(twine(0.3), 0.22, 0.23, 1e-11);
 }
 
-/// α² to three terms of its series in 1 − c: an oracle for nearly closed meshes, with a relative error of e³
-/// in the energy.
+/// The energy with three terms of the series of α² in e = 1 − c, with a relative error of e³: for nearly
+/// closed meshes.
 struct NearlyClosed {
   template <class T>
   static T oracle(const Triangle::Parameters& p, const Triangle::Data& d, const Water&,
@@ -211,7 +212,7 @@ TEST(KnotContact, RefusesKnotsLargerThanMeshes) {
   EXPECT_THROW(Triangle::check(twine(0, 0, 0.2), {{0, 1, 0}, {0, 0, 1}, 0.1}), std::invalid_argument);
 }
 
-/// The exact tangent and the convex part of a lane, as squares.
+/// Returns the exact tangent and the convex part of a lane as square matrices.
 template <class Term>
 std::pair<Eigen::MatrixXd, Eigen::MatrixXd> both_matrices(const Family<Triangle>& family, TestTile<3>& tile,
                                                           std::size_t lane) {
@@ -228,7 +229,7 @@ std::pair<Eigen::MatrixXd, Eigen::MatrixXd> both_matrices(const Family<Triangle>
   return {matrix[0], matrix[1]};
 }
 
-/// The convex part must contain all convexity, and must add nothing where the tangent is convex.
+/// The convex part, and its difference from the tangent, must be positive semi-definite, and not much larger.
 template <class Term>
 void expect_convex_part(const Triangle::Parameters& p, double lo, double hi) {
   const auto data = panels();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bending between two triangles of netting against its energy differentiated by dual numbers, and by hand.
+// Bending between two triangles of netting compared with its energy differentiated by dual numbers, and with
+// values by hand.
 #include "plugins/priour/netting_bending.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
@@ -75,7 +76,7 @@ TEST(NettingBending, IsThatOfTheTwinesThatCrossTheEdge) {  // 4 u twines, square
   Local<4> found;
   ASSERT_EQ(Bending::Elastic::evaluate(kTwine, kPair, folded(0.6), found), Status::ok);
   const double energy = -4 * (4 * 2e-3) / 0.8 * std::log((1 + std::cos(0.6)) / 2);
-  EXPECT_NEAR(found.energy, energy, 2e-6 * energy);  // what is left of δ
+  EXPECT_NEAR(found.energy, energy, 2e-6 * energy);  // the effect of δ on open meshes
 }
 
 TEST(NettingBending, TurnsWithTheCoupleOverTheRadius) {  // moment of the force on d about the edge
@@ -87,8 +88,8 @@ TEST(NettingBending, TurnsWithTheCoupleOverTheRadius) {  // moment of the force 
 }
 
 TEST(NettingBending, MeasuresObliqueEdgesInTheMeshesItIsToldOf) {
-  // The edge (1, 1) runs along the N direction of knots: of meshes of half angle β its length is 2 cos β
-  // bars, both twines cross it at β, one per direction and edge.
+  // The edge (1, 1) runs along the N direction of knots. In meshes of half angle β its length is 2 cos β
+  // bars, and one twine of each direction crosses it at the angle β.
   const Bending::Data pair{{0, 1, 1, 0}, {0, 1, 0, 1}, {0.1, 0.1}};
   for (const double beta : {0.3, kPi / 4, 1.1}) {
     const double altitude = 0.1 * std::sin(beta), kb = 2 * 2e-3 * std::pow(std::sin(beta), 2);

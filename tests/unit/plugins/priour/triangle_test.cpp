@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The kernels of priour/triangle against their energies differentiated by dual numbers, and by hand.
+// The terms of priour/triangle compared with their energies differentiated by dual numbers, and with values
+// by hand.
 #include "plugins/priour/triangle.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
@@ -13,7 +14,7 @@ using priour::Triangle;
 constexpr Water kWater{1025, 9.81};
 const Triangle::Parameters kTwine{1e4, 1, 0.004, 1140};
 
-/// Triangles of 2 to 6 meshes, either way round; bars of 0.1 m.
+/// Triangles of 2 to 6 meshes, with corners in either sense of rotation; bars of 0.1 m.
 std::vector<Triangle::Data> panels() {
   std::mt19937_64 random(2);
   std::vector<Triangle::Data> all(kLanes);
@@ -25,7 +26,7 @@ std::vector<Triangle::Data> panels() {
   return all;
 }
 
-/// Corners where both twine directions have bars of about `stretch` x 0.1 m.
+/// Places corners so that the bars of both directions have a length of about `stretch` x 0.1 m.
 void place_corners(TestTile<3>& tile, const std::vector<Triangle::Data>& data, double stretch) {
   std::mt19937_64 random(3);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {

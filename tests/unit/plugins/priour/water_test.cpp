@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Forces of water and motion on netting, against the formulas differentiated by dual numbers, and by hand.
+// Forces of water and motion on netting compared with their formulas in dual numbers, and with values by
+// hand.
 #include <netloft/law.hpp>
 
 #include "plugins/priour/drag.hpp"
@@ -148,7 +149,7 @@ Residual damping(const Corners& k, const Triangle::Data& d, const Triangle::Para
   return r;
 }
 
-/// loss.hpp (1) and (2), written out.
+/// The damping (1), (2) of loss.hpp for both directions of twines.
 Residual loss(const Corners& k, const Triangle::Data& d, const Triangle::Parameters& p) {
   Residual r;
   for (const int direction : {0, 1}) {
@@ -205,7 +206,7 @@ TEST(NettingDrag, MatchesItsOracleTwineByTwine) { expect_matches<Drag>(kTwines, 
 
 TEST(NettingDrag, MatchesItsOracleAsAScreen) { expect_matches<Drag>(kScreens, drag<ScreenLaw>); }
 
-/// Netting ahead of a catch and beside it.
+/// Netting ahead of the front of a catch, in slowed water, and behind it.
 Triangle::Parameters behind_slowed_water() {
   auto p = twine();
   p.slowed_by = 0.7, p.slowed_front = 0.1, p.slowed_radius = 0.3, p.slowed_direction = 0.4;
@@ -227,7 +228,7 @@ TEST(NettingLoss, MatchesItsOracle) {
 
 TEST(NettingInertia, MatchesItsOracle) { expect_matches<Inertia>(kTwines, inertia); }
 
-/// Netting of 10 x 10 bars square to a flow of 2 m/s.
+/// Netting of 10 x 10 bars normal to a flow of 2 m/s.
 struct AcrossTheFlow : Moving {
   AcrossTheFlow() {
     t.count = 1, t.want = NETLOFT_WANT_FORCE, t.tangent = nullptr, t.v = nullptr, t.current_dz = nullptr;

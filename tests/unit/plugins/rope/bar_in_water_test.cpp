@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Drag, damping and inertia of rope/bar: forces and all three tangents against dual numbers of the plain
-// formulas, and by hand.
+// Drag, damping and inertia of rope/bar: forces and all three tangents compared with the formulas in dual
+// numbers, and with values by hand.
 #include "plugins/hydro/morison.hpp"
 #include "plugins/rope/bar.hpp"
 
@@ -69,7 +69,7 @@ struct InertiaOracle {
   }
 };
 
-/// A tile of 64 bars in a sheared current, moving; full tangent.
+/// A tile of 64 bars that move in a sheared current, with room for the full tangent.
 struct MovingTile {
   MovingTile() {
     std::mt19937_64 random(3);
@@ -94,7 +94,8 @@ struct MovingTile {
 
 enum class By { position, velocity, acceleration };
 
-/// Lane i as dual numbers of one of its fields; the current follows the positions.
+/// Lane i in dual numbers; the variables are its positions, velocities or accelerations. The current depends
+/// on the positions.
 Sight<Dual<6, 1>> seen(const MovingTile& m, std::size_t i, By by) {
   using T = Dual<6, 1>;
   Sight<T> s;
@@ -157,7 +158,7 @@ TEST(RopeInertia, MatchesItsDerivativeInAcceleration) {
   expect_force_and_tangent<Bar::Inertia, InertiaOracle>(By::acceleration);
 }
 
-/// One upright bar as long as unstretched, in a current of 1.5 m/s along x.
+/// One upright bar of its unstretched length, in a current of 1.5 m/s along x.
 struct Upright : MovingTile {
   Upright() {
     for (std::size_t i = 0; i < 6 * kLanes; ++i) x[i] = v[i] = a[i] = dz[i] = 0;
@@ -206,7 +207,7 @@ TEST(RopeDamping, ResistsTheRateOfStretch) {
   EXPECT_NEAR(m.force[2 * kLanes], -300 * 0.1 / kLength, 1e-12);
 }
 
-/// loss.hpp (1) and (2), written out.
+/// The damping (1), (2) of loss.hpp for any number type.
 struct LossOracle {
   static constexpr double kLoss = 1e5 * 0.2 / (2 * std::numbers::pi * 4);  // EA η/(2π f)
   template <class T>
@@ -270,7 +271,7 @@ TEST(RopeLoss, IsNothingWhereRopeRunsOffADrumAsItIsStretched) {
   Bar::pack(p, {kLength}, family.lanes_[0], 0);
   family.lanes_[0].changes = true;
   Upright m;
-  m.t.time = 5;  // twice as long, at a tenth of that a second
+  m.t.time = 5;  // the rope is twice as long, and grows by a tenth of that per second
   m.x[5 * kLanes] = 1.001 * 2 * kLength;
   m.v[5 * kLanes] = 1.001 * 0.2 * kLength;
   ASSERT_EQ(Bar::Loss::tile(family, m.t), Status::ok);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The kernels of rope/bar against their energies differentiated by dual numbers, and by hand.
+// The terms of rope/bar compared with their energies differentiated by dual numbers, and with values by hand.
 #include "plugins/rope/bar.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"

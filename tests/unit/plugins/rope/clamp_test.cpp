@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// rope/clamp, and rope/bending by the circle through three nodes: against their energies differentiated by
-// dual numbers, and against moments in closed form.
+// rope/clamp, and rope/bending by the circle through three nodes, compared with their energies differentiated
+// by dual numbers, and with moments in closed form.
 #include "plugins/rope/clamp.hpp"
 
 #include "plugins/rope/mirror.hpp"
@@ -102,7 +102,7 @@ TEST(RopeClamp, HasNoPlaneToTurnBarsInLineIn) {
             Status::outside_domain);
 }
 
-/// A bar from the plane y = 0, and the energy and force of all of its bending against its image.
+/// A bar that begins on the plane y = 0 is compared with rope/bending between the bar and its image.
 TEST(RopeMirror, IsHalfOfTheBendingBetweenABarAndItsImage) {
   for (const auto curvature : {Mirror::of_bars, Mirror::of_nodes}) {
     const Vec3<double> on_plane{1, 0, -3}, end{1.3, 0.5, -3.2}, image{1.3, -0.5, -3.2};

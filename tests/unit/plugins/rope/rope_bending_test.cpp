@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// rope/bending alone (beside stiff bars an error in its tangent would be invisible): against its energy
-// differentiated by dual numbers, and against the moment of the paper's eq. (1).
+// rope/bending alone, because next to stiff bars an error in its tangent would be invisible. It is compared
+// with its energy differentiated by dual numbers, and with the moment of the trawl-gear paper's eq. (1).
 #include "plugins/rope/rope_bending.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
@@ -74,7 +74,7 @@ TEST(RopeBending, MatchesItsOracleAnywhere) {
   }
 }
 
-/// dE/dφ by moving the last node on its circle: force times lever.
+/// Returns dE/dφ for a move of the last node on its circle: force times lever.
 double moment(double phi) {
   const State<3> s = turned(phi);
   Local<3> out;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// seabed/bed: on a plane it equals seabed/plane; on a hill its force is normal to the hill; friction has its
-// magnitude.
+// seabed/bed equals seabed/plane on a plane; on a hill its force is normal to the hill, and its friction has
+// the right magnitude.
 #include "plugins/seabed/bed.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
@@ -75,7 +75,7 @@ TEST(SeabedBed, RubsByItsShareOfTheNormalForceAlongTheGroundThatPasses) {
   EXPECT_EQ(norm(OnBed::Friction::force(firm(), {2, 0}, {}, m)[0]), 0) << "what stands does not rub";
 }
 
-/// In compression at the frequency of the loss factor, it loses η times the energy of the spring per radian.
+/// At the frequency of the loss factor η, a bed in compression loses η times its elastic energy per radian.
 TEST(SeabedBed, LosesItsShareOfASwingInEveryRadian) {
   OnBed::Parameters p = firm();
   p.loss_factor = 0.2, p.loss_frequency = 1.5;
@@ -100,7 +100,7 @@ TEST(SeabedBed, LosesItsShareOfASwingInEveryRadian) {
   EXPECT_EQ(norm(OnBed::Loss::force(p, {2, 0}, {}, m)[0]), 0) << "clear of the bed";
 }
 
-/// Grows from 0.5 ahead of x = 0 to 1.5 behind it; rougher to starboard.
+/// A bottom whose stiffness factor grows from 0.5 at x = -1 to 1.5 at x = 1, with more friction to starboard.
 OnBed::Whole mixed() {
   return {Surface({-1, 1}, {-1, 1}, {0.5, 0.5, 1.5, 1.5}), Surface({-1, 1}, {-1, 1}, {1, 3, 1, 3})};
 }
@@ -138,7 +138,7 @@ TEST(SeabedBed, HasTheForceAndTheStiffnessOfItsEnergyOnAMixedBottom) {
   }
 }
 
-/// A node on a bed at rest, as the host gives it: the bed below, and what the node remembers.
+/// A tile with one node on a bed at rest: the inputs that the host gives, and the memory of the node.
 struct AtRest {
   explicit AtRest(const OnBed::Parameters& p, const OnBed::Whole& whole = {}) {
     family.parameters_ = {p}, family.part_ = {0}, family.data_ = {{2, 0}}, family.wholes_ = {whole};
@@ -199,7 +199,7 @@ TEST(SeabedBed, SticksAndSlidesAsAPlaneWhereItIsLevelAndAtRest) {
   }
 }
 
-/// Central differences on a hill of a mixed bottom.
+/// Compares the tangent with central differences on a hill with a mixed bottom.
 void expect_tangent_of_friction(const Vec3<double>& anchor) {
   AtRest node(sticky(), mixed());
   node.stick_to(anchor);

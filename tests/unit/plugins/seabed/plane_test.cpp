@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// seabed/plane: contact against its energy differentiated by dual numbers in each of its branches, friction
-// by hand and its tangent against differences.
+// seabed/plane: contact is compared with its energy differentiated by dual numbers in each of its branches,
+// friction with values by hand, and the tangent of friction with differences.
 #include "plugins/seabed/plane.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
@@ -23,8 +23,8 @@ Plane::Parameters sloping() {
 
 const std::vector<Plane::Data> kTwoMetres(kLanes, Plane::Data{2, 7});
 
-/// Nodes between `least` and `most` below the sloping bed through the origin, measured along z; near it, so
-/// that depths do not lose their digits.
+/// Places nodes between `least` and `most` below a sloping bed, measured along z; they are near the origin,
+/// so that depths do not lose digits.
 void place_nodes(TestTile<1>& tile, double least, double most) {
   std::mt19937_64 random(5);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -61,7 +61,7 @@ TEST(SeabedContact, CarriesAWireWhereItsWeightSaysSo) {  // ε/2 + w/k below
   State<1> s;
   s.x[0].z = -50 - (kSoft / 2 + 0.1);
   EXPECT_NEAR(Plane::normal_force(p, {2, 0}, s), 2 * 1e4 * 0.1, 1e-9);
-  EXPECT_NEAR(Plane::normal_force(p, {0, 3}, s), 3 * 1e4 * 0.1, 1e-9);  // carries nothing: a metre a piece
+  EXPECT_NEAR(Plane::normal_force(p, {0, 3}, s), 3 * 1e4 * 0.1, 1e-9);  // without length: one metre per piece
 }
 
 TEST(SeabedContact, RefusesToCarryLessThanNothing) {
@@ -69,7 +69,7 @@ TEST(SeabedContact, RefusesToCarryLessThanNothing) {
   EXPECT_THROW(Plane::check(sloping(), {1, -1}), std::invalid_argument);
 }
 
-/// A node 0.11 m deep in a level bed, N = 2000 N on 2 m; the memory of one lane.
+/// A node 0.11 m deep in a level bed, N = 2000 N on 2 m of rope, with the memory of one lane.
 struct OneNode {
   OneNode() {
     p.slope_x = p.slope_y = 0, p.stiffness = 1e4, p.friction = 0.5, p.shear_stiffness = 1e4;
@@ -112,7 +112,7 @@ TEST(SeabedFriction, SlidesBeyondTheShareOfTheNormalForceAndDragsItsAnchorAlong)
   EXPECT_NEAR(n.force[0], 600, 1e-9);  // 0.5 x 2000 N along (0.6, 0.8)
   EXPECT_NEAR(n.force[kLanes], 800, 1e-9);
   n.accept();
-  EXPECT_NEAR(n.state[0], 0.3 - 0.05 * 0.6, 1e-12);  // 1000 N / 2e4 N/m behind
+  EXPECT_NEAR(n.state[0], 0.3 - 0.05 * 0.6, 1e-12);  // the anchor is 1000 N / 2e4 N/m behind
   const double before = n.force[0];
   n.evaluate();
   EXPECT_NEAR(n.force[0], before, 1e-9) << "remembering changes no force";
@@ -204,7 +204,7 @@ TEST(SeabedFriction, IsNothingWithoutAPast) {
   EXPECT_EQ(n.force[0], 0);
 }
 
-/// Central differences of the force on a sloping bed; the tangent is unsymmetric while it slides.
+/// Compares the tangent with central differences on a sloping bed; it is unsymmetric while the node slides.
 void expect_tangent_is_derivative(double way, double depth) {
   OneNode n;
   n.p = sloping();
@@ -233,7 +233,7 @@ TEST(SeabedFriction, HasTheDerivativeAsTangentWhileItSlides) { expect_tangent_is
 TEST(SeabedFriction, HasTheDerivativeAsTangentInTheSoftBed) { expect_tangent_is_derivative(1, 0.5 * kSoft); }
 TEST(SeabedFriction, HasTheDerivativeAsTangentAboveTheBed) { expect_tangent_is_derivative(1, -0.1); }
 
-/// On a sloping, moving bed: with respect to position and to velocity, by central differences.
+/// Compares the tangents by position and by velocity with central differences on a sloping, moving bed.
 void expect_tangent_of_passing_bed(double vx, double vy) {
   OnPassingBed n;
   n.p = sloping();
