@@ -7,18 +7,18 @@
 
 namespace netloft::test {
 
-/// Solves with a solver and its parameters, all else as by default.
+/// Solves with a solver and its parameters, and the defaults for all else.
 inline Solved solve_with(const std::string& solver, const Scene& scene, Values parameters = {},
                          Limits limits = {}) {
-  plugins();  // "test/load" and its like are among the shipped elements from here on
+  plugins();  // registers elements for tests, such as "test/load"
   Solving how;
   how.solver = solver, how.solver_parameters = std::move(parameters), how.limits = limits;
   return solve(scene, how);
 }
 
-/// Two bars of 4 m and 10 kN between supports 6 m apart, their joint pulled down with 4000 N: by Pythagoras
-/// (3, 4, 5) both are 5 m long, pull with 10 kN x 1/4, and carry 4/5 of it each. Node 2 hangs at z = −4 m.
-/// It starts slack, away from the middle and above.
+/// Two bars of 4 m with EA = 10 kN between supports 6 m apart; their joint, node 2, is pulled down with 4000
+/// N. By Pythagoras (3, 4, 5) it hangs at z = −4 m: both bars are 5 m long, have the tension 10 kN x 1/4, and
+/// carry 4/5 of it each. The joint starts above, away from the middle, with slack bars.
 inline Scene two_bar_truss() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -31,8 +31,9 @@ inline Scene two_bar_truss() {
 }
 inline constexpr double kJointOfTruss[] = {0, 0, -4};
 
-/// A bar of 1 m and 100 N from its top at the origin, pulled down at its end with 50 N and pushed sideways by
-/// a force that turns with the bar: no energy, unsymmetric tangent. Without the push, 1.5 m long in balance.
+/// A bar of 1 m with EA = 100 N hangs from the origin; its end is pulled down with 50 N and pushed sideways
+/// by a force that turns with the bar, which has no energy and an unsymmetric tangent. Without the push, the
+/// bar is 1.5 m long in equilibrium.
 inline Scene pushed_bar(double push) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -43,8 +44,8 @@ inline Scene pushed_bar(double push) {
   return s.scene;
 }
 
-/// A bar of 1 m and 100 N that bears pressure as well as tension, held at one end; the other is pushed round
-/// it in a plane, always at right angles to the bar: there is no balance.
+/// A bar of 1 m with EA = 100 N in tension and compression, held at one end; the other end is pushed in a
+/// plane, always at right angles to the bar, so that there is no equilibrium.
 inline Scene whirling_bar() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -54,9 +55,9 @@ inline Scene whirling_bar() {
   return s.scene;
 }
 
-/// A bar of 1 m and 100 N that bears pressure as well as tension, nearly upright, loaded with 10 N at its
-/// top, `aside` of its foot. In balance it is 0.9 m long upright, which is not stable, or hangs 1.1 m long.
-/// Its tangent is as unsymmetric as that of a pushed bar.
+/// A bar of 1 m with EA = 100 N in tension and compression, nearly upright, with a load of 10 N at its top,
+/// which is `aside` of its foot. In equilibrium it stands upright, 0.9 m long and unstable, or hangs, 1.1 m
+/// long. Its tangent is as unsymmetric as that of pushed_bar.
 inline Scene toppling_bar(double aside) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -75,8 +76,8 @@ inline Scene bar_without_forces() {
   return s.scene;
 }
 
-/// A bar of 1 m and 100 N, 1.1 m long between two supports: nothing is unknown, its ends are pulled with 10
-/// N.
+/// A bar of 1 m with EA = 100 N, stretched to 1.1 m between two supports: there are no unknowns, and it pulls
+/// with 10 N.
 inline Scene bar_between_supports() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -85,7 +86,7 @@ inline Scene bar_between_supports() {
   return s.scene;
 }
 
-/// A load on a node that nothing holds: there is no balance.
+/// A load on a node that nothing holds: there is no equilibrium.
 inline Scene loose_load() {
   Sketch s;
   s.scene.water.gravity = 0;

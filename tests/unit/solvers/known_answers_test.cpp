@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Known answers that solvers of quite different kinds find. The test of each is built with it.
+// Known answers that solvers of different kinds must find. The test of each solver is built with this file.
 #include <cmath>
 
 #include "tests/support/sample_scenes.hpp"
@@ -16,14 +16,14 @@ TEST_P(KnownAnswers, PullsASlackTrussToItsClosedForm) {
   EXPECT_LT(distance(s.position(2), kJointOfTruss), 1e-9);
 }
 
-// Irvine's catenary, whose digits verification/rope_test.cpp has: 40 bars that sag are within 4e-6 m of it.
+// Irvine's catenary, as in verification/rope_test.cpp: 40 bars with the term `sag` are within 4e-6 m of it.
 TEST_P(KnownAnswers, HangsARopeInACatenary) {
   const SolvedFile s = solve_file_so("hanging-rope.toml", {"parts.rope.rope.sag=1", "parts.rope.cells=40"});
   ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
   EXPECT_NEAR(s.solved.position(s.node("rope", "middle"))[2], -2.95736530, 5e-6);
 }
 
-// Newton.DoesNotFindASlackPanelUndamped says that it is hard.
+// The panel is hard to solve: Newton.DoesNotFindASlackPanelUndamped.
 TEST_P(KnownAnswers, FindsASlackPanel) {
   const Level want = read_level("hanging-panel.txt", 8);
   const Solved s = solve_so(sample::hanging_panel(8, 34));
@@ -46,7 +46,7 @@ TEST_P(KnownAnswers, NamesTheElementThatHasNoForceAtTheStart) {
 
 TEST_P(KnownAnswers, SaysThatItDidNotArriveWhereNothingHoldsALoad) {
   Limits limits;
-  limits.iterations = 40;  // a step that is halved is no step after 26
+  limits.iterations = 40;  // a step that has been halved 26 times has no effect
   const Solved s = solve_so(loose_load(), limits);
   EXPECT_EQ(s.solution.status, SolveStatus::not_converged);
   EXPECT_TRUE(says(s, GetParam().of_a_loose_load)) << s.solution.reason;

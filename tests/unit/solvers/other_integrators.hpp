@@ -23,19 +23,19 @@ inline conformance::PracticeMotion after(const Chosen& scheme, int n, double end
   return motion;
 }
 
-/// The result of the first step if every function of the host returns `status`.
+/// Returns the status of the first step if every function of the host returns `status`.
 inline int step_where_the_host_answers(int status, const Chosen& scheme) {
   conformance::PracticeMotion motion({.fails = status});
   return motion.run(scheme.type.integrator, scheme.block.data(), {0.01}, 0.01);
 }
 
-/// Power of the step with which the error of a damped motion shrinks.
+/// Returns the power of the step length to which the error of a damped motion is proportional.
 inline double order_in_a_motion_with_damping(const Chosen& scheme) {
   const conformance::PracticeSwing damped{.damping = 0.2};
   return std::log2(after(scheme, 160, 4, damped).error() / after(scheme, 320, 4, damped).error());
 }
 
-/// The same of the estimate of one step.
+/// Returns the power of the step length to which the error estimate of one step is proportional.
 inline double order_of_estimates(const Chosen& scheme) {
   return std::log2(after(scheme, 10, 0.5, {}).estimate / after(scheme, 20, 0.5, {}).estimate);
 }
@@ -70,7 +70,8 @@ inline double largest_distance(const MarchResult& a, const MarchResult& b) {
   return largest_distance(a.u, b.u);
 }
 
-/// A spring of `Oscillator` let go 0.1 m from its rest, by 1000 steps, over its closed form [m].
+/// Returns the distance from the closed form after 1000 steps of an `Oscillator` released 0.1 m from rest
+/// [m].
 inline double distance_from_closed_form_of_a_spring(const std::string& integrator) {
   const Oscillator o;
   Moving m(o.scene());

@@ -17,8 +17,7 @@ inline Solved solve_by(const char* solver, Scene scene, Values parameters = {}, 
   return solve(std::move(scene), how);
 }
 
-/// Steps taken whole, with a little of the linear stiffness: what arrives from where netting and rope are
-/// slack.
+/// Whole steps with a little of the linear stiffness, which converge from slack netting and rope.
 inline const Values kWholeSteps = {{"strategy", std::string("none")}, {"damping", 1e-3}};
 
 inline void expect_same_shape(const Solved& a, const Solved& b) {
@@ -28,7 +27,7 @@ inline void expect_same_shape(const Solved& a, const Solved& b) {
     EXPECT_NEAR(a.solution.x[i], b.solution.x[i], 1e-5) << i;  // [m], of a rope of 100 m
 }
 
-/// The rope, taut, some centimetres from where it hangs.
+/// The hanging rope, taut, some centimetres from its equilibrium.
 inline Scene rope_near_its_shape() {
   const Solved there = solve(sample::hanging_rope(40));
   Scene scene = sample::hanging_rope(40);
@@ -40,7 +39,7 @@ inline Scene rope_near_its_shape() {
   return scene;
 }
 
-/// Newton of another library, by its name among the solvers.
+/// A test of Newton's method of another library, given by the name of the solver.
 class OtherNewton : public testing::TestWithParam<const char*> {
  protected:
   static Solved solve_by_it(Scene scene, Values parameters = {}, Limits limits = {}) {

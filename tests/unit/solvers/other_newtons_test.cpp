@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Results that Newton's methods of other libraries have in common. The test of each is built with this file.
+// Results that Newton's methods of other libraries must have. The test of each solver is built with this
+// file.
 #include "tests/unit/solvers/other_newtons.hpp"
 
 namespace netloft::test {
@@ -9,7 +10,7 @@ namespace {
 TEST_P(OtherNewton, FindsTheRopeThatOursFindsBySearchingLines) {
   const Solved other = solve_by_it(rope_near_its_shape());
   expect_same_shape(other, solve(rope_near_its_shape()));
-  EXPECT_EQ(other.solution.run.factorisation.find("CHOLMOD"), std::string::npos);  // any definiteness will do
+  EXPECT_EQ(other.solution.run.factorisation.find("CHOLMOD"), std::string::npos);  // K may be indefinite
 }
 
 TEST_P(OtherNewton, FindsTheRopeThatOursFindsByWholeStepsFromSlack) {
@@ -40,7 +41,7 @@ TEST_P(OtherNewton, StopsWhenItIsTold) {
   EXPECT_EQ(s.run.history.size(), 4u);
 }
 
-// Its measure of progress, the sum of squares of the residual, has low points where nothing is in balance.
+// The method minimises the sum of squares of the residual, which has minima that are not equilibria.
 TEST_P(OtherNewton, SaysThatNoStepBringsASlackRopeCloser) {
   for (const double damping : {0.0, 1e-3}) {
     const Solution s = solve_by_it(sample::hanging_rope(40), {{"damping", damping}}).solution;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Solvers of different kinds, asked for the same known answers.
+// A test fixture that asks solvers of different kinds for the same known answers.
 #pragma once
 #include "tests/unit/solvers/known_answers.hpp"
 #include "tests/verification/scene_file.hpp"
@@ -11,16 +11,16 @@
 
 namespace netloft::test {
 
-/// A solver, with one of its choices made.
+/// A solver, with one of its options set.
 struct Way {
   const char* name;
   const char* solver;
   const char* choice = nullptr;
   const char* made = nullptr;
-  const char* of_a_loose_load = "singular";  // what it says of one
+  const char* of_a_loose_load = "singular";  // part of its message for a loose load
 
   Values parameters() const { return choice ? Values{{choice, std::string(made)}} : Values{}; }
-  /// The same, as a scene file says it.
+  /// The solver and its option as settings of a scene file.
   std::vector<std::string> overrides() const {
     const std::string analysis = "analysis.";
     std::vector<std::string> all{analysis + "solver=" + solver};
@@ -44,7 +44,7 @@ class KnownAnswers : public testing::TestWithParam<Way> {
   }
 };
 
-/// Those of forces without an energy, for solvers that need none.
+/// Known answers with forces that have no energy, for solvers that need none.
 class KnownAnswersWithoutEnergy : public KnownAnswers {};
 
 }  // namespace netloft::test

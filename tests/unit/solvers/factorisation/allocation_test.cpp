@@ -10,7 +10,7 @@ namespace {
 
 using test::count_malloc;
 
-/// Allocations of one factorisation and one solve, after `rounds` of them.
+/// Counts the allocations of one factorisation and solve, after `rounds` earlier ones.
 long count_allocations(Factorisation& factorisation, const TestMatrix& matrix, int rounds) {
   std::vector<double> x(matrix.pattern.size, 1.0);
   long count = 0;
@@ -29,7 +29,7 @@ class Allocations : public testing::TestWithParam<MatrixClass> {
   void SetUp() override {
     if (!test::malloc_is_counted()) GTEST_SKIP() << "malloc cannot be counted in this build";
   }
-  /// Factorisations after which there are no more allocations. MUMPS keeps arrays from one to the next.
+  /// Number of factorisations after which there are no more allocations. MUMPS keeps arrays between them.
   int warm_up() const { return GetParam() == MatrixClass::positive_definite ? 1 : 3; }
   TestMatrix make_net(int side) const {
     return make_net_matrix(

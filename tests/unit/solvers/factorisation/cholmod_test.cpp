@@ -13,13 +13,13 @@
 namespace netloft {
 namespace {
 
-/// Index of the entry on the diagonal.
+/// Index of the diagonal entry of an unknown.
 std::int32_t diagonal(const TestMatrix& matrix, std::int32_t unknown) {
   return matrix.pattern.column_start[unknown];  // the first of the lower triangle
 }
 
 TEST(Cholmod, NamesTheUnknownThatIsNotPositive) {
-  // Bars without stiffness: every pivot is the ground's, whatever the order.
+  // The bars have no stiffness: in any order, every pivot is the stiffness of the ground.
   const TestMatrix net = make_net_matrix({.axial = 0, .geometric = 0});
   const auto factorisation = make_cholmod_factorisation();
   factorisation->analyse(net.pattern);
@@ -87,7 +87,7 @@ TEST(Cholmod, NamesTheUnknownThatIsNotPositiveWithIndicesOf64) {
   EXPECT_EQ(wide->factorise(broken.value).column, 600);
 }
 
-// Its factor alone would take 18 GB: it is only analysed.
+// The matrix is only analysed, because its factor would take 18 GB.
 TEST(Cholmod, TakesIndicesOf64WhereTheFactorHasMoreEntriesThan32Count) {
   const SparsePattern lattice = make_lattice(56, 6, true);
   const auto factorisation = make_cholmod_factorisation(OrderingMethod::metis);
@@ -97,7 +97,7 @@ TEST(Cholmod, TakesIndicesOf64WhereTheFactorHasMoreEntriesThan32Count) {
   EXPECT_NE(factorisation->description().find("64 bits"), std::string::npos);
 }
 
-// The pool rounds blocks up by a quarter at most; what is rounded up is never touched.
+// The memory pool makes blocks up to a quarter larger than requested; the additional memory is never used.
 TEST(Cholmod, ForeseesTheMemoryOfItsFactor) {
   const TestMatrix net = make_net_matrix({.rings = 100, .nodes_per_ring = 100});
   const auto factorisation = make_cholmod_factorisation();

@@ -63,7 +63,7 @@ class EveryFactorisation : public testing::TestWithParam<Tested> {
   void SetUp() override {
     if (!GetParam().is_built) GTEST_SKIP() << "built without MUMPS";
   }
-  /// Every class of matrices contains those before it.
+  /// Whether a factorisation takes matrices of a class: every class contains the classes before it.
   static bool takes(MatrixClass kind) { return kind <= GetParam().kind; }
   static FactorStatus singular() {
     return takes(MatrixClass::symmetric) ? FactorStatus::singular : FactorStatus::not_positive_definite;
@@ -74,7 +74,7 @@ class EveryFactorisation : public testing::TestWithParam<Tested> {
   static TestMatrix make_dense(const Rows& rows) {
     return make_dense_matrix(rows, GetParam().kind != MatrixClass::unsymmetric);
   }
-  /// Without the skew part where matrices are symmetric.
+  /// Makes a net, without the skew part if the matrices are symmetric.
   static TestMatrix make_net(NetOptions options = {}) {
     options.symmetric = GetParam().kind != MatrixClass::unsymmetric;
     if (options.symmetric) options.skew = 0;
@@ -147,7 +147,7 @@ TEST_P(EveryFactorisation, ReadsValuesWhereThePatternSaysThatTheyStand) {
   TestMatrix net = make_net({.skew = 1});
   const auto x = solve(*make(), net);
   const std::size_t entries = net.pattern.entries();
-  net.pattern.slots = entries + 1;  // back to front, behind a value that nobody uses
+  net.pattern.slots = entries + 1;  // in reverse order, after a value that is not used
   std::vector<double> moved(entries + 1, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t e = 0; e < entries; ++e) {
     net.pattern.slot.push_back(static_cast<std::int32_t>(entries - e));
@@ -174,7 +174,7 @@ TEST_P(EveryFactorisation, ManagesNoUnknownAndOne) {
 }
 
 TEST_P(EveryFactorisation, NamesTheUnknownWithoutStiffness) {
-  // Bars without stiffness: every pivot is the ground's, whatever the order.
+  // The bars have no stiffness: in any order, every pivot is the stiffness of the ground.
   const TestMatrix net = make_net({.axial = 0, .geometric = 0});
   const auto factorisation = make();
   factorisation->analyse(net.pattern);

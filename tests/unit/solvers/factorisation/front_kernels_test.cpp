@@ -13,7 +13,7 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-/// A front with its panels and the update it is to leave.
+/// A dense front with its panels and memory for its update.
 struct DenseFront {
   DenseFront(int pivots, int others) : n(pivots), u(others) {}
 
@@ -49,7 +49,7 @@ struct DenseFront {
   }
 };
 
-// Around the widths of tiles and blocks, and where blocks are drawn together.
+// Pivots and others near the widths of tiles and blocks, and more pivots than one block has.
 const std::vector<std::pair<int, int>> kSizes{{1, 0},  {1, 1},   {3, 5},  {7, 8},   {8, 9},
                                               {9, 17}, {12, 40}, {17, 3}, {33, 31}, {70, 50}};
 
@@ -80,7 +80,7 @@ TEST(FrontKernels, SolveTheirPartOfTheEquations) {
                    expected = front.schur_complement() * x.bottomRows(u);
       EXPECT_LT((rest - expected).norm(), 1e-9 * (1 + expected.norm())) << n << " " << u;
       std::copy_n(x.data() + n, u, y.begin() + n);
-      std::fill(y.begin() + n + u, y.end(), std::nan(""));  // of whatever was there before
+      std::fill(y.begin() + n + u, y.end(), std::nan(""));  // `backward` must not use these numbers
       kernels.backward(front.panels(), y.data());
       EXPECT_LT((Eigen::Map<Matrix>(y.data(), n, 1) - x.topRows(n)).norm(), 1e-9 * x.norm()) << n << " " << u;
     }

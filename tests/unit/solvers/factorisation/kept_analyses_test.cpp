@@ -8,7 +8,7 @@
 namespace netloft {
 namespace {
 
-/// Counts what is asked of it.
+/// A factorisation that counts the calls of `analyse`.
 class Counting final : public Factorisation {
  public:
   Counting(int& analyses, double entries, const FactorStatus& status)
@@ -87,7 +87,7 @@ TEST(KeptAnalyses, AreKeptWhereTheFactorWouldBeLargeAndThereIsNone) {
   EXPECT_EQ(kept.analyses, 1);
 }
 
-// MUMPS may have asked for more and more room before it failed.
+// MUMPS may have allocated ever more memory before it failed.
 TEST(KeptAnalyses, AreGivenUpAfterAFactorisationThatFailed) {
   for (const auto& [status, analyses] : {std::pair{FactorStatus::out_of_memory, 2},
                                          {FactorStatus::failed, 2},

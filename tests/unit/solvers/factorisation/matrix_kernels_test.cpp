@@ -12,7 +12,7 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-/// A child of 11 others, of which the first five are pivots of a parent with 8 of them and 9 others.
+/// A child front with 11 others, the first five of which are pivots of a parent with 8 pivots and 9 others.
 struct Adoption {
   static constexpr int kOthers = 11;
   const std::vector<UnknownRun> runs{{0, 1, 1}, {1, 4, 4}, {5, 8, 3}, {8, 13, 2}, {10, 16, 1}};
@@ -76,7 +76,7 @@ TEST(MatrixKernels, TakeNumbersAndSayWhetherAllAreFinite) {
     }
 }
 
-// Two nodes of three unknowns and one alone: four blocks, and entries beside them.
+// Two nodes with three unknowns and one with a single unknown: four blocks, and entries outside them.
 TEST(MatrixKernels, MultiplyBlocksAndWhatIsBesideThem) {
   const Matrix A = made_up(7, 7, 0.4), x = made_up(7, 1, 2);
   MatrixBlocks blocks;

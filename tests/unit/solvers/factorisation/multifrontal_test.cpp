@@ -13,7 +13,7 @@
 namespace netloft {
 namespace {
 
-/// UMFPACK, and how often it was asked.
+/// UMFPACK as the spare factorisation, which counts how often it is used.
 class Spare final : public Factorisation {
  public:
   explicit Spare(int& asked) : asked_(asked) {}
@@ -39,7 +39,7 @@ class Multifrontal : public testing::Test {
   int handed_over_ = 0;
 };
 
-/// Values of a net's pattern that have nothing to do with one another, but for the diagonal.
+/// The pattern of a net with random values and the given diagonal.
 TestMatrix make_random_matrix(NetOptions options, unsigned seed, double diagonal) {
   options.symmetric = false;
   TestMatrix matrix = make_net_matrix(options);
@@ -92,7 +92,7 @@ TEST_F(Multifrontal, SolvesALargeNetAlone) {
   EXPECT_EQ(handed_over_, 0);
 }
 
-// Branches, trunk, shared fronts: every number is computed by the same operations whoever does so.
+// In branches, trunk and shared fronts, every number is computed by the same operations in any thread.
 TEST_F(Multifrontal, HasTheSameBitsForAnyNumberOfThreads) {
   const TestMatrix net = make_random_matrix({.rings = 90, .nodes_per_ring = 90}, 1, 30);
   std::vector<std::vector<double>> solutions;
@@ -109,7 +109,7 @@ TEST_F(Multifrontal, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(handed_over_, 0);
 }
 
-// The first front that fails is the one that one thread meets, wherever it lies.
+// Several threads report the front that fails first with one thread, in any branch.
 TEST_F(Multifrontal, FindsTheSameColumnOfZerosForAnyNumberOfThreads) {
   const TestMatrix good = make_random_matrix({.rings = 90, .nodes_per_ring = 90}, 1, 30);
   for (const std::int32_t zero : {0, 5000, 12345, good.pattern.size - 1}) {
@@ -148,7 +148,7 @@ TEST_F(Multifrontal, SolvesAPatternThatIsNotSymmetric) {
   EXPECT_LT(error_of_solving(*make(), matrix), kRoundOff);
 }
 
-/// The matrix with its diagonal blocks, the stiffness of each node by itself, multiplied by a factor.
+/// Multiplies the diagonal blocks of a matrix, the stiffness of each node by itself, by a factor.
 TestMatrix with_own_blocks(TestMatrix matrix, double factor) {
   for (std::int32_t c = 0; c < matrix.pattern.size; ++c)
     for (std::int32_t e = matrix.pattern.column_start[c]; e < matrix.pattern.column_start[c + 1]; ++e)
@@ -156,7 +156,7 @@ TestMatrix with_own_blocks(TestMatrix matrix, double factor) {
   return matrix;
 }
 
-// No node has a pivot of its own: those of the neighbours are wanted, most of them in other fronts.
+// No diagonal block has a pivot: the pivots are in rows of neighbouring nodes, most of them in other fronts.
 TEST_F(Multifrontal, HandsOverWhatNeedsPivotsOfOtherFrontsAndNothingElse) {
   const TestMatrix good = make_random_matrix({.rings = 20, .nodes_per_ring = 20}, 5, 8);
   const TestMatrix poor = with_own_blocks(make_random_matrix({.rings = 20, .nodes_per_ring = 20}, 5, 0), 0);
@@ -170,7 +170,7 @@ TEST_F(Multifrontal, HandsOverWhatNeedsPivotsOfOtherFrontsAndNothingElse) {
   EXPECT_EQ(handed_over_, 1);
 }
 
-// Pivots of 1e-7 beside ones are just let pass, and the errors they make grow from front to front.
+// Pivots of 1e-7 in columns with entries of 1 are just accepted, and their errors grow from front to front.
 TEST_F(Multifrontal, RefinesOrHandsOverWhatPoorPivotsHaveSpoilt) {
   const TestMatrix net = make_random_matrix({.rings = 40, .nodes_per_ring = 40}, 7, 0);
   for (const double own : {1e-3, 1e-5, 1e-7, 1e-9, 1e-14})
@@ -186,7 +186,7 @@ TEST_F(Multifrontal, KnowsTheSizeOfAFactorThatIsDense) {
   EXPECT_EQ(factorisation->factor_flops(), 18);   // 2/3 n³
 }
 
-// Its factors alone would take more than 20 GB: they are only laid out.
+// The matrix is only analysed, because its factors would take more than 20 GB.
 TEST_F(Multifrontal, LaysOutFactorsOfMoreEntriesThan32BitsCount) {
   const SparsePattern lattice = make_lattice(49, 6, false);
   const auto factorisation = make(OrderingMethod::metis);

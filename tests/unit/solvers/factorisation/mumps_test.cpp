@@ -43,13 +43,13 @@ class Mumps : public testing::TestWithParam<MatrixClass> {
   }
 };
 
-// With zeros on the diagonal, every pivot that the analysis foresaw must be delayed.
+// With zeros on the diagonal, every pivot that the analysis planned must be delayed.
 TEST_P(Mumps, FindsRoomForPivotsThatComeLate) {
   TestMatrix net = make_net({.rings = 40, .nodes_per_ring = 40});
   for (std::int32_t c = 0; c < net.pattern.size; ++c)
     for (std::int32_t e = net.pattern.column_start[c]; e < net.pattern.column_start[c + 1]; ++e)
       if (net.pattern.row[e] == c) net.value[e] = 0;
-  EXPECT_LT(error_of_solving(*make(), net), 10 * kRoundOff);  // pivots of a hundredth let errors grow
+  EXPECT_LT(error_of_solving(*make(), net), 10 * kRoundOff);  // errors grow with pivots of a hundredth
 }
 
 TEST_P(Mumps, ServesTwoThreadsWithFactorsOfTheirOwn) {

@@ -15,7 +15,7 @@ struct Entry {
   double value;
 };
 
-/// Sorts, adds up what falls on one place, and compresses.
+/// Makes a compressed matrix: sorts the entries, and adds up those with the same row and column.
 TestMatrix compress(std::vector<Entry> entries, std::vector<std::int32_t> node, bool symmetric) {
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.column, a.row) < std::tie(b.column, b.row);
@@ -154,7 +154,8 @@ TestMatrix make_net_matrix(const NetOptions& options) { return NetBuilder(option
 SparsePattern make_lattice(std::int32_t side, std::int32_t unknowns_per_node, bool symmetric) {
   const std::int32_t area = side * side, nodes = area * side, m = unknowns_per_node;
   const auto has = [&](std::int32_t node, std::int32_t step) {
-    const std::int32_t lines = (step < 0 ? -step : step) * side;  // what the step stays within
+    const std::int32_t lines =
+        (step < 0 ? -step : step) * side;  // nodes of a line or layer, which a step stays in
     return step == 0 || (node + step >= 0 && node + step < nodes && (node + step) / lines == node / lines);
   };
   SparsePattern pattern;

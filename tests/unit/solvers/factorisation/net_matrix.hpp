@@ -36,8 +36,8 @@ struct NetOptions {
 
 TestMatrix make_net_matrix(const NetOptions& options);
 
-/// The pattern of a cubic lattice of side³ nodes with so many unknowns each, six neighbours: a factor of few
-/// unknowns with many entries.
+/// The pattern of a cubic lattice of side³ nodes with six neighbours each: its factor has many entries for
+/// few unknowns.
 SparsePattern make_lattice(std::int32_t side, std::int32_t unknowns_per_node, bool symmetric);
 
 /// Makes a matrix from full rows, small enough to write down. Every unknown is a node.

@@ -55,7 +55,7 @@ TEST(NodeGraph, IsTheSameForTheFullPatternAndTheLowerTriangle) {
 }
 
 TEST(NodeGraph, IsRefusedWhereItHasMoreEdgesThanMetisCounts) {
-  const SparsePattern pattern = small_pattern();  // 3 nodes, their own entries and two edges
+  const SparsePattern pattern = small_pattern();  // 3 nodes: diagonal entries and two edges
   EXPECT_EQ(make_node_graph(pattern, 10).size, 3);
   try {
     make_node_graph(pattern, 9);

@@ -13,9 +13,9 @@ namespace netloft {
 
 inline constexpr double kRoundOff = 1e-14;  // backward error of a stable factorisation: some tens of eps
 
-inline constexpr double kMostOf32Bits = 2147483647;  // that an index of 32 bits counts
+inline constexpr double kMostOf32Bits = 2147483647;  // largest index of 32 bits
 
-/// Memory allocated by malloc; 0 with the malloc of a sanitizer, which does not report it.
+/// Memory that malloc has allocated; 0 in builds with a sanitizer, whose malloc does not report it.
 inline double allocated_bytes() {
   const auto info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd);
@@ -27,7 +27,7 @@ inline std::vector<double> made_up_vector(std::int32_t size) {
   return b;
 }
 
-/// Solution with new values of the pattern that was analysed last.
+/// Solves with new values of the pattern that was analysed last.
 inline std::vector<double> solve_again(Factorisation& factorisation, const TestMatrix& matrix) {
   EXPECT_EQ(factorisation.factorise(matrix.value).status, FactorStatus::ok);
   const std::vector<double> b = made_up_vector(matrix.pattern.size);
@@ -41,7 +41,7 @@ inline std::vector<double> solve(Factorisation& factorisation, const TestMatrix&
   return solve_again(factorisation, matrix);
 }
 
-/// Backward errors of the two.
+/// Backward error of solve_again(), and of a solve with a new analysis.
 inline double error_of_solving_again(Factorisation& factorisation, const TestMatrix& matrix) {
   return matrix.backward_error(solve_again(factorisation, matrix), made_up_vector(matrix.pattern.size));
 }

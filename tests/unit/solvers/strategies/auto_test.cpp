@@ -49,7 +49,7 @@ bool has_stage(const Solution& s, const std::string& name) {
                      [&](const StageRecord& stage) { return stage.name == name; });
 }
 
-/// For messages.
+/// The stages of a solution, as text for messages of tests.
 std::string stages_of(const Solution& s) {
   std::string text;
   for (const StageRecord& stage : s.cost.stages)
@@ -64,8 +64,8 @@ TEST(Auto, LeavesAnEquilibriumThatIsNotStable) {
   EXPECT_NEAR(f.away, std::sqrt(1 - 0.81), 1e-6) << "the bars buckle until nothing compresses them";
 }
 
-/// The same beside a stretched bar between held ends, which stores so much that no step's gain is seen in the
-/// energy.
+/// Adds a stretched bar between held ends, which stores so much energy that rounding hides the gain of every
+/// step.
 TEST(Auto, LeavesASaddleWhereEnergiesCanNoLongerBeToldApart) {
   constexpr double kShort = 1e-5;
   Sketch s;
@@ -82,7 +82,7 @@ TEST(Auto, LeavesASaddleWhereEnergiesCanNoLongerBeToldApart) {
   EXPECT_NEAR(f.away, std::sqrt(kShort), 1e-2 * std::sqrt(kShort)) << "by Pythagoras";
 }
 
-/// An arch of the same two bars in the plane, standing up on its feet under a small load.
+/// An arch of the two bars of compressed_bars() in a plane, upright under a small load.
 Scene arch() {
   Scene scene = compressed_bars();
   scene.water = {0, 9.81};
@@ -119,7 +119,8 @@ TEST(Auto, DoesNotRestartWhereNothingIsInCompression) {
   }
 }
 
-/// A heavy rope of 20 bars that is 10 percent too long, folded to one side, `EA` in newtons.
+/// A heavy rope of 20 bars that is 10 per cent longer than the distance of its ends, folded to one side; EA
+/// [N].
 Scene slack_rope(double EA) {
   Sketch s;
   s.scene.water = {0, 9.81};
@@ -129,7 +130,8 @@ Scene slack_rope(double EA) {
   return s.scene;
 }
 
-// 4 ε x 1e10 N is 9e-6 N, which no position of a double can tell from balance.
+// The rounding of positions changes forces by 4 ε x 1e10 N = 9e-6 N, so that doubles cannot balance them
+// better.
 TEST(Auto, EndsWhatStopsAtTheRoundOffOfItsPositionsWithCompensatedOnes) {
   const Solution s = find(slack_rope(1e10)).solution;
   ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
@@ -145,7 +147,7 @@ TEST(Auto, LeavesOutWhatItIsTold) {
   EXPECT_FALSE(has_stage(s, "as it is"));
 }
 
-// Also where no stage of the scene itself was under way.
+// An interrupt is reported even if no stage of the scene itself was running.
 TEST(Strategies, SayThatTheyWereInterrupted) {
   const std::atomic<bool> interrupt{true};
   Limits limits;
@@ -167,7 +169,7 @@ TEST(Auto, RefusesToLeaveOutWhatItDoesNotHave) {
 }
 
 TEST(Auto, MovesOffAnEquilibriumThatIsNotStableWhereForcesHaveNoEnergy) {
-  plugins();  // "test/load" and its like are among the shipped elements from here on
+  plugins();  // registers elements for tests, such as "test/load"
   const Solution s = find(toppling_bar(0), {{"without", std::string("tension-stages")}}).solution;
   ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
   EXPECT_TRUE(has_stage(s, "off an unstable equilibrium")) << stages_of(s);
@@ -175,7 +177,7 @@ TEST(Auto, MovesOffAnEquilibriumThatIsNotStableWhereForcesHaveNoEnergy) {
   EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.1, 1e-6) << "it hangs";
 }
 
-/// Two bars that stand on their feet, loaded by 10 N and `second` newtons.
+/// Two upright bars, each on a foot, loaded by 10 N and `second` newtons.
 Scene two_toppling_bars(double second) {
   Sketch s;
   s.scene.water.gravity = 0;

@@ -9,9 +9,9 @@
 namespace netloft::test {
 namespace {
 
-/// Two bars of 1 m and 10 kN, as stiff in compression as in tension, between ends 1.8 m apart; their joint
-/// moves in a plane and is pulled down by `load`. Of bars that hardly stretch it stands and hangs √(1 − 0.81)
-/// off the line; nearly straight the bars are compressed to 0.9 m, which is not stable.
+/// Two bars of 1 m with EA = 10 kN in tension and compression, between ends 1.8 m apart; their joint moves in
+/// a plane and is pulled down by `load`. In equilibrium the joint is about √(1 − 0.81) above or below the
+/// line of the ends, or nearly on the line with bars compressed to 0.9 m, which is unstable.
 Scene arch(double load) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -41,8 +41,9 @@ TEST(Deflation, FindsTheArchThatHangsBesideTheOneThatStands) {
   EXPECT_NEAR(both.solution.shapes.others[0].energy, one.solution.energy, 1e-9);
 }
 
-// Above the middle there are the three z of 2 EA (1/l₀ − 1/l) z = −P, l = (0.81 + z²)^½; beyond either end of
-// the line there is one, where a bar of 0.1 m pushes as hard as the other of 1.9 m pulls.
+// Midway between the ends there are three equilibria, the z of 2 EA (1/l₀ − 1/l) z = −P, l = (0.81 + z²)^½.
+// Beyond either end of the line there is one, where a bar of 0.1 m pushes as hard as the other, of 1.9 m,
+// pulls.
 TEST(Deflation, MeetsEveryRootOnce) {
   const Solved s = deflate(arch(1), 30);
   EXPECT_EQ(s.solution.shapes.restarts + 1, 5) << "answers";

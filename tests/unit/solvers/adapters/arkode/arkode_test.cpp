@@ -31,7 +31,7 @@ TEST_P(ArkodeMethod, EndsWhatIsFarTooFastForTheStep) {
   EXPECT_LT(after(chosen_, 100, 1e5, {}).energy(), 1e-6);
 }
 
-// F(t, u, v, a) = 0 at the end of every step, of a motion with a damping of 0.2 and 1 to 2 rad/s.
+// The motion has a damping of 0.2 and frequencies of 1 to 2 rad/s; F(t, u, v, a) = 0 must hold at the end.
 TEST_P(ArkodeMethod, LeavesTheAccelerationThatBelongsToPositionAndVelocity) {
   const auto motion = after(chosen_, 7, 1, {.damping = 0.2});
   for (std::size_t i = 0; i < motion.u.size(); ++i) {
@@ -55,7 +55,7 @@ TEST(Arkode, SwingsThePendulumAsGeneralizedAlphaDoes) {
   EXPECT_LT(largest_distance(arkode, fine), its_own);
 }
 
-// Steel that could ring at 38 000 rad/s: with other methods of ARKODE it takes thousands of steps.
+// The steel bars can oscillate at 38 000 rad/s: other methods of ARKODE take thousands of steps.
 TEST_P(ArkodeMethod, TakesLongStepsWithStiffBars) {
   const auto bars = [](const std::string& integrator, const std::string& accuracy) {
     return end_of(

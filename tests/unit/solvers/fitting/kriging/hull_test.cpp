@@ -26,7 +26,7 @@ TEST(Hull, OfPointsOnALineIsTheLine) {
   EXPECT_FALSE(lies_in_hull(line, {0.3, 0.4}));
   EXPECT_FALSE(lies_in_hull(line, {1.1, 1.1}));
 }
-// The corners of a cube of four dimensions and what lies in it at random; outside is where a coordinate is.
+// The corners of a cube of four dimensions, and random points: a point is outside if one coordinate is.
 TEST(Hull, OfCornersIsTheCube) {
   Points cube;
   for (int corner = 0; corner < 16; ++corner) {

@@ -15,7 +15,7 @@ using Points = std::vector<Numbers>;
 
 double matern(double r) { return (1 + std::sqrt(5) * r + 5 * r * r / 3) * std::exp(-std::sqrt(5) * r); }
 
-/// Speeds and depths as in a table: a row for each.
+/// All pairs of speeds and depths, a row for each.
 Points grid(int speeds, int depths) {
   Points points;
   for (int i = 0; i < speeds; ++i)
@@ -94,7 +94,8 @@ TEST(Kriging, FindsASmoothFunctionBetweenFewPoints) {
     }
   EXPECT_LT(worst, 0.02);  // 0.3 % of the range
 }
-// A function like a pull that is a weight: linear in two variables with few values, constant in the third.
+// The function is linear in two variables with few values and constant in the third, like the pull of a
+// weight.
 TEST(Kriging, FindsAPlaneToRoundOff) {
   Points points;
   Numbers values;
@@ -126,8 +127,8 @@ TEST(Kriging, OfEqualValuesIsThatValue) {
   EXPECT_EQ(kriging.at({2.3, 77}).deviation, 0);
   EXPECT_EQ(kriging.residuals_without({1, 2}), (Numbers{0, 0}));
 }
-// Functions with waves of random length and direction: what a normal process is, too, so that 19 of 20 lie
-// within 2 s.
+// The functions are sums of waves of random length and direction, as is a normal process: therefore 19 of 20
+// values are within 2 s of the prediction.
 TEST(Kriging, DeviatesByItsDeviation) {
   std::mt19937_64 dice(7);
   const auto uniform = [&] { return static_cast<double>(dice() >> 11) * 0x1p-53; };
@@ -153,7 +154,7 @@ TEST(Kriging, DeviatesByItsDeviation) {
   }
   EXPECT_GE(within, 0.9 * all);
 }
-// Values that scatter are not followed from point to point.
+// If values scatter, the prediction does not pass through them.
 TEST(Kriging, SmoothsWhatScatters) {
   std::mt19937_64 dice(11);
   Points points;

@@ -32,7 +32,7 @@ class FunctionModel : public Model {
   Function f_;
 };
 
-// One parameter with prior 1 ± 2, measured twice as 4 ± 1: weights 1/4, 1, 1.
+// One parameter has the prior 1 ± 2 and is measured twice as 4 ± 1: the weights are 1/4, 1, 1.
 TEST(LeastSquares, WeighsPriorAndMeasurements) {
   FunctionModel model([](const Numbers& x) { return Numbers{x[0], x[0]}; });
   const Fit f = fit(model, {{1, 2}}, {{4, 1}, {4, 1}}, {30, 1e-12});
@@ -42,8 +42,8 @@ TEST(LeastSquares, WeighsPriorAndMeasurements) {
   EXPECT_NEAR(f.model_deviations[1], 1 / std::sqrt(2.25), 1e-9);
 }
 
-// f = a + b at one place: the sum is known, the difference is not. In units of the priors N = I + w (1 1; 1
-// 1).
+// A measurement of f = a + b determines the sum and not the difference. In units of the priors, N of (2) is
+// I + w (1 1; 1 1).
 TEST(LeastSquares, SaysWhatCannotBeToldApart) {
   FunctionModel model([](const Numbers& x) { return Numbers{x[0] + x[1]}; });
   const Fit f = fit(model, {{0, 1}, {0, 1}}, {{1, 0.1}});
@@ -106,7 +106,7 @@ TEST(LeastSquares, SaysThatThereAreNoSlopes) {
   EXPECT_TRUE(f.parameters.empty());
 }
 
-/// Is interrupted at some call, of predictions or slopes.
+/// A model that is interrupted at a given call of `predict` or `slopes`.
 class InterruptedModel : public FunctionModel {
  public:
   InterruptedModel(Function f, int calls) : FunctionModel(std::move(f)), left_(calls) {}
@@ -122,7 +122,7 @@ class InterruptedModel : public FunctionModel {
   int left_;
 };
 
-// A point with known slopes remains complete, wherever the user interrupts.
+// The fit is interrupted at every call in turn. A point with known slopes remains complete.
 TEST(LeastSquares, KeepsTheBestPointWhoseSlopesAreKnownWhenInterrupted) {
   for (int calls = 0; calls < 12; ++calls) {
     InterruptedModel model([](const Numbers& x) { return Numbers{x[0] * x[0], x[0] + x[1]}; }, calls);

@@ -35,7 +35,7 @@ TEST(Memory, IsThePreconditionerWhenEmpty) {
   EXPECT_EQ(multiply(memory, {1, 1, 1, 1}), (Vector{1, 2, 3, 4}));
 }
 
-// H y = s: Nocedal and Wright, eq. 6.6.
+// The secant equation is H y = s: Nocedal and Wright, eq. 6.6.
 TEST(Memory, MeetsTheSecantEquationOfTheNewestPair) {
   Memory memory(3, 10);
   for (unsigned k = 0; k < 5; ++k) {
@@ -55,7 +55,7 @@ TEST(Memory, LearnsADiagonalMatrixFromItsAxes) {
   EXPECT_LT(test::largest_difference(multiply(memory, {5, 6, 7}), {1, 1, 1}), 1e-14);
 }
 
-// With room for two, the first of three axes is as the preconditioner has it, times (3).
+// With memory for two pairs, H has γ of (3) times the preconditioner on the first of three axes.
 TEST(Memory, ForgetsTheOldestPair) {
   Memory memory(2, 3);
   for (std::size_t i = 0; i < 3; ++i)

@@ -11,7 +11,8 @@ namespace {
 
 using Function = std::function<Sample(double)>;
 
-/// Searches from 0 and checks (1), as far as noise lets it, and (2). `taken` counts samples.
+/// Searches from 0 and checks conditions (1), within the noise, and (2). `taken` becomes the number of
+/// samples.
 Sample run(const LineSearch& search, const Function& f, double first, int* taken = nullptr) {
   int count = 0;
   Sample last;
@@ -45,8 +46,9 @@ TEST(LineSearch, GoesFarWhenTheFirstLengthIsShort) { EXPECT_GT(run({}, parabola,
 
 TEST(LineSearch, ComesBackWhenTheFirstLengthIsLong) { EXPECT_LT(run({}, parabola, 1e6).t, 2); }
 
-// Moré and Thuente, ACM Trans. Math. Softw. 20 (1994) 286-307, function 1 of their tests: −t/(t² + 2), from
-// far too short to far too long. Beyond its minimum at √2 it is flat: 10 will do, 1000 is too long for (1).
+// The function is −t/(t² + 2), number 1 of J. J. Moré and D. J. Thuente, ACM Trans. Math. Softw. 20 (1994)
+// 286-307; first lengths are from far too short to far too long. Beyond its minimum at √2 it is flat: t = 10
+// is acceptable, 1000 is too long for (1).
 TEST(LineSearch, MeetsItsConditionsOnMoreAndThuentesFirstFunction) {
   LineSearch search;
   search.decrease = 1e-3, search.curvature = 0.1;
@@ -57,7 +59,7 @@ TEST(LineSearch, MeetsItsConditionsOnMoreAndThuentesFirstFunction) {
   for (const double first : {1e-3, 1e-1, 1e1, 1e3}) EXPECT_GT(run(search, f, first).t, 1);
 }
 
-// Beyond t = 0.5 there is no value.
+// The function has no value beyond t = 0.5.
 TEST(LineSearch, TurnsBackFromWhereThereIsNoValue) {
   const Function walled = [](double t) {
     return t > 0.5 ? Sample{t, std::numeric_limits<double>::infinity(), 0} : parabola(t);
@@ -67,7 +69,7 @@ TEST(LineSearch, TurnsBackFromWhereThereIsNoValue) {
   EXPECT_LE(s.t, 0.5);
 }
 
-// A parabola of height 1e-12 upon 1e6: its values are noise, its slopes are not.
+// A parabola of height 1e-12 is added to 1e6: rounding hides its values, but not its slopes.
 TEST(LineSearch, GoesByTheSlopeWhereValuesAreNoise) {
   const Function noisy = [](double t) {
     const double rounding = static_cast<int>(t * 1e4) % 2 ? 1e-8 : -1e-8;

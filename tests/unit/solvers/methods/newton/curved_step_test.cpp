@@ -9,8 +9,8 @@
 namespace netloft::test {
 namespace {
 
-/// E = ½ (x − 3)² + ½ k (y − x²)²: a valley that bends, k times as steep across as along (after
-/// H. H. Rosenbrock, Comput. J. 3, 1960). Least at (3, 9).
+/// E = ½ (x − 3)² + ½ k (y − x²)²: a curved valley, k times as steep across as along (after H. H. Rosenbrock,
+/// Comput. J. 3, 1960), with its minimum at (3, 9).
 struct Valley {
   double k;
   double u[2] = {0.5, 0.25};  // at its bottom
@@ -64,7 +64,8 @@ int iterations_of(double steepness) {
   return valley.iterations;
 }
 
-// Straight steps end where E has risen as far across as it fell along: the steeper, the sooner.
+// A straight step ends where E has risen across the valley as much as it has fallen along it: the steeper the
+// valley, the shorter the steps.
 TEST(BentStep, FollowsABentValleyHoweverSteep) {
   EXPECT_LT(iterations_of(1e2), 8);
   EXPECT_LT(iterations_of(1e4), 8);

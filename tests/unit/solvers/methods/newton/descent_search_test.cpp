@@ -6,7 +6,7 @@
 namespace netloft::newton {
 namespace {
 
-/// −a t²/2 + b t⁴/4, what energy does along a direction of negative curvature: least at t = √(a/b).
+/// −a t²/2 + b t⁴/4, like an energy along a direction of negative curvature, with its minimum at t = √(a/b).
 auto buckling(double a, double b) {
   return [=](double t) {
     return std::optional(Sample{t, -a * t * t / 2 + b * t * t * t * t / 4, -a * t + b * t * t * t});

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kShift = 1e-7;
 
-/// K and M diagonal, so that λ are their quotients and v the axes.
+/// A problem with diagonal K and M, whose λ are the quotients K_ii/M_ii and whose v are the axes.
 struct Diagonal {
   std::vector<double> stiffness, metric;
   netloft_problem interface {};
@@ -36,7 +36,7 @@ struct Diagonal {
   }
 };
 
-/// Eigenvalues spread over decades as those of a net, all above those that are given first.
+/// The eigenvalues `first`, and larger ones that spread over decades as those of a net.
 std::vector<double> spectrum(std::vector<double> first, std::size_t size) {
   for (std::size_t i = first.size(); i < size; ++i)
     first.push_back(std::pow(10.0, -7 + 7.0 * static_cast<double>(i) / static_cast<double>(size)));

@@ -9,8 +9,8 @@
 namespace netloft::test {
 namespace {
 
-/// Two bars of 1 m between ends too near by `short_by`, in one line, and a force of 0.1 N along it at their
-/// joint, node 1.
+/// Two bars of 1 m in one line between ends that are 2 m minus `short_by` apart, with a force of 0.1 N along
+/// the line at their joint, node 1.
 Scene pressed_line(double short_by) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -31,7 +31,7 @@ TEST(Newton, LeavesASaddleThatSymmetryHidesWhileItSolves) {
   }
 }
 
-// A stretched bar between held ends stores so much that no step's gain is seen in the energy.
+// A stretched bar between held ends stores so much energy that rounding hides the gain of every step.
 TEST(Newton, LeavesASaddleWhereEnergiesCanNoLongerBeToldApart) {
   constexpr double kShort = 1e-5;
   Sketch more;
@@ -56,9 +56,9 @@ TEST(Newton, StaysOnALineThatIsPulled) {
   EXPECT_EQ(away_from_line(s), 0);
 }
 
-/// A net of one triangle, held by three legs that meet in node 0, and pressed away from it with 1000 N, which
-/// go through that node however the triangle turns. A spring of 1 N, tied to its first corner, alone says
-/// where to; it is a quarter turn away.
+/// A triangle of netting, held by three bars that meet in node 0 and pushed away from node 0 with 1000 N,
+/// whose line goes through node 0 for every rotation of the triangle. Only a spring of 1 N, tied to its first
+/// corner, determines the rotation; it starts a quarter turn away.
 Scene pressed_kite() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -75,7 +75,7 @@ Scene pressed_kite() {
   return s.scene;
 }
 
-// It stands where the line of the spring goes through node 0, but for what the bars stretch: 1 %.
+// In equilibrium, the line of the spring goes through node 0, but for 1 % by which the bars stretch.
 TEST(Newton, TurnsAGearWithTheForcesThatTurnWithIt) {
   const Solved s = solve_with("newton", pressed_kite(), {}, {.iterations = 200});
   ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;

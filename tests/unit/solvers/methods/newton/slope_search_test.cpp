@@ -9,7 +9,8 @@ namespace {
 constexpr Refinement kRefinement{.margin = 0.1, .most = 4};
 constexpr SlopeSearch kSlopeSearch{.flatness = 0.1, .refinement = kRefinement};
 
-/// Falls as (1 − t)², until at `kink` something stiff becomes taut; beside so much energy that neither shows.
+/// A merit that falls as (1 − t)² until something stiff becomes taut at `kink`, plus so much energy that
+/// rounding hides both.
 struct Kinked {
   double kink, stiffness;
   std::optional<Sample> operator()(double t) const {
@@ -49,8 +50,8 @@ TEST(SlopeSearch, TakesAWholeStepBehindWhichTheSlopeHasNearlyGone) {
   EXPECT_EQ(asked, 1);
 }
 
-// m falls to t = 0.1 and rises to a hill there, behind which its slope looks as if it led downhill all the
-// way.
+// The merit falls to t = 0.1 and then rises to a hill. Behind the hill its slope is negative, as if it had
+// fallen all the way.
 TEST(SlopeSearch, CrossesNoHillThatRoundingDoesNotExplain) {
   const auto hill = [](double t) {
     return std::optional<Sample>({t, t > 0.2 ? 5.0 : 0.0, t > 0.2 ? -1e-3 : t - 0.1});

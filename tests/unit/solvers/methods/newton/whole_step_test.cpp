@@ -8,12 +8,12 @@
 namespace netloft::test {
 namespace {
 
-/// r = u |u|^(q−1), a force without an energy. Newton's own step leads from u to u − u/q: with q = 1/2 to −u
-/// and back again for ever, and by the trapezoidal rule it does no work on the way; with less than that ever
-/// farther away.
+/// r = u |u|^(q−1), a force without an energy. Newton's own step leads from u to u − u/q. With q = 1/2 it
+/// alternates between u and −u for ever, and by the trapezoidal rule the force does no work on the way; with
+/// a smaller q the steps lead ever farther away.
 struct Root {
   double q, element, u = 1, tangent = 0, kept = 0;
-  double last = 0;  // where the residual was found last
+  double last = 0;  // point at which the residual was evaluated last
   int iterations = 0, found_again = 0;
   netloft_problem interface {};
 
@@ -58,8 +58,8 @@ TEST(WholeStep, IsLeftToTheSearchWhereItIsLongerThanAnElement) {
   EXPECT_NEAR(root.u, 0, 1e-12);
 }
 
-/// A whole step that is refused is where the search begins, and the point that it accepts is where the next
-/// step does.
+/// The search begins with the forces at the end of a refused whole step, and the next step with those at the
+/// point that the search has accepted.
 TEST(WholeStep, FindsForcesAtNoPointTwiceInSuccession) {
   Root root(0.4, 1e300);
   solve_problem(root.interface, "newton", {{"damping", 0.0}});

@@ -22,7 +22,7 @@ TEST(PseudoTransient, TakesBackStepsWhoseCorrectionsDoNotGetThere) {
   EXPECT_TRUE(has_note(s, "taken back"));
 }
 
-// Undamped, Newton's method stands the bar up: 1 m x (1 − 10 N/100 N) is in balance, and topples.
+// The undamped Newton method ends with the bar upright, 1 m x (1 − 10 N/100 N) long, which is unstable.
 TEST(PseudoTransient, LeavesAnEquilibriumThatIsNotStable) {
   const Solved up = solve_with("newton", toppling_bar(1e-3), {{"method", std::string("classic")}});
   EXPECT_NEAR(up.position(1)[2], 0.9, 1e-6) << up.solution.reason;
@@ -31,7 +31,7 @@ TEST(PseudoTransient, LeavesAnEquilibriumThatIsNotStable) {
   EXPECT_NEAR(s.position(1)[2], -1.1, 1e-9);
 }
 
-// Newton's method creeps there: its twines flicker between slack and taut.
+// Newton's method takes short steps there, because twines alternate between slack and taut.
 TEST(PseudoTransient, FindsACodEndWithALongNarrowNeck) {
   const SolvedFile s = solve_file(
       "verification/codend-with-catch.toml",

@@ -18,8 +18,8 @@ TEST(Relaxation, NeedsNoMatrixAndNoFactorisation) {
   EXPECT_GT(s.solution.cost.statistics.residuals, 1000);
 }
 
-// The push turns with the bar: it drives the bar round and round, and no peak of the kinetic energy ends
-// that. (5 N is where that begins.)
+// The push turns with the bar and drives it round and round, without a peak of the kinetic energy that ends
+// the motion. (This happens with 5 N or more.)
 TEST(Relaxation, SaysThatItDidNotArriveWhereForcesFeedTheMotion) {
   Limits limits;
   limits.iterations = 5;
@@ -28,8 +28,8 @@ TEST(Relaxation, SaysThatItDidNotArriveWhereForcesFeedTheMotion) {
   EXPECT_TRUE(says(s, "runs away")) << s.solution.reason;
 }
 
-/// A spring of k (l² − l₀²)²/(8 l₀²), l₀ = 1 m, k = 100 N/m: at l = 3 m it pulls with k l (l² − 1)/2 = 1200 N
-/// and its stiffness is k (3 l² − 1)/2 = 1300 N/m, 13 times what it is unstretched.
+/// A spring with the energy k (l² − l₀²)²/(8 l₀²), l₀ = 1 m, k = 100 N/m. At l = 3 m it pulls with k l (l² −
+/// 1)/2 = 1200 N and has the stiffness k (3 l² − 1)/2 = 1300 N/m, 13 times that of the unstretched spring.
 Scene stiffening_spring() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -46,8 +46,8 @@ TEST(Relaxation, RaisesMassesThatTheStiffnessHasOutgrown) {
   EXPECT_NEAR(s.position(1)[2], -3, 1e-9);
 }
 
-/// Between 0 and a limit of 1 m, E = ½ l²: pulled by 0.9 N, it comes to rest at 0.9 m; a first motion goes
-/// too far.
+/// The element has the energy ½ l² and no force beyond l = 1 m. Pulled by 0.9 N it comes to rest at 0.9 m,
+/// but the first motion goes too far.
 TEST(Relaxation, ReturnsFromWhereThereAreNoForces) {
   Sketch s;
   s.scene.water.gravity = 0;

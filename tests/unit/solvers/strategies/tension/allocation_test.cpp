@@ -10,7 +10,7 @@ namespace {
 
 using test::count_malloc, test::malloc_is_counted;
 
-/// Allocations between one iteration of a method and the next.
+/// Counts the allocations between each iteration of a method and the next.
 template <class Method>
 std::vector<long> count_allocations(const Method& method) {
   std::vector<long> between;

@@ -26,8 +26,8 @@ Found find(const Scene& scene, double load = 1000, const Limits& limits = {}) {
   return {ending, taken.problem.statistics().iterations, taken.positions()};
 }
 
-/// A weight of 100 N in sea water that hangs on two ropes from one point, of 3 m and 2 m, both drawn far too
-/// long and aslant.
+/// A weight of 100 N in sea water that hangs from one point on two ropes of 3 m and 2 m; in the sketch both
+/// are far too long and inclined.
 Scene two_ropes(double EA, double EA_compression = 0) {
   test::Sketch s;
   const auto top = s.node(0, 0, 0, kAllAxes), weight = s.node(5, -4, 1);
@@ -40,7 +40,7 @@ Scene two_ropes(double EA, double EA_compression = 0) {
   return s.scene;
 }
 
-// The shorter rope bears all: l = l₀ (1 + P/EA).
+// The shorter rope bears the whole weight P: l = l₀ (1 + P/EA).
 TEST(InteriorPoint, TellsTheTautRopeFromTheSlackOne) {
   for (const double EA : {1e3, 1e5, 1e8}) {
     const Found found = find(two_ropes(EA));
@@ -51,7 +51,7 @@ TEST(InteriorPoint, TellsTheTautRopeFromTheSlackOne) {
   }
 }
 
-// The model has no stiffness in compression.
+// The interior-point method neglects the stiffness of members in compression.
 TEST(InteriorPoint, EndsWhereNothingIsBorneByCompression) {
   const Found found = find(two_ropes(1e4, 6));
   ASSERT_EQ(found.ending, Ending::converged);

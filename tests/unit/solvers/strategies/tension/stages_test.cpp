@@ -13,7 +13,8 @@ namespace {
 
 using StageEnding = MixedNewton::Ending;
 
-/// Solved in stages, and by newton from the sketch: the same place, with little left for newton to do.
+/// Compares the equilibrium by stages with that by newton from the sketch; from the former, newton needs few
+/// iterations.
 void expect_same_place(const Scene& scene, double size) {
   TakenAsMembers taken(scene);
   EXPECT_EQ(Stages(defaults<FromSoft>(), taken.problem.interface()).solve(taken.u), StageEnding::converged);

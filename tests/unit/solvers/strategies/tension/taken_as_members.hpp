@@ -12,7 +12,7 @@
 
 namespace netloft::tension {
 
-/// The defaults of a strategy, for a user who sets nothing.
+/// The default parameters of a strategy.
 template <class Strategy>
 typename Strategy::Parameters defaults() {
   StrategyTable<Strategy> table("", "");
@@ -25,7 +25,7 @@ typename Strategy::Parameters defaults() {
   return parameters;
 }
 
-/// A scene shown to a method as members.
+/// A scene in the form of members and other forces, as methods of solvers/strategies/tension take it.
 struct TakenAsMembers {
   explicit TakenAsMembers(const Scene& scene, const Limits& limits = {},
                           const std::function<void(const IterationRecord&)>& on_iteration = {})
