@@ -148,7 +148,7 @@ cholmod_dense view_of(double* x, std::size_t size) {
   return view;
 }
 
-/// Factors with indices of one width.
+/// CHOLMOD's factors, with indices of 32 or of 64 bits.
 class CholmodFactors {
  public:
   virtual ~CholmodFactors() = default;

@@ -32,8 +32,8 @@ struct Elimination {
 /// Number of pivots that are eliminated one by one before the rest is updated.
 inline constexpr std::ptrdiff_t kPivotBlock = 8;
 
-/// How many pivots before `end` update the columns after `end` in one product, and how many columns: blocks
-/// are merged in pairs, pairs of pairs and so on, so that it is the largest power of two that divides `end`.
+/// The number of pivots before `end` that update, in one product, the same number of columns after `end`. It
+/// is the largest power of two that divides `end`: blocks are merged in pairs, pairs of pairs and so on.
 constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
 /// The dense operations on a front, for the instruction set of this processor:

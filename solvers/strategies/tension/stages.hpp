@@ -13,7 +13,7 @@ class Stages {
   /// The options, which strategies.cpp explains with their sources.
   struct Parameters : MixedNewton::Parameters {
     double softest = 0;          // factor on all stiffness in the first stage
-    double ratio = 0, last = 0;  // first and last multiple of the tension
+    double ratio = 0, last = 0;  // first and last limit of the stiffness of a part over its tension
     double damping = 0, turn = 0, tolerance = 0;
     std::int64_t iterations = 0;
   };
