@@ -14,7 +14,7 @@ void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLim
   check_hangings(plan, limits, diagnostics);
   check_ropes(plan, limits, diagnostics);
   check_pieces(plan, limits, diagnostics);
-  // A wrong name leaves parts unconnected; that is not reported as a second error.
+  // After an error, such as an unknown name, parts may be unconnected for that reason alone.
   if (diagnostics.errors() == errors_before) check_connections(plan, diagnostics);
   if (diagnostics.errors() == 0) check_spans(plan, limits, diagnostics);
   if (diagnostics.errors() > 0) return;

@@ -7,22 +7,23 @@ namespace netloft::gears {
 /// Limits above which a difference is reported as a warning or as an error. Limits without a unit are
 /// relative to the value in the plan.
 struct CheckLimits {
-  double closing_meshes = 1;    // error of an aft edge [meshes]; each selvedge may hold half a mesh
-  double closing_error = 0.05;  // a larger difference of cuttings and aft count is an error
+  double closing_meshes = 1;    // difference of cuttings and aft count [meshes] that the seams may hide
+  double closing_error = 0.05;  // relative difference of cuttings and aft count, above which it is an error
   double joining_meshes = 2;    // difference of edges sewn mesh to mesh [meshes]
-  double joining = 0.02;        // relative difference of these edges
+  double joining = 0.02;        // relative difference of these edges; a warning needs both differences
   double joining_error = 0.10;  // above this the plan must state a take-up ratio
-  double stretching = 0.02;     // excess over the length of straight twines
+  double stretching = 0.02;     // relative excess of a rope over the straight twines that are hung on it
   double bunching = 0.2;        // hanging ratio below which meshes are bunched
-  double loose_rope = 0.5;      // smallest fraction of a rope with hangings that edges take
-  double crowded = 4;        // width of all floats over the length of their rope; more do not fit in bunches
+  double loose_rope = 0.5;      // fraction of a rope below which the edges hung on it take too little
+  double crowded = 4;  // width of all floats over the length of their rope; more do not even fit in bunches
   double short_rope = 0.02;  // missing length of rope
   double rounding = 1e-3;    // rounding of lengths in plans
 };
 
-/// Checks whether the net can be sewn: cuttings close, joins match, ropes are long enough, everything is
-/// connected. Errors go to the diagnostics, each with its place and the likely cure. A cutting that is not a
-/// rate is replaced by the rate that the plan probably means, which the remaining checks use.
+/// Checks whether the net can be sewn: the cuttings agree with the counts, sewn edges fit each other, ropes
+/// are long enough, everything is connected. Errors go to the diagnostics, each with its place and the likely
+/// cure. If a cutting is not a valid rate, the rate that the plan probably means replaces it for the
+/// remaining checks.
 void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 
 // These functions are the parts of check_plan.
@@ -32,7 +33,7 @@ void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Dia
 void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics);
-/// Checks that edges take most of each rope with hangings. The plan must be free of errors.
+/// Warns of ropes on which only a small part is hung with edges. The plan must be free of errors.
 void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 /// Checks that every edge is sewn, hung or declared open. The plan must be free of errors.
 void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics);

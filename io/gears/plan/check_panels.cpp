@@ -16,8 +16,8 @@ namespace {
 constexpr const char* kRates =
     "rates are written AB, AN, 5B1P, 1N2B, 3B1M: bars, then points or meshes, of one cycle";
 
-/// The difference between the aft edge by cuttings and its count, relative to the count; zero if the plan
-/// does not state the count.
+/// The relative difference between the meshes of the aft edge that follow from the cuttings and the count in
+/// the plan; zero if the plan states no count.
 double misses_by(const Panel& panel) {
   const double aft = panel.count(panel.aft);
   return panel.states_aft ? std::abs(aft_by_cuttings(panel) - aft) / std::max(1.0, aft) : 0;
@@ -32,8 +32,8 @@ Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string
   return panel;
 }
 
-/// The rate that closes the panel best among those that differ from the written text in one letter; empty if
-/// there is none.
+/// Among the rates that differ from the written text in one letter, returns the one whose aft edge agrees
+/// best with its count; empty if there is no such rate.
 std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
   std::string best;
@@ -78,7 +78,7 @@ bool all_rates_are_known(const Panel& panel) {
          std::all_of(panel.inner.begin(), panel.inner.end(), known);
 }
 
-/// A hint for closing a panel: another aft count, or another depth of one of its cuts.
+/// A hint for a panel whose cuttings disagree with its aft count: another count, or another depth of a cut.
 std::string closing_cure(const Panel& panel, double difference) {
   std::string cure = fmt::format("aft = {}", in_meshes(aft_by_cuttings(panel)));
   const double sides = panel.stands == Standing::middle ? 2 : 1;
@@ -150,7 +150,7 @@ void check_twine(const Panel& panel, formats::Diagnostics& diagnostics) {
                       "mesh is the stretched mesh size: two bars");
 }
 
-/// Refuses selvedges that leave no netting between them, and then removes them for the remaining checks.
+/// Reports seams that gather all meshes of a panel, and lets them gather none in the remaining checks.
 void check_selvedges(Panel& panel, formats::Diagnostics& diagnostics) {
   double gathered = 0;
   for (const auto* side : {&panel.outer, &panel.inner}) {

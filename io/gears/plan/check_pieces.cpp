@@ -21,8 +21,8 @@ double number_of(const Pieces& pieces, const char* key, const char* unit) {
   return silent.errors() ? 0 : value;
 }
 
-/// Whether pieces are floats. Floats lie side by side; other pieces are threaded discs, which are thinner
-/// than wide.
+/// Whether pieces are floats, which lie side by side along a rope. Other pieces are discs threaded on the
+/// rope, which are thinner than wide.
 bool is_float(const Pieces& pieces) { return number_of(pieces, "buoyancy", "N") > 0; }
 
 void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_sides,

@@ -14,7 +14,7 @@ namespace netloft::gears {
 
 namespace {
 
-/// The edges on one side of a join, counted over the whole gear.
+/// One side of a seam, which consists of one or more edges, counted over the whole gear.
 struct EdgeRow {
   std::string name;      // "bottom-wing.side + bottom-body.side"
   double meshes = 0;     // sum over port and starboard
@@ -49,8 +49,8 @@ EdgeRow read_edge_row(const NetPlan& plan, const std::vector<std::string>& names
   return row;
 }
 
-/// Whether both sides of a join are compared by mesh counts. A join with only one side edge, or along sides
-/// of different mesh sizes, is compared by length.
+/// Whether mesh counts, not lengths, are compared between the two sides of a seam. Lengths are compared if
+/// sides of panels are sewn to fore or aft edges, or to sides with another mesh size.
 bool is_counted(const EdgeRow& a, const EdgeRow& b) {
   if (a.is_side != b.is_side) return false;
   return !a.is_side || (a.is_one_mesh_size && b.is_one_mesh_size && a.mesh == b.mesh);
@@ -102,8 +102,8 @@ void check_widths(const Join& join, const std::string& path, const EdgeRow& a, c
       "one mesh size may be that of one bar instead of two, or take_up may be missing");
 }
 
-/// Registers edges that may be sewn or hung only once, and reports the second time. Names may overlap:
-/// "body.fore" contains "body.bosom".
+/// Reports edges that the plan sews twice, or hangs twice. Names may overlap: "body.fore" contains
+/// "body.bosom".
 class Ledger {
  public:
   explicit Ledger(const char* deed) : deed_(deed) {}
@@ -135,8 +135,8 @@ void check_sewn_to_itself(const Join& join, const std::string& path, const EdgeR
                       "edges of a middle panel can, and of a pair");
 }
 
-/// Refuses a row with more than two edges across the middle: a row starts in the middle, goes outwards, and
-/// may return to the middle once.
+/// Refuses a row of edges of which more than two lie across the middle. A row is sewn from the middle
+/// outwards, and may return to the middle once.
 void check_ring(const Join& join, std::size_t k, const std::string& path, const EdgeRow& row,
                 formats::Diagnostics& diagnostics) {
   if (row.across_middle > 2)
@@ -237,7 +237,7 @@ void check_rope_length(const NetPlan& plan, const Rope& rope, const CheckLimits&
     diagnostics.warning(rope.place, message, cure);
 }
 
-/// Refuses a rope that exists once and ends at a point that exists twice.
+/// Refuses a rope that exists once if it ends at a point that exists to port and to starboard.
 void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
                formats::Diagnostics& diagnostics) {
   const std::string path = "ropes." + rope.name + ".between";
@@ -385,7 +385,8 @@ void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   for (const auto& point : plan.points)
     if (!plan.find_body(owner(point.name))) all.add(point.name, point.place);
   for (const auto& body : plan.bodies)
-    if (is_tied(plan, body.name)) all.add(body.name, body.place);  // a scene may tie the others
+    if (is_tied(plan, body.name))
+      all.add(body.name, body.place);  // the scene may attach bodies without ropes
   for (const auto& join : plan.joins) connect_join(all, join);
   for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);
   for (const auto& rope : plan.ropes)

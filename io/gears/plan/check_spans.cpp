@@ -71,7 +71,8 @@ void say_too_short(const GearPoint& a, const GearPoint& b, double length, format
 
 namespace {
 
-/// Refuses ropes whose ends are the same point and that take no edge: they would hang there as a loop.
+/// Refuses a rope that begins and ends at the same point and has no edge hung on it: it would be a loose
+/// loop.
 void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& diagnostics) {
   for (const auto& rope : gear.ropes) {
     if (!rope.hung.empty() || rope.is_mirrored) continue;

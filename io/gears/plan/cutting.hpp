@@ -21,18 +21,18 @@ struct CuttingRate {
   int half_meshes_across() const { return bars + 2 * meshes; }  // (1)
   int half_meshes_deep() const { return bars + 2 * points; }    // (2)
   bool is_straight() const { return half_meshes_across() == 0; }
-  /// Meshes across over `deep` meshes; undefined for a rate that goes across only (AM).
+  /// The meshes across in `deep` meshes aft; undefined for a rate that goes across only (AM).
   double across(double deep) const { return deep * half_meshes_across() / half_meshes_deep(); }
   double deep(double across) const { return across * half_meshes_deep() / half_meshes_across(); }
 
   bool operator==(const CuttingRate&) const = default;
 };
 
-/// Parses a rate: "5B1P", "1N2B", "AB", "AN", "AM"; N and P mean the same, and M and T. Empty if the text is
-/// not a rate.
+/// Parses a rate: "5B1P", "1N2B", "AB", "AN", "AM". N means the same as P, and T the same as M. Empty if the
+/// text is not a rate.
 std::optional<CuttingRate> parse_rate(std::string_view text);
 
-/// Rates that differ from `text` in one letter, which are candidates for an illegible plan.
+/// Rates that differ from `text` in one letter: what a plan may mean whose text is not a rate.
 std::vector<std::string> rates_near(const std::string& text);
 
 }  // namespace netloft::gears

@@ -192,8 +192,8 @@ class GearMaker {
     }
   }
 
-  /// Ties the ends of a rope. In a whole gear, a rope of the middle ends on both sides, and the point at its
-  /// start is tied to its middle.
+  /// Sets the points to which a rope is tied. The plan names points for the middle and for the end of a rope
+  /// across the middle; in a whole gear, this end exists on both sides.
   void tie(GearRope& one, Side side) const {
     const auto& [start, end] = one.rope->between;
     if (is_whole() && one.rope->stands == Standing::middle) {
@@ -275,8 +275,8 @@ class GearMaker {
     return {name.substr(0, dot), dot == std::string::npos ? "" : name.substr(dot + 1)};
   }
 
-  /// The name in the gear of a point of the plan on one side; in a whole gear, the ends of a rope of the
-  /// middle are its start and its end.
+  /// The name in the gear of a point of the plan, on one side. In the plan, a rope across the middle has its
+  /// "end" on both sides; in a whole gear, these are its start (to port) and its end (to starboard).
   std::string point_on(const std::string& name, Side side) const {
     const auto [owner, rest] = split(name);
     const Standing stands = standing_of(owner);

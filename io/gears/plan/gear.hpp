@@ -21,16 +21,17 @@ enum class Extent {
 struct GearPanel {
   std::string name;
   const Panel* panel = nullptr;
-  bool is_mirrored = false;  // x of its outline points to port
+  bool is_mirrored = false;  // whether positive x of its outline points to port
   Outline outline;           // a middle panel of a whole gear has both halves, port at negative x
 
-  /// Twine coordinates (u, v) of a point of the outline [bars], by twine_coordinates.hpp.
+  /// Coordinates (u, v) of a point of the outline along the two twine directions [bars].
   std::array<double, 2> twine_coordinates(PanelPoint point) const {
     return panel->twines_at(point.x, point.y);
   }
 
   bool has_sketch() const { return !panel->sketch.empty(); }
-  /// The position of a point of the outline in the sketch [m], interpolated between the plan's four corners.
+  /// The position [m] of a point of the outline in the initial shape, interpolated between the four corners
+  /// that the plan gives as `sketch`.
   std::array<double, 3> sketched(PanelPoint point) const;
 };
 
@@ -40,9 +41,9 @@ struct EdgeRef {
   bool operator==(const EdgeRef&) const = default;
 };
 
-/// Edges that are sewn together, with one or more edges on each side. A seam is one line of knots, however it
-/// is divided. Edges keep the direction of their outlines, so edges that are sewn together may run in
-/// opposite directions.
+/// Edges that are sewn together, with one or more edges on each side. Both sides become one line of knots,
+/// whatever their division. Edges keep the direction of their outlines, so edges that are sewn together may
+/// run in opposite directions.
 struct Seam {
   std::array<std::vector<EdgeRef>, 2> edges;
   double take_up = 0;  // meshes of the second side per mesh of the first; 0: mesh to mesh
@@ -57,8 +58,8 @@ struct HungEdge {
   double length = 0;
 };
 
-/// One rope of a gear. In a whole gear, a rope of the middle runs from port ("start") to starboard ("end");
-/// in half a gear it starts on the plane of symmetry and has half its length.
+/// One rope of a gear. In a whole gear, a rope across the middle runs from port ("start") to starboard
+/// ("end"); in half a gear it starts on the plane of symmetry and has half its length.
 struct GearRope {
   std::string name;
   const Rope* rope = nullptr;
@@ -66,7 +67,7 @@ struct GearRope {
   double length = 0;                   // unstretched [m]
   std::vector<HungEdge> hung;          // from start to end
   std::array<std::string, 2> between;  // names in this gear of the points at its ends
-  std::string middle;                  // point tied to its middle, for a rope of the middle in a whole gear
+  std::string middle;  // point tied to its middle, if it lies across the middle of a whole gear
 };
 
 /// Floats, weights or pieces of ground gear in one place: along a rope, along edges, or at a point. Only one
@@ -94,9 +95,10 @@ struct GearBody {
   bool is_mirrored = false;
 };
 
-/// A net plan completed by its symmetry. It refers to the plan, which must outlive it. Points are named
-/// "headrope.end", "port-wing.fore-outer", "port-towing-point". In a whole gear, corners of middle panels are
-/// named like their edges, "body.port-fore-outer"; on the plane of symmetry, "body.fore-inner".
+/// The modelled parts of a net plan, including those mirrored to port. It refers to the plan, which must
+/// outlive it. Points are named "headrope.end", "port-wing.fore-outer", "port-towing-point". In a whole gear,
+/// corners of middle panels are named like their edges, "body.port-fore-outer"; on the plane of symmetry,
+/// "body.fore-inner".
 struct Gear {
   Extent extent = Extent::whole;
   std::vector<GearPanel> panels;
@@ -110,9 +112,9 @@ struct Gear {
   const GearRope* find_rope(const std::string& name) const;
   /// The name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
-  /// The last panel of a row that goes round the net; nothing if the row does not. Such a row has two panels
-  /// across the middle, such as an upper and a lower panel before a tube: it goes from the middle of the
-  /// first outwards, and along the last back to the middle.
+  /// If a row of edges goes round the net, returns the last panel of the row; otherwise nothing. Such a row
+  /// has two panels across the middle, such as the upper and the lower panel before a tube: it goes from the
+  /// middle of the first panel outwards, and along the last panel back to the middle.
   std::optional<std::size_t> last_of_ring(const std::vector<EdgeRef>& row) const;
 };
 

@@ -4,7 +4,7 @@
 
 namespace netloft::gears {
 
-/// The edges of one panel that a name means, in the order outwards or aft.
+/// The edges of one panel that a name means, in the order from the middle outwards, or aft.
 struct EdgeSet {
   const Panel* panel = nullptr;
   std::vector<OutlineEdge> edges;
@@ -21,9 +21,9 @@ struct EdgeSet {
   bool is_across_middle() const;
 };
 
-/// The edges that a name means: "top-wing.inner", "top-wing.breast-cut", "top-body.fore" (all stretches of
-/// it). If there is no such edge, the result is empty and an error at `place` lists near names; `path` is the
-/// key that contains the name. A panel without meshes has no edges.
+/// The edges that a name means: "top-wing.inner", "top-wing.breast-cut", "top-body.fore" (all parts of the
+/// fore edge). If there is no such edge, the result is empty and an error at `place` lists similar names;
+/// `path` is the key that contains the name. A panel without meshes has no edges.
 EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::Place& place,
                   const std::string& path, formats::Diagnostics& diagnostics);
 

@@ -13,7 +13,7 @@
 namespace netloft::gears {
 
 // A net plan as written by its maker: counts in meshes, lengths in metres, names unchanged. Parts that exist
-// to port and to starboard are stored once; they are not yet mirrored, cut to size or divided.
+// to port and to starboard are stored once: nothing is mirrored or divided into elements yet.
 
 /// The symmetry of a part.
 enum class Standing {
@@ -39,7 +39,7 @@ struct Cut {
   CuttingRate rate;
   bool is_known = true;  // false: the text is not a rate, and `rate` is a guess
   int goes = 0;          // +1 if the panel becomes wider going aft, -1 if narrower, 0 if straight
-  // Meshes as stated; if neither is given, the cut takes the rest of the depth.
+  // Meshes in the plan; if neither is given, the cut takes the rest of the depth.
   std::optional<double> said_across, said_deep;
   double across = 0, deep = 0;  // computed meshes
   double selvedge = 0;          // meshes that are gathered into the seam along the cut
@@ -62,7 +62,7 @@ struct Panel {
   Standing stands = Standing::middle;
   double mesh = 0;  // stretched mesh size, two bars [m]
   std::string orientation = "diamond";
-  double angle = 0;           // rotation of the netting in the panel, twine_coordinates.hpp (2) [rad]
+  double angle = 0;           // rotation of the netting in the panel, from outwards towards aft [rad]
   std::string twine_name;     // name in the catalogue; empty if the plan states the numbers
   formats::Value twine;       // a table: diameter, EA, density, …
   double twine_diameter = 0;  // [m]
@@ -76,22 +76,22 @@ struct Panel {
   bool is_round = false;       // whether the panel is a tube: its sides are sewn together
   std::vector<Cut> outer;      // outer side; both sides of a middle panel
   std::vector<Cut> inner;      // inner side; empty in a middle panel
-  /// Initial corners of the panel or half to starboard [m]: fore-inner, fore-outer, aft-outer, aft-inner; may
-  /// be empty.
+  /// Initial corners of a starboard panel, or of the starboard half of a middle panel [m]: fore-inner,
+  /// fore-outer, aft-outer, aft-inner; may be empty.
   std::vector<std::array<double, 3>> sketch;
   formats::Place place, aft_place;
 
-  /// Whether the panel has no netting by its counts. A panel by corners may end in a point at both ends.
+  /// Whether both counts are zero, so that there is no netting; a panel given by corners may end in points.
   bool is_empty() const { return !has_corners && count(fore) <= 0 && count(aft) <= 0; }
-  /// Meshes of the whole edge; of a middle panel including port and starboard.
+  /// Meshes of the whole edge; for a middle panel, port and starboard together.
   double count(const std::vector<MeshCount>& edge) const;
-  /// Twine coordinates (u, v) of a point, or of a vector between two points [bars]; twine_coordinates.hpp.
+  /// Coordinates (u, v) along the two twine directions of a point, or of a vector between two points [bars].
   std::array<double, 2> twines_at(double across, double deep) const;
   bool operator==(const Panel&) const = default;
 };
 
 constexpr double kWinchSpeed = 2;    // [m/s]; trawl winches haul some 80 to 120 m in a minute
-constexpr double kWinchBand = 0.05;  // default band as a fraction of the tension
+constexpr double kWinchBand = 0.05;  // default deviation at full speed, as a fraction of the tension
 
 /// A rope, wire or chain. A rope in the middle has its full length here; it starts in the middle and ends on
 /// both sides.
@@ -107,25 +107,25 @@ struct Rope {
   std::string role;  // one of rope_roles(); empty: none
   formats::Place role_place;
   std::array<std::string, 2> between;  // points at its ends; empty if an end is not tied
-  // The stages of its winch in a motion. If the winch begins with `tension`, the first stage has no rows.
+  // Control of the winch in a motion, stage by stage. A first stage without rows holds `tension`.
   std::vector<WinchStage> winch;
   formats::Place winch_place, tension_place;
   bool is_selvedge =
-      false;  // whether the rope stands for meshes gathered into a seam; plans do not state such ropes
+      false;  // whether the rope is a strip of meshes gathered into a seam, which no plan states
   formats::Place place, between_place;
 };
 
-/// The names of the roles of ropes in a gear. Reports have results of the mouth if a headline and a footrope
-/// have their roles.
+/// The roles that a rope may have in a gear. Reports describe the mouth of the net if one rope is the
+/// headline and another the footrope.
 const std::vector<std::string>& rope_roles();
 
 /// An edge that is hung on a rope. The edges of a rope follow each other in the order of the hangings.
 struct Hanging {
   std::string edge, rope;
-  // Length of rope that the edge takes; that of a middle edge is for the whole edge [m]; 0: the ratio is
+  // Length of rope that the edge takes [m], for an edge across the middle that of both halves; 0: `ratio` is
   // given.
   double length = 0;
-  double ratio = 0;  // length of rope divided by that of the stretched edge; 0: the length is given
+  double ratio = 0;  // length of rope divided by that of the stretched edge; 0: `length` is given
   formats::Place edge_place, rope_place, place;
   bool operator==(const Hanging&) const = default;
 };
@@ -159,13 +159,13 @@ struct Pieces {
 struct Point {
   std::string name;
   Standing stands = Standing::pair;
-  std::optional<std::array<double, 3>> at;  // [m]; that of a pair to starboard
+  std::optional<std::array<double, 3>> at;  // [m]; for a pair, the point to starboard
   formats::Place place;
   bool operator==(const Point&) const = default;
 };
 
-/// A rigid body, such as an otter board. The plan contains only the points to which ropes lead, `door.warp`;
-/// the scene reads the rest.
+/// A rigid body, such as an otter board. The plan contains only its points, such as `door.warp`, to which
+/// ropes lead; the scene reads the rest.
 struct PlanBody {
   std::string name;
   Standing stands = Standing::pair;

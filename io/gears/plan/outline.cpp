@@ -71,7 +71,8 @@ void draw_counts(Pen& pen, const Panel& panel, const std::vector<MeshCount>& cou
              {pen.at().x + direction * count.meshes, pen.at().y});
 }
 
-/// Meshes that selvedges gather at the corner before cut k of a side; k may be the number of cuts.
+/// Meshes that seams gather at the corner before cut k of a side; if k is the number of cuts, at its last
+/// corner.
 double selvedge_at(const std::vector<Cut>& side, std::size_t k) {
   return std::max(k > 0 ? side[k - 1].selvedge : 0.0, k < side.size() ? side[k].selvedge : 0.0);
 }
@@ -86,8 +87,8 @@ double take(double wanted, MeshCount* count) {
 MeshCount* first(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.front(); }
 MeshCount* last(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.back(); }
 
-/// Moves corners inwards by the gathered meshes. At the fore and aft ends, by no more than the meshes of
-/// these edges.
+/// Moves the corners of a side inwards by the meshes that seams gather; its first and last corner move by no
+/// more than the meshes of the fore and the aft edge.
 void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, double inwards, MeshCount* fore,
             MeshCount* aft) {
   for (std::size_t k = 0; k < corners.size(); ++k) {

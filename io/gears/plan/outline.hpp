@@ -4,8 +4,8 @@
 
 namespace netloft::gears {
 
-/// A point of an undeformed panel: x meshes across, outwards; y meshes aft of the fore edge. A mesh is its
-/// full width across and its stretched length along the gear, in agreement with mesh counts.
+/// A point of an undeformed panel: x meshes across, outwards; y meshes aft of the fore edge. In both
+/// directions, the unit is a mesh as net makers count it.
 struct PanelPoint {
   double x = 0, y = 0;
 };

@@ -8,13 +8,13 @@ namespace netloft::gears {
 
 inline constexpr double kMostMeshes = 1e5;  // largest number of meshes across or along a panel
 
-/// A part that a plan names from a catalogue or writes itself.
+/// A part that a plan names from a catalogue, or describes by numbers of its own.
 struct ChosenPart {
   std::string name;  // name in the catalogue; empty if the plan states the numbers
   formats::Value table;
 };
 
-/// Reads the part under `key`: a name of a catalogue part of the kinds for `kind_key`, or a table.
+/// Reads the part under `key`: a table, or the name of a catalogue part of the kinds that `kind_key` allows.
 ChosenPart read_part_choice(formats::TableReader& table, const char* key, const char* kind_key,
                             const Catalogue& catalogue);
 
@@ -34,12 +34,12 @@ PlanBody read_plan_body(const std::string& name, formats::TableReader& table, co
 /// Reads `[ship]`, and adds its blocks and warps to the plan. The bodies of the plan must be known.
 void add_ship(NetPlan& plan, formats::TableReader& ship, const Catalogue& catalogue);
 
-/// Reads `winch` of a warp whose lengths and tensions are known: one table, or a list of tables that replace
-/// one another in time.
+/// Reads `winch` of a warp, after the lengths and tensions of the warp: one table, or a list of tables that
+/// replace one another in time.
 void read_winch(formats::TableReader& warp, Rope& rope);
 
-/// Adds the selvedges that seams gather: outlines become narrower, and each strip becomes a rope along its
-/// edge.
+/// Models the meshes that seams gather: outlines become narrower by these meshes, and a rope along the edge
+/// has their stiffness and mass.
 void add_selvedges(NetPlan& plan, formats::Diagnostics& diagnostics);
 
 /// Reads the symmetry of a part, `stands = "pair"`.

@@ -20,7 +20,7 @@ struct Corner {
   std::string edge;             // name of the edge after the corner; empty: a default name
 };
 
-/// Divides a border into edges; members are steps in their order.
+/// Divides the border given by corners into edges; the member functions are steps in the order of execution.
 class CornerReader {
  public:
   CornerReader(Panel& panel, formats::TableReader& table) : panel_(panel), table_(table) {}
@@ -142,7 +142,7 @@ class CornerReader {
   /// Sign of a cut: the panel becomes wider where its outer side goes outwards, or its inner side inwards.
   double side_sign(const std::vector<Cut>& side) const { return &side == &panel_.outer ? 1 : -1; }
 
-  /// Removes the line in the middle of a middle panel, of which only half is given: this line is no edge.
+  /// Removes the middle line of a middle panel. Its corners enclose one half, of which this line is no edge.
   void leave_out_middle() {
     const bool is_straight = panel_.inner.size() == 1 && panel_.inner[0].across == 0;
     const bool is_on_middle = std::abs(corners_.front().across) < kSame;

@@ -14,7 +14,8 @@ namespace netloft::gears {
 
 namespace {
 
-// The tables of a scene beside those of a plan, and the keys of its [gear] about the model.
+// Tables that belong to scenes, keys of [gear] for the division into elements, and tables of which a plan
+// needs at least one.
 constexpr const char* kOfScenes[] = {"water", "tow",      "bed",     "parts",
                                      "hold",  "analysis", "results", "elements"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};

@@ -16,11 +16,11 @@ NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::stri
 /// Whether a document contains tables of a plan. `root` is its root table.
 bool holds_plan(const formats::Value& root);
 
-/// The tables of a scene on which its plan depends: without the other tables of the scene, the keys of
-/// `[gear]` about the model, and the folders of catalogues.
+/// The tables of a scene on which its plan depends. Other tables, the keys of `[gear]` for the division into
+/// elements, and the folders of catalogues are removed.
 formats::Value tables_of_plan(formats::Value scene);
 
-/// Reads the plan that `tables_of_plan` returned. The plan has no files.
+/// Reads the plan from tables that `tables_of_plan` returned, without a record of files.
 NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue,
                   formats::Diagnostics& diagnostics);
 

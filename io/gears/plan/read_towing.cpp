@@ -35,7 +35,8 @@ const formats::Table* points_of_catalogue(formats::TableReader& table, const Cat
   return nullptr;
 }
 
-/// The point to which warps lead: by default the only point `warp` of the bodies. Empty after an error.
+/// The point to which warps lead: by default the point named `warp`, if one body has it. Empty after an
+/// error.
 std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
   if (warp.has("to")) return warp.text("to", {.doc = "the point that it leads to, such as \"door.warp\""});
   std::vector<std::string> ends;
@@ -106,7 +107,7 @@ PlanBody read_plan_body(const std::string& name, formats::TableReader& table, co
   body.stands = read_standing(table, "pair");
   const formats::Value* own = table.has(kPoints) ? table.raw(kPoints) : nullptr;
   body.points = names_in(own ? own->as<formats::Table>() : points_of_catalogue(table, catalogue));
-  for (const auto& key : table.keys()) table.raw(key);  // the scene reads them
+  for (const auto& key : table.keys()) table.raw(key);  // known, because the scene reads them
   return body;
 }
 

@@ -9,8 +9,9 @@ namespace netloft::gears {
 namespace {
 
 // A stretched strip of n meshes has 2n twines side by side, because a mesh is two bars long and consists of
-// four. All of them carry load, except in square netting, where half of them run across. With t twines laid
-// side by side in the netting, k counts twines for the mass and e those for the stiffness:
+// four. All twines carry load, except in square netting, where half of them run across. The netting may have
+// t twines side by side instead of one; d, m, EA are diameter, mass and stiffness of one twine. The mass is
+// that of k twines, the stiffness that of e twines:
 //   k = 2 n t,   e = k, for square netting k/2                                              (1)
 //   d_strip = √k d,  m_strip = k m,  EA_strip = e EA                                          (2)
 struct Bundle {
@@ -36,8 +37,8 @@ formats::Value strip_of(const Panel& panel, const Bundle& bundle, formats::Diagn
   return strip;
 }
 
-/// Whether the name of a strip is taken. If an edge is sewn twice, its strip exists already; the check
-/// reports this.
+/// Whether the name of a strip is already in use. An edge that is sewn twice has its strip already;
+/// check_plan() reports such an edge.
 bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
               formats::Diagnostics& diagnostics) {
   const Rope* rope = plan.find_rope(name);
@@ -48,7 +49,7 @@ bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
   return rope || is_written;
 }
 
-/// Adds a rope along an edge with the length of its straight twines, so that it is slack until they are
+/// Adds a rope along an edge. It is as long as the straight twines of the edge, so it is slack until they are
 /// straight.
 void add_strip(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
                formats::Diagnostics& diagnostics) {

@@ -7,8 +7,7 @@
 
 namespace netloft::gears {
 
-/// Reads the column `t` of a table in time [s]: it begins at zero, and each time is later than the one
-/// before.
+/// Reads the column `t` of a table [s], whose times begin at zero and increase.
 std::vector<double> read_times(formats::TableReader& table);
 /// Reads the times of a table that replaces an earlier table at t[0]; a single time is enough.
 std::vector<double> read_later_times(formats::TableReader& table);

@@ -9,9 +9,9 @@ namespace netloft::gears {
 /// Coordinates along the twines of a point of an undeformed panel, in bars (Priour 2013: u and v are the two
 /// twine directions, and knots have whole numbers of both). U meshes across, outwards; V meshes deep, aft:
 ///   diamond  u = U + V,  v = V − U;   T90  u = V + U,  v = U − V;   square  u = U,  v = V        (1)
-/// A mesh of diamond or T90 netting has the same size across and deep, √2 bars, when it is opened to a
-/// square. Square netting is counted in bars. If the netting is turned in its panel by φ, from outwards
-/// towards aft, with meshes opened to squares, (1) uses
+/// A mesh of diamond or T90 netting is as wide as deep, √2 bars, when it is opened to a square. Square
+/// netting is counted in bars. If the netting is turned in its panel by φ, from outwards towards aft, with
+/// meshes opened to squares, (1) uses U′, V′ instead of U, V:
 ///   U′ = U cos φ + V sin φ,  V′ = V cos φ − U sin φ                                              (2)
 /// Diamond netting turned by 45° is therefore square netting, counted in √2 bars.
 inline std::array<double, 2> twine_coordinates(const std::string& orientation, double angle, double U,
