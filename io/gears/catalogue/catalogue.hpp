@@ -18,7 +18,7 @@ namespace netloft::gears {
 /// element that treats a line as a homogeneous cylinder has the correct weight in water with the density
 ///   ρ = ρ_w + m/A (1 − ρ_w/ρ_m),   A = π d²/4      (1)
 /// m [kg/m] mass of a metre, ρ_m [kg/m³] density of the material, d [m] diameter, ρ_w = 1025 kg/m³. (1) is
-/// not used for a part that states ρ itself. For pieces such as floats:
+/// not used for a part that states ρ itself. The volume of a piece, such as a float, follows from its mass:
 ///   V = m/ρ_m                                      (2)
 struct CataloguePart {
   std::string name;
@@ -42,7 +42,7 @@ class Catalogue {
   /// The parts of one file.
   static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
-  /// Adds `by` to the file index of all places, to refer to the files of other diagnostics.
+  /// Adds `by` to the file index of all places, after the files were appended to those of other diagnostics.
   void shift_files(int by);
 
   /// The part of this name; null if no part of these kinds has the name.
@@ -74,7 +74,7 @@ class KeptCatalogue {
  private:
   std::vector<std::filesystem::path> folders_;
   formats::Diagnostics said_;  // messages of the loading
-  int first_file_ = 0;         // index of its first file in the last diagnostics
+  int first_file_ = 0;         // index of its first file in the `diagnostics` of the last call
   std::shared_ptr<const Catalogue> catalogue_;
 };
 

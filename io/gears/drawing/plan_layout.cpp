@@ -27,7 +27,7 @@ PanelPoint middle_of(const EdgeSet& set) {
   return {set.is_across_middle() ? 0 : (left + right) / 2, set.edges.front().from.y};
 }
 
-/// The two edges of a join that align panels: the aft edge of one panel and a fore edge of another.
+/// The two edges of a seam that align two panels: the aft edge of one and a fore edge of the other.
 struct Seam {
   EdgeSet aft, fore;
 };

@@ -9,13 +9,13 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kDrawnHalfAngle = std::numbers::pi / 6;  // half angle of meshes with an opening of one half
+constexpr double kDrawnHalfAngle = std::numbers::pi / 6;  // of bars to the aft direction, netting half open
 
 PanelPoint between(PanelPoint a, PanelPoint b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-/// Makes the cloths of one gear; the member functions are steps in the order of execution.
+/// Divides panels into cloths, pieces without symmetry; the member functions are steps in their order.
 class Cutter {
  public:
   explicit Cutter(const Gear& gear) : gear_(gear) {}
@@ -46,8 +46,7 @@ class Cutter {
     name_corners();
   }
 
-  /// Adds one half of a middle panel, that on the side of `sign`, including the line along which it meets the
-  /// other half.
+  /// Adds the half of a middle panel on the side of `sign`, including the middle line between the halves.
   void add_half(std::size_t p, double sign) {
     begin(p, sign < 0, sign);
     std::vector<ClothSide> ring;
@@ -126,7 +125,7 @@ class Cutter {
     all_.sides.push_back(side);
   }
 
-  /// Names the corners of a cloth. If a side has no extent, both its corners are the point where its
+  /// Names the corners of a cloth. If a side has no extent, both its corners are at the point where its
   /// neighbours meet.
   void name_corners() {
     Cloth& cloth = all_.cloths.back();
@@ -149,7 +148,7 @@ class Cutter {
 
   const ClothSide& at(const Cloth& cloth, std::size_t k) const { return all_.sides[cloth.sides[k]]; }
 
-  /// The name of an edge in the plan.
+  /// The name of an edge in the plan, without the prefix for port or starboard.
   std::string own_name(const Cloth& cloth, std::size_t k) const {
     const std::string& name = gear_.panels[cloth.panel].outline.edges[at(cloth, k).edge.edge].name;
     const bool is_half = cloth.sign < 0 || (gear_.extent == Extent::whole &&

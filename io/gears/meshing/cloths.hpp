@@ -10,7 +10,7 @@ namespace netloft::gears {
 struct ClothSide {
   std::size_t cloth = 0;
   EdgeRef edge;              // unused for the line between both halves of a middle panel
-  bool is_inside = false;    // whether it is this line
+  bool is_inside = false;    // whether it is the line between both halves of a middle panel
   bool is_reversed = false;  // whether it runs against the direction of the outline's edge
   EdgeKind kind{};
   bool is_on_plane = false;           // on the plane of symmetry of half a gear
@@ -18,7 +18,7 @@ struct ClothSide {
   PanelPoint from, to;                // x is outwards on either side of the gear
   double edge_from = 0, edge_to = 1;  // fractions of the edge, in the edge's direction
   double meshes = 0, stretched = 0;   // counted meshes; length of its straight twines [m]
-  double length = 0;                  // length in the spread netting [m]
+  double length = 0;                  // length in half-open netting [m]
 
   bool is_across() const { return kind == EdgeKind::fore || kind == EdgeKind::aft; }
 };
@@ -34,8 +34,9 @@ struct Cloth {
   std::map<std::string, std::size_t> corners;  // "fore-outer" -> the side that starts there
 };
 
-/// Coordinates of netting that is spread with an opening of one half: bars are at 30 degrees to the aft
-/// direction, x = U m sin 30°, y = V m cos 30°. Square netting and turned netting are spread to squares.
+/// The position [m] of a point in half-open netting, whose bars are at 30 degrees to the aft direction: x = U
+/// m sin 30°, y = V m cos 30°, with U, V meshes across and deep, m mesh size. The meshes of square netting
+/// and of turned netting are opened to squares.
 PanelPoint spread(const Panel& panel, PanelPoint point);
 
 struct Cloths {

@@ -4,8 +4,8 @@
 
 namespace netloft::gears {
 
-/// A plan with only what its division into elements depends on: without materials, pieces, positions,
-/// tensions, the ship, and places in files.
+/// Copies only the data of a plan on which its division into elements depends, without materials, pieces,
+/// positions, tensions, the ship, and places in files.
 NetPlan geometry_of(const NetPlan& plan);
 
 /// The input of a division.

@@ -20,20 +20,20 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kNear = 0.05;   // relative deviation from the requested number of nodes
+constexpr double kNear = 0.05;   // accepted relative deviation from the requested number of nodes
 constexpr int kTrials = 8;       // sizes that are tried to reach the requested number
-constexpr double kGrid = 1e-10;  // relative to the size of a cloth; makes port and starboard exactly alike
+constexpr double kGrid = 1e-10;  // grid over size of a piece; makes port and starboard exactly alike
 
 constexpr int kPartings = 5;  // rounds in which coincident sides of two cloths are separated
 
-/// The border of a cloth: its nodes and their positions in the undeformed panel.
+/// The border of a cloth, a piece of netting: its nodes and their positions in the undeformed panel.
 struct Border {
   std::vector<std::uint32_t> nodes;
   std::vector<PanelPoint> points;
   std::vector<std::size_t> side_starts;  // index in the border at which each side starts
 };
 
-/// Divides one gear with one size; the member functions are steps in the order of execution.
+/// Divides one gear with one element size; the member functions are steps in the order of execution.
 class Divider {
  public:
   Divider(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size,
@@ -62,7 +62,7 @@ class Divider {
  private:
   std::uint32_t add_node() { return static_cast<std::uint32_t>(mesh_.nodes++); }
 
-  /// Numbers the points of lines first, then the nodes within lines.
+  /// Numbers the end points of the lines of knots first, then the nodes between them.
   void number_lines() {
     mesh_.nodes = lines_.number_of_points;
     for (const auto& line : lines_.lines) {
@@ -90,9 +90,9 @@ class Divider {
   }
 
   /// Finds, for each cloth, whether triangles that are counter-clockwise in the cloth are also
-  /// counter-clockwise seen from outside the net. Two cloths of the same sense run along their common seam in
-  /// opposite directions. The first panel is taken to be on top, where the turn from outwards to aft is
-  /// clockwise.
+  /// counter-clockwise seen from outside the net. If this is the same for two cloths, they run along their
+  /// common seam in opposite directions. The first panel is assumed to be the upper one; on its starboard
+  /// side, seen from above, the turn from outwards to aft is clockwise.
   void find_senses() {
     std::vector<std::vector<std::pair<std::size_t, bool>>> users(lines_.lines.size());
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
@@ -127,7 +127,7 @@ class Divider {
     return border;
   }
 
-  /// Appends all nodes of a run except its last.
+  /// Appends the nodes of a run, a part of a side along one line, except its last node.
   void append(Border& border, const ClothSide& side, const SideRun& run) const {
     const auto nodes = nodes_of(run);
     const auto fractions = fractions_of(run);
@@ -193,9 +193,9 @@ class Divider {
     return std::minmax(tag(c, side[0]), tag(c, side[1]));
   }
 
-  /// Splits sides of triangles of different cloths that coincide without a seam because they connect the same
-  /// two nodes of the gear. This happens near sharp corners and where seams end in a point. Each side gets
-  /// its own node in its middle. Returns whether there were any.
+  /// Separates triangle sides of different cloths that are not sewn together but coincide, because they
+  /// connect the same two nodes of the gear. This happens near sharp corners and where seams end in a point.
+  /// Each such side gets its own node in its middle. Returns whether there were any.
   bool part_doubled_sides() {
     std::map<std::pair<Tag, Tag>, int> times;
     for (const auto& nodes : line_nodes_)
@@ -230,8 +230,8 @@ class Divider {
     add_sets(cloth, borders_[c], own);
   }
 
-  /// The border in the spread plane. Positions are rounded to a grid, because lines of opposite directions
-  /// are divided with different rounding errors.
+  /// The border as positions in half-open netting [m]. They are rounded to a grid, because rounding errors
+  /// depend on the direction in which a line is divided.
   static std::vector<PlanePoint> on_plane(const Panel& panel, const Border& border) {
     std::vector<PlanePoint> points;
     double extent = 0;
@@ -351,8 +351,8 @@ class Divider {
       mesh_.points.emplace(name, static_cast<std::uint32_t>(point));
   }
 
-  /// In half a gear, collects the nodes on the plane of symmetry: those on sides, starts of ropes, and
-  /// points.
+  /// In half a gear, collects the nodes on the plane of symmetry: those on sides of cloths, the starts of
+  /// ropes across the plane, and points in the middle.
   void add_middle() {
     if (gear_.extent != Extent::half) return;
     std::set<std::uint32_t> middle;

@@ -11,20 +11,19 @@
 
 namespace netloft::gears {
 
-/// The fineness of a mesh, by number of nodes, by size, or by the knots of the netting; `nodes` counts the
-/// whole modelled part.
+/// The fineness of a mesh, by number of nodes, by size, or by the knots of the netting.
 struct Fineness {
   // Whether every knot is a node, and both twines of every triangle run from knot to knot; `nodes` and `size`
   // are then ignored.
   bool knots = false;
-  std::size_t nodes = 2000;  // approximate number of nodes of ropes and netting
-  double size = 0;           // length of edges in the spread netting [m]; if not 0, replaces `nodes`
-  // Factors by which edges are shorter than elsewhere, for single panels or ropes.
+  std::size_t nodes = 2000;  // approximate number of nodes of ropes and netting in the modelled part
+  double size = 0;           // length of triangle sides in half-open netting [m]; if not 0, replaces `nodes`
+  // Factors by which triangle sides and bars of single panels or ropes are shorter than elsewhere.
   std::map<std::string, double> finer;
   bool operator==(const Fineness&) const = default;
 };
 
-/// Netting in triangles. Its own nodes are numbered from 0 and refer to nodes of the gear.
+/// A panel in triangles. Its nodes have own numbers from 0, each of which refers to a node of the gear.
 struct PanelMesh {
   std::vector<std::uint32_t> nodes;           // own number -> gear node
   std::vector<std::array<double, 2>> meshes;  // own number -> (U, V): meshes outwards and meshes aft
@@ -39,7 +38,7 @@ struct RopeMesh {
   std::map<std::string, std::vector<std::uint32_t>> sets;  // start, middle (of a rope that has one), end
 };
 
-/// The quality of the triangles, measured in netting spread with an opening of one half.
+/// The quality of the triangles in half-open netting, whose bars are at 30 degrees to the aft direction.
 struct MeshQuality {
   double least_angle = 0, greatest_angle = 0;  // [rad]
   std::size_t triangles = 0;
@@ -60,15 +59,17 @@ struct GearMesh {
 /// far.
 using OnMeshing = std::function<void(const std::string& step, std::size_t nodes)>;
 
-/// Divides every panel into triangles between knots, in coordinates counted in meshes (section 2.2 of the
+/// Divides every panel into triangles, in coordinates counted in meshes (section 2.2 of the trawl-gear
 /// paper), and ropes into bars.
 ///
-/// The knots of netting that is spread with an opening of one half form a lattice of equilateral triangles.
-/// Each triangle has one bar of each twine direction as a side, and every bar is a side of two triangles.
-/// Priour's triangle has the energy of ½ bar of each direction, so the triangles together have exactly the
-/// energy of the bars. Only along borders, which are straight where real cuttings go in steps, triangles have
-/// other shapes. Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses
-/// itself, and for a size that would give millions of nodes.
+/// If every knot is a node, the triangles in half-open netting (bars at 30 degrees to the aft direction) are
+/// equilateral. Each has one bar of each twine direction as a side, and every bar is a side of two triangles.
+/// Priour's triangle has the energy of half a bar of each direction, so the triangles together have exactly
+/// the energy of the bars. Only along borders, which are straight instead of stepped, triangles have other
+/// shapes.
+///
+/// Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and
+/// for a size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness, const OnMeshing& on_meshing = {});
 
 }  // namespace netloft::gears

@@ -6,13 +6,13 @@ namespace netloft::gears {
 
 inline constexpr double kMostNodes = 5e6;  // largest number of nodes of a gear
 
-/// The factor by which edges of a panel are shorter than elsewhere.
+/// The factor by which the triangle sides of a panel are shorter than elsewhere.
 double finer(const Fineness& fineness, const GearPanel& panel);
 
-/// The size h for a number N of nodes, from the area A of netting in equal triangles, an empirical factor for
-/// nodes that the mesher adds, and the length L of ropes:
+/// The element size h that gives about N nodes. A is the area of the half-open netting, in equilateral
+/// triangles; 1.2 is an empirical factor for nodes that the mesher adds; L is the length of the ropes:
 ///   N = 1.2 · 2 A/(√3 h²) + L/h                                                                        (1)
-/// It is a first guess: lines that are finer than h change the number.
+/// (1) gives a first guess, because lines that are divided more finely than h add nodes.
 double size_for(const Gear& gear, const Fineness& fineness);
 
 /// The shortest bar of all panels [m]: the size of other elements if every knot is a node.

@@ -11,7 +11,7 @@ namespace netloft::gears {
 
 namespace {
 
-const double kTowedHalfAngle = std::numbers::pi / 8;  // β of (1) and (2), for an opening of 0.38
+const double kTowedHalfAngle = std::numbers::pi / 8;  // β of start_shape.hpp; sin β = 0.38
 constexpr double kRopeWeight = 1e-4;                  // weight of a bar relative to a side of a triangle
 
 bool is_lateral(EdgeKind kind) { return kind == EdgeKind::outer || kind == EdgeKind::inner; }
@@ -27,7 +27,7 @@ bool closes(const Gear& gear, const Seam& seam) {
   return one == other && !is_lateral(one);
 }
 
-/// Whether the outward direction of one panel continues as the inward direction of the other.
+/// Whether, across the seam, the outward direction of panel `one` is the inward direction of panel `other`.
 bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef& other) {
   const auto comes_back = [&](const EdgeRef& ref) {
     return gear.last_of_ring(seam.edges[0]) == ref.panel || gear.last_of_ring(seam.edges[1]) == ref.panel;
@@ -60,7 +60,8 @@ Girth::Girth(const Gear& gear, const GearMesh& mesh)
   measure_bottom(gear, mesh);
 }
 
-/// Finds the signs in (2) by a walk over the seams from the first panel, which is taken to be on top.
+/// Finds for each panel whether the distance from the top along the girth increases outwards (+1) or
+/// decreases (-1). Walks over the seams from the first panel, which is assumed to be on top.
 void Girth::find_senses(const Gear& gear) {
   for (std::size_t first = 0; first < sense_.size(); ++first) {
     if (sense_[first]) continue;
@@ -98,7 +99,7 @@ void Girth::find_closed(const Gear& gear, const GearMesh& mesh) {
   }
 }
 
-/// Finds the side of every node of the netting. Other nodes keep 1.
+/// Finds the side of every node of the netting, -1 to port and 1 to starboard. Other nodes keep 1.
 void Girth::find_sides(const Gear& gear, const GearMesh& mesh) {
   for (std::size_t p = 0; p < mesh.panels.size(); ++p)
     for (std::size_t own = 0; own < mesh.panels[p].nodes.size(); ++own) {
@@ -141,9 +142,9 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);
 }
 
-/// Fills `bottom_`: the half girth S of start_shape.hpp at each distance aft at which it is known. Nodes of a
-/// lower middle panel give it, and so do nodes on the side edges of a tube, which meet in the middle below. A
-/// net without either is open below, and S is twice the largest s everywhere.
+/// Fills `bottom_` with the distances aft at which the half girth S is known, and with S. It is known at
+/// nodes of a lower middle panel and at nodes on the side edges of a tube, which meet in the middle below. A
+/// net without such nodes is open below; S is then twice the largest distance from the top, everywhere.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);
@@ -163,7 +164,7 @@ void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   std::sort(bottom_.begin(), bottom_.end());
 }
 
-/// Adds the values of S on the sides of a tube, which lie in the middle below.
+/// Adds the half girth S at nodes on the sides of a tube, which lie in the middle below.
 void Girth::measure_tube(const GearPanel& tube, const PanelMesh& mesh) {
   for (const auto& edge : tube.outline.edges) {
     const auto set = mesh.sets.find(edge.name);

@@ -7,7 +7,7 @@
 namespace netloft::gears {
 
 /// Positions of nodes on the bag of a net: distance aft, distance along the girth from the top, and side.
-/// Fields (1) and (2) of start_shape.hpp.
+/// start_shape.hpp explains these fields in its equations (1) and (2).
 class Girth {
  public:
   Girth(const Gear& gear, const GearMesh& mesh);
@@ -21,8 +21,8 @@ class Girth {
   }  // -1: port, 0: on the plane of symmetry, 1: starboard
   /// Whether the node belongs to an end of the bag that is sewn to itself.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
-  /// Half the girth S at a node [m]: the distance along its own girth to the middle of a lower panel, or else
-  /// interpolated between such values at other distances aft.
+  /// Half the girth at a node [m]: the distance from the top to the middle of the lower panel through this
+  /// node, or else interpolated between the values at other distances aft.
   double half_girth(std::uint32_t node) const;
 
  private:
@@ -33,12 +33,12 @@ class Girth {
   void measure_bottom(const Gear& gear, const GearMesh& mesh);
   void measure_tube(const GearPanel& tube, const PanelMesh& mesh);
 
-  std::vector<int> sense_;  // the sign in (2), one per panel
+  std::vector<int> sense_;  // per panel: 1 if the distance from the top increases outwards, else -1
   std::vector<double> aft_, around_;
-  std::vector<double> own_;  // S along the node's own girth; 0: unknown
+  std::vector<double> own_;  // half girth through the node; 0: unknown
   std::vector<int> side_;
   std::vector<bool> covered_, closed_;
-  std::vector<std::pair<double, double>> bottom_;  // (a, S), increasing in a
+  std::vector<std::pair<double, double>> bottom_;  // distance aft and half girth, in ascending order
 };
 
 }  // namespace netloft::gears

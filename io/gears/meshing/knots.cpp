@@ -12,9 +12,9 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kNearest = 1.0 / 3;  // bars between a knot and the border, so that no triangle is flat
+constexpr double kNearest = 1.0 / 3;  // least distance to the border [bars], so that no triangle is flat
 
-/// The linear map between the spread plane and twine coordinates.
+/// The linear map between positions in half-open netting [m] and coordinates along the twines [bars].
 class Lattice {
  public:
   Lattice(const Panel& panel, double sign) {

@@ -9,8 +9,8 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kRounding = 0.02;  // fraction of a rope's length; a smaller excess becomes no free stretch
-constexpr double kLikely = 0.1;     // weight of the usual direction, relative to that of a common point
+constexpr double kRounding = 0.02;  // with less excess over its edges, a rope has no free part
+constexpr double kLikely = 0.1;     // score of an edge in its usual direction; ends that meet score 1
 
 bool crosses(const Gear& gear, const GearRope& rope) {
   return gear.extent == Extent::whole && rope.rope->stands == Standing::middle;
@@ -22,7 +22,7 @@ struct HungRow {
   double length = 0;
 };
 
-/// Runs the ropes of one gear; the member functions are steps in the order of execution.
+/// Finds the courses of the ropes of one gear; the member functions are steps in the order of execution.
 class Rigger {
  public:
   Rigger(const Gear& gear, Borders& borders) : gear_(gear), borders_(borders) {}
@@ -133,7 +133,7 @@ class Rigger {
     }
   }
 
-  /// 1 if an edge runs in its usual direction, else 0. The usual direction for a rope of the middle is
+  /// 1 if an edge runs in its usual direction along a rope, else 0. For a rope across the middle, this is
   /// forward to starboard and aft to port; for other ropes it is outwards or aft.
   double likelihood(const GearRope& rope, const Row& row) const {
     const ClothSide& side = borders_.cloths.sides[row[0].side];
@@ -161,7 +161,7 @@ class Rigger {
                            [](double sum, const RopeStretch& s) { return sum + s.length; });
   }
 
-  /// A place before, between or after all stretches, where a rope may be free.
+  /// A place before, between or after the hung edges of a rope, where a part of the rope may be free.
   struct Gap {
     std::size_t before = 0;  // index of the stretch after it
     std::size_t from = 0, to = 0;
@@ -195,7 +195,7 @@ class Rigger {
     return gaps;
   }
 
-  /// Whether, in half a gear, the first edge of a rope of the middle does not begin on the plane of symmetry.
+  /// Whether, in half a gear, the first edge of a rope across the middle begins beside the plane of symmetry.
   bool begins_off_the_middle(const GearRope& rope, const RopeCourse& course) {
     if (gear_.extent != Extent::half || rope.rope->stands != Standing::middle) return false;
     for (std::size_t s = 0; s < borders_.cloths.sides.size(); ++s)
@@ -227,8 +227,7 @@ class Rigger {
     for (std::size_t k = 1; k < course.size(); ++k) borders_.points.unite(course[k - 1].to, course[k].from);
   }
 
-  /// Puts the middle of a whole rope at a point: at the exact place on a free stretch, or else at the nearest
-  /// point.
+  /// Puts the middle of a whole rope at half its length if it is free there, or else at an end of an edge.
   void put_middle(const GearRope& rope, RopeCourse& course) {
     if (!crosses(gear_, rope)) return;
     const std::size_t middle = point(rope.name + ".middle");

@@ -11,7 +11,7 @@ namespace netloft::gears {
 struct RopeStretch {
   DirectedSide along;
   bool is_free = false;
-  std::size_t from = 0, to = 0;  // points
+  std::size_t from = 0, to = 0;  // indices of its end points
   double length = 0;
 };
 
@@ -26,8 +26,8 @@ struct RopeCourses {
 /// Finds the courses of ropes along the edges hung on them. The direction of each edge is chosen so that
 /// edges meet each other and the points to which the rope is tied. If a rope is longer than its edges, the
 /// rest becomes free stretches: where consecutive edges do not meet, or else at ends that are not tied (both
-/// ends of a rope of the middle, the end of others). An excess of less than 2 % (check.hpp) is distributed
-/// among the edges.
+/// ends of a rope across the middle, the end of other ropes). If the rest is less than 2 % of the rope, it is
+/// distributed among the edges.
 RopeCourses run_ropes(const Gear& gear, Borders& borders);
 
 }  // namespace netloft::gears

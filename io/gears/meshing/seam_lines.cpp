@@ -27,7 +27,7 @@ double finer(const Fineness& fineness, const std::string& name, const std::strin
   return at == fineness.finer.end() ? 1 : at->second;
 }
 
-/// Makes the lines of one gear; the member functions are steps in the order of execution.
+/// Makes the lines of knots of one gear; the member functions are steps in the order of execution.
 class LineMaker {
  public:
   LineMaker(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size)
@@ -96,7 +96,7 @@ class LineMaker {
     return all_.lines.size() - 1;
   }
 
-  /// A run of a side by its index along the side.
+  /// A run, which is a part of a side along one line, by its index along the side.
   struct RunOfSide {
     DirectedSide side;
     std::size_t run;
@@ -120,8 +120,8 @@ class LineMaker {
     }
   }
 
-  /// Lets a run of a side use a line. If two sides give a line different lengths, for instance because of
-  /// different mesh sizes, its length is their geometric mean.
+  /// Lets a run of a side use a line. If two sides give the line different lengths, for instance because of
+  /// different mesh sizes, the line gets their geometric mean.
   void use(std::size_t l, DirectedSide s, std::size_t k) {
     const ClothSide& side = cloths_.sides[s.side];
     const auto& breaks = borders_.breaks[s.side];
@@ -153,8 +153,8 @@ class LineMaker {
   }
 
   /// The coarsest size of the bars of a rope [m]; 0 for ropes other than warps. The direction of a warp
-  /// changes by some tenths of a radian along its length; this many bars give its tension to a thousandth,
-  /// whatever the size of elements in the netting.
+  /// changes by some tenths of a radian along its length; 32 bars give its tension to a thousandth, whatever
+  /// the size of elements in the netting.
   static double coarsest(const GearRope& rope) {
     constexpr double kBarsOfWarps = 32;
     return rope.rope->role == kWarp ? rope.length / kBarsOfWarps : 0;
@@ -209,7 +209,7 @@ class LineMaker {
     return "the middle of a panel";
   }
 
-  /// Divides a line into elements of the requested size, which decreases towards short neighbouring lines:
+  /// Divides a line of length L into n elements; g is kGrowth, and h₀, h₁ are sizes at its ends:
   ///   h(x) = min(size, h₀ + g x, h₁ + g (L − x)),   n = ∫ dx/h                                     (1)
   /// Each element covers the same part of the integral.
   void divide_line(Line& line, double h0, double h1) {

@@ -13,10 +13,9 @@ namespace netloft::gears {
 /// A line of knots between two points. It is divided once for everything that is sewn to it or hung on it.
 struct Line {
   std::array<std::size_t, 2> ends{};  // points
-  double length = 0;                  // length in the spread netting, or length of rope [m]
+  double length = 0;                  // length in half-open netting, or length of rope [m]
   double size = 0;                    // requested size of its elements [m]
-  double knots =
-      0;  // mesh sides along it if every knot is a node (the larger number of both sides); 0: by size
+  double knots = 0;  // if every knot is a node: number of bars along it, on the side that has more; else 0
   bool is_netting = false;
   std::vector<double> fractions;  // fractions of its length at its inner nodes, increasing in (0, 1)
 };
@@ -39,16 +38,15 @@ struct RopeRun : Run {
 
 /// All lines of a gear. Points are indices; identical points have the same index.
 ///
-/// Points of two sides that are sewn together correspond by the fraction of meshes, if both sides have the
-/// same mesh size or lie across, and else by the fraction of twine length, as in check.hpp. A corner on one
-/// side becomes a point on both; corners of both sides that nearly coincide are merged.
+/// Along a seam, points of both sides correspond if they divide the meshes in the same proportion; sides of
+/// panels with different mesh sizes are divided by the length of twines instead. A corner on one side becomes
+/// a point on both; corners of both sides that nearly coincide are merged.
 struct SeamLines {
   std::vector<Line> lines;
   std::vector<std::vector<SideRun>> sides;  // index as in Cloths::sides
   std::vector<std::vector<RopeRun>> ropes;  // index as in Gear::ropes
   std::vector<std::array<std::size_t, 2>> rope_ends;
-  std::vector<std::size_t>
-      rope_middles;  // middles of ropes of the middle in a whole gear; otherwise kNoPoint
+  std::vector<std::size_t> rope_middles;  // for ropes across the middle of a whole gear; kNoPoint for others
   std::map<std::string, std::size_t> points;  // by name
   std::vector<bool> is_on_plane;              // by line, in half a gear
   std::size_t number_of_points = 0;
@@ -56,7 +54,7 @@ struct SeamLines {
 
 inline constexpr std::size_t kNoPoint = ~std::size_t{0};
 
-/// Makes and divides the lines of a gear. `size`: size of elements in the spread netting [m].
+/// Makes and divides the lines of a gear. `size`: size of elements in half-open netting [m].
 SeamLines seam_lines(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size);
 
 }  // namespace netloft::gears

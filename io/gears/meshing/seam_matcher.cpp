@@ -8,7 +8,7 @@ namespace netloft::gears {
 
 namespace {
 
-/// A point of a row of sides, at a fraction of the row.
+/// A point of a row of sides, at a fraction of the extent of the row.
 struct Knot {
   double fraction = 0;
   std::size_t point = 0;
@@ -20,7 +20,7 @@ bool is_forward(const ClothSide& side, bool to_starboard, bool is_port) {
   return outwards == !(to_starboard && is_port);
 }
 
-/// Sews one gear; the member functions are steps in the order of execution.
+/// Finds which points of sewn edges coincide; the member functions are steps in the order of execution.
 class Sewer {
  public:
   Sewer(const Gear& gear, const Cloths& cloths, double snap)
@@ -58,7 +58,7 @@ class Sewer {
     join_tips();
   }
 
-  /// Joins the halves of a panel at its tip in the middle, or where its edges meet there.
+  /// Joins both halves of a middle panel at the ends of its middle line, even if this line has no length.
   void join_tips() {
     for (std::size_t c = 0; c + 1 < cloths_.cloths.size(); ++c) {
       const auto &one = cloths_.cloths[c], &other = cloths_.cloths[c + 1];
@@ -77,8 +77,8 @@ class Sewer {
     if (!rows[0].empty() && !rows[1].empty()) borders_.seams.push_back(std::move(rows));
   }
 
-  /// Divides edges that are sewn to their mirror image into a starboard row and a port row. If they lie
-  /// across, both rows then run from the middle outwards.
+  /// Divides edges that are sewn to their mirror image into a starboard row and a port row. Rows of fore or
+  /// aft edges then both run from the middle outwards.
   void fold(std::array<Row, 2>& rows) const {
     std::erase_if(rows[0], [&](const auto& s) { return is_port(s); });
     std::erase_if(rows[1], [&](const auto& s) { return !is_port(s); });
@@ -185,7 +185,7 @@ class Sewer {
     return (is_turned ? -1 : 1) * (c.from.x + c.to.x);
   }
 
-  /// Adds breaks so that both rows have one wherever either row has a corner.
+  /// Adds points to both rows of a seam, so that each row has a point wherever either row has a corner.
   void match(const std::array<Row, 2>& rows) {
     const bool counted = is_counted(rows);
     for (const auto& row : rows) chain(row);
@@ -246,7 +246,7 @@ class Sewer {
     return knots;
   }
 
-  /// Merges the ends of both rows, and corners between them with their nearest counterparts within `near`.
+  /// Merges the ends of both rows, and pairs of corners of both rows that are nearest to each other.
   void unite_near(std::array<std::vector<Knot>, 2>& knots, double near) {
     borders_.points.unite(knots[0].front().point, knots[1].front().point);
     borders_.points.unite(knots[0].back().point, knots[1].back().point);
@@ -268,7 +268,7 @@ class Sewer {
                        [&](const Knot& k) { return borders_.points.are_one(k.point, knot.point); });
   }
 
-  /// Converts a fraction of one row to one of the other, linearly between their common knots.
+  /// Converts a fraction of row `from` to a fraction of row `to`, linearly between common points.
   double moved(double fraction, const std::vector<Knot>& from, const std::vector<Knot>& to) {
     double a = 0, b = 1, at_a = 0, at_b = 1;
     for (const auto& k : from)

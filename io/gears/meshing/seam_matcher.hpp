@@ -32,7 +32,7 @@ struct Borders {
   std::size_t end(DirectedSide s) const { return start({s.side, !s.is_forward}); }
 };
 
-/// Sews the gear; corners closer than `snap` [m] along a seam are merged.
+/// Finds the common points of all seams; corners closer than `snap` [m] along a seam are merged.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 
 /// The sides that an edge consists of, one or both halves of it, in its direction.

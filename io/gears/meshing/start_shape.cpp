@@ -99,7 +99,8 @@ class Shaper {
     }
   }
 
-  /// Shifts the whole netting to its known nodes, or else by the ropes that lead to it.
+  /// Shifts the whole netting aft and vertically, to the known coordinates of its nodes; without any, so that
+  /// ropes from known points reach it and its lowest point is as deep as the lowest known point.
   void stand_as_a_whole() {
     const double aft = shift_along(0, true);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
@@ -126,7 +127,7 @@ class Shaper {
     return {};
   }
 
-  /// Shifts the netting aft until ropes to known points are straight on average.
+  /// The shift aft [m] at which the ropes from known points to the netting are straight on average.
   double shift_by_leads() {
     double sum = 0, count = 0;
     for (const Lead& lead : find_leads()) {

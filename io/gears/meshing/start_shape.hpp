@@ -32,14 +32,15 @@ struct KnownCoordinate {
 /// the seams gives the sign in (2): it changes at seams of outer to outer or inner to inner sides, as from
 /// top to bottom. S(a), half the girth, is s on the lower middle line.
 ///   φ = π s/S,  y = ± w sin φ,  z = h cos φ,  h = k w                              (3)
-/// (3) puts the netting on rings: half an ellipse with the arc length S on each side. At an end that is
-/// closed by a seam, z = 0.
+/// (3) puts the netting on rings of half width w and height h, k = 0.4: half an ellipse with the arc length S
+/// on each side. At an end that is closed by a seam, z = 0.
 ///
-/// The whole gear is then shifted so that ropes to known points are straight, and its lowest point is as deep
-/// as the lowest known point. Known coordinates, including sketches of panels, then get their values; other
-/// nodes follow by displacements that are harmonic on the net. Ropes beside the netting are straight.
+/// The netting is then shifted to known coordinates of its nodes; without any, ropes to known points become
+/// straight, and its lowest point as deep as the lowest known point. Known coordinates, including sketches of
+/// panels, then get their values; other nodes follow by displacements that are harmonic on the net. Ropes
+/// beside the netting are straight.
 ///
-/// Fields, factors and the last few shapes are stored for the next shape.
+/// The fields, their factorised matrix and the last few shapes are stored for reuse.
 class StartShapes {
  public:
   /// `gear` and its `mesh` must outlive this object.

@@ -31,7 +31,7 @@ using Mesher = CGAL::Delaunay_mesher_no_edge_refinement_2<Triangulation, Criteri
 constexpr double kShape = 0.125;
 constexpr double kLongest = 1.35;  // longest side of a triangle, relative to the requested mean
 constexpr int kRounds = 5;         // rounds of smoothing
-// Corners from this angle on are divided between triangles.
+// Corners of at least this angle are divided between triangles.
 constexpr double kSharp = formats::in_radians(50);
 
 double twice_area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
@@ -110,7 +110,7 @@ class Filler {
 
   void refine() {
     Mesher mesher(cdt_, Criteria(kShape, kLongest * size_));
-    mesher.clear_seeds();  // CGAL 5.5 reads whether seeds mark the domain, and sets the flag only here
+    mesher.clear_seeds();  // sets a flag that CGAL 5.5 reads and sets nowhere else
     mesher.refine_mesh();
     std::uint32_t next = static_cast<std::uint32_t>(border_);
     for (const auto v : cdt_.finite_vertex_handles()) {
@@ -177,7 +177,7 @@ class Filler {
     return twice_area(mesh_.points[a], mesh_.points[b], mesh_.points[c]) / 2;
   }
 
-  /// Divides each corner of a triangle with two sides on the border between this triangle and its neighbour.
+  /// If two sides of a triangle lie on the border, divides their corner between it and its neighbour.
   void open_corners() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {
