@@ -16,9 +16,9 @@ class WriteError : public std::runtime_error {
 };
 
 /// Writes `content` to the file `path`, or throws WriteError and leaves the old file unchanged. The content
-/// is first written to PATH.new and synced, which is then renamed. If several programs write the same file at
-/// once, they take turns. A link to a file is replaced, not followed; a folder, a device, and a link to
-/// either are refused.
+/// is first written to PATH.new, which is synced and then renamed. If several programs write the same file at
+/// once, they take turns. A link to a file is replaced, not followed; a folder, a device, and a link to a
+/// folder or device are refused.
 void write_whole(const std::filesystem::path& path, std::string_view content);
 
 /// A file that cannot be read; what() is a sentence for the user.

@@ -13,7 +13,7 @@ namespace netloft::formats {
 namespace {
 
 const std::string kRoot = "/netloft";
-/// The rows of all outputs; each column is one of the series.
+/// The numbers of the time series: one row per output, one column per series.
 struct Rows {
   std::size_t columns;
   std::vector<double> values;
@@ -47,7 +47,7 @@ std::vector<std::int64_t> mixed_cells(const Mesh& mesh) {
   return mixed;
 }
 
-/// Writes the row of the last output to the same places as the results of a finished motion.
+/// Writes the numbers of the last output to the paths at which a finished motion has its results.
 void write_last_row(Tree& tree, const SeriesJournal& journal) {
   if (journal.size() == 0) return;
   const std::vector<double> row = journal.stored_state(journal.size() - 1).row;
@@ -89,7 +89,7 @@ Handle make_nameless() {
 }
 
 /// Runs `action` on records of a journal. Records with valid checksums may still be inconsistent; if HDF5 or
-/// VTK refuses the data, an error of the journal is thrown.
+/// VTK refuses the data, throws a FileError about the journal.
 template <class Action>
 decltype(auto) with_misfits_of(const std::string& context, Action&& action) {
   return with_context(context, [&]() -> decltype(auto) {

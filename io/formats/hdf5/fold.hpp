@@ -9,8 +9,8 @@
 namespace netloft::formats {
 
 /// Writes the outputs of a journal into an open HDF5 file with the structure of LAYOUT.md. Outputs are
-/// written one after another, so that a motion may be larger than memory; only times and rows are in memory
-/// together.
+/// written one after another, so that a motion may be larger than memory; only times and numbers of the
+/// series are in memory for all outputs.
 void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name);
 
 /// Makes the result `final_path` from a journal, with the data that `rest` adds. The file is written as
@@ -18,7 +18,7 @@ void fold_series(const SeriesJournal& journal, hid_t file, const std::string& fi
 void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,
                  const std::function<void(Tree&)>& rest);
 
-/// Makes a result in a temporary file without a name from a journal, for a reader.
+/// Converts a journal into an HDF5 file for a reader. The file is deleted when it is closed.
 Handle unfold(const std::filesystem::path& part);
 
 }  // namespace netloft::formats

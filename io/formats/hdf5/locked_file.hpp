@@ -31,7 +31,7 @@ class Descriptor {
 /// process ends. Creates the file, or takes over that of a dead writer; throws FileError if the writer is
 /// alive. Symbolic links are not followed, and devices are not opened.
 Descriptor take_file(const std::filesystem::path& path);
-/// The same for a file that must exist, to continue it.
+/// Like take_file(), but for a file that must exist and will be continued.
 Descriptor take_existing_file(const std::filesystem::path& path);
 /// Throws FileError if a process is writing the file now.
 void require_no_writer(const std::filesystem::path& path);

@@ -14,11 +14,12 @@ namespace netloft::formats {
 ///               an earlier NAME.hdf is never missing
 ///   destroy     without finish(), the .part keeps the state of the last flush()
 ///
-/// HDF5 keeps readers out by the same lock as other writers, unless they set HDF5_USE_FILE_LOCKING=FALSE.
+/// The lock against other writers also refuses readers that use HDF5, unless they set
+/// HDF5_USE_FILE_LOCKING=FALSE.
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path final_path);
-  /// The same with another name for the growing file.
+  /// Uses `part_path` for the growing file instead of NAME.hdf.part.
   PartFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
   hid_t id() const { return file_; }
@@ -27,9 +28,9 @@ class PartFile {
 
   void flush();
   void finish();
-  /// The same, but with another final name.
+  /// Like finish(), but with another final name.
   void finish_as(std::filesystem::path final_path);
-  /// Removes the .part, which has no useful content; nothing can be written afterwards.
+  /// Removes the .part if it has no useful content; nothing can be written afterwards.
   void discard();
 
  private:

@@ -51,7 +51,7 @@ class Reader {
 
   /// The times of the stored states in ascending order.
   std::vector<double> times() const;
-  /// The points, 3n [m], or a field at a step from 0 to times().size()-1.
+  /// The points, 3n [m], or a field, of a stored state with index `step` in times().
   std::vector<double> points(std::size_t step) const;
   std::vector<double> field(Location location, const std::string& name, std::size_t step) const;
 

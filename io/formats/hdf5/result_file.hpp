@@ -20,14 +20,13 @@ inline constexpr int kResultFormat = 1;  // increases when readers of /netloft m
 ///   file.begin(mesh, {tension}, {part, node_id});
 ///   file.write_state(0.0, points, {tensions});
 ///   file.tree().write_text("/netloft/provenance/scene/text", scene);
-///   file.finish();                                 // renames it to codend.hdf, and an earlier result to
-///   codend.hdf~
+///   file.finish();                                 // codend.hdf; an earlier result becomes codend.hdf~
 ///
 /// Throws FileError for errors of the disk or the user, std::invalid_argument for errors of the caller.
 class ResultFile {
  public:
   explicit ResultFile(std::filesystem::path final_path);
-  /// The same with another name for the growing file.
+  /// Uses `part_path` for the growing file instead of NAME.hdf.part.
   ResultFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
   /// Must be called once, before the first state. `states` is the number of states that will be written.
@@ -53,12 +52,12 @@ class ResultFile {
 
   /// Flushes, closes, and gives the file its final name; nothing can be written afterwards.
   void finish();
-  /// The same, but with another final name.
+  /// Like finish(), but with another final name.
   void finish_as(std::filesystem::path final_path);
-  /// Removes the .part, which has no useful content.
+  /// Removes the growing file if it has no useful content.
   void discard() { part_.discard(); }
 
-  /// The file and its names: see PartFile.
+  /// The file under its growing and its final name.
   PartFile& part() { return part_; }
   const std::filesystem::path& part_path() const { return part_.part_path(); }
   const std::filesystem::path& final_path() const { return part_.final_path(); }

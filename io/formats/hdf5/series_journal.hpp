@@ -39,10 +39,9 @@ struct SeriesStatus {
 
 /// The outputs of a motion that is running or was killed, in the journal NAME.hdf.part (journal.hpp). The
 /// kinds of its records:
-///   1 layout   identity of the run, an HDF5 image of the inputs (see fold.hpp), SeriesLayout
+///   1 layout   identity of the run, an HDF5 image of the inputs (image.hpp), SeriesLayout
 ///   2 output   checkpoint (may be empty), time, points, fields, row; a field without numbers has the same
-///   bits as
-///              in the output before
+///              bits as in the output before
 ///   3 rewind   number of outputs that remain valid: the run continues after them
 ///   4 status   outcome, sentence; the last status record is valid
 class SeriesJournal {
@@ -67,7 +66,7 @@ class SeriesJournal {
   /// Number of valid outputs.
   std::size_t size() const { return outputs_.size(); }
   SeriesState state(std::size_t i) const;
-  /// The same, but fields that equal those of the output before are empty.
+  /// Like state(), but fields that equal those of the output before are empty.
   SeriesState stored_state(std::size_t i) const;
   /// For each field and output: whether the output stores the field itself instead of repeating the previous
   /// one.

@@ -46,7 +46,7 @@ struct StaticField {
 /// The /VTKHDF group: one unstructured grid whose points and fields change in time (VTKHDF 2.0).
 ///
 /// Each changing array holds states in slots of equal length. A state whose field equals that of the state
-/// before shares its slot. With S states that have their own slot, i = 0 … S-1 in order of time,
+/// before shares its slot. If S states have a slot of their own, state i = 0 … S-1, in order of time, is in
 ///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
 /// A reader that does not support time (ParaView ≤ 5.11) therefore shows the newest state.
 class VtkHdf {

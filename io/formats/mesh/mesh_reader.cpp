@@ -21,7 +21,7 @@ std::optional<RegionKind> kind_named(std::string_view name) {
   return {};
 }
 
-/// Reads one mesh; members are steps in their order.
+/// Reads one mesh; the member functions are steps in the order of execution.
 class MeshReader {
  public:
   MeshReader(std::string_view text, int file, Diagnostics& diagnostics)

@@ -21,7 +21,7 @@ std::string in_capitals(std::string_view text) {
   return out;
 }
 
-/// Reads one file; members are blocks in the order of a file.
+/// Reads one file; the member functions have the order of the blocks in a file.
 class VtkReader {
  public:
   VtkReader(std::string_view text, int file, Diagnostics& diagnostics)

@@ -18,7 +18,7 @@ namespace {
 
 const std::string kGridGroup = "/VTKHDF";
 
-/// Reads one file; members are steps in their order. Errors of HDF5 are thrown as FileError.
+/// Reads one file; the member functions are steps in their order. Errors of HDF5 are thrown as FileError.
 class VtkHdfMesh {
  public:
   VtkHdfMesh(const std::filesystem::path& path, int file, Diagnostics& diagnostics)

@@ -12,7 +12,7 @@ namespace netloft::formats {
 
 namespace {
 
-// Lengths have the unit of the picture, as in plot.cpp.
+// Lengths are in units of the picture. Its width, kWidth units, is a column of 8.5 cm.
 constexpr double kNameRoom = 92, kEndRoom = 14, kHeadRoom = 6;
 constexpr double kBar = 7, kRowGap = 5, kTitleHeight = 16, kWhisker = 1.6;
 constexpr std::array<const char*, 4> kBarColours{"#0072b2", "#e69f00", "#009e73",

@@ -9,7 +9,7 @@ namespace netloft::formats {
 
 namespace {
 
-// Within this factor, an end of the axis equals a value, despite the rounding of powers of ten.
+// Relative difference up to which an end of the axis counts as equal to a value: powers of ten are rounded.
 constexpr double kDecadeRounding = 1e-9;
 // Markers keep at least this factor away from the frame.
 constexpr double kMarginFactor = 1.15;

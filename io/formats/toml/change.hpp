@@ -18,21 +18,20 @@ struct PathStep {
   bool operator==(const PathStep&) const = default;
 };
 
-/// A value that replaces the one under a path of a document. It replaces tables too, and creates missing
-/// tables on the path.
+/// A new value for a path of a document. It may replace a table; missing tables on the path are created.
 struct Change {
   std::string option = "--set";  // option before the text, for messages
   std::string path;              // "hold[0].at[2]"
   std::string text;              // "hold[0].at[2]=-19 m", for messages
   std::vector<PathStep> steps;
   Value value;              // its places are positions in `text`, without a file
-  std::string fault, hint;  // why the text is no change, and the cure; empty if it is one
+  std::string fault, hint;  // why the text is not valid, and the cure; empty if it is
   bool operator==(const Change&) const = default;
 };
 
 /// Reads "parts.net.cells=[64,64]", the argument of `--set`. The value is TOML, or else a text, so that
-/// solver=newton and bar=0.6 m need no quotes. Items of arrays count from 0: "hold[0].at[2]=-19 m". A text
-/// that is no change has a fault, which `apply` reports.
+/// solver=newton and bar=0.6 m need no quotes. Items of arrays count from 0: "hold[0].at[2]=-19 m". If the
+/// text is not valid, the change has a `fault`, which `apply` reports.
 Change read_change(const std::string& text, const std::string& option = "--set");
 
 /// Reads several texts of `--set`.

@@ -3,8 +3,8 @@
 
 namespace netloft::formats {
 
-/// Words for units that are common in scenes, catalogues and the tables of plugins. They are proposed in
-/// place of an unknown word, and known without reading the database (known_words.hpp).
+/// Units that are common in scenes, catalogues and the tables of plugins. Error messages propose them in
+/// place of an unknown word, and the program knows them without reading the database of UDUNITS.
 inline constexpr const char* kCommonWords[] = {
     "m",     "mm",      "cm",     "km",       "um",     "in",   "ft",     "fathom", "nmi",    "nautical_mile",
     "kg",    "g",       "t",      "tonne",    "lb",     "N",    "kN",     "MN",     "daN",    "kgf",

@@ -9,11 +9,12 @@
 
 namespace netloft::formats {
 
-/// A product of units: "kg/m3", "N.m/rad", "kg m-3", "kN/(m.s)", "mm^2", "1/m", "" for a pure number.
+/// The product of units that a text means, such as "kg/m3", "N.m/rad", "kg m-3", "kN/(m.s)", "mm^2", "1/m",
+/// or "" for a pure number. The grammar:
 ///   product = [ "1" ] ["/"] factor { ["." | "*" | "/"] factor }    from left to right: kg/m.s = (kg/m).s
 ///   factor  = ( word | "(" product ")" ) [ ["^" | "**"] [sign] digit ]
-/// UDUNITS receives only single words: its own grammar reads "10 5 m" as 50 m and "3 s since 5" as a date,
-/// and leaks memory at every syntax error.
+/// The library UDUNITS receives only single words: its own grammar reads "10 5 m" as 50 m and "3 s since 5"
+/// as a date, and leaks memory at every syntax error.
 struct ParsedUnit {
   std::optional<Unit> unit;  // empty if the text cannot be read
   std::string unknown;       // the unknown word; empty after an error of grammar

@@ -11,7 +11,7 @@
 namespace netloft::formats {
 namespace {
 
-// The parser of UDUNITS keeps its state and its status in globals.
+// The parser of UDUNITS keeps its state in global variables, so only one thread may call it.
 std::mutex& library_lock() {
   static std::mutex lock;
   return lock;

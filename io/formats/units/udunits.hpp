@@ -20,8 +20,8 @@ struct Unit {
 /// The UDUNITS-2 database, with words of fishing and shipping that it lacks or defines differently.
 class UnitSystem {
  public:
-  /// Reads the database udunits2.xml at the path `database`. If the path is empty, reads that of
-  /// UDUNITS2_XML_PATH, or else the installed one.
+  /// Reads the database udunits2.xml at the path `database`. If the path is empty, reads the one that the
+  /// variable UDUNITS2_XML_PATH names, or else the installed one.
   explicit UnitSystem(const std::string& database = {});
   ~UnitSystem();
   UnitSystem(const UnitSystem&) = delete;
@@ -44,7 +44,7 @@ class UnitSystem {
   explicit UnitSystem(WhenNeeded) {}
   void read(const std::string& database) const;
 
-  // Written under the lock of the library.
+  // These members change only while the parser's lock is held.
   mutable bool was_read_ = false;
   mutable ut_system* system_ = nullptr;
   mutable std::string trouble_;

@@ -121,8 +121,8 @@ std::string cure(const std::string& unit, const Dimension& got, const Dimension&
 }
 
 /// Multiplies a number by the scale of a unit. The scale of a metric unit below its SI unit is the inverse of
-/// an integer; dividing rounds once where multiplying by 0.001 rounds twice: "35 mm" and 0.035 are the same
-/// number (144 of the first 1000 were not).
+/// an integer. A division by this integer rounds once, a multiplication by 0.001 twice: "35 mm" would not be
+/// 0.035, and likewise 144 of the first 1000 numbers.
 double times(double number, double scale) {
   const double inverse = std::round(1 / scale);
   const bool divides = std::abs(scale) < 1 && std::abs(inverse * scale - 1) < 4e-16 && inverse <= 1e15;
