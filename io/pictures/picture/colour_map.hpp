@@ -20,8 +20,8 @@ const std::array<Colour, 9>& colour_stops();
 Colour colour_of_part(std::uint32_t part);
 const std::array<Colour, 8>& part_colours();
 
-// Colours without a value of the shown field: netting and ropes; elements on single nodes, such as floats,
-// which are usually orange; the catch; boards; the ship.
+// Colours of elements without a value of the shown field: netting and ropes; elements on single nodes, such
+// as floats, which are usually orange; the catch; boards; the ship.
 inline constexpr Colour kNoValue = {0.55f, 0.55f, 0.55f}, kFloatColour = {0.93f, 0.53f, 0.18f},
                         kCatchColour = {0.66f, 0.71f, 0.76f}, kBodyColour = {0.36f, 0.45f, 0.54f},
                         kShipColour = {0.72f, 0.33f, 0.27f};

@@ -41,9 +41,8 @@ struct Plane {
   double slope() const { return std::hypot(dx, dy); }
 };
 
-/// The fraction of a pixel that is covered by twines at whole numbers of `u`; `slope` is that of u per pixel.
-/// If twines are too close, only every second, fourth … is drawn, and the twines that will be omitted next
-/// fade out.
+/// The fraction of a pixel that is covered by twines at whole numbers of `u`; `slope` is the change of u per
+/// pixel. If twines are too close, only every second, fourth … is drawn; those omitted next fade out.
 double twine_cover(double u, double slope, double half_width) {
   const double per_pixel = std::max(slope, 1e-9), level = std::max(0.0, std::log2(per_pixel * kCloseness));
   const double spacing = std::exp2(std::floor(level)), n = std::round(u / spacing);
@@ -233,7 +232,7 @@ class GearPainter {
   struct Solid {
     Colour colour;
     double behind;                // distance by which it is moved away from the eye [m]
-    std::optional<double> light;  // brightness of a body that is not lit as a plane
+    std::optional<double> light;  // brightness; if empty, it depends on the orientation of the triangle
   };
 
   void paint_solid(const std::array<Point3, 3>& p, const Solid& solid) {
@@ -245,7 +244,7 @@ class GearPainter {
     });
   }
 
-  /// Twine coordinates as functions on the picture; empty if the directions of twines are not known.
+  /// The coordinates along both twine directions as functions on the picture; empty if these are unknown.
   std::vector<Plane> twines_of(std::size_t t, const std::array<Point3, 3>& p) const {
     const auto& axes = part(mesh_.triangle_cells[t]).twine_axes;
     const auto& uv = mesh_.corners[t];
@@ -317,7 +316,7 @@ void add_samples(const Canvas& canvas, const Colour& ground, std::vector<Colour>
 
 Image paint(const GearShape& shape, const Projection& projection, std::size_t width, std::size_t height,
             const Colour& ground) {
-  // positions of eight non-attacking rooks: no two samples of a pixel share a row or a column
+  // No two of these eight samples of a pixel share a row or a column, as rooks on a chessboard.
   constexpr std::array<std::array<double, 2>, 8> kSamples = {{{0.0625, 0.4375},
                                                               {0.1875, 0.8125},
                                                               {0.3125, 0.1875},

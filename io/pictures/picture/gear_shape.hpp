@@ -32,7 +32,7 @@ struct GearShape {
   }
   /// The colour of a rigid body.
   Colour colour_of_plate(const results::BodyPlate& plate) const;
-  /// Whether single nodes in contact with the bed are shown, which is so if no other cell has the field.
+  /// Whether single nodes in contact with the bed are shown; they are if no other cell has the field.
   bool shows_contacts() const;
 
  private:

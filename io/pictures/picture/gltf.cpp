@@ -134,8 +134,8 @@ class GltfWriter {
             {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}};
   }
 
-  /// The material that shows the twines of a part's netting; the plain one if their directions are not known.
-  /// Parts of the same netting share a material.
+  /// The material that shows the twines of a part's netting, or the plain material if the directions of the
+  /// twines are not known. Parts of the same netting share a material.
   std::size_t material_of_netting(std::uint32_t part) {
     const results::StoredPart& p = shape_.stored->parts[part];
     const double half_width = std::isfinite(p.diameter / p.bar) ? p.diameter / p.bar / 2 : 0;

@@ -9,8 +9,8 @@ namespace netloft::pictures {
 /// The bytes of a PNG file (ISO/IEC 15948) with eight bits per colour.
 std::string png(const Image& image);
 
-/// The same with 256 colours (palette.hpp), a third as large: for pictures of nets, in which neighbouring
-/// pixels always differ.
+/// A PNG file with at most 256 colours (palette.hpp). It is a third as large for pictures of nets, in which
+/// neighbouring pixels always differ.
 std::string small_png(const Image& image);
 
 }  // namespace netloft::pictures

@@ -17,10 +17,10 @@ namespace netloft::pictures {
 
 namespace {
 
-// on narrower sheets, the legends are below the title
+// On narrower sheets, the legends are below the title.
 constexpr double kNarrow = 760;
 constexpr double kMargin = 16, kHead = 46, kFoot = 40, kTitleSize = 18;
-// of the picture, relative to its width
+// Limits of the height of the picture, relative to its width.
 constexpr double kLeastHeight = 0.16, kGreatestHeight = 0.64;
 
 struct Sheet {

@@ -16,7 +16,7 @@ namespace netloft::pictures {
 namespace {
 
 constexpr double kBarWidth = 260, kBarHeight = 11, kRow = 38;
-// pixels; shorter ones are nearly parallel to the line of sight
+// Shorter dimension lines [pixels] are left out: they are nearly parallel to the line of sight.
 constexpr double kLeastDimension = 24;
 
 /// Formats three significant digits, or all digits before the point of a larger number.
@@ -25,7 +25,7 @@ std::string three_digits(double value) {
   return size >= 1000 && size < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }
 
-/// "tension of twines [N]"
+/// The title of a legend, such as "tension of twines [N]".
 std::string legend_title(const GearShape& shape, results::CellKind kind, std::size_t rows) {
   std::string name = shape.field->name;
   std::replace(name.begin(), name.end(), '_', ' ');

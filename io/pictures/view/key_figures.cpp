@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t kMostKeyFigures = 9;
 
-/// The most important numbers first: height, spreads, area and drag of a gear, the pull of the ship and the
-/// figures of its rigging; then the [results] of the scene.
+/// Collects the most important numbers: height, spreads, area and drag of a gear, the pull of the ship and
+/// the figures of its rigging, then the [results] of the scene.
 std::vector<const results::NamedScalar*> key_figures_of(const results::Result& result) {
   std::vector<const results::NamedScalar*> keys;
   const auto add = [&](std::string_view group, std::string_view what) {

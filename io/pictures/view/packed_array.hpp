@@ -7,8 +7,8 @@
 
 namespace netloft::pictures {
 
-/// Arrays in the format of the page: bytes sorted by their position within a number, deflated, in base64.
-/// Reals become floats.
+/// Packs an array in the format that the page reads: bytes sorted by their position within a number,
+/// deflated, in base64. Reals become floats.
 nlohmann::ordered_json packed(std::span<const double> values);
 nlohmann::ordered_json packed(std::span<const std::uint32_t> values);
 

@@ -32,7 +32,7 @@ std::string name_of_file(const results::Result& result) {
   return std::filesystem::path(result.path).filename().string();
 }
 
-// pixels, so that pages of any gear stay below 2 MB
+// [pixels]; at this width pages of any gear stay below 2 MB
 constexpr std::size_t kPictureWidth = 800;
 
 /// A warning at the top of a page that the shape is not an equilibrium.

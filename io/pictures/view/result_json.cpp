@@ -64,7 +64,7 @@ std::vector<std::uint32_t> flat(const std::vector<std::array<std::uint32_t, n>>&
   return all;
 }
 
-/// The part of each of these cells.
+/// The indices of the parts to which the cells belong.
 Json parts_of(const results::StoredMesh& mesh, const std::vector<std::uint32_t>& cells) {
   std::vector<std::uint32_t> parts;
   for (const auto cell : cells) parts.push_back(mesh.cell_part[cell]);
@@ -130,7 +130,7 @@ Json packed_corners(const Corners& corners, const Origin& origin) {
   return packed(shifted(std::move(numbers), origin));
 }
 
-/// Puts the triangles of boards, at their orientation, and of the ship.
+/// Adds the triangles of the ship, and of boards in their orientation at this state.
 void put_solids(const results::StoredShape& stored, std::size_t state, const Origin& origin, Json& json) {
   Corners plates, hulls;
   for (const auto& plate : results::plates_of(stored, state))
@@ -143,7 +143,7 @@ void put_solids(const results::StoredShape& stored, std::size_t state, const Ori
   json["hulls"] = packed_corners(hulls, origin);
 }
 
-/// The single node to which each triangle of the plates belongs.
+/// For each triangle of a board, the index of the board among the elements on single nodes.
 Json plate_dots(const results::StoredShape& stored) {
   std::vector<std::uint32_t> dots;
   for (const auto& plate : results::plates_of(stored, stored.times.size() - 1))
@@ -204,7 +204,7 @@ Json catch_json(const results::StoredShape& stored) {
   return {{"triangles", packed(body.triangles)}, {"rim", packed(flat(body.rim))}};
 }
 
-/// An end as its node and whether it is mirrored; null for the bed below the other end.
+/// An end of a dimension line: its node, and whether this is mirrored; null for the bed below the other end.
 Json end_json(const results::DimensionEnd& end) {
   if (end.where == results::DimensionEnd::Where::bed) return nullptr;
   return {{"node", end.node}, {"mirrored", end.where == results::DimensionEnd::Where::mirrored}};
@@ -284,7 +284,7 @@ Json result_json(const results::StoredShape& stored, std::size_t most_states) {
   return json;
 }
 
-/// The setting that varies in a sweep; two results are not a sweep.
+/// The setting that varies between three or more results; empty if there are fewer.
 Varied varied_among(const std::vector<const results::StoredShape*>& results) {
   std::vector<SweepInput> inputs;
   for (const auto* stored : results) {

@@ -8,8 +8,7 @@
 namespace netloft::pictures {
 
 /// The numbers of results for the page's scripts: JSON without '<', so that no text can close the surrounding
-/// element. `most_states`: of a motion with more states, only evenly spaced ones are included, the last among
-/// them.
+/// element. If a motion has more than `most_states` states, so many are included, evenly spaced.
 std::string results_json(const std::vector<const results::StoredShape*>& results, std::size_t most_states);
 
 /// The indices of the included states of a result, in order.
