@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gives each command its options: a struct of its own, filled from its own table.
+// Gives each command a struct of its own, which parsing fills with the options.
 #pragma once
 #include <CLI/CLI.hpp>
 

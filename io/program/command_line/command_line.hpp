@@ -11,8 +11,8 @@ namespace netloft::program {
 /// Adds all commands with their options, in groups. Parsing sets `chosen.run`.
 void add_commands(CLI::App& app, Chosen& chosen);
 
-/// A sentence about a first word that is no command, or a second word that is no action of the first, with
-/// the most similar command. Empty if there is no such word. `before` is "study " for actions of `study`.
+/// A sentence about the first word, or the second word after `study`, if there is no such command, with the
+/// most similar command. Empty if the command is known. `before` is "study " for actions of `study`.
 std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
                             const std::string& before = "");
 

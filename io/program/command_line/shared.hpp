@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Options that several commands share, and the form of options of one type.
+// Options that several commands share, and checks of their values.
 #pragma once
 #include "io/program/session/options.hpp"
 

@@ -17,7 +17,7 @@ namespace netloft::program {
 
 namespace {
 
-/// The syntax of --tolerance or --accuracy: a range of powers of ten.
+/// An option whose value is a range of powers of ten: --tolerance or --accuracy.
 struct Decades {
   std::string option, what, example;
 };

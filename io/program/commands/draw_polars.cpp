@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char *kPolar = "polar", *kSlip = "sideslip";
 
-/// A polar of boards.
+/// The polar of a board: coefficients of its force over the angles of the flow.
 struct Polar {
   netloft_table attack{}, slip{}, centre{};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gears of other programs.
+// Converts gears of other programs into scenes.
 #include "io/program/commands/gears.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/terminal.hpp"

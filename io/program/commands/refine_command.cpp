@@ -14,8 +14,8 @@ namespace netloft::program {
 
 namespace {
 
-/// A quarter to twice the cells of the leading part if its number of cells is divisible by four, else once to
-/// four times.
+/// Divisions of the leading part, the first panel or rope: from a quarter to twice its number of cells if
+/// that is divisible by four, else from once to four times.
 studies::CellList cells_around(const scenes::LoadedScene& loaded) {
   const std::int64_t own = studies::leading_part(loaded).cells[0];
   if (own % 4 == 0) return {"", {own / 4, own / 2, own, 2 * own}};

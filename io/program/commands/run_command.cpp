@@ -8,8 +8,8 @@ namespace netloft::program {
 
 namespace {
 
-// Smaller gears use less than 300 MiB, so that the forecast is left out: it orders the matrix a second time,
-// which would take a hundredth of the run time.
+// The memory of smaller gears is not forecast. They use less than 300 MiB, and a forecast orders the matrix a
+// second time, which would take a hundredth of the run time.
 constexpr std::int32_t kFewUnknowns = 20000;
 
 /// Reports the forecast of a run that needs much of the available memory, and throws if it needs more.

@@ -92,7 +92,7 @@ class EquilibriumRun {
         start ? runs::find_equilibrium_near(scene_, *start, watch) : runs::find_equilibrium(scene_, watch);
   }
 
-  /// Adds the facts that the solution does not contain to the result, writes it and prints it.
+  /// Adds to the result what the solution does not contain, writes the result and prints it.
   void finish(Assembler& assembler, results::Result result) {
     result.origins = results::make_origins(scene_.loaded(), context_);
     result.origins.finished = results::utc_now();
@@ -104,8 +104,8 @@ class EquilibriumRun {
     print_result(options_, terminal_, result);
   }
 
-  /// Writes the best accepted point after a plugin call that never returns. The run uses a new assembler for
-  /// this, because that of the scene stays busy.
+  /// Writes the best accepted point after a plugin call that never returns. It uses a new assembler, because
+  /// the call still occupies the assembler of the scene.
   int end_early(const Overdue& overdue) {
     const int code = overdue.interrupted ? kInterrupted : kNotConverged;
     terminal_.say("netloft: " + overdue.sentence + "; the run ends here");

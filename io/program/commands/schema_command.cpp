@@ -121,7 +121,7 @@ Json plan_schema(const char* doc, bool is_list) {
   return {{"type", "object"}, {"additionalProperties", {{"type", "object"}}}, {"description", doc}};
 }
 
-/// Adds the keys for the model of a gear, and for the elements of the parts of its plan.
+/// Adds the keys for the division of a gear, and for the elements of its panels and ropes.
 void put_gear(Json& scene) {
   Json gear = object(), elements = object();
   put_table(gear, scenes::gear_keys());
@@ -164,7 +164,7 @@ void put_files(Json& scene) {
       false);
 }
 
-/// Adds the parts of a gear, on their own nodes or on others, and rigid bodies.
+/// Adds parts, on their own nodes or on those of other parts, and rigid bodies.
 void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) {
   put(scene, "parts",
       {{"type", "object"},
@@ -201,7 +201,7 @@ Json scene_schema(Registry& registry) {
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements) {
-      if (!e.rides_on) parts.add(e, plugin);  // else another element brings it
+      if (!e.rides_on) parts.add(e, plugin);  // companions come with another element
       if (e.is_on_body()) bodies.add_body(e, plugin);
     }
     for (const auto& s : plugin.solvers) put_component(analysis, s.type, s.solver.doc, s.parameters);

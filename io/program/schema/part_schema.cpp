@@ -46,7 +46,7 @@ Json geometry_schema(const scenes::GeometryKey& key) {
   }
 }
 
-/// Adds data of elements that the geometry does not provide as keys of the part's table.
+/// Adds keys for the data of elements that the geometry of the part does not provide.
 void put_data(Json& part, const ElementType& e, bool required) {
   if (e.element.stencil == NETLOFT_BAR_PAIR) return;  // the two ropes provide all data
   const double inf = std::numeric_limits<double>::infinity();
@@ -69,7 +69,7 @@ void put_laws(Json& part, const ElementType& e) {
   }
 }
 
-/// Adds the parameters of companion elements, which come with those of a part.
+/// Adds the parameters of companion elements, which the program makes together with elements of this type.
 void put_companions(Json& part, const ElementType& e, const PluginContent& plugin) {
   for (const auto& other : plugin.elements)
     if (other.rides_on && std::string_view(other.rides_on) == e.element.name)
@@ -128,7 +128,7 @@ Json mesh_part_schema(const ElementType& e, const PluginContent& plugin) {
   return end_part(std::move(part), e, plugin);
 }
 
-/// The schema of a part on the nodes of others, which may provide its data.
+/// The schema of a part on the nodes of other parts, which may provide its data.
 Json rider_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
   part["title"] = e.type + " on other parts";
@@ -160,7 +160,7 @@ void PartSchema::add(const ElementType& e, const PluginContent& plugin) {
   definitions[name + "-on"] = rider_schema(e, plugin);
   types_.push_back(e.type);
   offers_.push_back(reference(name + "-on"));
-  if (e.is_on_body()) return check(e, reference(name + "-on"));  // [bodies] makes the body under it
+  if (e.is_on_body()) return check(e, reference(name + "-on"));  // its body comes from [bodies]
   definitions[name] = part_schema(e, plugin);
   definitions[name + "-mesh"] = mesh_part_schema(e, plugin);
   offers_.push_back(reference(name));

@@ -159,7 +159,7 @@ const char* file_of(const PluginOrigin& origin) {
   return origin.file.empty() ? "compiled in" : origin.file.c_str();
 }
 
-/// Describes a solver, an integrator or a strategy, which has a table with its name in the analysis.
+/// Describes a solver, an integrator or a strategy; scenes set its parameters in a table of the analysis.
 std::string analysis_text(const std::string& type, const char* doc, const char* kind,
                           const PluginOrigin& origin, std::span<const netloft_parameter> parameters) {
   std::string text;

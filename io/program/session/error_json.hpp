@@ -8,7 +8,7 @@ namespace netloft::program {
 
 /// Errors of an input as one JSON object with `status` and `errors`, for programs.
 std::string errors_json(const formats::Diagnostics& diagnostics, int exit_code);
-/// The same object for a single error without a place.
+/// Such an object for a single error without a place.
 std::string error_json(const std::string& message, int exit_code);
 /// One JSON object that names a file written without errors.
 std::string done_json(const std::string& output);

@@ -27,10 +27,10 @@ class Terminal {
   /// iteration number returns to 0.
   void progress(const IterationRecord& record, double tolerance);
   /// Shows the progress of a motion at t [s] of `end` after `seconds` of wall time, with the remaining time
-  /// at this rate. `run` is its name if there are several.
+  /// at this rate. `run` is the name of the motion if there are several.
   void progress_in_time(double t, double end, double seconds, const std::string& run = {});
   /// Shows the progress of work in steps: `done` of `all` (0 if unknown) `things` ("items"). `last` names the
-  /// last one.
+  /// step that was done last.
   void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
                          const std::string& last);
   /// Shows the progress of meshing after two seconds: the current panel or step, and the number of nodes so

@@ -20,16 +20,16 @@ namespace netloft::program {
 namespace {
 
 constexpr double kLook = 0.1;  // [s] between two inspections
-// [s] that a call may still take; a factorisation of the host is not a call of a plugin
+// [s] that a plugin call may take after the time is over; factorisations of the host do not count
 constexpr double kGrace = 2;
-// No built-in solver makes a tenth of these between two checks of interruption
+// Calls of the host that a method may still make; built-in solvers check at least ten times as often.
 constexpr std::uint64_t kCallbacks = 1000;
 constexpr unsigned kLastAct = 10;  // [s] for writing the results
 constexpr double kPark = 5;        // [s] for a thread to reach the boundary of plugins
 
 int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConverged; }
 
-/// Ends the program if the last act takes too long, because another plugin call in it never returns.
+/// Ends the program if the results are not written in time, because another call of a plugin never returns.
 void give_up(int) {
   constexpr char words[] = "netloft: what was found could not be written: a plugin does not come back\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);

@@ -21,8 +21,8 @@ struct Overdue {
 };
 
 /// Ends a run whose plugin does not return. Solvers check for interruptions and for the time limit between
-/// steps, but a call of a plugin may never return. The watchdog runs in its own thread and calls `last_act`
-/// if, after an interruption or the limit,
+/// steps, but a call of a plugin may never return. The watchdog runs in its own thread and calls `last_act`,
+/// which writes what was found so far, if, after an interruption or the limit,
 ///   the same call of a plugin has gone on for 2 s, or
 ///   a method has called the host 1000 times, and 2 s have passed.
 /// All other threads then wait at the boundary of plugins or are inside a plugin, so that the host can write
@@ -59,7 +59,7 @@ class Watchdog {
   std::thread thread_;
 };
 
-/// Makes a last act that reports the plugin and `what_is_left`, such as "the comparison ends here without a
+/// Makes a `last_act` that reports the plugin and `what_is_left`, such as "the comparison ends here without a
 /// table", and with --json also prints both as one object.
 std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left);
 

@@ -17,7 +17,7 @@ struct WorkerEnd {
 
 /// Starts programs for jobs 0 … count − 1 in this order, at most `jobs` at a time, with the command lines of
 /// `command`, and calls `on_end` when one ends. After an interruption it starts no more programs and
-/// terminates those that run; the latter also holds when this program ends. Returns the number of started
+/// terminates those that run; they are also terminated if this program ends. Returns the number of started
 /// jobs.
 std::size_t run_workers(std::size_t count, int jobs,
                         const std::function<std::vector<std::string>(std::size_t)>& command,

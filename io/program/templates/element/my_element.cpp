@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <netloft/element.hpp>
 
-/// A spring that gets stiffer as it is stretched:
+/// A spring whose stiffness increases with its elongation e:
 ///   E = k/2 e² + c/4 e⁴,  e = l − l₀                                     (1)
-/// l, l₀ [m] length now and without load; k [N/m], c [N/m³]. Force and tangent are its derivatives.
+/// l, l₀ [m] length now and without load; k [N/m], c [N/m³]. Force and tangent are the derivatives of E.
 struct MyElement {
-  static constexpr auto stencil = NETLOFT_BAR;  // it stands on two nodes
+  static constexpr auto stencil = NETLOFT_BAR;  // an element with two nodes
 
   struct Parameters {  // set by users, once per part of a gear
     double k = 0, c = 0;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <netloft/integrator.hpp>
 
-/// Newmark's rule (J. Eng. Mech. Div. ASCE 85, 1959), damped by δ:
+/// Newmark's rule (J. Eng. Mech. Div. ASCE 85, 1959), damped by δ. One step leads from u, v, a to u₁, v₁, a₁:
 ///   u₁ = ũ + β h² a₁,  ũ = u + h v + h² (½ − β) a                          (1)
 ///   v₁ = v + h (1 − γ) a + γ h a₁,  γ = ½ + δ,  β = (1 + δ)²/4             (2)
-///   F(t + h, u₁, v₁, a₁) = 0, with (1) solved for a₁ a problem in u₁       (3)
-/// Stable at any step. δ = 0: second order, and a linear oscillation keeps its energy; else first order, and
-/// what is too fast for h dies away. Error of one step: h² (|β − 1/6| + δ) (a₁ − a).
+///   F(t + h, u₁, v₁, a₁) = 0                                               (3)
+/// F is the residual of the equation of motion. With a₁ and v₁ from (1) and (2), (3) is a problem in u₁. The
+/// rule is stable at any h. If δ = 0, it is of second order and keeps the energy of a linear oscillation;
+/// otherwise it is of first order, and oscillations too fast for h decay. Error of one step: h² (|β − 1/6| +
+/// δ) (a₁ − a).
 struct MyIntegrator {
   struct Parameters {
     double damping = 0;  // δ
@@ -23,7 +25,7 @@ struct MyIntegrator {
       const double known = m.u()[i] + h * m.v()[i] + h * h * (0.5 - beta) * m.a()[i];  // ũ
       a0[i] = -ca * known;
       v0[i] = m.v()[i] + h * (1 - gamma) * m.a()[i] - cv * known;
-      m.next_u()[i] = m.u()[i] + h * m.v()[i];  // where the search begins
+      m.next_u()[i] = m.u()[i] + h * m.v()[i];  // initial guess
     }
     if (m.solve(m.t() + h, v0, cv, a0, ca, m.next_u()) != netloft::Step::found)  // (3)
       return netloft::Step::shorter;

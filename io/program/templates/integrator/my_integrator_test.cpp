@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A step by hand: 1 kg on a spring of 1 N/m, let go at 1 m, h = 1 s. The host is this file.
+// Compares one step with a calculation by hand: 1 kg on a spring of 1 N/m, released at 1 m, h = 1 s. This
+// file takes the place of the host, the program that calls the plugin.
 #include "my_integrator.cpp"
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 double vectors[8][1];
 double* scratch(void*, std::uint32_t index) { return vectors[index]; }
 
-/// F = a + u, with a = a0 + ca u
+/// Solves F = a + u = 0 for u, with a = a0 + ca u.
 int solve(void*, double, const double*, double, const double* a0, double ca, double* u) {
   u[0] = -a0[0] / (ca + 1);
   return NETLOFT_OK;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <netloft/law.hpp>
 
-/// Drag of the flow across a twine, per metre of it, by the square of its speed:
+/// Drag per metre of a twine, by the square of the flow U across it:
 ///   U = W − (W·t) t,   F = ½ ρ C D |U| U                                 (1)
 /// W [m/s] velocity of the water relative to the twine, t unit vector along it, D [m] diameter, C [1].
-/// |U| is rounded within 1e-12 m/s of zero, where it has no derivative.
+/// |U| is smoothed within 1e-12 m/s of zero, where it has no derivative.
 struct MyLaw {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// `netloft test` cannot know whether the formula is the one you meant. One value by hand.
+// Compares one value with a calculation by hand, because `netloft test` cannot know which formula you meant.
 #include "my_law.cpp"
 
 #include <cstdio>

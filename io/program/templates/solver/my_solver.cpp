@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numeric>
 
-/// Newton's method without what pushes, damped by the linear stiffness:
+/// Newton's method with the positive part of the tangent, damped by the linear stiffness:
 ///   (K₊ + μ M) s = −r                                                     (1)
 ///   u ← u + t s,  t = 1, ½, ¼ … until E(u + t s) ≤ E(u) + ε|E|            (2)
 ///                                 and s·r(u + t s) ≤ −η s·r(u)            (3)
 /// r [N] residual, the gradient of the energy E [J]; K₊ positive part of the tangent, M linear stiffness. A
-/// step may not lead uphill, and past the bottom only by η; (3) decides where rounding, ε, leaves nothing to
-/// be seen of E (Hager and Zhang, SIAM J. Optim. 16, 2005).
+/// step is accepted if E does not increase beyond rounding, ε (2), and if it passes the minimum along s by no
+/// more than η (3). (3) decides when rounding hides the change of E (Hager, Zhang, SIAM J. Optim. 16, 2005).
 struct MySolver {
   struct Parameters {
     double damping = 0, overshoot = 0;  // μ, η
@@ -33,7 +33,7 @@ struct MySolver {
     }
   }
 
-  /// Whether a step was found.
+  /// Moves u by a step that (2) and (3) accept. Returns whether there is one.
   static bool descend(const Parameters& p, netloft::Problem& problem, double energy, std::vector<double>& r,
                       const std::vector<double>& s) {
     std::vector<double> u(problem.size());

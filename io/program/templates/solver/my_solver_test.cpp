@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A problem by hand: two masses between three springs of 1 N/m, pulled by 1 N and 2 N. The host is this file.
+// Solves a problem with a known solution: two masses between three springs of 1 N/m, pulled by 1 N and 2 N.
+// This file takes the place of the host, the program that calls the plugin.
 #include "my_solver.cpp"
 
 #include <cstdio>
@@ -15,7 +16,7 @@ int evaluate(void*, std::uint32_t, const double* u, double* energy, double* r) {
   }
   return NETLOFT_OK;
 }
-double diagonal = 0;  // of the matrix (2, -1; -1, 2), shifted by so many of itself
+double diagonal = 0;  // of the matrix (2, -1; -1, 2), increased by the fraction `shift`
 int factorise(void*, int, double shift) {
   diagonal = 2 * (1 + shift);
   return NETLOFT_FACTOR_OK;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <netloft/strategy.hpp>
 
-/// At once; where that fails, from soft to stiff. Stiff bars leave Newton's method only short steps where
-/// they have to turn; soft ones turn at once. All axial stiffnesses above a cap C are lowered to it,
+/// Solves the scene directly or, if that fails, with increasing stiffness. Newton's method takes only short
+/// steps if stiff bars must rotate; soft bars rotate in one step. Axial stiffnesses above C are lowered to C:
 ///   C₀ = s C_n,  C_{k+1} = f C_k  until C_k ≥ C_n                         (1)
-/// C_n [N] largest stiffness of the scene; s softest, f factor. Each stage starts where the last one ended
-/// (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6).
+/// C_n [N] largest stiffness of the scene; s softest, f factor. Each stage starts from the end of the
+/// previous one (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6).
 struct MyStrategy {
   struct Parameters {
     double softest = 0, factor = 0;  // s, f
@@ -22,7 +22,7 @@ struct MyStrategy {
            std::to_string(p.softest * search.stiffness()) + " N at first, then stiffer and stiffer\n";
   }
 
-  /// The stage of the scene itself, or the first that failed. No work is left once the user interrupts.
+  /// Returns the stage with full stiffness, or the first that failed. No work is left after an interruption.
   static netloft::Stage soft_to_stiff(const Parameters& p, netloft::Search& search) {
     netloft::Stage stage{.u = search.start()};
     for (double cap = p.softest * search.stiffness(); search.work_left() > 0; cap *= p.factor) {  // (1)

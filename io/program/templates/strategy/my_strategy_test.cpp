@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A scene by hand: a spring of 100 N/m pulled by 1 N, whose solver converges only from 1/20 of the answer or
-// more, or where the spring has 0.1 N/m at most. The host is this file.
+// Runs a scene with a known solution: a spring of 100 N/m pulled by 1 N. Its solver converges only from 1/20
+// of the solution or more, or if the spring has 0.1 N/m at most. This file takes the place of the host.
 #include "my_strategy.cpp"
 
 #include <cmath>
