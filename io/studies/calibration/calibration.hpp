@@ -7,17 +7,17 @@ namespace netloft::studies {
 /// A calibration with its fit, or the reason why there is no fit.
 struct Calibration {
   CalibrationFile file;
-  std::vector<Measurement> measured;  // in the order of the file, in the units of the figures
+  std::vector<Measurement> measured;  // in the order of the file; each value in the unit of its figure
   std::vector<std::string> units;
-  Fit fit;                         // rows: the fitted measurements first, then those held back
-  std::vector<std::size_t> order;  // for each row of `fit`, its row in the file
+  Fit fit;                         // its rows are the measurements: fitted ones first, then those held back
+  std::vector<std::size_t> order;  // for each row of `fit`, the index of its measurement in the file
   bool is_interrupted = false;     // true: the user interrupted
   int solves = 0;
   double cpu_seconds = 0;
   std::vector<std::string> unstable;  // scenes with an unstable equilibrium at the fitted parameters
-  std::string trouble;  // fault of the last scene without an answer, if the fit did not converge
+  std::string trouble;  // if the fit did not converge: why the last failed scene has no equilibrium
 
-  /// Half width of intervals and bands, in standard deviations.
+  /// Half width of the intervals of parameters and of the bands of predictions, in standard deviations.
   double width() const;
 };
 
@@ -26,7 +26,7 @@ Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
                       const std::filesystem::path& folder, Registry& registry, const runs::Watch& watch,
                       const OnSolve& on_solve = {});
 
-/// The calibration as a text for people, and as one JSON object.
+/// The calibration as text, and as one JSON object.
 std::string calibration_text(const Calibration& calibration);
 std::string calibration_json(const Calibration& calibration);
 

@@ -126,7 +126,7 @@ class CalibrationReader {
       root_.error("measured", "everything is held back, so that there is nothing to fit");
   }
 
-  /// Reads a number as it is written, with or without a unit.
+  /// The text of a number with or without a unit, as written in the file.
   std::string quantity(formats::TableReader& row, const std::string& key, const std::string& doc) {
     const auto kind = row.kind(key);
     if (!kind || *kind == formats::Kind::text) return row.text(key, {.doc = doc});

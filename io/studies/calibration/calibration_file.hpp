@@ -17,19 +17,19 @@ struct CalibrationScene {
   std::vector<std::string> set;  // overrides in the syntax of `--set`
 };
 
-/// An unknown input of the scenes, with its prior.
+/// An unknown input of the scenes, with its prior distribution.
 struct CalibrationVariable {
   Variable variable;
   Distribution distribution;
-  std::vector<std::size_t> scenes;  // indices of the scenes that have it
-  /// Whether the variable belongs to all scenes, and is not set for a single one.
+  std::vector<std::size_t> scenes;  // indices of the scenes in which it is set
+  /// True: one variable for all its scenes. False: it was given for a single scene.
   bool is_shared = true;
   double prior_mean() const;
   double prior_deviation() const;
 };
 
-/// A measured figure of a scene. Value and deviation stay texts with units until the unit of the figure is
-/// known.
+/// A measured value of a figure (a number that the run of a scene reports). Value and deviation stay texts
+/// with units until the unit of the figure is known.
 struct MeasuredFigure {
   std::size_t scene = 0;
   std::string figure;  // "gear/mouth/headline_height", as in a study
@@ -41,7 +41,7 @@ struct MeasuredFigure {
 /// A calibration file (CALIBRATION.md).
 struct CalibrationFile {
   std::string name;         // name of the file without its extension
-  double confidence = 0.9;  // probability of intervals and bands
+  double confidence = 0.9;  // probability that intervals and bands contain the true value
   std::vector<CalibrationScene> scenes;
   std::vector<CalibrationVariable> variables;
   std::vector<MeasuredFigure> measured;

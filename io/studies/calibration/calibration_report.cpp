@@ -15,8 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Out = std::back_insert_iterator<std::string>;
 
-// kInseparable: with a larger correlation, only a combination of two parameters is known. kUnknown: with a
-// larger ratio of its deviation to that of the prior, a parameter is not determined by the data.
+// kInseparable: if the correlation of two parameters is larger, only a combination of them is known.
+// kUnknown: if the deviation of a parameter is a larger fraction of its prior deviation, the measurements do
+// not determine it.
 constexpr double kInseparable = 0.95, kUnknown = 0.9;
 
 /// A warning about a strong correlation.

@@ -12,7 +12,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// Opens one scene after another.
+/// Opens one scene of the calibration after another, and collects errors.
 class CalibrationInspection {
  public:
   CalibrationInspection(const CalibrationFile& file, const std::filesystem::path& folder, Registry& registry,
@@ -34,8 +34,8 @@ class CalibrationInspection {
     return means;
   }
 
-  /// Tries the interval ends of the variables. Stops at the first wrong value, because the others are mostly
-  /// wrong in the same way.
+  /// Opens a scene at both ends of the interval of each variable. Stops at the first wrong value, because
+  /// other values are mostly wrong in the same way.
   void inspect(std::size_t scene) {
     if (!open(scene, means(), true)) return;
     for (std::size_t v = 0; v < file_.variables.size(); ++v) {

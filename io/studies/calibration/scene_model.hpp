@@ -11,11 +11,11 @@ namespace netloft::studies {
 using OnSolve = std::function<void(std::size_t solves, const std::string& scene)>;
 
 /// Predicts the measured figures with the scenes of a calibration. A scene is solved from its previous
-/// equilibrium, or by a new search if that fails. Slopes are differences over a tenth of the prior's
-/// deviation to either side, within the range.
+/// equilibrium, or by a new search if that fails. Slopes are central differences: the parameter changes by a
+/// tenth of its prior deviation to either side, but not beyond its interval.
 class SceneModel : public Model {
  public:
-  /// `file` has been checked. Paths of scenes are relative to `folder`.
+  /// Requires a `file` that was checked (check_calibration). Paths of scenes are relative to `folder`.
   SceneModel(const CalibrationFile& file, std::filesystem::path folder, Registry& registry, runs::Watch watch,
              OnSolve on_solve);
   ~SceneModel() override;
@@ -47,7 +47,7 @@ class SceneModel : public Model {
   std::string trouble_;
 };
 
-/// Arguments of `--set` for the variables of a scene at these values.
+/// Arguments of `--set` that give the variables of a scene these values.
 std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t scene,
                                       const std::vector<double>& parameters);
 

@@ -15,7 +15,7 @@ namespace netloft::studies {
 namespace {
 
 // Two answers, polished to the round-off floor, are the same equilibrium if the distance of no node between
-// them exceeds kSame times the size of the gear, or kDoubt times the uncertainty of both answers.
+// them exceeds kSame times the size of the gear, or kDoubt times the sum of their uncertainties.
 constexpr double kSame = 1e-6, kDoubt = 10;
 
 double diagonal_of(const Scene& scene) {
@@ -141,8 +141,8 @@ class Comparing {
       }
   }
 
-  /// Solves the meshes by the cheapest method that converged at the tightest tolerance, so that results
-  /// differ by the mesh alone.
+  /// Solves all meshes by the cheapest method that converged at the tightest tolerance, so that the answers
+  /// differ only because of the mesh.
   void find_discretisation() {
     const CellList& list = *task_.cells;
     out_.discretisation =

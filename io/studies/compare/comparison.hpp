@@ -11,15 +11,15 @@ namespace netloft::studies {
 struct ComparisonTask {
   bool is_of_motions = false;      // true: the methods are integrators
   std::vector<Method> methods;     // at least one method
-  std::vector<double> tolerances;  // decreasing; for integrators, accuracies
+  std::vector<double> tolerances;  // decreasing; of integrators: accuracies
   int repeats = 3;                 // runs of every trial, of which the cheapest counts
-  std::string reference;           // solver or integrator for references; empty: one other than the method
-  std::optional<CellList> cells;   // meshes for the discretisation error
+  std::string reference;  // solver or integrator that computes references; empty: another than the tested one
+  std::optional<CellList> cells;  // meshes for the discretisation error
   // Integrators among the methods whose plugins are not installed, and a sentence about each.
   std::map<std::string, std::string> absent;
 };
 
-/// The distance of a method's answer from a reference that is a different equilibrium.
+/// The difference between a method's answer and the reference, if they are two different equilibria.
 struct OtherEquilibrium {
   double distance = 0;           // largest distance of a node [m]
   double energy_difference = 0;  // energy of the method's answer minus that of the reference [J]
@@ -31,9 +31,9 @@ struct MethodResult {
   Method method;
   std::vector<Trial> trials;
   std::optional<ReferenceAnswer> reference;  // empty: no other solver converged
-  // If set, the distances are not errors, and the trials have no errors
+  // If set, method and reference found different equilibria, and the trials have no errors.
   std::optional<OtherEquilibrium> other;
-  bool is_absent = false;  // true: its only trial gives the reason
+  bool is_absent = false;  // true: the plugin is not installed; the only trial says so
 };
 
 /// Speed against error of several methods on one scene.
@@ -49,7 +49,7 @@ struct Comparison {
   bool is_interrupted = false;  // by the user: the remaining methods and steps are missing
 
   bool any_converged() const;
-  bool any_failed() const;  // whether the plugin of a method failed in a trial
+  bool any_failed() const;  // whether a plugin broke down in a trial
 };
 
 /// Runs all trials. The caller must have opened the scene with every method before, to report its errors.

@@ -7,7 +7,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr double kTolerance = 1e-10;  // keeps solver errors well below those of the mesh
+constexpr double kTolerance = 1e-10;  // keeps solver errors well below mesh errors
 
 runs::CaseSource divided(const runs::CaseSource& source, const MeshLevel& level) {
   runs::CaseSource with = source;
@@ -32,7 +32,7 @@ MeshResult solve_level(const runs::CaseSource& source, Registry& registry, const
 
 double width(const MeshResult& level) { return 1.0 / static_cast<double>(level.cells); }
 
-/// The observed order of convergence from levels i − 2, i − 1 and i.
+/// The order of convergence observed on the meshes i − 2, i − 1 and i.
 double order_at(const std::vector<Places>& places, const Discretisation& d, std::size_t i) {
   const Places& among = places[i - 2];
   return observed_order(mean_distance(places[i - 2], places[i - 1], among),

@@ -7,27 +7,29 @@
 
 namespace netloft::studies {
 
-/// One division of the gear, and its distance from the extrapolated limit or from the finest mesh.
+/// The answer on one mesh, and its distance from the extrapolated limit, or from the finest mesh if there is
+/// no limit.
 struct MeshResult {
   std::int64_t cells = 0;
   std::size_t unknowns = 0;
   Trial trial;
-  double error = std::numeric_limits<double>::quiet_NaN();  // largest node distance to the extrapolation [m]
-  double order = std::numeric_limits<double>::quiet_NaN();  // observed on this level and the two coarser ones
+  double error = std::numeric_limits<double>::quiet_NaN();  // largest distance of a node [m]
+  double order = std::numeric_limits<double>::quiet_NaN();  // observed on this and the two coarser meshes
 };
 
-/// The error of dividing a gear into cells, separate from the error of solving for its nodes.
+/// The error caused by dividing a gear into cells, without the error of the solver.
 struct Discretisation {
   std::string part;  // the part whose cells are counted
   std::vector<MeshResult> levels;
-  double order = std::numeric_limits<double>::quiet_NaN();  // observed on the three finest levels
-  // whether the orders agree; if not, errors are distances to the finest level, which has no error
+  double order = std::numeric_limits<double>::quiet_NaN();  // observed on the three finest meshes
+  // Whether the observed orders agree. If not, errors are distances to the finest mesh, which itself has no
+  // error.
   bool steady = false;
 };
 
-/// Solves every level and extrapolates node by node from the two finest levels. The order is observed on the
-/// common nodes of the three finest levels, from mean distances over these nodes, because corners alone
-/// converge more slowly.
+/// Solves the scene on every mesh, and extrapolates the position of each node from the two finest meshes. The
+/// order of convergence is observed on the nodes that the three finest meshes have in common. It uses mean
+/// distances over these nodes, because corners alone converge more slowly.
 Discretisation find_discretisation_error(const runs::CaseSource& source, Registry& registry,
                                          const Method& method, const std::string& part,
                                          const std::vector<MeshLevel>& levels, const runs::Watch& watch);

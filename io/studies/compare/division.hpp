@@ -7,20 +7,19 @@
 
 namespace netloft::studies {
 
-/// One division of a scene into cells, or of a scene with a net plan into nodes of the gear.
+/// A mesh: numbers of cells for the parts of a scene, or a number of nodes for the gear of a net plan.
 struct MeshLevel {
-  // cells of the leading part across or along it, or the approximate number of gear nodes
+  // Number of cells of the leading part (leading_part), or the approximate number of nodes of the gear.
   std::int64_t cells = 0;
   std::vector<formats::Change> changes;
 };
 
 /// The fineness of a mesh, by which meshes are compared.
 struct MeshSize {
-  std::int64_t count = 0;  // cells of the leading part, or nodes of a gear
+  std::int64_t count = 0;  // number of cells of the leading part, or of nodes of a gear
   double width = 0;        // mesh width in arbitrary units: 1/cells, 1/√nodes
   std::string of;          // the counted items: "cells of net", "nodes of the gear"
-  bool is_similar = true;  // whether meshes of other counts are similar: cells are divided evenly, whereas a
-                           // gear is triangulated anew
+  bool is_similar = true;  // false: a gear, which is triangulated anew for every mesh
 };
 MeshSize count_mesh(const scenes::LoadedScene& loaded);
 
@@ -33,23 +32,23 @@ struct CellList {
 /// Throws std::invalid_argument with a sentence if `text` is not a list of cells.
 CellList read_cell_list(const std::string& text);
 
-/// The part whose cells name a division: the first panel, else the first rope. Throws std::invalid_argument
-/// if the scene has no divided part.
+/// The part whose number of cells names a mesh: the first panel, or the first rope if there is no panel.
+/// Throws std::invalid_argument if no part is divided into cells.
 const scenes::PartGeometry& leading_part(const scenes::LoadedScene& loaded);
 
-/// The divisions of a list: the leading part gets the listed number of cells, and all other parts are divided
-/// in proportion. Throws std::invalid_argument if the number of cells of a part would not be whole, or if the
+/// The meshes of a list: the leading part gets the listed number of cells, and all other parts are divided in
+/// proportion. Throws std::invalid_argument if the number of cells of a part would not be whole, or if the
 /// scene names a node by its number, which means a different node on another mesh.
 std::vector<MeshLevel> mesh_levels(const scenes::LoadedScene& loaded, const CellList& list);
 
-/// Divisions of a gear into approximately these numbers of nodes; parts outside the gear keep their cells.
-/// Throws std::invalid_argument as above, and if the scene has no gear.
+/// Meshes of a gear with approximately these numbers of nodes; parts outside the gear keep their cells.
+/// Throws std::invalid_argument like mesh_levels(), and if the scene has no gear.
 std::vector<MeshLevel> gear_levels(const scenes::LoadedScene& loaded, const std::vector<std::int64_t>& nodes);
 
-/// Two divisions to compare with the scene's own for an estimate of its mesh error. The first choice is a
-/// quarter and a half of its cells, which cost little; the second is half and twice the cells; the last is
-/// twice the cells alone. For a gear, half and twice its nodes, or twice and four times if half would give
-/// too few nodes for a useful solve. Throws as above.
+/// Two meshes, or one, to compare with that of the scene for an estimate of its mesh error. The first choice
+/// is a quarter and a half of its cells, which cost little; if they do not fit, half and twice its cells, or
+/// else twice its cells alone. For a gear: half and twice its nodes, or twice and four times its nodes if
+/// half would be too few for a useful solve. Throws std::invalid_argument like mesh_levels().
 std::vector<MeshLevel> levels_around(const scenes::LoadedScene& loaded);
 
 }  // namespace netloft::studies

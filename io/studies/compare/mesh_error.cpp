@@ -12,7 +12,8 @@ namespace netloft::studies {
 
 namespace {
 
-/// Sets the mesh errors of numbers; adds a sentence to the note for every rope end without a limit.
+/// Sets the mesh errors of the numbers `judged` on mesh `own`. Adds a sentence to the note for every tension
+/// at a rope end that has no limit.
 void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, NumberGroup numbers,
            std::vector<results::NamedScalar>& judged, std::string& note) {
   for (auto& scalar : judged) {
@@ -26,7 +27,7 @@ void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, NumberGrou
   }
 }
 
-/// Counts of meshes, "300, 600 (not stable)".
+/// The meshes used ("300, 600 (not stable)"), and how errors were found from them.
 std::string note_on(const std::vector<NumbersOnMesh>& meshes) {
   std::vector<std::string> counts;
   for (const auto& mesh : meshes)
@@ -37,7 +38,8 @@ std::string note_on(const std::vector<NumbersOnMesh>& meshes) {
                          : "the largest of differences and extrapolations");
 }
 
-/// Sorts from the coarsest mesh to the finest; returns the new index of the formerly first mesh.
+/// Sorts the meshes from the coarsest to the finest, and returns the new index of the scene's own mesh, which
+/// was the first.
 std::size_t sort_meshes(std::vector<NumbersOnMesh>& meshes) {
   const std::int64_t own = meshes.front().mesh.count;
   std::sort(meshes.begin(), meshes.end(),

@@ -21,20 +21,20 @@ struct NumbersOnMesh {
   std::vector<results::RopeTensions> ropes;
 };
 
-/// The mesh and the numbers of a run that has an answer.
+/// The mesh and the numbers of a scene that was solved.
 NumbersOnMesh numbers_of(runs::PreparedScene& solved, const Solution& solution,
                          const results::Result& result);
 
-/// Selects one of the two lists of numbers.
+/// Selects `scalars` or `gear` of NumbersOnMesh.
 using NumberGroup = std::vector<results::NamedScalar> NumbersOnMesh::*;
 
-/// Solves a scene on another mesh. Empty if forces do not balance there; `why_not` is then the reason. An
-/// unstable equilibrium is accepted, because its figures depend on the mesh like those of a stable one.
+/// Solves a scene on another mesh. Empty if forces do not balance at the end; `why_not` is then the reason.
+/// An unstable equilibrium is accepted, because its figures depend on the mesh like those of a stable one.
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
                                       Registry& registry, const runs::Watch& watch, std::string& why_not);
 
-/// The limit of a number under mesh refinement, and the distance from that limit on mesh `asked`. NaN if the
-/// number is missing on some mesh.
+/// The limit of a number under mesh refinement, and its distance from that limit on the mesh with index
+/// `asked`. NaN if the number is missing on some mesh.
 Trend find_trend_of(const std::string& name, NumberGroup numbers, const std::vector<NumbersOnMesh>& meshes,
                     std::size_t asked);
 

@@ -11,8 +11,8 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-/// Converts a fraction to units of 1e-9. Fractions are quotients of small integers; the offset keeps them
-/// away from the boundary between two units.
+/// Converts a fraction to units of 1e-9. Equal fractions may differ by round-off; the offset keeps quotients
+/// of small integers away from the boundary between two units, so that they get the same number.
 std::int64_t in_units(double fraction) {
   return static_cast<std::int64_t>(std::floor(fraction * 1e9 + 0.317));
 }

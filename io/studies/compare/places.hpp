@@ -9,19 +9,18 @@
 
 namespace netloft::studies {
 
-/// A position on a gear that does not depend on the mesh: a part, and the fractions of its width and its
-/// length.
+/// A place on a gear that does not depend on the mesh: a part, and fractions of its width and its length.
 struct Spot {
   std::uint32_t part;
   std::array<std::int64_t, 2> fraction;  // in units of 1e-9
   auto operator<=>(const Spot&) const = default;
 };
 
-/// Positions of the nodes of a gear by spot [m]. Two meshes of one gear share a spot if nodes coincide in
-/// panel coordinates or along a rope.
+/// Positions of the nodes of a gear [m], by spot. A spot is in two meshes of one gear if both have a node
+/// there.
 using Places = std::map<Spot, std::array<double, 3>>;
 
-/// `positions` are those of all nodes of the scene, 3 per node [m].
+/// The spots of the nodes of a scene; `positions` has all node positions, 3 per node [m].
 Places places_of(const scenes::LoadedScene& loaded, std::span<const double> positions);
 
 /// Largest distance over the common spots [m]; NaN if there are none.

@@ -29,7 +29,7 @@ double last_digit(const std::vector<double>& x) {
   return std::numeric_limits<double>::epsilon() * largest;
 }
 
-/// Takes one Newton step; the result has `evaluated` = false if the step cannot be found.
+/// Takes one Newton step; `evaluated` of the result is false if there is no such step.
 Polished next(StaticProblem& problem, const Polished& from) {
   Polished to;
   std::vector<double> step(from.u.size());
@@ -44,8 +44,8 @@ Polished next(StaticProblem& problem, const Polished& from) {
 
 Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u) {
   StaticProblem problem(fresh.assembler(), make_factorisation, {});
-  // Steps start from the rounded positions plus their low-order part. This requires that displacements are
-  // positions only, which does not hold for bodies.
+  // Displacements are counted from the rounded positions, so that they keep digits that positions lose. This
+  // works only if all unknowns are displacements, and rotations of bodies are not.
   const bool counts_from_there = !fresh.assembler().has_bodies();
   Polished best;
   best.u = u;

@@ -10,13 +10,14 @@ namespace netloft::studies {
 
 namespace {
 
-// Most solvers reach the first tolerance; a slow one may find the equilibrium to a looser tolerance only.
+// Tolerances to try. Most solvers reach the first one; slow ones may reach only a looser one.
 constexpr std::array<double, 3> kTolerances{1e-9, 1e-6, 1e-4};
-// In decreasing order of trust. The two methods of newton have hardly any code in common.
+// Solvers in decreasing order of trust. The two methods of newton have hardly any code in common.
 constexpr std::array<const char*, 6> kTrusted{
     "newton", "ptc", "lbfgs", "relaxation", "newton:method=classic", "newton:method=globalised"};
 
-/// Returns the polished answer of the solver; empty if it did not converge to any of the tolerances.
+/// Returns the answer of the solver, improved by polish(); empty if it did not converge to any of the
+/// tolerances.
 std::optional<ReferenceAnswer> solve_for_reference(const runs::CaseSource& source, Registry& registry,
                                                    const Method& method, const runs::Watch& watch) {
   for (const double tolerance : kTolerances) {

@@ -6,22 +6,22 @@
 namespace netloft::studies {
 
 /// The answer against which errors of a method are measured. Another solver found it, and Newton steps
-/// improved it to the round-off floor.
+/// improved it until only round-off was left.
 struct ReferenceAnswer {
   Method method;
-  bool independent = true;  // found by another solver plugin than that of the tested method
+  bool independent = true;  // true: its solver is of another plugin than the tested method
   double tolerance = 0;     // the tolerance to which that solver converged
   Stability stability = Stability::unknown;
   Polished answer;
-  // Path of a motion, and whether loss factors count in it; answer.uncertainty is then the largest
-  // distance from the path of another integrator at the same accuracy.
+  // For a motion: its path, and whether the loss factors of materials count in it. answer.uncertainty is then
+  // the largest distance from the path of another integrator with the same accuracy.
   std::vector<std::vector<double>> path = {};
   bool is_damped = true;
 };
 
-/// Candidate solvers for a reference of `method`, the best first. Solvers of its own plugin come last, so
-/// that a method is compared with itself only if there is no other. `available` lists names of plugins; if
-/// `wanted` is not empty, it is the only candidate.
+/// The solvers that may compute a reference for `method`, in the order in which to try them. Those of its own
+/// plugin come last, so that a method is compared with itself only if there is no other. `available` lists
+/// the installed plugins; if `wanted` is not empty, it is the only candidate.
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted);
 

@@ -11,9 +11,10 @@ namespace netloft::studies {
 
 namespace {
 
-// Accuracies of references, relative to the tightest accuracy in the comparison.
+// Accuracies to try for a reference, as factors on the tightest accuracy in the comparison.
 constexpr std::array<double, 2> kFiner{0.1, 1};
-// In decreasing order of trust, that is, by how few hard motions they fail on (tests/bench/motions).
+// Integrators in decreasing order of trust. The most trusted one fails on the fewest hard motions
+// (tests/bench/motions).
 constexpr std::array<const char*, 3> kTrustedIntegrators{
     "integrator energy-momentum", "integrator generalized-alpha", "integrator newmark"};
 

@@ -4,13 +4,14 @@
 
 namespace netloft::studies {
 
-/// The paths against which errors of motions are measured. A path is that of an integrator from another
-/// plugin than the tested method, with an accuracy ten times finer than the tightest in the comparison, or
-/// equal to it if the motion fails at the finer one. The distance between such paths of two integrators is
-/// reported with them. Methods without damping of materials are compared with paths without it.
+/// The paths against which errors of motions are measured. An integrator from another plugin than the tested
+/// one computes a path, with an accuracy ten times finer than the tightest in the comparison, or with the
+/// tightest if the motion fails at the finer one. Its uncertainty is the distance from the path of a further
+/// integrator. Methods without damping of materials are compared with paths without it.
 class ReferencePaths {
  public:
-  /// `wanted`: the only candidate; empty: the most trusted of the installed integrators.
+  /// `wanted`: the integrator to use; empty: the most trusted installed one. `tightest`: the smallest
+  /// accuracy in the comparison.
   ReferencePaths(const runs::CaseSource& source, Registry& registry, std::string wanted, double tightest,
                  const runs::Watch& watch)
       : source_(source),
@@ -19,7 +20,7 @@ class ReferencePaths {
         tightest_(tightest),
         watch_(watch) {}
 
-  /// Empty if the motion fails with all of them.
+  /// Empty if the motion fails with every integrator.
   std::optional<ReferenceAnswer> find_for(const Method& method, bool is_damped);
 
  private:
@@ -33,8 +34,8 @@ class ReferencePaths {
   std::map<std::pair<std::string, bool>, std::optional<ReferenceAnswer>> found_;
 };
 
-/// The largest distance of a node between two paths at equal outputs [m]; infinite if their outputs differ in
-/// number.
+/// The largest distance of a node between the outputs of two paths [m]; infinite if one path has more
+/// outputs.
 double path_distance(const Scene& scene, const Numbering& numbering,
                      const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b);
 

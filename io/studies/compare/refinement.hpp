@@ -16,7 +16,7 @@ struct Refinement {
 struct RefinedNumber {
   std::string name, unit;      // "results/lowest_z", "gear/mouth/area", as in result files
   std::vector<double> values;  // one per mesh
-  Trend trend;                 // its error is that of the finest mesh
+  Trend trend;                 // its error is that on the finest mesh
 
   /// Whether the values differ by more than round-off.
   bool varies() const;
@@ -28,8 +28,8 @@ struct RefinedNumber {
 Refinement refine(const runs::CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
                   const runs::Watch& watch);
 
-/// The trends of named results, then of figures of the gear, in the order of the report on the finest mesh;
-/// empty for fewer than two meshes.
+/// The trends of the numbers in [results], then of the figures of the gear, in the order of the report on the
+/// finest mesh; empty for fewer than two meshes.
 std::vector<RefinedNumber> find_trends(const Refinement& refinement);
 
 /// refinement_text has a line for every number that varies with the mesh, except figures by part;

@@ -5,7 +5,7 @@
 
 namespace netloft::studies {
 
-/// The comparison as a table for people.
+/// The comparison as text: a table.
 std::string comparison_text(const Comparison& c);
 
 /// One row per trial and per mesh, for spreadsheets; the first line names the columns. Solver errors and
@@ -15,8 +15,8 @@ std::string comparison_csv(const Comparison& c);
 /// One JSON object; unknown values are null.
 std::string comparison_json(const Comparison& c);
 
-/// The work-precision diagram: a line per method, from its loosest tolerance to its tightest, and a mark at
-/// the discretisation error of each mesh.
+/// The work-precision diagram: work over error, with a line per method from its loosest tolerance to its
+/// tightest, and a mark at the discretisation error of each mesh.
 formats::LinePlot comparison_plot(const Comparison& c);
 
 }  // namespace netloft::studies

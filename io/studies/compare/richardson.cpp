@@ -12,21 +12,23 @@ constexpr double kNoOrder = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastOrder = 0.5, kMostOrder = 2.5, kSteady = 0.5, kHighestOrder = 20;
 constexpr double kSafety = 1.25;        // factor in (4)
 constexpr double kSafetyOfScatter = 2;  // factor in (5)
-// Singular tensions at rope ends on corners of netting change by a tenth or more from mesh to mesh, other
-// figures that happen to drift by less.
+// Least change between meshes that counts as divergence, as a fraction of the value. Singular tensions at
+// rope ends on corners of netting change by a tenth or more; other figures that happen to drift change by
+// less.
 constexpr double kNoise = 0.1;
 
-/// Right side of (2); increases with p.
+/// The right side of (2), which increases with p.
 double ratio_of(double p, double h3, double h2, double h1) {
   return (std::pow(h3 / h1, p) - std::pow(h2 / h1, p)) / (std::pow(h2 / h1, p) - 1);
 }
 
-/// The limit (3) from two meshes.
+/// The limit (3) from the values on a coarse mesh of width h2 and a fine one of width h1.
 double limit_of(double order, double coarse, double fine, double h2, double h1) {
   return fine + extrapolation_weight(order, h2, h1) * (fine - coarse);
 }
 
-/// e of (5); trend.limit is used if it is finite.
+/// The error estimate (5), from the meshes `first` to the finest. trend.limit is the limit (3), NaN if p is
+/// not credible.
 double bound(const Trend& trend, const std::vector<double>& values, const std::vector<double>& h,
              std::size_t asked, std::size_t first) {
   const std::size_t last = values.size() - 1;
@@ -37,7 +39,7 @@ double bound(const Trend& trend, const std::vector<double>& values, const std::v
   return kSafetyOfScatter * largest;
 }
 
-/// Sets order and limit from the three finest meshes.
+/// Sets order, limit and divergence from the three finest meshes.
 void observe(Trend& trend, const std::vector<double>& values, const std::vector<double>& h) {
   const std::size_t n = values.size();
   const double coarse = values[n - 2] - values[n - 3], fine = values[n - 1] - values[n - 2];

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::string_view kRopes = "ropes/", kTension = "/tension_";
 
-/// The rope of "ropes/headrope/tension_end", ordered from that end; empty if the figure is not a tension at
-/// an end.
+/// The rope whose end tension `figure` is ("ropes/headrope/tension_end"), with its bars in the order from
+/// that end; empty for other figures.
 std::optional<results::RopeTensions> seen_from_end(const std::string& figure, const NumbersOnMesh& mesh) {
   const auto slash = figure.rfind(kTension);
   if (!figure.starts_with(kRopes) || slash == std::string::npos) return {};
@@ -25,7 +25,7 @@ std::optional<results::RopeTensions> seen_from_end(const std::string& figure, co
   return {};
 }
 
-/// The tension at one distance from an end, by mesh; empty if some mesh has no such rope.
+/// The tensions at one distance from the end of a rope, one per mesh that has the rope.
 std::vector<double> tensions_inside(const std::string& figure, const std::vector<NumbersOnMesh>& meshes,
                                     double distance) {
   std::vector<double> tensions;

@@ -68,7 +68,7 @@ Trial trial_in_time(runs::PreparedScene& fresh, const Method& method, double tol
   return t;
 }
 
-/// A trial that failed. Trials at other tolerances may still succeed.
+/// A trial whose plugin broke down. Trials at other tolerances may still succeed.
 Trial failed_trial(double tolerance, const std::string& why) {
   Trial t;
   t.tolerance = tolerance;

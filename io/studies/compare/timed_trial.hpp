@@ -7,30 +7,30 @@
 
 namespace netloft::studies {
 
-/// The cost and the answer of one method at one tolerance; for a motion, the tolerance is the accuracy of its
+/// The cost and the answer of one method at one tolerance. For a motion the tolerance is the accuracy of its
 /// path.
 struct Trial {
   double tolerance = 0;
   bool tried = true;    // false: the method has already failed at a looser tolerance
-  bool failed = false;  // true: its plugin failed; `reason` has the error
+  bool failed = false;  // true: its plugin broke down; `reason` has the error
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
   std::string reason;     // a sentence
   std::string of_motion;  // "finished", "lost", "out of time", "out of work" or "interrupted"; empty: it is
                           // an equilibrium
-  // processor time of the solver without the host's final checks, the least of all repeats
+  // Processor time of the solver without the final checks of the host, in the fastest repeat.
   double cpu_seconds = 0;
-  Statistics statistics;          // of the fastest repeat
-  double residual = 0, load = 0;  // recomputed by the host [N]
-  // error estimate: the next Newton step [m]
+  Statistics statistics;          // of the fastest repeat, too
+  double residual = 0, load = 0;  // recomputed at the answer [N]
+  // Estimated error: the largest displacement of a node in the next Newton step [m].
   double estimate = std::numeric_limits<double>::quiet_NaN();
-  // largest distance of a node to the reference; for a motion, over all outputs [m]
+  // Largest distance of a node from the reference; for a motion, over all outputs [m].
   double error = std::numeric_limits<double>::quiet_NaN();
   double energy = 0;                      // [J]
   std::vector<double> x, u;               // the answer, as in Solution
   std::vector<std::vector<double>> path;  // path of a motion: x at every output
   std::int64_t steps = 0, rejected = 0;   // accepted and rejected time steps of a motion
-  bool is_damped = true;  // whether loss factors of materials count in the motion, or no part has one
+  bool is_damped = true;                  // false: loss factors of materials were left out
 
   std::string outcome() const {
     if (!tried) return "not tried";
@@ -46,7 +46,7 @@ struct Trial {
 struct Method {
   std::string specification;  // "newton:method=classic", "strategy auto", "integrator newmark"
 
-  /// "solver", "strategy" or "integrator", which are also the keys of an analysis.
+  /// "solver", "strategy" or "integrator": also the key of the scene's analysis that chooses the method.
   std::string kind() const;
   /// The specification without the keyword.
   std::string name() const;
@@ -55,13 +55,13 @@ struct Method {
 /// Returns `source` with this method and tolerance.
 runs::CaseSource source_for(const runs::CaseSource& source, const Method& method, double tolerance);
 
-/// Solves the scene `repeats` times from its initial guess, each time in a new case. With an integrator,
-/// marches through time within the work budget of the analysis.
+/// Solves the scene `repeats` times from its initial guess, reading it anew each time. With an integrator,
+/// computes its motion instead, within the work budget of the analysis.
 Trial run_trial(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
                 int repeats, const runs::Watch& watch);
 
 /// Runs all tolerances from the loosest to the tightest. After a failure the tighter ones are skipped, except
-/// for motions, which shorter steps may save.
+/// for motions, because shorter steps may succeed.
 std::vector<Trial> run_trials(const runs::CaseSource& source, Registry& registry, const Method& method,
                               const std::vector<double>& tolerances, int repeats, const runs::Watch& watch);
 

@@ -14,15 +14,15 @@ namespace {
 
 using Values = std::vector<VariableValue>;
 
-// Fraction of a step's change that remains after `halvings` if there is a jump. A smooth path leaves 2^-5, a
-// jump all of it.
+// If a larger fraction than this of the change in a step remains after all halvings, it is a jump. A smooth
+// path leaves 2^-5, a jump all of it.
 constexpr double kLeftOfAJump = 0.25;
-constexpr double kElsewhere = 4;  // a distance this many times the extrapolated change means another branch
+constexpr double kElsewhere = 4;  // distance over the extrapolated change beyond which it is another branch
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
-/// The ratio of the step from the last point to the next over the step before it; empty if the three points
-/// are not on one line.
+/// The length of the step from `last` to `next` over that from `before` to `last`; empty if the three points
+/// are not on one line, along which one variable changes.
 std::optional<double> way_on(const Values& before, const Values& last, const Values& next) {
   std::optional<double> ratio;
   for (std::size_t v = 0; v < next.size(); ++v) {
@@ -34,7 +34,7 @@ std::optional<double> way_on(const Values& before, const Values& last, const Val
   return ratio;
 }
 
-/// Whether points in between exist: only numbers differ between both.
+/// Whether there are points between a and b: all values that differ are numbers.
 bool can_be_halved(const Values& a, const Values& b) {
   for (std::size_t v = 0; v < a.size(); ++v)
     if (a[v].text != b[v].text && !(a[v].number && b[v].number)) return false;
@@ -46,7 +46,7 @@ struct Move {
   std::uint32_t node = 0;
 };
 
-/// The node with the largest distance between two states of one topology.
+/// The largest distance of a node between two states of one scene, and that node.
 Move largest_move(const runs::PreparedScene& scene, const std::vector<double>& from_x,
                   const std::vector<double>& to_x) {
   const auto from = scene.assembler().node_positions(from_x), to = scene.assembler().node_positions(to_x);
@@ -109,10 +109,10 @@ Reached Branch::reach(std::shared_ptr<runs::PreparedScene> scene, const Values& 
   return reached;
 }
 
-/// Returns the last point, and the one before it if both are on a line with the next; else a point before it
-/// on the tangent. Reusing the movement with the same variable in the previous row of points would save the
-/// tangent but predicts worse: on the 83-112 at sea with 300 nodes, 16 samples, points took 4.9
-/// factorisations on average instead of 4.2 to 4.6.
+/// Returns the points from which the next one is predicted: the last two if they are on a line with the next,
+/// else the last one and a point before it on the tangent. To reuse the movement along the same variable in
+/// the previous row of points would save the tangent, but predicts worse: on the trawl 83-112 at sea with 300
+/// nodes and 16 samples, points took 4.9 factorisations on average instead of 4.2 to 4.6.
 Branch::Way Branch::known_places(const Values& values) {
   if (trail_.size() == 2)
     if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)
@@ -121,8 +121,8 @@ Branch::Way Branch::known_places(const Values& values) {
   return tangent_way(trail_.back(), values);
 }
 
-/// Returns a point on the tangent towards other values, and `from` itself; only `from` if there is no
-/// tangent.
+/// Returns a point on the tangent, a little before `from` when seen towards `to`, and then `from`; only
+/// `from` if there is no tangent.
 Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   Way way{{0, from}};
   if (!can_be_halved(from.values, to)) return way;
@@ -138,8 +138,8 @@ Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   return way;
 }
 
-/// Steps from the last point to the next, by the whole step or by halves of it. False if the branch ends
-/// before.
+/// Steps from the last point to the next, by the whole step or by halves of it. False if the branch ends on
+/// the way.
 bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Values& values, Way& way) {
   const Solved start = way.back().solved;
   const double shortest = std::ldexp(1.0, -options_.halvings);
@@ -162,9 +162,9 @@ bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Value
   return false;
 }
 
-/// Extrapolates linearly from the last two places; with one place, returns its positions. A parabola through
-/// three places predicted worse on the 83-112 at sea with 300 nodes, because slack twines and the bed make
-/// kinks.
+/// Extrapolates positions to `at`, linearly from the last two places; if there is only one, returns its
+/// positions. A parabola through three places predicted worse on the trawl 83-112 at sea with 300 nodes,
+/// because slack twines and the bed make kinks.
 std::vector<double> Branch::led_on(const Way& way, double at) {
   const Place& last = way.back();
   std::vector<double> x = last.solved.solution.x;
@@ -195,7 +195,8 @@ bool Branch::is_noticed(double distance, const runs::PreparedScene& of) const {
   return distance > options_.noticed * extent_of(of.loaded().scene);
 }
 
-/// Opens the scene at fraction t of the step from one point to another, and sets its values.
+/// Opens the scene at fraction t of the step from one point to another, and sets `values` to the values
+/// there.
 std::shared_ptr<runs::PreparedScene> Branch::open_between(const Solved& from, const Values& to, double t,
                                                           Values& values) const {
   values = from.values;
@@ -238,7 +239,7 @@ void Branch::look_for_fold(const Way& way, const Solved& anew, std::vector<std::
                   spell(end.solved.values, anew.values), name_of(anew, move), move.distance));
 }
 
-/// Spells the values that differ from those of another point: "speed 3.125 kn".
+/// Lists the values that differ from those of another point: "speed 3.125 kn".
 std::string Branch::spell(const Values& values, const Values& other) const {
   std::string text;
   for (std::size_t v = 0; v < values.size(); ++v)

@@ -22,7 +22,7 @@ std::vector<VariableValue> tried(const Variable& variable) {
 /// "gear.nodes" of "gear.nodes=500".
 std::string path_of(const std::string& word) { return word.substr(0, word.find('=')); }
 
-/// Opens one scene after another.
+/// Opens the scene with one set of values after another, and collects errors.
 class StudyInspection {
  public:
   StudyInspection(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,

@@ -5,17 +5,17 @@
 
 namespace netloft::studies {
 
-/// Properties of the scenes of a study, found before it is planned.
+/// Facts about the scenes of a study, found before the study is planned.
 struct CheckedScenes {
   bool refused = false;                                    // a plugin is missing or was refused
   std::vector<std::pair<std::string, std::string>> files;  // path and hash of all files read
   std::vector<std::string> figures;                        // names of all figures that the scenes report
 };
 
-/// Reads the scene with every value of every variable once (both ends of the interval for a sampled
+/// Reads the scene once with every value of every variable (both ends of the interval for a sampled
 /// variable), while the other variables have their first value. Errors are reported in the study file, at the
-/// variable that causes them or at `scene`. Figures that the scene does not report are errors, too. Left out
-/// are variables that were not read without errors, and variables that made a scene unreadable, once this is
+/// variable that causes them or at its key `scene`. Figures that the scene does not report are errors, too. A
+/// variable is left out if it was read with errors, or after it made a scene unreadable and this was
 /// reported, so that further errors are found.
 CheckedScenes check_scenes(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
                            formats::Diagnostics& diagnostics);

@@ -11,7 +11,7 @@ namespace netloft::studies {
 
 namespace {
 
-// Engines take about a second to start a task; a task of a minute hides that.
+// Engines take about a second to start a task, which is little against a task of a minute.
 constexpr double kLeastSeconds = 60;
 
 /// Quotes a word for bash.

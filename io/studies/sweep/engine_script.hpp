@@ -4,7 +4,7 @@
 
 namespace netloft::studies {
 
-/// The program that starts the tasks of a study.
+/// The program that runs the items of a study, some per task: GNU parallel or Slurm.
 enum class Engine { parallel, slurm };
 
 /// Options of a script for an engine.
@@ -19,12 +19,12 @@ struct ScriptOptions {
 /// The name of the script in the folder of the study.
 std::string script_name(Engine engine);
 
-/// A bash script that has an engine compute all items without a record, and then collects the table. Its head
-/// explains what it does and how to start it. When started again, it resumes.
+/// A bash script with which an engine computes all items that have no record yet, and then collects the
+/// table. Its head explains what it does and how to start it. Started again, it resumes.
 std::string engine_script(Engine engine, const Study& study, const ScriptOptions& options);
 
-/// The number of items per task with which a task runs for at least a minute, estimated from the finished
-/// items of the study; 1 if there are none. Sets the mean wall time of these items, 0 if it is not known.
+/// The number of items that take at least a minute in one task, estimated from the finished items of the
+/// study; 1 if there are none. Sets the mean wall time of the finished items, 0 if it is not known.
 std::size_t items_per_minute(const Study& study, const std::filesystem::path& folder,
                              double& seconds_per_item);
 

@@ -19,7 +19,8 @@ namespace netloft::studies {
 
 namespace {
 
-// Kriging takes n³/3 operations: a tenth of a second for each figure. Distant points add little information.
+// Limit of points, of which the nearest are used. Kriging of n points takes n³/3 operations, with 600 a tenth
+// of a second for each figure, and distant points add little information.
 constexpr std::size_t kMostFittedPoints = 600;
 constexpr double kSolveError = 1e-9;  // relative, in (1)
 
@@ -107,8 +108,8 @@ class NumberEstimate {
     return group;
   }
 
-  /// The largest residual among the points of the group nearest to the place; their number is that of the
-  /// corners of a cell of listed variables.
+  /// The largest error of the estimate without a group, among its points nearest to the place. As many points
+  /// count as a cell between listed values has corners.
   double error_without(const Group& group) const {
     const Numbers residuals = kriging_.residuals_without(group);
     std::vector<std::size_t> order(group.size());
@@ -129,7 +130,8 @@ class NumberEstimate {
   Kriging kriging_;
 };
 
-/// Chooses rows and estimates. The member functions are the steps, in the order of execution.
+/// Chooses rows of the table and estimates figures from them. The member functions are the steps, in the
+/// order of execution.
 class Estimator {
  public:
   Estimator(const StudyTable& table, const Site& site) : table_(table), site_(site) {
@@ -146,7 +148,8 @@ class Estimator {
   }
 
  private:
-  /// Finds the variables with a requested value between their listed values; sampled variables come last.
+  /// Finds the free variables, along which figures are interpolated: the requested value of a listed one is
+  /// between its values. Sampled variables come last.
   void find_free() {
     for (const bool sampled : {false, true})
       for (std::size_t v = 0; v < site_.size(); ++v)
@@ -194,7 +197,7 @@ class Estimator {
                     first.point, first.status, first.reason.empty() ? "" : ": " + first.reason));
   }
 
-  /// Whether the row has the requested values of the variables that are not interpolated.
+  /// Whether the row has the requested values of all variables that are not free.
   bool counts(const StudyRow& row) const {
     for (std::size_t v = 0; v < site_.size(); ++v) {
       if (!site_[v] || std::find(free_.begin(), free_.end(), v) != free_.end()) continue;
@@ -275,7 +278,7 @@ class Estimator {
     return rows;
   }
 
-  /// Correlation lengths of the medians over the samples.
+  /// The correlation lengths that kriging finds for the medians over the samples.
   std::optional<KrigingScales> scales_of(const Known& known) const {
     if (free_.empty()) return std::nullopt;
     return Kriging(known.points, medians_of(known)).scales();
@@ -320,7 +323,7 @@ class Estimator {
     return NumberEstimate(known.points, values, place_, listed_, scales).run();
   }
 
-  /// Reports the events at the points around the place, that is, within the neighbouring values in each
+  /// Reports folds and jumps at the points around the place, that is, within the neighbouring values in each
   /// variable.
   void say_events() {
     std::set<std::string> said;
@@ -338,7 +341,7 @@ class Estimator {
     return true;
   }
 
-  /// The nearest values of a listed variable below and above the place.
+  /// The nearest values of a listed variable below and above the place, which must be within its range.
   static Interval neighbours_of(const Numbers& levels, double place) {
     Interval found{levels.front(), levels.back()};
     for (const double level : levels)
@@ -353,7 +356,7 @@ class Estimator {
   const Site& site_;
   std::vector<std::size_t> free_;     // columns
   std::size_t listed_ = 0;            // number of listed variables, which come first in free_
-  Numbers lows_, extents_, place_;    // of the variables in free_, scaled to [0, 1]
+  Numbers lows_, extents_, place_;    // of the variables in free_; place_ is scaled to [0, 1]
   std::vector<Interval> neighbours_;  // of the listed variables, scaled to [0, 1]
   bool is_over_samples_ = false;
   std::vector<const StudyRow*> rows_;

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Out = std::back_insert_iterator<std::string>;
 
-constexpr std::size_t kMostSentences = 5;  // most sentences in the text for people; JSON has all
+constexpr std::size_t kMostSentences = 5;  // limit of sentences in the text; JSON has all
 
 constexpr const char* kExtrapolated =
     "the place lies beyond the points that have a stable equilibrium: what is said is an extrapolation, and "
@@ -55,7 +55,7 @@ void figures_text(const StudyEstimate& e, Out out) {
   }
 }
 
-/// Writes sentences as a list, cut off after kMostSentences.
+/// Writes at most kMostSentences sentences as a list, and the number of the rest.
 template <class Items, class Text>
 void list_text(const Items& items, const char* head, const Text& text, Out out) {
   if (items.empty()) return;

@@ -18,17 +18,18 @@ namespace netloft::studies {
 
 namespace {
 
-// The cost is one correlation per point and sample; with more points, the error of the study's steps
-// dominates.
+// Limit of points. The cost is one correlation per point and sample, and with more points the distance
+// between the study's values causes most of the error.
 constexpr std::size_t kMostTablePoints = 500;
-constexpr std::size_t kMostGroups = 10;  // most groups of samples that are left out in turn
+constexpr std::size_t kMostGroups = 10;  // limit of groups of samples, each of which is left out in turn
 constexpr std::size_t kHullPoints = 128;
 constexpr std::size_t kLeastLevels = 3;
 
 using Numbers = std::vector<double>;
 using Group = std::vector<std::size_t>;  // indices of points
 
-/// A column that is a coordinate of points, scaled to [0, 1] between its ends.
+/// A column of the table that is a coordinate of points, scaled to [0, 1] between its least and largest
+/// value.
 struct Coordinate {
   std::size_t column = 0;
   Numbers levels;              // ascending
@@ -37,7 +38,7 @@ struct Coordinate {
 
   double low() const { return levels.front(); }
   double extent() const { return levels.back() > levels.front() ? levels.back() - levels.front() : 1; }
-  /// The coordinate below which a fraction p of its distribution lies.
+  /// The scaled value below which a fraction p of the column's distribution lies.
   double at(double p) const {
     if (held) return (*held - low()) / extent();
     return is_sampled ? (quantile_of(levels, p) - low()) / extent() : p;
@@ -74,7 +75,7 @@ class IndexEstimator {
   void run(FigureIndices& figure) {
     SobolIndices found = indices_of(kriging_, {});
     const SobolIndices at_first = indices_of(kriging_, kOneReplicate);
-    std::vector<SobolIndex> lack(found.variables.size());  // contributions of the response to the errors
+    std::vector<SobolIndex> lack(found.variables.size());  // errors of the response: the two parts of (1)
     add_samples(at_first, lack);
     add_levels(at_first, lack);
     for (std::size_t i = 0; i < lack.size(); ++i) {
@@ -104,7 +105,7 @@ class IndexEstimator {
     return sobol_indices(f, varied, sample);
   }
 
-  /// Adds the first part of (1).
+  /// Adds the first term of (1), from groups of samples, to the errors `lack`.
   void add_samples(const SobolIndices& all, std::vector<SobolIndex>& lack) {
     const std::set<std::size_t> samples(known_.samples.begin(), known_.samples.end());
     if (std::none_of(coordinates_.begin(), coordinates_.end(), [](const auto& c) { return c.is_sampled; }))
@@ -130,7 +131,7 @@ class IndexEstimator {
     }
   }
 
-  /// Adds the second part of (1).
+  /// Adds the second term of (1), from values of listed variables, to the errors `lack`.
   void add_levels(const SobolIndices& all, std::vector<SobolIndex>& lack) {
     for (std::size_t c = 0; c < coordinates_.size(); ++c) {
       if (coordinates_[c].is_sampled) continue;
@@ -161,8 +162,8 @@ class IndexEstimator {
     return group;
   }
 
-  /// The differences between the indices of the response without a group and those of all points; zeros if
-  /// too few points would remain.
+  /// The differences between the indices without a group of points and those of all points; zeros if too few
+  /// points would remain.
   std::vector<SobolIndex> without(const Group& group, const SobolIndices& all) {
     std::vector<SobolIndex> differences(all.variables.size());
     if (!scales_ || group.empty() || 2 * group.size() > known_.points.size()) return differences;
@@ -183,11 +184,12 @@ class IndexEstimator {
   const std::vector<Coordinate>& coordinates_;
   Kriging kriging_;
   std::optional<KrigingScales> scales_;
-  double squares_ = 0;  // sum over residuals
+  double squares_ = 0;  // sum of squares of residuals at left-out points
   std::size_t residuals_ = 0;
 };
 
-/// Chooses coordinates and rows. The member functions are the steps, in the order of execution.
+/// Chooses coordinates and rows of the table for the indices. The member functions are the steps, in the
+/// order of execution.
 class Analysis {
  public:
   Analysis(const StudyTable& table, const Site& site, formats::Diagnostics& diagnostics)
@@ -240,7 +242,7 @@ class Analysis {
                        [&](double level) { return is_same_number(level, *site_[v]->number); });
   }
 
-  /// Refuses lists: the values of a list change together, so that no variable varies by itself.
+  /// Refuses tables in which listed values change together, so that no variable varies by itself.
   void refuse_lists() {
     std::set<Numbers> together;
     std::size_t product = 1;
@@ -266,7 +268,7 @@ class Analysis {
                        [&](const auto& c) { return c.column == v; });
   }
 
-  /// Whether the row has the held values.
+  /// Whether the row has the values at which the request holds variables.
   bool counts(const StudyRow& row) const {
     for (std::size_t v = 0; v < site_.size(); ++v) {
       if (!site_[v] || is_coordinate(v)) continue;

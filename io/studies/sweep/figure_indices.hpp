@@ -7,10 +7,10 @@ namespace netloft::studies {
 
 struct IndicesRequest {
   std::vector<std::string> at;       // held variables, such as "speed=3 kn"
-  std::vector<std::string> figures;  // empty: all except those of single parts
+  std::vector<std::string> figures;  // empty: all figures except those of single parts
 };
 
-/// A variable that has indices, and its range.
+/// A variable for which indices are found, and its range.
 struct VariedVariable {
   std::string name, unit;
   double from = 0, to = 0;
@@ -19,9 +19,9 @@ struct VariedVariable {
 
 struct FigureIndices {
   std::string name, unit;
-  double mean = 0, deviation = 0;  // over all variables
-  double off = 0;                  // root mean square error of predicting left-out points, over the deviation
-  std::size_t points = 0;          // number of points used
+  double mean = 0, deviation = 0;  // as all variables vary
+  double off = 0;          // root mean square error of the response at left-out points, over `deviation`
+  std::size_t points = 0;  // number of points used
   std::vector<SobolIndex> variables;  // in the order of StudyIndices::variables
   std::string why_not;                // the reason if there are no indices
 };
@@ -30,26 +30,28 @@ struct FigureIndices {
 struct StudyIndices {
   std::vector<std::pair<std::string, std::string>> held;  // variables and their values
   std::vector<VariedVariable> variables;
-  double beyond = 0;         // fraction of the sample outside the points
+  double beyond = 0;         // fraction of the variables' space that is outside the region of the points
   std::size_t left_out = 0;  // points without a stable equilibrium
   std::vector<FigureIndices> figures;
 };
 
-/// Sobol's indices (sobol_indices.hpp) of figures over the variables of a table, for the kriging response to
-/// its points. Variables are independent: listed ones are uniform from the first to the last value, sampled
-/// ones are distributed as their samples. The error is the root of the sum of squares of two parts: the error
-/// of the sample, and that of the response,
+/// Computes Sobol's indices (sobol_indices.hpp): the fraction of a figure's variance that each variable of a
+/// table causes. The figure is taken as a function of the variables that kriging interpolates between the
+/// points, the response. Variables are independent: listed ones are uniform from the first to the last value,
+/// sampled ones are distributed as their samples. The error of an index S is the root of the sum of squares
+/// of two parts: the error of the sample, and that of the response,
 ///   2 ((k − 1)/k Σ_g (S_g − S)²)^½ + Σ_v max_l |S_l − S|                                    (1)
-/// S_g are indices of the response without one of k groups of samples, k at most ten; S_l are those without a
-/// value l of the listed variable v, l neither its first nor its last.
+/// S_g are the indices without one of k ≤ 10 groups of samples, S_l those without the points at a value l of
+/// the listed variable v, which is neither its first nor its last.
 ///
-/// Reports faults of the request to `diagnostics`, and then returns nothing: unknown figures and variables,
-/// variables that have to be held because they are no numbers or have only two values, and lists, which vary
-/// no variable by itself. Throws StudyError with a sentence if no point is usable.
+/// If the request has a fault, it is reported to `diagnostics`, and there is no result: unknown figures and
+/// variables; variables that must be held at a value because they are no numbers or have only two values; and
+/// lists of values that change together, so that no variable varies by itself. Throws StudyError with a
+/// sentence if no point is usable.
 std::optional<StudyIndices> study_indices(const StudyTable& table, const IndicesRequest& request,
                                           formats::Diagnostics& diagnostics);
 
-/// The indices as a text for people, as one JSON object, and as a bar chart.
+/// The indices as text, as one JSON object, and as a bar chart.
 std::string indices_text(const std::string& study, const StudyIndices& found);
 std::string indices_json(const std::string& study, const StudyIndices& found);
 formats::BarChart indices_bars(const StudyIndices& found);

@@ -46,8 +46,7 @@ Json head_json(const Study& study) {
           {"points", study.point_count()}};
 }
 
-/// Writes text and number of a value: the text follows from the number for sampled values only, so the
-/// manifest has both.
+/// Returns the text and the number of a value. Only for sampled values does the number determine the text.
 Json value_json(const VariableValue& value) {
   return value.number ? Json::array({value.text, *value.number}) : Json::array({value.text});
 }

@@ -12,8 +12,8 @@ class StudyError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The manifest as JSON lines. The first line describes the study, every further one is an item. Equal
-/// studies give equal bytes.
+/// The manifest of a study as JSON lines: the first line describes the study, and every further one is an
+/// item. Equal studies give equal bytes.
 std::string manifest_text(const Study& study);
 
 /// Reads a manifest that manifest_text() wrote. Throws StudyError with the line number if it is damaged.

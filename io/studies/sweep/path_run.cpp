@@ -69,7 +69,7 @@ class PathRun {
     return std::make_shared<runs::PreparedScene>(std::move(source), *context_.registry, make_);
   }
 
-  /// Opens the scene at values between points.
+  /// Opens the scene at values between two points of the path.
   std::shared_ptr<runs::PreparedScene> open_at(const std::vector<VariableValue>& values) const {
     std::vector<formats::Change> changes;
     std::size_t v = 0;

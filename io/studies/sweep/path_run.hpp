@@ -9,7 +9,7 @@
 
 namespace netloft::studies {
 
-/// Folder, plugins and threads for solving an item.
+/// The folder of the study, the plugins and the threads with which an item is solved.
 struct PathContext {
   std::filesystem::path folder;  // the folder of the study
   Registry* registry = nullptr;
@@ -17,16 +17,16 @@ struct PathContext {
   int threads = 1;  // threads of the assembly
 };
 
-/// Solves the points of an item one after another, along a branch of equilibria (branch.hpp). The points
-/// share one ordering and analysis of their matrices if these have the same pattern. Empty if the user
-/// interrupts. Throws StudyError if the item cannot be computed at all, for example because a file has
-/// changed since the study was planned.
+/// Solves the points of an item one after another, along a branch of equilibria (branch.hpp). The matrix
+/// patterns of the points are ordered and analysed only once if they are equal. Empty if the user interrupts.
+/// Throws StudyError if the item cannot be computed at all, for example because a file has changed since the
+/// study was planned.
 std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, const PathContext& context);
 
 /// The scene of an item, with the changes of the study and of the item.
 runs::CaseSource source_of(const Study& study, const StudyItem& item, const PathContext& context);
 
-/// The first error in the diagnostics of an unreadable scene.
+/// The first error in the diagnostics of a scene that could not be read.
 std::string first_fault(const formats::Diagnostics& diagnostics);
 
 /// All numbers that a scene reports for a solution.

@@ -56,7 +56,7 @@ class StudyReader {
     refuse_shared_keys();
   }
 
-  /// Checks a name, because names become columns of tables and names in result files.
+  /// Checks the name of a variable, which becomes a column of tables and a name in result files.
   void check_name(const Variable& variable) {
     const bool is_word =
         !variable.name.empty() && std::all_of(variable.name.begin(), variable.name.end(), [](char c) {

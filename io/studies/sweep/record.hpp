@@ -15,16 +15,16 @@ struct StudyFigure {
 
 /// The result at one point.
 struct PointRecord {
-  std::string status;  // as in result files; "wrong input": the scene cannot be read at this point
+  std::string status;  // outcome as in result files; "wrong input": the scene cannot be read at this point
   std::string reason;  // sentence
-  std::string start;   // "continued" from the point before, or "anew" by the strategy of the scene
+  std::string start;   // "continued" from the point before, or "anew" by a search
   std::vector<std::string> events;  // folds and jumps between the point before and this one
   std::int64_t iterations = 0, factorisations = 0;
   double work = 0;  // in the units of framework/balance/work.hpp
   std::vector<StudyFigure> figures;
 };
 
-/// The cost of an item. Tables of results leave it out, because it depends on time and machine.
+/// The cost of an item. Tables of results leave it out, because it differs between machines and runs.
 struct ItemCost {
   double wall_seconds = 0, cpu_seconds = 0;
   std::string host, started;
@@ -37,14 +37,14 @@ struct ItemRecord {
   ItemCost cost;
 };
 
-/// A record as the content of its file: JSON, followed by a line with its CRC-32.
+/// The content of a record's file: JSON, followed by a line with its CRC-32.
 std::string record_text(const ItemRecord& record);
 
 /// Reads a record back. Throws StudyError with a sentence if it is damaged or belongs to another item.
 ItemRecord read_record(const std::string& text, const StudyItem& item);
 
-/// The record of an item in the folder of its study; empty if there is none or it cannot be used. In the
-/// latter case `fault` is the reason.
+/// The record of an item in the folder of its study; empty if there is none, or if it cannot be used, for a
+/// reason that `fault` then gives.
 std::optional<ItemRecord> find_record(const std::filesystem::path& folder, const StudyItem& item,
                                       std::string& fault);
 

@@ -27,7 +27,7 @@ Variable variable_in_metres(const char* name, const char* key) {
   return variable;
 }
 
-/// Names of the figures, which depend on the gear of the scene.
+/// Names of the figures of the boards, which contain the name of their pair in the plan.
 struct ScopeFigureNames {
   std::string heel, spread;
 };
@@ -68,22 +68,23 @@ bool is_within(const ScopeRequest& request, const ScopePoint& p) {
   return request.heel.contains(p.heel) && (!request.spread || request.spread->contains(p.spread));
 }
 
-/// The fraction of the interval from a to b at which a value that starts within its band leaves it; 1: it
-/// does not leave it.
+/// On the way from a, which is in the band, to b: the fraction at which the value leaves the band; 1 if it
+/// does not.
 double leaves_at(const Interval& band, double a, double b) {
   if (band.contains(b)) return 1;
   return !std::isfinite(b) ? 0 : ((b > a ? band.high : band.low) - a) / (b - a);
 }
 
-/// The length at which the boards leave their bands, between a point within and its neighbour outside.
+/// The length of warp at which the boards leave their bands, between a point within and its neighbour
+/// outside.
 double end_between(const ScopeRequest& request, const ScopePoint& in, const ScopePoint& out) {
   double t = leaves_at(request.heel, in.heel, out.heel);
   if (request.spread) t = std::min(t, leaves_at(*request.spread, in.spread, out.spread));
   return in.warp + t * (out.warp - in.warp);
 }
 
-/// Increases the length at every depth from the shortest one, whose equilibrium follows that of the previous
-/// depth, so that a fold at larger lengths does not affect the next depth.
+/// Solves all depths. At every depth the length increases from the shortest one. Equilibria at the shortest
+/// length follow from depth to depth, so that a fold at larger lengths does not affect the next depth.
 class ScopeRun {
  public:
   ScopeRun(const runs::CaseSource& source, Registry& registry, const ScopeRequest& request,
@@ -160,7 +161,7 @@ class ScopeRun {
   MakeFactorisation make_;
   std::vector<Variable> variables_ = {variable_in_metres("depth", "bed.depth"),
                                       variable_in_metres("warp", "ship.warp.length")};
-  Branch shortest_;  // follows the depths, at the shortest length
+  Branch shortest_;  // from depth to depth, at the shortest length
 };
 
 }  // namespace

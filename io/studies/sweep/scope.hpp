@@ -8,7 +8,7 @@
 
 namespace netloft::studies {
 
-/// The depths and warp lengths to solve, and the bands in which the boards should be.
+/// The depths and warp lengths to solve, and the bands in which attitude and spread of the boards should be.
 struct ScopeRequest {
   std::vector<double> depths;      // [m]
   std::vector<double> scopes;      // length of warp over depth, ascending
@@ -16,7 +16,7 @@ struct ScopeRequest {
   std::optional<Interval> spread;  // allowed spread of the boards [m]
 };
 
-/// The gear behind one length of warp. All numbers except the length are NaN if no stable equilibrium was
+/// The gear behind one length of warp. Numbers other than the length are NaN if no stable equilibrium was
 /// found.
 struct ScopePoint {
   double warp = 0;                                                // [m]
@@ -29,23 +29,23 @@ struct ScopeRow {
   double depth = 0;
   std::vector<ScopePoint> points;  // in the order of increasing warp; complete unless the user interrupted
   std::optional<Interval> warp;    // lengths for which the boards are within their bands
-  // Index of a point within `warp`: heel nearest to the middle of its band
+  // Index of the point, within `warp`, whose heel is nearest to the middle of its band.
   std::optional<std::size_t> chosen;
   std::vector<std::string> events;  // folds and jumps along the warp lengths
 };
 
-/// Called with the number of solved lengths over all depths, and with the last row and point.
+/// Called after every point with the number of points solved so far, and with the last row and point.
 using OnScopePoint = std::function<void(std::size_t, const ScopeRow&, const ScopePoint&)>;
 
-/// Finds the lengths for which heel and spread are within their bands: sets `row.warp` and `row.chosen` from
-/// the points. Figures are interpolated linearly between two points. If there are several such intervals, the
-/// result is the one around the chosen point.
+/// Sets `row.warp`, the interval of lengths for which heel and spread are within their bands, and
+/// `row.chosen`. Figures are interpolated linearly between points. If there are several such intervals, the
+/// one around the chosen point is taken.
 void find_lengths(const ScopeRequest& request, ScopeRow& row);
 
-/// Follows the equilibrium of a scene with a ship, a bed and one pair of boards over lengths of warp, depth
-/// by depth (branch.hpp). After an interruption, unsolved points are missing, and so are the lengths for the
-/// interrupted depth. Throws std::invalid_argument with a sentence for other scenes, and if the scene cannot
-/// be read at any length.
+/// Finds how long the warps should be at each depth, for a scene with a ship, a bed and one pair of boards:
+/// follows its equilibrium over lengths of warp, depth by depth (branch.hpp). After an interruption, unsolved
+/// points are missing, and so are the lengths for the interrupted depth. Throws std::invalid_argument with a
+/// sentence for other scenes, and if the scene cannot be read at any length.
 std::vector<ScopeRow> find_scope(const runs::CaseSource& source, Registry& registry,
                                  const ScopeRequest& request, const runs::Watch& watch,
                                  const OnScopePoint& on_point = {});

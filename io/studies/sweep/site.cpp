@@ -36,7 +36,7 @@ std::vector<std::string> split_at_commas(const std::string& words) {
   return all;
 }
 
-/// Reads word by word. The member functions are the steps, in the order of execution.
+/// Reads a place. The member functions are the steps, in the order of execution.
 class SiteReader {
  public:
   SiteReader(const StudyTable& table, formats::Diagnostics& diagnostics)

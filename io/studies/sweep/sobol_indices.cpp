@@ -13,7 +13,8 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Function values of one replicate: at rows a, at rows b, and at rows c of each variable.
+/// Function values of one replicate: at all points a, at all points b, and for each variable i at all points
+/// c_i.
 struct TripleOfValues {
   Numbers a, b;
   std::vector<Numbers> c;
@@ -35,7 +36,7 @@ TripleOfValues evaluate(const UnitFunction& f, std::size_t d, std::size_t points
   return values;
 }
 
-/// (1) and (2) without errors; mean and deviation.
+/// The indices (1) and (2) of one replicate, and the mean and deviation of the function.
 SobolIndices indices_of(const TripleOfValues& values) {
   Numbers all = values.a;
   all.insert(all.end(), values.b.begin(), values.b.end());

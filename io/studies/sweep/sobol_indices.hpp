@@ -11,7 +11,7 @@ namespace netloft::studies {
 /// The fraction of a function's variance that one of its variables causes.
 struct SobolIndex {
   WithError first;  // by the variable alone
-  WithError total;  // by the variable alone and by its interactions with others
+  WithError total;  // by the variable, including its interactions with others
 };
 
 struct SobolIndices {
@@ -19,7 +19,7 @@ struct SobolIndices {
   std::vector<SobolIndex> variables;
 };
 
-/// The sample of a function: `points` (d + 2) evaluations per replicate, d the number of variables.
+/// The size of the sample: `points` (d + 2) evaluations per replicate, where d is the number of variables.
 struct SobolSample {
   std::size_t points = 512;  // a power of two, which Sobol's sequence fills evenly
   std::size_t replicates = 8;
@@ -29,15 +29,15 @@ struct SobolSample {
 using UnitFunction = std::function<double(const std::vector<double>&)>;
 
 /// Sobol's indices of first order and total (I. M. Sobol, Mathematics and Computers in Simulation 55, 2001).
-/// a and b are rows of two samples of N points, taken together from a point of Sobol's sequence in 2 d
-/// dimensions; c_i is row a with variable i from b:
+/// Each of N points of Sobol's sequence in 2 d dimensions gives two points a and b in d dimensions; c_i is a
+/// with variable i from b. The sums are over the N points:
 ///   S_i = 1/N Σ f(b) (f(c_i) − f(a)) / V                                                    (1)
 ///   T_i = 1/(2N) Σ (f(a) − f(c_i))² / V                                                     (2)
 /// V is the variance of f over both samples; in (1) the mean of f is subtracted. (1): A. Saltelli et al.,
 /// Computer Physics Communications 181, 2010; (2): M. J. W. Jansen, Computer Physics Communications 117,
 /// 1999. The indices are means over replicates, whose sequences differ by a random digital shift; the errors
-/// are twice the deviation of these means. The points are the same in every call. The indices of a constant
-/// function are zero.
+/// are twice the deviation of these means. The points are the same in every call. A constant function has the
+/// indices zero.
 SobolIndices sobol_indices(const UnitFunction& f, std::size_t variables, const SobolSample& sample = {});
 
 }  // namespace netloft::studies

@@ -28,8 +28,8 @@ std::size_t product_of(const Chosen& chosen) {
                          [](std::size_t n, const DesignVariable* v) { return n * count_of(*v); });
 }
 
-/// All combinations, with the last variable fastest. `to_and_fro`: a variable runs backwards on every other
-/// pass, so that neighbouring combinations differ by one step.
+/// All combinations of the values of `chosen`, the last variable changing fastest. `to_and_fro`: a variable
+/// runs backwards on every other pass, so that neighbouring combinations differ by one value.
 std::vector<Choice> all_with_all(const Chosen& chosen, bool to_and_fro) {
   std::vector<Choice> all(product_of(chosen), Choice(chosen.size()));
   std::size_t below = 1;  // number of combinations of the later variables
@@ -44,7 +44,7 @@ std::vector<Choice> all_with_all(const Chosen& chosen, bool to_and_fro) {
   return all;
 }
 
-/// A choice of listed values for an item, and one for each of its points.
+/// The choice of listed values of an item outside the path, and the choices of its points in the path.
 struct Combined {
   Choice item;
   std::vector<Choice> points;
@@ -57,7 +57,8 @@ std::vector<Combined> combine_grid(const Chosen& of_items, const Chosen& of_path
   return all;
 }
 
-/// The rows of a list in the order of the file, with equal values outside the path in one item.
+/// Combines variables whose lists of values go together row by row, in the order of the file. Rows with equal
+/// values outside the path are points of one item.
 std::vector<Combined> combine_list(const Chosen& of_items, const Chosen& of_path) {
   const Chosen& any = of_items.empty() ? of_path : of_items;
   std::vector<Combined> all;
@@ -82,7 +83,7 @@ void put(const Variable& variable, const VariableValue& value, Target& target) {
   target.values.push_back(value);
 }
 
-/// Assembles the items. The member functions are the steps, in the order of execution.
+/// Makes the items. The member functions are the steps, in the order of execution.
 class Maker {
  public:
   Maker(const StudyFile& file, Study& study)

@@ -11,7 +11,7 @@ namespace netloft::studies {
 
 /// One solve of a study.
 struct StudyPoint {
-  std::vector<std::string> set;       // "path=value", in addition to those of the study and of the item
+  std::vector<std::string> set;       // "path=value": overrides of this point, after those of study and item
   std::vector<VariableValue> values;  // values of the variables in the path
 };
 
@@ -20,13 +20,13 @@ struct StudyPoint {
 struct StudyItem {
   std::size_t id = 0;                 // counts from 1
   std::size_t sample = 0;             // counts from 1; 0: nothing is sampled
-  std::vector<std::string> set;       // overrides of all its points
+  std::vector<std::string> set;       // overrides for all its points
   std::vector<VariableValue> values;  // values of the variables outside the path
   std::vector<StudyPoint> points;
-  std::string hash;  // hash of all inputs of its results
+  std::string hash;  // hash of all inputs that determine its results
 };
 
-/// A variable as a column of tables.
+/// A variable of the study, which is a column of its table.
 struct StudyColumn {
   Variable variable;  // its name, unit and keys
   bool is_number = true, is_in_path = false, is_sampled = false;
@@ -36,7 +36,7 @@ struct StudyColumn {
 struct Study {
   std::string name;
   std::string scene;                 // path relative to the folder of the study
-  std::vector<std::string> set;      // overrides of all points
+  std::vector<std::string> set;      // overrides for all points
   std::vector<std::string> figures;  // figures to record; empty: all
   std::vector<StudyColumn> columns;  // variables in the path come last
   std::string sampling;              // how the samples were made; empty: nothing is sampled
@@ -52,12 +52,13 @@ struct Study {
 /// The largest number of points that a study may have.
 inline constexpr double kMostPoints = 1e7;
 
-/// Number of points of a design, counted without making them.
+/// Number of points of a study file, counted without making them.
 double count_points(const StudyFile& file);
 
-/// Combines all values of a design: one item for each sample and each combination of listed values outside
-/// the path, in the order of the file, samples fastest. A path runs to and fro, so that only one variable
-/// changes, by one value, from one point to the next. `files` are the files of the scene.
+/// Combines the values of the variables of a study file. There is one item for each sample and each
+/// combination of listed values outside the path, in the order of the file, samples fastest. The points of an
+/// item go through the values in the path to and fro, so that from one point to the next only one variable
+/// changes, by one value. `files` are the files of the scene.
 Study make_study(const StudyFile& file, const std::string& scene,
                  std::vector<std::pair<std::string, std::string>> files);
 

@@ -10,7 +10,8 @@
 
 namespace netloft::studies {
 
-/// How listed values of several variables are combined.
+/// How listed values of several variables are combined: each with each, or the first with the first and so
+/// on.
 enum class Combination { grid, list };
 
 struct DesignVariable {

@@ -19,7 +19,7 @@ std::string axis_title(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : name + " [" + unit + "]";
 }
 
-/// Chooses and draws. The member functions are the steps, in the order of execution.
+/// Chooses rows and figures, and draws them. The member functions are the steps, in the order of execution.
 class Plotter {
  public:
   Plotter(const StudyTable& table, const PlotRequest& request) : table_(table) {
@@ -72,7 +72,8 @@ class Plotter {
     return values;
   }
 
-  /// The variable that distinguishes lines; past the last column if there is no other listed one.
+  /// The column of the variable with one line per value; the number of columns if there is no other listed
+  /// variable.
   std::size_t choose_lines(const std::string& wanted) const {
     const std::size_t none = table_.columns.size();
     if (!wanted.empty()) {
@@ -168,7 +169,7 @@ class Plotter {
     return by_ == table_.columns.size() || row.values[by_].text == value;
   }
 
-  /// The number of points of one line at each x, with and without an equilibrium.
+  /// The number of rows of one line at each x, including those without an equilibrium.
   std::map<double, std::size_t> samples_of(const std::string& value) const {
     std::map<double, std::size_t> samples;
     for (const StudyRow& row : table_.rows)

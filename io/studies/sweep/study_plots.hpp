@@ -9,13 +9,13 @@ namespace netloft::studies {
 
 /// The choice of figures, axis and lines for the plots of a table.
 struct PlotRequest {
-  std::vector<std::string> figures;       // empty: all figures of the gear as a whole
-  std::string over;                       // a variable; empty: the first of the path, or the first number
-  std::string by;                         // a variable with one line per value; empty: the next listed one
+  std::vector<std::string> figures;  // empty: all figures of the gear as a whole
+  std::string over;  // variable on the axis; empty: the first one in the path, else the first number
+  std::string by;    // variable with one line per value; empty: the next listed one
   std::map<std::string, std::string> at;  // values of other listed variables, as the table has them
 };
 
-/// Quantiles at the ends of bands over samples: nine tenths of the samples lie between them.
+/// The ends of bands over samples, as quantiles: nine tenths of the samples lie between them.
 inline constexpr double kBandLow = 0.05, kBandHigh = 0.95;
 
 /// Makes one plot for each figure, a number that every point reports. A listed variable has given values, and

@@ -12,7 +12,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// The reason recorded by a worker for an item that it could not compute; empty if there is none.
+/// The reason that a worker recorded for an item that it could not compute; empty if there is none.
 std::string failure_of(const std::filesystem::path& folder, const StudyItem& item) {
   try {
     const std::string text = formats::read_whole(failure_path(folder, item)).value_or("");
@@ -22,7 +22,7 @@ std::string failure_of(const std::filesystem::path& folder, const StudyItem& ite
   }
 }
 
-/// Reads item by item. The member functions are the steps, in the order of execution.
+/// Collects the records of a study in a table. The member functions are the steps, in the order of execution.
 class Collector {
  public:
   Collector(const Study& study, const std::filesystem::path& folder) : study_(study), folder_(folder) {

@@ -9,7 +9,7 @@ namespace netloft::studies {
 struct StudyRow {
   // Items and points count from 1; sample 0: nothing was sampled
   std::size_t item = 0, sample = 0, point = 0;
-  std::vector<VariableValue> values;  // values of the study's columns
+  std::vector<VariableValue> values;  // values of the variables, by column
   PointRecord record;                 // for a missing item: the status "missing"
   std::vector<double> figures;        // in the order of StudyTable::figures; NaN: the point does not have it
 };
@@ -19,13 +19,13 @@ struct StudyTable {
   std::vector<StudyColumn> columns;
   std::vector<StudyFigure> figures;  // names and units
   std::vector<StudyRow> rows;
-  std::vector<std::string> sentences;  // about items: missing, damaged, of other versions
+  std::vector<std::string> sentences;  // about items that are missing, damaged, or of other versions
   std::size_t missing_items = 0;
   std::map<std::string, std::size_t> count_by_status() const;
 };
 
-/// Reads the records of all items in the folder of a study. Missing or damaged items become rows with that
-/// status.
+/// Reads the records of all items in the folder of a study. The points of an item whose record is missing or
+/// damaged become rows that say so in their status.
 StudyTable collect_table(const Study& study, const std::filesystem::path& folder);
 
 /// The table as comma-separated values, a row for every point.

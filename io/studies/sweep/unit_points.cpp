@@ -15,7 +15,7 @@ namespace {
 
 using Points = std::vector<std::vector<double>>;
 
-/// The middle of the n-th of 2^53 intervals: never 0, never 1.
+/// A number in (0, 1): the middle of one of 2^53 equal intervals, chosen by the upper 53 bits.
 double in_open_interval(std::uint64_t bits) { return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53; }
 
 std::vector<std::size_t> shuffled(std::size_t count, scenes::Dice& dice) {
@@ -44,7 +44,8 @@ Points sobol(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   for (std::size_t d = 0; d < dimensions; ++d)
     shift[d] = scenes::Dice("sobol " + std::to_string(d), seed).next();
   Points points(count, std::vector<double>(dimensions));
-  // The engine skips the sequence's first point, the origin, which belongs to every power-of-two set.
+  // The engine skips the first point of the sequence, the origin. It is added here, because sets of 2^k
+  // points need it to fill the cube evenly.
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t d = 0; d < dimensions; ++d)
       points[i][d] = in_open_interval((i == 0 ? 0 : engine()) ^ shift[d]);

@@ -6,13 +6,13 @@
 
 namespace netloft::studies {
 
-/// The method by which samples fill the space of their variables.
+/// The method that distributes samples in the space of their variables.
 enum class Sampling { latin_hypercube, sobol };
 
 /// Number of dimensions for which Sobol's sequence has direction numbers.
 inline constexpr std::size_t kMostSobolVariables = 3667;
 
-/// `count` points in the open unit cube of `dimensions`, the same on every machine.
+/// Returns `count` points in the open unit cube with so many `dimensions`, the same ones on every machine.
 ///   latin_hypercube   every dimension is divided into `count` equal intervals with one random point in
 ///                     each; the order of the intervals is random (McKay, Beckman and Conover, Technometrics
 ///                     21, 1979)

@@ -38,7 +38,7 @@ std::string row_csv(const StudyTable& table, const StudyRow& row) {
   return text + "\n";
 }
 
-/// Writes columns: one number or text of every row.
+/// Writes columns of the table: one number or text for every row.
 class Columns {
  public:
   Columns(formats::Tree& tree, const StudyTable& table) : tree_(tree), table_(table) {}

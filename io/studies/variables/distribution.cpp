@@ -13,12 +13,12 @@ namespace netloft::studies {
 
 namespace {
 
-/// F of (3).
+/// The standard normal distribution function F in (3).
 double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
 }  // namespace
 
-// The upper half uses symmetry, because 1 − q would otherwise lose digits.
+// Above one half the symmetry of F is used, because 1 − q has more digits there than q.
 double normal_quantile(double q) {
   return q <= 0.5 ? -std::numbers::sqrt2 * boost::math::erfc_inv(2 * q)
                   : std::numbers::sqrt2 * boost::math::erfc_inv(2 * (1 - q));

@@ -5,17 +5,17 @@
 
 namespace netloft::studies {
 
-/// The values that a variable may have.
+/// Whether a variable may have listed values or an interval, or only an interval.
 enum class VariedBy { values_or_interval, interval };
 
-/// Reads one table of variables:
+/// Reads one variable from its table:
 ///   key    = "tow.speed"            or several keys that change together,
 ///            ["a.b", {key = "c.d[2]", factor = -1, offset = "2 m"}]
 ///   values = ["2.5 kn", "3 kn"]     listed: numbers, names of parts, switches, arrays
 ///   range  = ["2 kn", "4 kn"]       or an interval of numbers
-/// All numbers have units of one dimension, or all have none and are in the default unit of the key. The
-/// caller reads other keys of the table. Errors are reported to the diagnostics of the table; check these
-/// before using the variable.
+/// All numbers have units of one dimension, or all have none and are in the default unit of the key. Other
+/// keys of the table are left to the caller. Errors are reported to the diagnostics of the table; after one,
+/// the variable must not be used.
 Variable read_variable(const std::string& name, formats::TableReader table,
                        VariedBy by = VariedBy::values_or_interval);
 

@@ -7,8 +7,9 @@
 
 namespace netloft::studies {
 
-/// Reports errors of a scene in the file that sets keys of this scene. Errors that a key causes are reported
-/// at its place in `keys` (places by path), all others at `scene`, with their place in the scene.
+/// Reports errors of a scene in the file (of a study, for example) that sets keys of this scene. An error
+/// that a key causes is reported at the place in that file where the key is set (`keys`: places by path), any
+/// other at `scene`, with its place in the scene.
 void hand_on_faults(const formats::Diagnostics& of_scene, const std::map<std::string, formats::Place>& keys,
                     const formats::Place& scene, formats::Diagnostics& to);
 

@@ -14,7 +14,7 @@ struct VariableValue {
   std::optional<double> number;  // in the unit of the variable; empty for names, switches and arrays
 };
 
-/// A key of a scene that follows a variable: key = offset + factor × variable, in the variable's unit.
+/// A key of a scene that a variable sets: key = offset + factor × variable, in the variable's unit.
 struct FollowingKey {
   std::string path;  // in the syntax of `--set`: "tow.speed", "points.towing-point.at[2]"
   double factor = 1, offset = 0;
@@ -27,12 +27,12 @@ struct Interval {
   bool contains(double number) const { return number >= low && number <= high; }
 };
 
-/// The listed values or the interval of an input of a scene, or of several inputs that change together.
+/// An input of a scene, or several inputs that change together, with its listed values or its interval.
 struct Variable {
   std::string name;      // name in tables, plots and messages
-  formats::Place place;  // place of its table
+  formats::Place place;  // place of its table in the file
   std::vector<FollowingKey> keys;
-  std::string unit;                   // unit of its numbers as written, "kn"; empty: without unit
+  std::string unit;                   // unit of its numbers as written, such as "kn"; empty: no unit
   std::vector<VariableValue> values;  // listed values in the order of the file; empty: there is an interval
   std::optional<Interval> interval;
 
