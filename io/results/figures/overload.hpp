@@ -12,7 +12,8 @@ std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, co
                                            const Response& answer);
 
 /// Returns a sentence for every part with elements outside their range of validity (NETLOFT_OUTPUT_DOUBT),
-/// and for every part of a half gear that has crossed the plane of symmetry (find_crossings).
+/// for half a gear that has crossed its plane of symmetry, and for every pair of bodies that have crossed
+/// each other.
 std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                         const Response& answer);
 

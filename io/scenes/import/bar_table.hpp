@@ -16,8 +16,8 @@ struct TableNode {
   formats::Place place;
   std::array<double, 3> at{}, force{};  // [m], [N]
   std::string hold;                     // axes along which it is held: "", "z", "xyz"
-  double mass = 0, buoyancy = 0;        // [kg]; net upward force in water, given instead of the mass [N]
-  double volume = 0, drag_area = 0;     // displaced [m³]; drag coefficient times area [m²]
+  double mass = 0, buoyancy = 0;        // [kg]; buoyancy minus weight in water, instead of a mass [N]
+  double volume = 0, drag_area = 0;     // displaced water [m³]; drag coefficient times area [m²]
 };
 
 /// A rope: the bars of one name, in the order of their rows.
@@ -35,7 +35,7 @@ struct TableRope {
   std::vector<Bar> bars;
 };
 
-/// A number that a run prints: a quantity of nodes or of a part.
+/// A number that a run of the scene reports: a quantity (`take`) of nodes or of a part (`of`).
 struct TableResult {
   std::string name, of, take;
 };
@@ -46,15 +46,15 @@ struct BarTable {
   std::vector<TableRope> ropes;
   std::vector<TableResult> results = {};
   double density = 1025, gravity = kStandardGravity,
-         depth = 0;  // density and depth of the water [kg/m³], [m]; [m/s²]
+         depth = 0;  // density [kg/m³], gravity [m/s²], depth [m] of the water
 };
 
-/// Reads a table (TABLE.md). Errors are located in source `file`; after an error the result contains whatever
-/// could be read.
+/// Reads a table (TABLE.md). Errors name `file`, the number of the source, and line and column; after an
+/// error the result contains whatever could be read.
 BarTable read_bar_table(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
-/// A table written as a scene and the mesh of its parts. `head`: lines of the comment at the beginning of the
-/// scene.
+/// The text of a scene that is made from a table, and the mesh of its parts. `head`: lines of the comment at
+/// the beginning of the scene.
 struct BarTableScene {
   std::string scene;
   formats::InputMesh mesh;

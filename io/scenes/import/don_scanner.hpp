@@ -8,9 +8,10 @@
 
 namespace netloft::scenes::femnet {
 
-/// Reads the text of a .don as FEMNET does: the first part consists of values after colons, and the words
-/// before the colons do not matter; the second part consists of words. After an error in the first part it
-/// reads nothing more, because all later values would be read from wrong positions.
+/// Reads the text of a .don, a gear file of FEMNET, as FEMNET does. In its first part every value follows a
+/// colon, and the words before the colons do not matter; its second part, the tail, consists of words. After
+/// an error in the first part it reads nothing more, because all later values would be read from wrong
+/// positions.
 class DonScanner {
  public:
   DonScanner(std::string text, int file, formats::Diagnostics& diagnostics);
@@ -21,20 +22,21 @@ class DonScanner {
   /// The number after the next colon. If there is none, the result is 0, with a warning.
   double real(const char* what);
   int integer(const char* what);
-  /// The number of values that follow: required, and at least 0.
+  /// The number of values that follow in the text; it is required, and at least 0.
   int count(const char* what);
   /// A required number at this place, in a row or as argument of a keyword.
   double next_real(const char* what);
   int next_integer(const char* what);
-  /// An optional number at this place; if there is none, only blanks are skipped.
+  /// The number at this place if there is one; otherwise only blanks are skipped.
   std::optional<double> try_real(bool whole = false);
-  /// The text between the next two # after the next colon.
+  /// The text between two # signs after the next colon.
   std::string text_in_hashes(const char* what);
   /// Moves to the end of the line with the next word.
   void skip_worded_line();
-  /// The last word before the next colon; moves behind the colon, or stays if another kind of word follows.
+  /// Returns the last word before the next colon and moves behind this colon; does not move if another kind
+  /// of word follows.
   std::optional<std::string> word_before_colon();
-  /// The next word if it begins with this letter; otherwise nothing is read.
+  /// Moves behind the next word if it begins with this letter, and returns whether it did.
   bool try_word(char first_letter);
 
   /// The next word of the tail; empty at the end.

@@ -6,8 +6,8 @@
 
 namespace netloft::scenes::femnet {
 
-/// A bar that a drum shortens or lengthens. `shares`: its unstretched length as a fraction of the initial
-/// length, linear between the times.
+/// A bar that a drum shortens or lengthens. `shares`: its unstretched length at `times`, as a fraction of the
+/// initial length; linear in between.
 struct HauledBar {
   std::size_t bar = 0;     // index in the mesh file
   std::size_t number = 0;  // its position along the cable, from 0
@@ -24,8 +24,7 @@ struct HauledBar {
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
 inline constexpr double kMostHauls = 2e7;  // steps times bars: about a second of work
-/// Tolerance of the lengths [m]: a tenth of the change of length in one time step of FEMNET of a rope that is
-/// hauled at 0.2 m/s.
+/// Tolerance of the lengths [m]: a tenth of what a drum hauls at 0.2 m/s in one time step of FEMNET.
 inline constexpr double kHauledWithin = 1e-4;
 
 }  // namespace netloft::scenes::femnet

@@ -15,7 +15,7 @@ inline constexpr double kGravity = 9.81;
 
 using Triple = std::array<double, 3>;
 
-/// A corner of a panel in the drawing.
+/// A corner of a panel: its position in the drawing of the gear, and its panel coordinates.
 struct Corner {
   Triple at{};
   double U = 0, V = 0;  // [meshes]
@@ -32,7 +32,8 @@ struct Panel {
   int inner_type = 0, mesh_type = 0;
   // Set by keywords of the tail:
   double knot_size = 0, EI = 0, neutral_angle = 0;
-  // netting2ropes: `bars` bars replace `twines` mesh sides in a row, each for `twines` twines; 0: triangles
+  // Keyword netting2ropes: the panel is modelled by bars instead of triangles. In a row, `bars` bars replace
+  // `twines` mesh sides, and each bar stands for `twines` parallel twines. 0: triangles.
   double twines = 0, bars = 0;
 };
 
@@ -48,7 +49,7 @@ struct Cable {
   int bars = 0, inner_type = 0;
   double EI = 0;
   double constant_tension = 0;
-  std::string floats;  // the floats that were spread over it, as text
+  std::string floats;  // floats that were spread over the rope, as text
 };
 
 /// The properties of all nodes of a type.
@@ -57,14 +58,15 @@ struct NodeType {
   Triple mass{}, added_mass{}, box{}, drag{}, force{}, fixed{}, limit{}, sense{}, symmetry{};
 };
 
-/// A point of a link: a corner of a panel, or an end of a cable. Both are counted from 0.
+/// A point that a link connects to others: a corner of a panel, or an end of a cable. Objects and corners are
+/// counted from 0.
 struct LinkPoint {
   bool is_panel = false;
   int object = 0, corner = 0;
   formats::Place place = {};
 };
 
-/// A box in the drawing; the nodes strictly within it get a type, counted from 0.
+/// A box in the drawing. Nodes strictly within it get the node type `type`, counted from 0.
 struct TypeBox {
   formats::Place place;
   Triple low{}, high{};
@@ -75,16 +77,17 @@ struct TypeBox {
 struct Clamp {
   formats::Place place;
   int first = 0, second = 0;  // cables, counted from 0
-  double angle = 180;         // [degrees]; 180: in line
+  double angle = 180;         // angle between the cables [degrees]; 180: in line
 };
 
-/// A drum at one end of a cable. Its hauling speed is linear between the times; a negative speed pays out.
+/// A drum (winch) at one end of a cable. Its hauling speed is linear between the times; a negative speed pays
+/// out.
 struct Drum {
   formats::Place place;
   int cable = 0;                      // counted from 0
   double shortest = 0, longest = 0;   // limits of the length of a bar [m]
   std::vector<double> times, speeds;  // [s], [m/s]
-  std::vector<int> ends;              // end of the cable, 1 or 2, at which the drum is from each time on
+  std::vector<int> ends;              // from each time on: the end of the cable, 1 or 2, at the drum
 };
 
 /// The motion of the nodes of a type. Velocities are linear between the times, and zero after the last time.
@@ -107,37 +110,37 @@ struct Environment {
   double wave_period = 0, wave_height = 0, wave_direction = 0;       // [s], [m], [degrees]
   double time_step = 0, record_step = 0, record_begin = 0, end = 0;  // times of the motion [s]
   double catch_volume = 0, catch_accuracy = 0, catch_coefficient = 0;
-  double bed_friction = 0, bed_stiffness = 0;  // stiffness of every limit [N/m]
+  double bed_friction = 0, bed_stiffness = 0;  // stiffness of the bed and of other limits to nodes [N/m]
   double tolerance = 0;                        // [N]
   double water_density = 1025;
   bool bed_moves = false;
   int drag_type = 1;
   int wave_model = 1;    // 1: first order; 2 and 3: higher orders
-  formats::Place waves;  // place in the file
+  formats::Place waves;  // place of the waves in the file
 };
 
-/// Something in the file that the import changes or leaves out.
+/// A feature of the file that the import changes or leaves out.
 struct Finding {
-  enum class Kind { note, left_out };  // left_out: results differ from FEMNET's
+  enum class Kind { note, left_out };  // left_out: results differ from those of FEMNET
   formats::Place place;
   Kind kind = Kind::note;
   std::string what;  // "keyword tarp"
   std::string text;
 };
 
-/// The contents of a .don file.
+/// The contents of a .don file, the gear file of FEMNET.
 struct GearFile {
   std::vector<Panel> panels;
   std::vector<Cable> cables;
   std::vector<NodeType> types;
   std::vector<std::vector<LinkPoint>> links;
-  std::vector<LinkPoint> order;  // order of meshing; `corner` is not used
+  std::vector<LinkPoint> order;  // order in which parts are meshed; `corner` is not used
   std::vector<Clamp> clamps;
   std::vector<Wanted> wanted;
   std::vector<Drum> drums;
   std::vector<NodeMotion> motions;
   Environment environment;
-  double link_distance = 0;  // corners that are nearer in the drawing are one point [m]
+  double link_distance = 0;  // corners closer than this in the drawing are one point [m]
   int plane = 3;             // axis normal to the drawing
   std::vector<TypeBox> type_boxes;
   std::vector<Finding> of_mesher;  // keywords that have no effect if there is a mesh
@@ -145,7 +148,7 @@ struct GearFile {
   std::vector<Finding> findings;
 };
 
-/// The contents of a .mdg file; all indices count from 0.
+/// The contents of a .mdg file, the mesh of a gear; indices count from 0.
 struct MeshFile {
   struct Node {
     Triple at{};
@@ -154,7 +157,7 @@ struct MeshFile {
   struct Bar {
     std::array<std::uint32_t, 2> nodes{};
     std::array<double, 2> shares{};
-    int cable = 0;  // k > 0: cable k; -p: twines of panel p, as in the file
+    int cable = 0;  // as in the file: k for cable k, -p for twines of panel p, from 1
   };
   struct Triangle {
     std::array<std::uint32_t, 3> nodes{};
@@ -170,18 +173,18 @@ struct MeshFile {
 /// The features of FEMNET that a gear uses, as words for a table of many gears.
 std::vector<std::string> features_of(const GearFile& gear);
 
-/// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are located in source `file`; after an
-/// error the result contains whatever could be read.
+/// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings name `file`, the number of the source,
+/// and line and column; after an error the result contains whatever could be read.
 GearFile read_gear(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
-/// Reads the .mdg of a gear. Types, cables and panels in its rows must exist in the gear.
+/// Reads the .mdg of a gear. A row that names a node type, cable or panel that the gear lacks is an error.
 MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear,
                         formats::Diagnostics& diagnostics);
 
 /// Divides a gear without a mesh: panels into triangles on a lattice of their meshing step, as in FEMNET, and
-/// cables into bars; linked corners and ends become one node. Panels for which FEMNET would use bars are
-/// divided into triangles, too. Errors refer to the place of the panel, cable or link; a gear with more than
-/// `most_nodes` nodes is an error.
+/// cables into bars; linked corners and ends become one node. Panels with netting2ropes, for which FEMNET
+/// uses bars, are divided into triangles, too. Errors refer to the place of the panel, cable or link; a gear
+/// with more than `most_nodes` nodes is an error.
 MeshFile divide_gear(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes = 1e6);
 
 }  // namespace netloft::scenes::femnet

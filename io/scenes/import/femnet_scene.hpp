@@ -23,12 +23,13 @@ struct Imported {
 /// file.
 enum class Sought { rest, motion };
 
-/// Converts a gear. Numbers that a scene does not accept are errors at their place in the gear file.
+/// Converts a gear and its mesh. Numbers that a scene does not accept are errors at their place in the gear
+/// file.
 Imported import_gear(const GearFile& gear, const MeshFile& mesh, const Names& names,
                      formats::Diagnostics& diagnostics, Sought sought = Sought::rest);
 
-/// The mesh of a gear: a region for each panel and cable that has elements, sets of nodes by type, for the
-/// types that are held or loaded. The order of the corners of triangles is reversed, because in FEMNET it is
+/// The mesh of a gear: a region for each panel and cable that has elements, and a set of nodes for each node
+/// type that is held or loaded. The order of the corners of triangles is reversed, because in FEMNET it is
 /// clockwise seen from outside. Each bar that a drum hauls has its own region.
 formats::InputMesh make_mesh(const GearFile& gear, const MeshFile& file,
                              const std::vector<HauledBar>& hauled = {});
@@ -39,22 +40,22 @@ std::string cable_name(std::size_t cable);
 /// The name of a bar that a drum hauls, such as "cable-12-bar-3", by its position along the cable.
 std::string bar_name(std::size_t cable, std::size_t number);
 std::string type_name(std::size_t type);
-/// The name, such as "plane-y", of the set of nodes of bending cables in the plane of symmetry normal to an
-/// axis.
+/// The name of a set of nodes, such as "plane-y": the nodes of cables with bending stiffness that lie in the
+/// plane of symmetry normal to an axis.
 std::string plane_name(std::size_t axis);
 
-/// Whether nodes of the type are held, loaded or limited.
+/// Whether nodes of the type are held, loaded or limited in their position.
 bool is_special(const NodeType& type);
 
-/// A bar of netting2ropes: its length [m], its number of mesh sides, and the stiffness of all its twines [N].
-/// The numbers have single precision, as in FEMNET.
+/// A bar that stands for twines of a panel with netting2ropes: its length [m], the number of mesh sides along
+/// it, and the stiffness of all its twines [N]. The numbers have single precision, as in FEMNET.
 struct TwineBar {
   explicit TwineBar(const Panel& panel);
   double length, sides, EA, EA_compression;
 };
 
-/// A connected piece of the gear that the file does not hold along some axes: a node that the scene holds
-/// along them.
+/// A node that the scene has to hold along some axes, because the file does not hold the connected piece of
+/// gear around it along them.
 struct Loose {
   std::uint32_t node;
   std::array<bool, 3> axes;

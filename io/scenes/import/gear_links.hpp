@@ -8,10 +8,10 @@ namespace netloft::scenes::femnet {
 /// together, and those that are closer in the drawing than the link distance.
 class GearLinks {
  public:
-  /// Links to missing corners or ends are errors at the place of the link.
+  /// A link to a corner or end that does not exist is an error at the place of the link.
   GearLinks(const GearFile& gear, formats::Diagnostics& diagnostics);
 
-  /// The number of the point of a corner or end; linked ones have the same number.
+  /// The number of the point at which a corner or end is; linked corners and ends have the same number.
   std::size_t point(const LinkPoint& at) { return leader(index(at)); }
 
  private:

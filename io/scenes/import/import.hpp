@@ -13,7 +13,7 @@ namespace netloft::scenes {
 struct ImportedGear {
   std::string scene = {}, mesh = {};
   std::size_t nodes = 0, elements = 0;
-  std::vector<std::string> left_out = {};  // features left out, one line each; results differ without them
+  std::vector<std::string> left_out = {};  // left-out features that change results, one line each
   std::vector<std::string> features = {};  // features of FEMNET that the gear uses
 };
 
@@ -21,8 +21,8 @@ struct ImportedGear {
 struct ImportRequest {
   std::filesystem::path gear;  // GEAR.don, GEAR.csv
   std::filesystem::path mesh;  // empty: GEAR.mdg beside the gear, if it exists and fits the gear
-  std::string own_mesh;        // name of the mesh in the scene
-  bool divides = false;        // whether to divide the gear here even if it has a mesh
+  std::string own_mesh;        // name of the mesh file that is written and that the scene uses
+  bool divides = false;        // true: divide the gear anew, even if it has a mesh
   bool moves = false;          // FEMNET only: whether the scene is a motion, with waves and drums
 };
 
@@ -30,10 +30,10 @@ struct ImportRequest {
 /// with their places; after an error the texts are empty.
 ImportedGear import_femnet(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
-/// Reads a table of nodes and bars (TABLE.md), in the same manner.
+/// Reads a table of nodes and bars (TABLE.md), with the same handling of errors.
 ImportedGear import_table(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
-/// Reads a mooring of MoorDyn, in the same manner.
+/// Reads a mooring of MoorDyn, with the same handling of errors.
 ImportedGear import_moordyn(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
 /// The result of importing all gears of a folder and its subfolders.
@@ -45,9 +45,9 @@ struct FolderCheck {
     std::vector<std::string> features = {};
   };
   std::vector<Gear> gears;
-  std::map<std::string, int> needs;     // number of gears by feature that is left out
-  std::map<std::string, int> features;  // number of gears by feature that they use
-  int whole = 0;                        // number of gears that convert without a left-out feature
+  std::map<std::string, int> needs;     // by left-out feature: number of gears that need it
+  std::map<std::string, int> features;  // by feature of FEMNET: number of gears that use it
+  int whole = 0;                        // number of gears of which no feature is left out
 };
 FolderCheck check_folder(const std::filesystem::path& folder, bool moves = false);
 

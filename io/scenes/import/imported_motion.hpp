@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Converts the motion of a FEMNET gear: its waves, and the keys of [analysis].
+// Converts the motion of a FEMNET gear: its waves, and the keys of the table [analysis].
 #pragma once
 #include "io/scenes/import/femnet_gear.hpp"
 
 namespace netloft::scenes::femnet {
 
-/// The reason why linear waves cannot represent those of a file; empty if they can.
+/// The reason why linear waves cannot represent the waves of a file; empty if they can.
 std::string fault_of_waves(const Environment& e);
 
 /// The key `waves` of [water]: Airy waves, as in FEMNET's first wave model.
 std::string waves_text(const Environment& e);
 
-/// Elevation of second-order crests above linear crests in still water [m]:
+/// How much higher the crests of second-order waves are than those of linear ones [m], with the amplitude a,
+/// the wave number k and the depth h:
 ///   a² k (3 − tanh² k h)/(4 tanh³ k h)
 double rise_of_second_order(const Environment& e);
 
-/// The table [analysis] of a motion that begins at rest and has the duration of the file.
+/// The table [analysis] of a motion that begins at rest and lasts as long as that of the file.
 std::string motion_text(const Environment& e);
 
 }  // namespace netloft::scenes::femnet

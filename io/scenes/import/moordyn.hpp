@@ -8,7 +8,7 @@ namespace netloft::scenes {
 struct MooringFile {
   struct Finding {
     formats::Place place;
-    bool is_left_out = false;  // whether the results change
+    bool is_left_out = false;  // true: results differ without the feature
     std::string text;
   };
   BarTable table;
@@ -16,8 +16,8 @@ struct MooringFile {
 };
 
 /// Reads an input file of MoorDyn, version 1 or 2 (https://moordyn.readthedocs.io, "Input Files";
-/// BSD-3-Clause): points, and lines with one bar per segment. Errors are located in source `file`; after an
-/// error the result contains whatever could be read.
+/// BSD-3-Clause): points, and lines with one bar per segment. Errors name `file`, the number of the source,
+/// and line and column; after an error the result contains whatever could be read.
 MooringFile read_moordyn(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::scenes

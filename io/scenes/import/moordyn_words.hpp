@@ -5,7 +5,7 @@
 
 namespace netloft::scenes {
 
-/// Converts to capitals, in which words of MoorDyn are compared.
+/// Converts a text to capitals, because MoorDyn ignores the case of its words.
 std::string in_capitals(std::string_view text);
 
 /// Sections of an input file of MoorDyn.
@@ -25,14 +25,15 @@ enum class MoordynSection {
 /// The section that begins with this title, which is in capitals.
 MoordynSection section_named(const std::string& title);
 
-/// The effect in MoorDyn of an option that a scene cannot represent; nothing for an unknown option. `name` is
-/// in capitals.
+/// The effect that an option has in MoorDyn, for options that a scene cannot represent; nothing for other
+/// options. `name` is in capitals.
 std::optional<std::string> meaning_of_option(const std::string& name);
 
 /// Whether an option, in capitals, selects waves or currents.
 bool is_option_of_water(const std::string& name);
 
-/// An end of a line. An output such as FairTen3, Line3TenB, AnchTen3 or Line3TenA is the tension at this end.
+/// An end of a line, whose tension an output of MoorDyn names: FairTen3 and Line3TenB mean the end of line 3,
+/// AnchTen3 and Line3TenA its start.
 struct EndTension {
   std::string line;
   bool is_at_start = false;

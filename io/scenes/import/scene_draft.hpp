@@ -8,8 +8,8 @@ namespace netloft::scenes::femnet {
 inline constexpr const char* kAxis[] = {"x", "y", "z"};
 inline constexpr double kMostMass = 1e6;  // largest mass of a node that a scene accepts [kg]
 
-/// A scene that is being written: its gear, and the text so far. Functions that write parts report features
-/// that a scene cannot represent.
+/// A scene that is being written: the gear that it is made of, and its text so far. Features of the gear that
+/// a scene cannot represent are recorded by note() and leave_out().
 class SceneDraft {
  public:
   SceneDraft(const GearFile& of, const MeshFile& its_mesh, const Names& own_names,
@@ -36,11 +36,12 @@ class SceneDraft {
   bool has_waves() const;
   /// Whether water may move relative to the gear: there is a current or a motion.
   bool has_flow() const { return has_current() || moves; }
-  /// Whether water and bed move together, and the mesh has nodes that rest on the bed.
+  /// Whether the gear is towed: water and bed pass it with the same velocity, and the mesh has nodes that
+  /// rest on the bed.
   bool is_towed() const;
   /// Direction in which the water flows [rad].
   double flow_angle() const;
-  /// The same direction, between -180 and 180 degrees [rad].
+  /// The direction in which the water flows, between -180 and 180 degrees [rad].
   double heading() const;
   /// Whether the mesh has nodes of a type.
   bool has_nodes(std::size_t type) const;
@@ -51,7 +52,8 @@ class SceneDraft {
   void leave_out(const formats::Place& place, const std::string& what, const std::string& text) {
     out.findings.push_back({place, Finding::Kind::left_out, what, text});
   }
-  /// Returns the number if a scene accepts it; otherwise adds an error at its place.
+  /// Returns the number if a scene accepts it, that is, between `lo` and `hi`; otherwise adds an error at its
+  /// place.
   double within(double value, double lo, double hi, const formats::Place& place, const std::string& what);
 
   void begin_part(const std::string& name, const std::string& type, const std::string& comment = {}) {
@@ -68,22 +70,23 @@ class SceneDraft {
   formats::Diagnostics& diagnostics_;
 };
 
-/// Writes a list such as "[0, 1.5]" with nine decimals, because times are sums of steps.
+/// Writes a list such as "[0, 1.5]" with nine decimals: times are sums of time steps, whose round-off this
+/// hides.
 std::string list_of(const std::vector<double>& numbers);
 
-/// Finds the lengths over time of bars that drums haul. Each of these bars is its own part, without bending
-/// stiffness towards its neighbours.
+/// Finds the lengths over time of the bars that drums haul. Each of these bars becomes a part of its own, and
+/// has no bending stiffness towards its neighbours.
 void find_hauled(SceneDraft& to);
 
 void write_netting(SceneDraft& to);
 void write_cables(SceneDraft& to);
 /// Writes the clamps between cables.
 void write_clamps(SceneDraft& to);
-/// Writes masses, boxes, forces and beds at nodes, by the types of the nodes.
+/// Writes what acts on nodes by their node type: masses, boxes of buoyancy, forces and beds.
 void write_loads(SceneDraft& to);
 void write_catch(SceneDraft& to);
 void write_holds(SceneDraft& to);
-/// Holds the connected pieces of the gear that the file does not hold.
+/// Holds one node of every connected piece of the gear that the file does not hold.
 void hold_what_is_loose(SceneDraft& to);
 /// Writes the results that the file requests.
 void write_results(SceneDraft& to);

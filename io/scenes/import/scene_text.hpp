@@ -25,7 +25,7 @@ class InlineTable {
   std::string text_;
 };
 
-/// The text of a scene; its tables have the order in which they are begun.
+/// The text of a scene, to which tables are appended in the order of the calls.
 class SceneText {
  public:
   void begin_part(const std::string& name, const std::string& type, const std::string& comment = {});

@@ -6,16 +6,16 @@
 
 namespace netloft::scenes {
 
-/// The table of a solver, an integrator or a strategy within `[analysis]`: `newton` and `newton/newton` have
-/// the table `newton`, `tension/stages` has `tension.stages`.
+/// The table within `[analysis]` that has the parameters of a solver, an integrator or a strategy:
+/// [analysis.newton] for `newton` and `newton/newton`, [analysis.tension.stages] for `tension/stages`.
 struct ComponentTable {
-  std::string plugin, component;  // the latter empty where the plugin's name is enough
+  std::string plugin, component;  // component: empty if the table has only the plugin's name
 };
 ComponentTable table_of_component(const std::string& name);
 
 /// Reads `[analysis]`: the kind of analysis, the solver and the strategy with their parameters. Also reads
 /// the tables of other solvers and strategies, because a strategy may call them. Sets `refused` if a plugin
-/// is missing or must not run.
+/// is missing or was rejected.
 Analysis read_analysis(formats::TableReader analysis, Registry& registry, bool& refused);
 
 }  // namespace netloft::scenes

@@ -5,7 +5,7 @@
 
 namespace netloft::scenes {
 
-/// The plane of a bed that a part states: z = slope_x x + slope_y y - depth [m].
+/// The plane of a bed that a part has in its own parameters: z = slope_x x + slope_y y - depth [m].
 struct BedPlane {
   double depth = 0, slope_x = 0, slope_y = 0;
   double height(double x, double y) const { return slope_x * x + slope_y * y - depth; }
@@ -13,8 +13,8 @@ struct BedPlane {
 };
 std::optional<BedPlane> bed_plane_of(const Part& part);
 
-/// Refuses a bed that lies above the whole gear, and two beds that push at the same node. Warns of held nodes
-/// below their bed, and of beds that are different planes.
+/// Reports a bed that lies above the whole gear, and two beds that push at the same node, as errors. Warns of
+/// held nodes below their bed, and of beds that are different planes.
 void check_beds(const LoadedScene& loaded, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::scenes

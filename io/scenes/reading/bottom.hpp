@@ -6,20 +6,20 @@
 
 namespace netloft::scenes {
 
-/// The material of the bed of a scene, `[bed] bottom`: rows of x, y and factors on parameters of the elements
-/// that rest on the bed. Every element type that has a grid named `bottom` receives the factors that the
-/// columns of this grid name.
+/// The material of the bed, which differs from place to place: `[bed] bottom` has rows of x, y and factors on
+/// parameters of the elements that rest on the bed. Element types with a grid parameter named `bottom`
+/// receive the factors for which this grid has columns.
 class SeaBottom {
  public:
   SeaBottom() = default;
-  /// `values` are those of bed_keys(), read from `bed`.
+  /// `values` has the keys of the table `bed`, read as bed_keys().
   SeaBottom(const Values& values, formats::TableReader bed);
 
   bool empty() const { return rows_.empty(); }
   /// Whether the factors are the same at y and -y.
   bool is_symmetric() const;
-  /// Gives a part of this type its factors, unless the part states its own. Returns false if the type takes
-  /// none.
+  /// Gives a part of this element type its factors, unless the part has factors of its own. Returns false if
+  /// the type takes none.
   bool lay_under(const ElementType& type, Part& part) const;
 
  private:

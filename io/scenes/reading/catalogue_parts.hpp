@@ -10,7 +10,7 @@ namespace netloft::scenes {
 /// names, the folders of the user, and the library.
 class SceneCatalogue {
  public:
-  /// `catalogue` of the scene names folders relative to `folder`.
+  /// The key `catalogue` of the scene names folders relative to `folder`.
   SceneCatalogue(gears::KeptCatalogue& kept, const formats::Value& scene, const std::filesystem::path& folder,
                  formats::Diagnostics& diagnostics);
 

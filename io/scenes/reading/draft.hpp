@@ -10,20 +10,20 @@
 
 namespace netloft::scenes {
 
-/// Removes all but the first of equal nodes; the order stays.
+/// Removes repeated nodes and keeps the order of the others.
 void drop_repeats(std::vector<std::uint32_t>& nodes);
 
-/// A name in a scene and its place in the file, for error messages.
+/// A name that a scene mentions, and its place in the file, for error messages.
 struct Mention {
   std::string name;
   formats::Place place;
-  std::string path;  // "hold[0].on"
+  std::string path;  // path of its key: "hold[0].on"
 };
 
-/// The mention of `name`, which is the value of `key`.
+/// The mention of a name that is the value of `key` in `table`.
 Mention mention(const std::string& name, const formats::TableReader& table, std::string_view key);
-/// The mention of item i of an array under `key`. If the value is a single name, its place is that of the
-/// key.
+/// The mention of a name that is item i of the array `key`. If the value is a single name instead of an
+/// array, the place is that of the key.
 Mention mention_of_item(const std::string& name, formats::TableReader& table, std::string_view key,
                         std::size_t i);
 
@@ -34,36 +34,36 @@ class Draft {
   explicit Draft(formats::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   /// Adds a part with nodes of its own. `type` is null if the element type is unknown. `is_sound` is false if
-  /// the table of the part has an error; its number of nodes may then be wrong, so nothing that depends on it
-  /// is checked.
+  /// the table of the part has an error. Its number of nodes may then be wrong, so that nothing that depends
+  /// on this number is checked.
   void add_part(Part part, Geometry geometry, const ElementType* type, bool is_sound);
-  /// Makes the name of a rider known before nodes are numbered. A rider is a part that stands on other parts;
-  /// add_rider() adds it after the numbering.
+  /// Makes the name of a rider known before nodes are numbered. A rider is a part without nodes of its own,
+  /// whose elements are on the nodes or elements of other parts; add_rider() adds it after the numbering.
   void announce_rider(const std::string& name) { riders_.insert(name); }
   void add_rider(Part part, formats::Place place, const ElementType* type, bool is_sound);
 
-  /// The own nodes of one part that a name means: "net", "net.fore", "net.node-17". Empty if there are none,
-  /// which is reported at the mention.
+  /// The nodes that a name means ("net", "net.fore", "net.node-17"), by their numbers within one part. Empty
+  /// if there are none, which is reported at the mention.
   std::optional<Joiner::Ends> find_set(const Mention& m);
-  /// The same, but a rider, which has no nodes of its own, is an error.
+  /// Does the same as find_set(), but the name of a rider is an error, because a rider has no nodes.
   std::optional<Joiner::Ends> find_nodes(const Mention& m);
-  /// The scene nodes of `ends`; nodes must be numbered.
+  /// The scene's numbers of the nodes `ends`; nodes must be numbered.
   std::vector<std::uint32_t> scene_nodes(const Joiner::Ends& ends) const;
   void refuse_rider(const Mention& m, const std::string& name);
   std::optional<std::size_t> part_number(const std::string& name) const;
-  /// Expands "*.middle" to the names of this edge or point in all parts that have it; returns other names
-  /// unchanged. If no part has it, this is reported at the mention.
+  /// Expands "*.middle" to the names "PART.middle" of all parts that have this edge or point, and reports an
+  /// error if none has it. Returns other names unchanged.
   std::vector<Mention> expand(const Mention& m);
-  /// Expands the name of a pair of the plan in a whole gear: "door.toe" becomes "starboard-door.toe" and
-  /// "port-door.toe". Returns other names unchanged. The same scene can therefore stand a part on a pair
-  /// whether a half or the whole is modelled.
+  /// Expands the name of a body of a pair, if the whole gear is modelled: "door.toe" becomes
+  /// "starboard-door.toe" and "port-door.toe". Returns other names unchanged. A part of the scene can
+  /// therefore name "door.toe" whether a half or the whole is modelled.
   std::vector<Mention> both_sides(const Mention& m) const;
 
   LoadedScene out;
   std::vector<Geometry> geometries;            // in the order of out.scene.parts
-  std::vector<const ElementType*> types;       // the same
-  std::vector<bool> is_sound;                  // the same
-  std::map<std::string, Joiner::Ends> points;  // points named without a part and a dot
+  std::vector<const ElementType*> types;       // in the same order
+  std::vector<bool> is_sound;                  // in the same order
+  std::map<std::string, Joiner::Ends> points;  // points with a name of their own, by this name
 
  private:
   std::optional<std::size_t> find_part(const Mention& m, const std::string& name);

@@ -8,14 +8,14 @@
 
 namespace netloft::scenes {
 
-/// Reports at `key` why a registry refused a plugin. The first line of `what` is the message; the lines below
-/// it, the places that were searched, become the hint.
+/// Reports at `key` why the registry has no usable component of a name. The first line of `what` is the
+/// message; its other lines, the places that were searched, become the hint.
 void report_refusal(formats::TableReader& table, const char* key, const std::string& what);
 
 /// Reads a text that must not be empty; reports an empty one.
 std::string read_name(formats::TableReader& table, const char* key, const char* doc);
 
-/// The number of nodes of an element, for each type. No type may be null.
+/// The number of nodes of one element of each type. No type may be null.
 std::vector<int> nodes_per_element(std::span<const ElementType* const> types);
 
 /// Finds the elements, companion elements and laws of parts in the plugins that a scene names.
@@ -23,12 +23,13 @@ class ElementChoice {
  public:
   ElementChoice(Registry& registry, bool& refused) : registry_(registry), refused_(refused) {}
 
-  /// The element type of this name. Null if there is none, which is reported at `type`, or if the name is
-  /// empty, which is not reported.
+  /// The element type of this name. Null if there is none, which is reported at the key `type`. Null without
+  /// a report if the name is empty.
   const ElementType* find(const std::string& name, formats::TableReader& table) const;
-  /// Elements of the same plugin that ride on this one, such as bending on the bars of a rope.
+  /// The companions of an element type: element types of the same plugin that are added to every part of this
+  /// type, on its elements, such as bending on the bars of a rope.
   std::vector<const ElementType*> companions_of(const ElementType& type) const;
-  /// Reads the laws of a part and its parameters, including those of companions.
+  /// Reads the parameters of a part, including those of its companions, and its laws, such as a law of drag.
   void read(const ElementType& type, formats::TableReader& table, Part& part) const;
 
  private:

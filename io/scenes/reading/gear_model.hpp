@@ -10,7 +10,7 @@
 
 namespace netloft::scenes {
 
-/// The part of a net plan that is modelled, the whole or a half, and the fineness of its mesh.
+/// The gear of a net plan as it is modelled, whole or as a half, and the fineness of its mesh.
 struct GearModel {
   gears::Gear gear;
   gears::Fineness fineness;
@@ -19,8 +19,8 @@ struct GearModel {
 /// Reads `[gear]`. Returns nothing if its keys have errors, which are reported.
 std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
-/// The names in a gear that a name in its plan means: the same name, or both names of a pair in a whole gear.
-/// Empty if there are none.
+/// The names among `names`, those of the modelled gear, that a name of the plan means: the name itself, or
+/// port and starboard copies in a whole gear. Empty if there are none.
 std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::scenes

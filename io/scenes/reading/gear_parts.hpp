@@ -18,8 +18,8 @@ inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
 /// Name of the hold of the blocks of the ship.
 inline constexpr const char* kShip = "ship";
 
-/// Makes the parts of a net plan in a scene: panels of triangles and ropes of bars, joined as in the plan,
-/// with floats and weights. The members are the steps of reading a scene, in their order.
+/// Makes the parts of a scene from its net plan: panels of triangles and ropes of bars, joined as in the
+/// plan, with floats and weights. Virtual members are steps of reading a scene (GearSteps), in their order.
 class GearParts : public GearSteps {
  public:
   /// Reads `[gear]` and `[elements]`. `plan` must have no errors.
@@ -51,9 +51,9 @@ class GearParts : public GearSteps {
   void add_part(std::string_view kind, const std::string& name, const std::string& path,
                 formats::Value numbers, bool is_of_catalogue, Geometry geometry,
                 const std::vector<std::uint32_t>& nodes);
-  /// The initial position of a body, before anything is known of the equilibrium.
+  /// The initial guess for the position of a body.
   BodyOfPlan place_of(const gears::GearBody& body) const;
-  /// Lets ropes end at the points of a body. `part` is the part of the scene that makes this body.
+  /// Makes the ends of ropes at a body its points. `part` is the index of the part that is the body.
   void tie(const gears::GearBody& body, std::size_t part);
   void add_parts();
   void hold_middle();
@@ -70,12 +70,12 @@ class GearParts : public GearSteps {
   Draft& draft_;
   formats::Diagnostics& diagnostics_;
   gears::Gear gear_;
-  std::optional<PlanElements> elements_;       // once it is read
+  std::optional<PlanElements> elements_;       // empty until `[elements]` is read
   std::shared_ptr<gears::Division> division_;  // null after an error
-  std::vector<gears::KnownCoordinate> known_;  // coordinates of points of bodies
-  std::vector<double> start_;                  // 3 per node of the gear
-  /// For each node of the gear, the parts that have it, each with its own number of it. The first of them
-  /// gives the node its position.
+  std::vector<gears::KnownCoordinate> known_;  // known coordinates of points of bodies
+  std::vector<double> start_;                  // initial positions, 3 per node of the gear
+  /// For each node of the gear: the parts that have this node, each with the number of the node within the
+  /// part. The first part determines its position.
   std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;
 };
 

@@ -10,13 +10,13 @@ namespace netloft::scenes {
 
 class PartReader;
 
-/// The steps by which a net plan takes part in reading a scene, in their order. In this class, for a scene
-/// without a net plan, they do nothing; GearParts implements them for a plan.
+/// The steps of reading a scene that concern a net plan, in their order. In this class, for a scene without a
+/// net plan, they do nothing; GearParts implements them for a plan.
 class GearSteps {
  public:
   virtual ~GearSteps() = default;
 
-  /// False after an error in the plan or its model; nothing else in the scene is read then.
+  /// False after an error in the plan or in `[gear]`; the rest of the scene is then not read.
   virtual bool is_divided() const { return true; }
   /// The ship of the plan; null if there is none.
   virtual const gears::Ship* ship() const { return nullptr; }
@@ -24,19 +24,21 @@ class GearSteps {
   virtual bool has_name(const std::string&) const { return false; }
   /// Reads `[parts]` and `[bodies]`, and adds the panels and ropes of the plan.
   virtual void read_parts(PartReader& parts);
-  /// Whether a `[[join]]` is a seam of the plan rather than a join of parts.
+  /// Whether a `[[join]]` belongs to the plan, because it is a seam between panels, and does not join parts
+  /// of the scene.
   virtual bool is_seam(formats::TableReader&) const { return false; }
   /// Joins the nodes that panels and ropes share.
   virtual void join(Joiner&) const {}
   /// Adds floats and weights once the nodes of the scene are numbered.
   virtual void add_pieces() {}
-  /// With `[elements.contact]`, the parts that carry the gear on the bed, as tables of `[parts]`: one for
-  /// each rope and body of the plan that touches the bed, except those that a part of the scene carries
-  /// already. `carried`: the nodes of such parts of the scene.
+  /// If the scene has `[elements.contact]`: tables like those of `[parts]` for the contact parts, which keep
+  /// the gear on the bed. There is one for each rope and body of the plan that touches the bed, except those
+  /// whose nodes are all in `carried`, the nodes that a contact part written in the scene already has.
   virtual std::vector<std::pair<std::string, formats::Value>> contacts(const std::set<std::uint32_t>&) const {
     return {};
   }
-  /// Whether a towed gear has a footrope that no part carries on the bed.
+  /// Whether a towed gear would sink into the bed, because its footrope has no contact part. `carried` as
+  /// above.
   virtual bool sinks_into_bed(const std::set<std::uint32_t>&) const { return false; }
   /// Holds the plane of symmetry of half a gear, and the blocks of the ship.
   virtual void add_holds() {}

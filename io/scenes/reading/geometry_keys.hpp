@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The keys that describe the position and shape of parts, and functions that read them. Only the readers of
-// geometry include this file.
+// The keys of a scene that describe position and shape of parts, and functions that read them. Only the files
+// that read geometry include this one.
 #pragma once
 #include "io/scenes/reading/geometry.hpp"
 
@@ -10,7 +10,7 @@
 
 namespace netloft::scenes {
 
-inline constexpr std::int64_t kMostCells = 100000;  // along one direction
+inline constexpr std::int64_t kMostCells = 100000;  // limit of cells along one direction
 
 using Point = std::array<double, 3>;
 
@@ -44,7 +44,7 @@ double read_real(formats::TableReader& table, const GeometryKey& key, std::optio
 std::string read_word(formats::TableReader& table, const GeometryKey& key);
 /// Reads a required point; returns the origin after an error.
 Point read_one_point(formats::TableReader& table, const GeometryKey& key);
-/// Reads integers; a single one if the key is of one integer.
+/// Reads an array of integers, or a single integer if the key allows only one.
 std::vector<std::int64_t> read_integers(formats::TableReader& table, const GeometryKey& key);
 std::vector<Point> read_points(formats::TableReader& table, const GeometryKey& key);
 

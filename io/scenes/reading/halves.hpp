@@ -8,17 +8,16 @@
 
 namespace netloft::scenes {
 
-/// A part on the wrong side of the plane of symmetry, y = 0. Nothing in the mechanics keeps half a gear, or a
-/// body of a pair, from passing through its mirror image.
+/// Half a gear that has crossed its plane of symmetry, y = 0, or a pair of bodies of a whole gear that have
+/// crossed each other. Nothing in the mechanics prevents such a crossing.
 struct Crossing {
-  std::uint32_t part = 0;  // in Scene::parts, the part that is farthest beyond the plane
-  bool is_held = false;    // whether a node beyond the plane is held along y
+  std::uint32_t part = 0;  // half a gear: the part farthest beyond the plane; a pair: one of its bodies
+  bool is_held = false;    // half a gear: whether a node beyond the plane is held along y
   std::string sentence;
 };
 
-/// The crossings at `positions`, 3 per node of the scene [m]. Half a gear has at most one crossing; a whole
-/// gear may have one for each pair of bodies. Nodes of half a gear that are beyond the plane only by
-/// round-off do not count.
+/// The crossings at `positions`, 3 per node of the scene [m]: at most one for half a gear, at most one per
+/// pair for a whole gear. Nodes of half a gear that are beyond the plane only by round-off do not count.
 std::vector<Crossing> find_crossings(const LoadedScene& loaded, std::span<const double> positions);
 
 }  // namespace netloft::scenes

@@ -6,14 +6,14 @@
 
 namespace netloft::scenes {
 
-/// Reads `[[hold]]`: the held nodes, their positions, and the course along which they move.
+/// Reads `[[hold]]`: the held nodes, their positions, and, for a moving hold, its motion (`Course`).
 class HoldReader {
  public:
   HoldReader(formats::TableReader& root, Draft& draft, const GearSteps& gear)
       : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out), gear_(gear) {}
 
   void read();
-  /// Refuses moving holds in a static analysis, unless --set has made the analysis static.
+  /// Reports moving holds in a static analysis as errors, unless `--set` has made the analysis static.
   void check_guides();
   void report_one_sided() const { one_sided_.report(draft_, diagnostics_); }
 
@@ -28,7 +28,7 @@ class HoldReader {
   Draft& draft_;
   LoadedScene& out_;  // of the draft
   const GearSteps& gear_;
-  std::vector<formats::TableReader> guides_;  // holds that move
+  std::vector<formats::TableReader> guides_;  // tables of moving holds
   OneSidedHolds one_sided_;
   std::map<std::string, formats::Place> hold_names_;
 };

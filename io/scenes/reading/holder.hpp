@@ -13,27 +13,28 @@ struct HoldEntry {
   std::vector<std::string> on;
   std::string name;
   std::uint8_t axes = kAllAxes;
-  std::optional<std::array<double, 9>> frame;  // axes of the hold, for `along` and `plane`
-  std::vector<std::array<double, 3>> at;       // points of a line; empty: where it is sketched
+  std::optional<std::array<double, 9>>
+      frame;  // axes of the hold, if not those of the world: keys `along`, `plane`
+  std::vector<std::array<double, 3>> at;  // points of a line; empty: at the initial positions
 };
 
 /// Reads one hold; errors go to the diagnostics of `table`.
 HoldEntry read_hold(formats::TableReader& table);
 
-/// Fixes nodes of a scene at the positions that the entries state, and finds entries that contradict each
+/// Holds nodes of a scene at the positions of `[[hold]]` entries, and finds entries that contradict each
 /// other.
 class Holder {
  public:
   explicit Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {}
 
-  /// Holds `nodes` of the scene, given in the order of their set. An axis that is held already counts only
-  /// with the entry that held it first, so that the reactions of all holds add up to the total reaction on
-  /// the gear.
+  /// Holds `nodes` of the scene, given in the order of their set (an edge, for example). If an earlier entry
+  /// already holds a node along an axis, the reaction along it belongs to the earlier hold only, so that all
+  /// reactions add up to the total on the gear.
   Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:
   using Point = std::array<double, 3>;
-  /// The position and axes of a node in one entry, and the place of the entry in the file.
+  /// The position and the axes along which an entry holds a node, and the place of the entry in the file.
   struct Put {
     Point point;
     std::uint8_t axes;

@@ -10,7 +10,7 @@
 
 namespace netloft::scenes {
 
-/// The breaking load in a table of a twine or a rope [N]; NaN if the table has none.
+/// The breaking load in the table of a twine or a rope [N]; NaN if the table has none.
 double breaking_load_of(const formats::Value& numbers);
 
 /// The rows of the bill of materials of a gear: panels, ropes, floats and weights. Each row has the name in

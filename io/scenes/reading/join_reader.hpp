@@ -6,7 +6,7 @@
 
 namespace netloft::scenes {
 
-/// Joins parts, by `[[join]]`, by their meshes and by the net plan, and numbers the nodes of the scene.
+/// Joins parts as `[[join]]`, mesh files and the net plan say, and numbers the nodes of the scene.
 class JoinReader {
  public:
   JoinReader(formats::TableReader& root, Draft& draft, const MeshParts& meshes, const GearSteps& gear)
@@ -15,11 +15,11 @@ class JoinReader {
   void read();
 
  private:
-  /// A [[join]] that was made, and its place in the file.
+  /// A valid [[join]], and its place in the file.
   struct Join {
     std::vector<Joiner::Ends> sets;
     Mention at;
-    bool together;  // whether all nodes become one
+    bool together;  // true: all nodes become one; false: node i of every set becomes one
     void make(Joiner& joiner) const { together ? joiner.gather(sets) : joiner.join(sets); }
   };
 

@@ -14,7 +14,7 @@ namespace netloft::scenes {
 /// the first.
 class Joiner {
  public:
-  /// Some own nodes of one part.
+  /// Some nodes of one part, by their numbers within the part ("own" numbers).
   struct Ends {
     std::size_t part;
     std::vector<std::uint32_t> own;
@@ -40,7 +40,8 @@ class Joiner {
       }
   }
 
-  /// All nodes of all sets become one node at their mean position: netting gathered in a point.
+  /// All nodes of all sets become one node at their mean position. Netting is gathered in a point in this
+  /// way.
   void gather(const std::vector<Ends>& sets) {
     std::vector<std::uint32_t> nodes;
     for (const auto& set : sets)
@@ -51,7 +52,7 @@ class Joiner {
     gathered_.push_back(std::move(nodes));
   }
 
-  /// An element that has lost its size because two of its nodes have become one, other than by gathering.
+  /// An element two of whose nodes have become one by join(), so that it has no size.
   struct Collapse {
     std::size_t part, element;
   };
@@ -87,7 +88,7 @@ class Joiner {
     for (const auto& nodes : gathered_) place_in_the_middle(nodes, scene);
   }
 
-  /// Scene nodes of a part, by own number.
+  /// The scene's numbers of the nodes of a part, in the order of their own numbers.
   std::vector<std::uint32_t> nodes(std::size_t part) const {
     const auto begin = number_.begin() + first_[part];
     return {begin, begin + static_cast<std::ptrdiff_t>(geometries_[part].node_count())};
@@ -99,8 +100,8 @@ class Joiner {
     return node;
   }
 
-  /// Whether joins have reduced an element to a point, or a bar to zero length. Where netting is gathered, a
-  /// triangle may have two equal corners, because it is still a line.
+  /// Whether joins have reduced an element to a point, a bar to zero length, or a triangle to a line. A
+  /// triangle with two equal corners where netting is gathered does not count.
   bool is_collapsed(const std::vector<std::uint32_t>& corners) {
     std::size_t twins = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)

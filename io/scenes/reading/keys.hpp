@@ -8,8 +8,8 @@
 
 namespace netloft::scenes {
 
-/// Defaults of `[analysis]`: the solver of stages and of steps of a motion, the strategy, and the strategy of
-/// a scene that names only a solver.
+/// Defaults of `[analysis]`: the solver (of an equilibrium, and of the steps of a motion); the strategy; and
+/// the strategy if the scene names only a solver.
 inline constexpr const char *kSolver = "newton", *kStrategy = "auto", *kStrategyOfNamedSolver = "direct";
 
 /// The keys of `[analysis]`, except the tables of solvers and strategies.
@@ -25,7 +25,7 @@ struct AnalysisKeys {
 /// The keys of `[water]`, except the current.
 struct WaterKeys : SceneWater {
   double model_scale = 1;        // [1]
-  double model_twine_scale = 0;  // [1]; 0: Froude's rule
+  double model_twine_scale = 0;  // [1]; 0: the model is scaled by Froude's rule
 };
 
 /// The keys of `water.waves`.
@@ -42,7 +42,7 @@ struct TowKeys {
   double leeway = 0;  // [rad]
 };
 
-/// The value of `nodes` in `[gear]` that makes every knot a node.
+/// The value of `nodes` in `[gear]` with which every knot of the netting is a node.
 inline constexpr const char* kKnots = "knots";
 
 /// The keys of `[bed]`.
@@ -60,19 +60,19 @@ struct GearKeys {
   double size = 0;
 };
 
-/// The kind of the contact elements, which exist only in a scene with `[elements.contact]`.
+/// The name of the contact elements as a kind of parts; a scene has them only with `[elements.contact]`.
 inline constexpr const char* kContact = "contact";
 
-/// The elements of one kind of parts of a net plan, `[elements.KIND]`: the key whose numbers they take from
-/// the plan, and the default element type.
+/// A kind of parts of a net plan, the table `[elements.KIND]` that chooses its elements. `key`: the table of
+/// the plan with the numbers of such a part; `type`: the default element type.
 struct GearElements {
   const char *kind, *key, *type, *doc;
-  std::uint32_t stencil;  // of the elements into which the parts are divided
+  std::uint32_t stencil;  // of its elements: node, bar or triangle
 };
 std::span<const GearElements> gear_elements();
 
-/// The keys of tables of a scene that belong to no plugin, in the same form as the keys of plugins. Reading,
-/// checks, `describe` and the schema all use these tables.
+/// The keys of those tables of a scene that no plugin defines, in the same form as plugins give theirs. The
+/// reader, the checks, the command `describe` and the schema all use these tables.
 std::span<const netloft_parameter> water_keys();
 std::span<const netloft_parameter> wave_keys();
 std::span<const netloft_parameter> tow_keys();

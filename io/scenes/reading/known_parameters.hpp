@@ -4,8 +4,9 @@
 
 namespace netloft::scenes {
 
-/// Parameters that are recognized by their name in the elements of every plugin: their values are checked,
-/// drawn or scaled. Authors find the table in framework/guides/element.md, and a test compares both.
+/// Parameters that the program recognises by their name in the elements of any plugin: their values are
+/// checked, drawn or scaled. Authors of plugins find this table in framework/guides/element.md, and a test
+/// compares both.
 struct KnownParameter {
   const char *name, *use;
 };

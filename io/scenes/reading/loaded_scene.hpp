@@ -15,25 +15,26 @@
 
 namespace netloft::scenes {
 
-/// A part as its author sees it: its own nodes, numbered from 0, and the names of its edges and corners.
+/// A part as the author of the scene sees it: its nodes with their own numbers, from 0, and the names of its
+/// edges and corners.
 struct PartGeometry {
   std::string name;
   formats::Place place;
   std::vector<std::uint32_t> nodes;          // own number -> scene node
   std::vector<int> cells;                    // bars of a rope, or cells across and along a panel; else empty
-  std::vector<std::array<double, 2>> panel;  // own number -> (U, V) [meshes]; empty off a panel
+  std::vector<std::array<double, 2>> panel;  // own number -> (U, V) [meshes]; empty if no panel
   std::map<std::string, std::vector<std::uint32_t>> sets;  // "fore" -> own numbers, in order along the edge
-  bool is_numbered = false;  // whether a hold, a join or a rider names one of its nodes by number
+  bool is_numbered = false;  // true: something in the scene names one of its nodes by number
 };
 
-/// A `[[hold]]`, for reactions by name.
+/// The nodes and axes of a `[[hold]]`, whose reaction is reported under its name.
 struct Hold {
   std::string name;
   std::vector<std::uint32_t> nodes;  // of the scene
   std::vector<std::uint8_t> axes;    // per node, the axes whose reactions belong to this hold
 };
 
-/// One line of `[results]`: a named scalar, such as the lowest z of the net.
+/// One line of `[results]`: a number that the scene requests, such as the lowest z of the net.
 struct ResultRequest {
   enum class Source { position, displacement, reaction, attitude, output };
   std::string name, of, take;
@@ -48,17 +49,18 @@ struct ResultRequest {
   std::uint32_t part = 0;            // index in Scene::parts, for outputs
 };
 
-/// How the scene is to be solved.
+/// The table `[analysis]`: how the scene is solved.
 struct Analysis {
   AnalysisKind kind = AnalysisKind::statics;
-  bool settles = false;  // whether `solver` is an integrator, which marches in time until all is at rest
+  bool settles = false;  // true: a damped motion finds the equilibrium, with an integrator
   Dynamics dynamics = {};
   std::string strategy;  // the plugin that decides how the equilibrium is found
   Values strategy_parameters;
-  double work = 0;     // budget of the strategy, in the unit of framework/balance/work.hpp
-  std::string solver;  // the plugin that solves stages, or steps in time
+  double work = 0;     // budget of the search, in the unit of framework/balance/work.hpp
+  std::string solver;  // the plugin that solves for equilibria, or for steps in time
   Values solver_parameters;
-  std::map<std::string, Values> given;  // parameters in the scene by component type, such as "newton/newton"
+  std::map<std::string, Values>
+      given;  // parameters that the scene sets, by component, such as "newton/newton"
   Limits limits;
   TangentChoice tangent = TangentChoice::exact;
 };
@@ -68,7 +70,7 @@ struct BillItem {
   std::string kind;          // netting, rope, piece, body
   std::string name;          // its name in the plan
   std::string part_name;     // name in the catalogue; empty if the plan states the numbers
-  double number = 1;         // pieces in the whole gear
+  double number = 1;         // how many there are in the whole gear
   double length = 0;         // unstretched length of one rope [m]
   double diameter = 0;       // diameter of a twine, a rope or a piece [m]
   double breaking_load = 0;  // of a rope, or of the twines of a bar [N]
@@ -76,8 +78,8 @@ struct BillItem {
   double area = 0;           // projected area of a body [m2]
 };
 
-/// The place of a panel on the drawing of its plan: the point (U, V) in meshes is at
-/// (x + U x_across + V x_deep, y + U y_across + V y_deep), in metres of stretched netting, y aft.
+/// The place of a panel on the drawing of its plan, in metres of stretched netting, y aft. The point (U, V)
+/// of the panel, in meshes, is at (x + U x_across + V x_deep, y + U y_across + V y_deep).
 struct SheetPlace {
   double x = 0, y = 0, x_across = 0, y_across = 0, x_deep = 0, y_deep = 0;
 };
@@ -89,20 +91,19 @@ struct GearInScene {
   std::vector<std::uint32_t> panels, ropes, pieces;
   std::map<std::string, std::uint32_t> points;  // "headrope.end", "top-wing.fore-outer": node of the scene
   std::size_t nodes = 0;                        // requested number of nodes
-  double size = 0;                              // requested side of triangles [m]; 0: `nodes` decides
-  std::string headline, footrope;               // ropes by their roles in the plan; empty: none
-  std::set<std::uint32_t> across;  // ropes across the gear: from port over the middle to starboard
-  std::map<std::string, std::vector<std::uint32_t>> roles;  // ropes of the other roles, such as bridle
-  /// Pairs of bodies by their name in the plan, as parts of the scene. Half a gear has only the body to
-  /// starboard.
+  double size = 0;                              // requested side of triangles [m]; 0: `nodes` counts instead
+  std::string headline, footrope;               // names of the ropes with these roles; empty: none
+  std::set<std::uint32_t> across;               // ropes that run from port over the middle to starboard
+  std::map<std::string, std::vector<std::uint32_t>> roles;  // ropes by other roles, such as "bridle"
+  /// Pairs of bodies by their name in the plan, as indices of parts. Half a gear has only the starboard body.
   std::map<std::string, std::vector<std::uint32_t>> pairs;
   double ship_speed = 0;       // speed over the ground [m/s]; 0 without a ship
-  double ship_efficiency = 0;  // towing power divided by the heat power of the fuel; 0: unknown
+  double ship_efficiency = 0;  // towing power over the heating power of the fuel; 0: unknown
   std::vector<BillItem> bill;
   std::map<std::string, SheetPlace> sheet;  // by the name of the panel in the gear
 };
 
-/// The strength of a part, from its plan or the catalogue.
+/// The strength of a part, from the net plan or the catalogue.
 struct Strength {
   double breaking_load = 0;  // of a rope, or of the twines of a bar [N]; NaN: not known
   std::string material;      // name in the catalogue; empty if the scene states the load
@@ -112,11 +113,11 @@ struct Strength {
 struct BodyInScene {
   std::uint32_t part = 0;                      // index in Scene::parts of the part that made it
   double side = 1;                             // 1 to starboard, -1 to port
-  std::vector<std::string> points;             // names, as RigidBody::points
-  std::vector<std::array<double, 3>> outline;  // corners in its own axes, for pictures [m]
+  std::vector<std::string> points;             // names, in the order of RigidBody::points
+  std::vector<std::array<double, 3>> outline;  // corners in body axes, for pictures [m]
 };
 
-/// A scene file, read and checked.
+/// A scene, read from its file and checked.
 struct LoadedScene {
   Scene scene;
   std::vector<PartGeometry> parts;  // in the order of scene.parts

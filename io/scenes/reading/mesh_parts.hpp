@@ -10,27 +10,27 @@
 
 namespace netloft::scenes {
 
-/// The geometry keys of a part on a region of a mesh from a file, which the program does not divide.
+/// The geometry keys of a part whose elements are a region of a mesh file.
 const std::vector<GeometryKey>& mesh_keys(Layout layout);
 
-/// Reads parts whose elements come from mesh files, and joins the nodes that these parts have in common.
+/// Reads parts whose elements come from mesh files, and joins nodes that parts of one mesh have in common.
 class MeshParts {
  public:
   /// Names of files are relative to `folder`, the folder of the scene.
   MeshParts(std::filesystem::path folder, formats::Diagnostics& diagnostics);
 
-  /// Reads the region of a mesh that the part names; `part` is the index of the part in the scene. Elements
-  /// on triangles take triangles, with the data u, v, bar_length and to_aft (meshes to the largest V of the
-  /// region). Elements on bars take bars, with the data rest_length, and have the sets start, end and middle
-  /// if the bars form one line. Panels in bars take bars of twines, with the data rest_length and parallel.
-  /// The part gets those nodes of each set of the mesh that lie in its region.
+  /// Reads the region of a mesh that the part names; `part` is the index of the part in the scene. The
+  /// element type decides which region is needed: triangles, with the data u, v, bar_length and to_aft
+  /// (meshes to the largest V of the region); bars, with the data rest_length, and with the sets start, end
+  /// and middle if they form one line; or bars along twines, with the data rest_length and parallel. Of each
+  /// set of nodes in the mesh the part gets those in its region.
   Geometry read(const ElementType& type, const std::string& name, std::size_t part,
                 formats::TableReader& table);
 
   /// Joins the nodes of a mesh that several parts use.
   void connect(Joiner& joiner) const;
 
-  /// Whether a mesh could not be read, so that the number of nodes of parts on it is unknown.
+  /// Whether a mesh could not be read; the number of nodes of its parts is then unknown.
   bool has_failed() const;
 
   /// The files that were read.
@@ -40,7 +40,7 @@ class MeshParts {
   struct Standing {
     std::size_t part;
     const formats::InputMesh* mesh;
-    std::vector<std::uint32_t> nodes;  // nodes of the mesh, by own number
+    std::vector<std::uint32_t> nodes;  // own number -> node of the mesh
   };
 
   const formats::InputMesh* find_mesh(formats::TableReader& table);

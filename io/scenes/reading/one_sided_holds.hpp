@@ -5,8 +5,8 @@
 
 namespace netloft::scenes {
 
-/// The holds of a whole gear. Each one should have its mirror image: a gear that is held on one side only is
-/// towed askew.
+/// The holds of a whole gear. Each should have its mirror image, because a gear that is held on one side only
+/// is towed askew.
 class OneSidedHolds {
  public:
   void add(const HoldEntry& entry, const formats::Place& place) {
@@ -25,7 +25,7 @@ class OneSidedHolds {
 };
 
 /// The name of the mirror image of a part, an edge or a point: "port-bridle.start" for
-/// "starboard-bridle.start". Returns the same name if it contains no side.
+/// "starboard-bridle.start". Returns the name unchanged if it contains no side.
 std::string mirror_image(const std::string& name);
 
 }  // namespace netloft::scenes

@@ -5,9 +5,9 @@
 
 namespace netloft::scenes {
 
-/// Reads a datum that the host does not give to elements of this type: the value under its name in the table
-/// of the part, repeated for each of `elements`. If the table does not have it and the name resembles that of
-/// a datum of the host, the error suggests the latter.
+/// Reads a datum of elements that the host does not compute: the table of the part has one value under the
+/// name of the datum, which all `elements` get. If the value is missing and the name resembles that of a
+/// datum of the host, the error suggests that one.
 void read_own_datum(const ElementType& type, const netloft_datum& datum, std::size_t elements,
                     formats::TableReader& table, ElementData& data);
 

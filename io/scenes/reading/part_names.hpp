@@ -11,14 +11,15 @@ namespace netloft::scenes {
 /// The fault in the name of a part or a result, as the end of a sentence; empty if the name is allowed.
 std::string name_fault(const std::string& name);
 
-/// Finds the own nodes of a part by the name of a set, or by "node-17". Returns false if there are none.
+/// Finds nodes of a part by the name of a set or by "node-17", and sets `own` to their numbers within the
+/// part. Returns false if there are none.
 bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::string& name,
                     std::vector<std::uint32_t>& own);
 
 /// A hint for a wrong name: "did you mean "rope"?", or a list of the existing names.
 std::string name_hint(const std::string& name, const std::vector<std::string>& there);
 
-/// The same for the sets and nodes of a part.
+/// A hint for a wrong name of a set or a node of a part.
 std::string set_hint(const PartGeometry& part, std::size_t count, const std::string& name);
 
 }  // namespace netloft::scenes

@@ -7,8 +7,8 @@
 
 namespace netloft::scenes {
 
-/// Reads the parts with nodes of their own, including bodies. Announces riders, the parts that stand on
-/// others, and keeps their tables for later.
+/// Reads the parts with nodes of their own, including rigid bodies. Tables of riders (parts whose elements
+/// are on the nodes or elements of other parts) are kept for later.
 class PartReader {
  public:
   PartReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, MeshParts& meshes,
@@ -20,13 +20,13 @@ class PartReader {
         meshes_(meshes),
         gear_(gear) {}
 
-  /// A scene without a net plan requires at least one part.
+  /// Reads `[parts]`. `presence`: whether the table is required, as it is in a scene without a net plan.
   void read_parts(formats::Presence presence);
-  /// Reads the parts that make rigid bodies. Each part has elements of its `type`; other parts may stand on
-  /// the body.
+  /// Reads `[bodies]`. A rigid body is a part with one element of its `type`; elements of other parts may be
+  /// on its points.
   void read_bodies();
-  /// Reads a body under its name in the plan. Returns the index of its part; nothing if the part before it
-  /// has an error.
+  /// Reads a body of the net plan. `name_in_plan` differs from `name` for a body of a pair. Returns the index
+  /// of its part; nothing after an error.
   std::optional<std::size_t> read_body_of_plan(const std::string& name, const std::string& name_in_plan,
                                                const BodyOfPlan* place);
   /// The names and tables of riders.
@@ -52,8 +52,8 @@ class PartReader {
   std::vector<std::pair<std::string, formats::TableReader>> riders_;
 };
 
-/// Reads the element type of a part. Reports a missing type; if another part has a similar name, the part may
-/// have been made by a misspelt --set, and the hint names the other part.
+/// Reads the element type of a part. Reports a missing type. The part may have been created by mistake, by a
+/// misspelt `--set`; if another part has a similar name, the hint names it.
 std::string read_type_name(const Draft& draft, const std::string& name, formats::TableReader& table);
 
 }  // namespace netloft::scenes

@@ -8,14 +8,14 @@
 
 namespace netloft::scenes {
 
-// Contact of a net plan with the bed, and the tables that describe it.
+// The contact of ropes and bodies of a net plan with the bed, and the tables that describe it.
 
 /// The row of gear_elements() for contact with the bed.
 const GearElements& contact_elements();
 
-/// `[elements.NAME]` without the keys about contact. `said` is a table.
+/// The table `[elements.NAME]` without its keys about contact. `said` is a table.
 formats::Value without_contact(formats::Value said);
-/// `[elements.NAME]` with only the keys about contact.
+/// The table `[elements.NAME]` with only its keys about contact.
 formats::Value only_contact(formats::Value said);
 
 /// Whether a rope lies on the bed when the gear is towed over it; its role in the plan decides.
@@ -24,7 +24,7 @@ bool rests_on_bed(const gears::Rope& rope);
 /// The points of a body on which it rests: those of "door.toe" and "door.heel" that it has.
 std::vector<std::string> shoes_of(const gears::PlanBody& body);
 
-/// Half the diameter of the largest piece strung along a rope [m]; 0 if there are no pieces.
+/// Half the diameter of the largest piece (float or bobbin) strung along a rope [m]; 0 if there is none.
 double radius_along(const gears::NetPlan& plan, const std::string& rope);
 
 }  // namespace netloft::scenes

@@ -13,30 +13,29 @@
 
 namespace netloft::scenes {
 
-/// Reads `[elements]`: the element types of the parts of a net plan, and parameters that a scene adds to the
-/// plan for all parts of a kind or for single parts.
+/// Reads `[elements]`: the element types of the parts of a net plan, and parameters that the scene adds for
+/// all parts of a kind or for single parts.
 class PlanElements {
  public:
-  /// Reads the table `elements`. The plan and the choice have to outlive this object.
+  /// Reads the table `elements`. `plan` and `choice` have to outlive this object.
   PlanElements(const gears::NetPlan& plan, const gears::Gear& gear, formats::TableReader& elements,
                const ElementChoice& choice);
 
   /// The element type of a kind of parts, such as "netting"; null after an error.
   const ElementType* type_of(std::string_view kind) const { return made(kind).type; }
-  /// Reads the parameters of a part: its numbers in the plan, overridden by `[elements.KIND]` for all parts
-  /// of its kind, and then by `[elements.NAME]` for this part. `path` names the part in messages. Returns
-  /// false after an error.
+  /// Reads the parameters of a part. `[elements.NAME]` overrides `[elements.KIND]`, which overrides the
+  /// numbers of the plan. `path` names the part in messages. Returns false after an error.
   bool read_part(std::string_view kind, const std::string& path, formats::Value numbers, bool is_of_catalogue,
                  Part& part) const;
 
   /// Whether the scene has `[elements.contact]`, which lets parts that touch the bed rest on it.
   bool has_contact() const { return contact_.has_value(); }
-  /// The part that carries a rope or a body of the plan on the bed at the points `on`, as a table of
-  /// `[parts]`.
+  /// The table, as in `[parts]`, of the contact part that keeps a rope or a body of the plan on the bed; its
+  /// elements are at the points `on`.
   formats::Value contact_of(const std::string& name, std::vector<std::string> on, formats::Place place) const;
 
  private:
-  /// `[elements.KIND]` and the chosen element type.
+  /// The table `[elements.KIND]` and the element type that it chooses.
   struct Made {
     const GearElements* of = nullptr;
     formats::Value said;  // a table of TOML
@@ -52,8 +51,9 @@ class PlanElements {
   const ElementChoice& choice_;
   formats::Diagnostics& diagnostics_;
   std::vector<Made> made_;
-  std::optional<formats::Value> contact_;                                   // `[elements.contact]`, a table
-  std::map<std::string, formats::Value> exceptions_, exceptions_of_pairs_;  // `[elements.NAME]` by part
+  std::optional<formats::Value> contact_;  // `[elements.contact]`, a table
+  std::map<std::string, formats::Value> exceptions_,
+      exceptions_of_pairs_;  // tables `[elements.NAME]` by NAME
 };
 
 }  // namespace netloft::scenes

@@ -5,8 +5,8 @@
 
 namespace netloft::scenes {
 
-/// Warns of numbers that a model can compute with and nobody means, such as a density in another unit; an
-/// error is a rope that is stiffer in compression than in tension. `root` is the table of the scene. The
+/// Warns of numbers with which a model can compute but that nobody means, such as a density in another unit.
+/// A rope that is stiffer in compression than in tension is an error. `root` is the table of the scene. The
 /// limits and their reasons are in plausible.cpp.
 void check_plausible(const LoadedScene& loaded, formats::TableReader& root);
 

@@ -6,27 +6,27 @@
 
 namespace netloft::scenes {
 
-/// Side and initial guess of a body of a net plan, which are not in its table.
+/// Side and initial guess of a body of a net plan, which its table does not have.
 struct BodyOfPlan {
   double side = 1;  // 1: starboard; -1: port, with `at` mirrored
-  /// The initial position of the body if its table has none. `lowest`: lowest z of its points and its
-  /// outline, from its origin [m].
+  /// Returns the initial position of the body, for a table without one. `lowest`: lowest z of its points and
+  /// its outline, from its origin [m].
   std::function<std::array<double, 3>(double lowest)> guess;
 };
 
 /// Reads a rigid body: the position of its origin `at`, its named `points`, its initial rotation `turned`,
-/// and its `side`. Own nodes are the origin and the points; sets are `origin` and the names of the points.
-/// Data: side, 1 or -1; arm, zero [m].
+/// and its `side`. Its nodes are the origin and the points; sets are `origin` and the names of the points.
+/// Data of its element: side, 1 or -1; arm, zero [m].
 Geometry read_body(formats::TableReader& table, const BodyOfPlan* plan = nullptr);
 
-/// Makes the bodies of a scene whose nodes are numbered; reports faults at their places.
+/// Makes the rigid bodies of a scene, whose nodes must be numbered. Faults are reported at their places.
 void add_bodies(Draft& draft, formats::Diagnostics& diagnostics);
 
-/// Moves the carried points to their positions on the bodies, after a sketch or a hold has placed the
-/// origins.
+/// Moves the points of bodies to where the bodies have them, after an initial position or a hold has placed
+/// the origins.
 void place_points(Scene& scene);
 
-/// The body that carries a node; null if none does.
+/// The body of which a node is a point (not the origin); null if there is none.
 const RigidBody* body_that_carries(const Scene& scene, std::uint32_t node);
 
 }  // namespace netloft::scenes

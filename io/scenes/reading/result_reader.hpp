@@ -4,7 +4,7 @@
 
 namespace netloft::scenes {
 
-/// Reads `[results]`, the requested scalars, and checks that they exist.
+/// Reads `[results]`, the numbers that a scene requests, and checks that they exist.
 class ResultReader {
  public:
   ResultReader(formats::TableReader& root, Draft& draft)

@@ -7,13 +7,14 @@
 
 namespace netloft::scenes {
 
-/// Fills a request from its `take`: "[min|max|mean|sum|range] quantity". The quantity is x, y, z,
-/// displacement, reaction, reaction x … of nodes; heading, heel, trim of a body; or an output (tension) of
-/// the elements of a part, if `of` names a whole part. Returns false after an error, which is reported at
+/// Fills a request from its key `take`: "[min|max|mean|sum|range] quantity". The quantity is x, y, z,
+/// displacement, reaction, reaction x … of nodes; heading, heel, trim of a body; or, if `of` names a whole
+/// part, an output of its elements such as tension. Returns false after an error, which is reported at
 /// `take`.
 bool understand(ResultRequest& request, const ElementType& type, formats::TableReader& entry);
 
-/// The value of a request in a solution; `outputs` are indexed [family][output][element].
+/// The requested number in a solution; `outputs` are indexed [family][output][element], where a family is all
+/// elements of one type.
 double value_of(const ResultRequest& request, const LoadedScene& loaded, const Assembler& assembler,
                 const Solution& solution, const std::vector<std::vector<std::vector<double>>>& outputs);
 

@@ -7,8 +7,9 @@
 
 namespace netloft::scenes {
 
-/// Reads riders, the parts that stand on others, once the nodes of the scene are numbered: parts with a table
-/// of their own, contacts of a net plan with the bed, and companion elements of parts.
+/// Makes the riders of a scene, parts without nodes whose elements are on the nodes or elements of other
+/// parts. They are those with a table of their own, the contact parts of a net plan, and companions, which an
+/// element type adds to its parts. Nodes must be numbered.
 class RiderReader {
  public:
   RiderReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, const GearSteps& gear)
@@ -20,10 +21,10 @@ class RiderReader {
         gear_(gear) {}
 
   void read(const std::string& name, formats::TableReader& table);
-  /// Reads the contacts of the plan with the bed.
+  /// Makes the contact parts that keep a gear of a net plan on the bed.
   void read_contacts();
   void add_companions();
-  /// The element types of the companions, which are the last parts of the scene.
+  /// The element types of the companions, which are the last parts of the scene, in their order.
   const std::vector<const ElementType*>& companions() const { return companions_; }
 
  private:

@@ -5,11 +5,11 @@
 
 namespace netloft::scenes {
 
-/// Refuses half a gear if something distinguishes port from starboard.
+/// Reports half a gear as an error if something in the scene differs between port and starboard.
 void check_symmetry(formats::TableReader& root, const Draft& draft, const WaterReader& water);
 
-/// Checks whether a scene without errors so far can be solved: its holds, its current, its ground and bed,
-/// and parts that start on the wrong side of the plane of symmetry.
+/// Checks whether a scene that was read without errors can be solved: its holds, its current, its ground and
+/// bed, and parts that begin beyond the plane of symmetry.
 void check_scene(formats::TableReader& root, const Draft& draft,
                  const std::vector<const ElementType*>& companions, const WaterReader& water);
 

@@ -8,10 +8,10 @@ namespace netloft::scenes {
 
 /// A scene file that is read once and instantiated many times, each time with other changes.
 ///
-/// The file and what it includes are read at the first instance. Results of an instance are stored with their
-/// inputs and reused: the catalogue, the net plan, the division of the gear, and its initial shape. An
-/// instance does not depend, in any bit, on the instances before it. Copies share the stored data. Not safe
-/// for several threads.
+/// The file and those it includes are read at the first instance. Intermediate results of an instance
+/// (catalogue, net plan, division of the gear, initial shape) are stored with their inputs and reused if
+/// these are equal. An instance does not depend, in any bit, on the instances before it. Copies share the
+/// stored data. Not safe for several threads.
 class SceneSource {
  public:
   explicit SceneSource(std::filesystem::path file);
@@ -20,7 +20,7 @@ class SceneSource {
 
   /// The scene with `changes` applied in their order. All errors go to the diagnostics with their place in a
   /// file or the change that caused them; use the result only if there are none. Opens the plugins that the
-  /// scene names; sets `refused` if one of them is missing or must not run.
+  /// scene names; sets `refused` if one of them is missing or was rejected.
   LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
                        formats::Diagnostics& diagnostics, bool& refused) const;
 

@@ -4,17 +4,19 @@
 
 namespace netloft::scenes {
 
-/// A model of a gear in a tank by the rule of M. Tauti, "A relation between experiments on model and on full
-/// scale of fishing net", Nippon Suisan Gakkaishi 3 (1934): lengths are divided by λ, bars and twines of the
-/// netting by λ' ≤ λ, so that there are fewer and larger meshes than similar ones. With the same water and
-/// the same materials, velocities V and forces F scale by
+/// A model of a gear in a tank, scaled by the rule of M. Tauti, "A relation between experiments on model and
+/// on full scale of fishing net", Nippon Suisan Gakkaishi 3 (1934): lengths are divided by λ, but bars and
+/// twines of the netting only by λ' ≤ λ, so that the model has fewer and larger meshes. With the same water
+/// and the same materials, velocities V and forces F of the full scale (index F) and of the model (index M)
+/// have the ratios
 ///   V_F/V_M = √λ',   F_F/F_M = λ² λ'                                                       (1)
-/// The weight of ropes and the lift of floats scale by (1) if the diameters D of ropes and d of floats scale
-/// by
+/// The weight of ropes and the lift of floats have the ratio of forces in (1) if the diameters D of ropes and
+/// d of floats have the ratios
 ///   D_F/D_M = √(λ λ'),   d_F/d_M = (λ² λ')^⅓                                               (2)
-/// Their drag, ∝ D L V² and d² V², is then not similar. Scaled up to the size of the gear, such a rope is
-/// √(λ/λ') thicker than the rope of the gear, with a density nearer to that of water, and such a float is
-/// (λ/λ')^⅓ wider. Reynolds numbers are those of the model:
+/// Their drag, proportional to D L V² and d² V² with the length L, then has another ratio. A scene has the
+/// size of the gear: if the model is scaled up to it, its ropes are √(λ/λ') thicker than those of the gear,
+/// with a density nearer to that of water, and its floats are (λ/λ')^⅓ wider. Reynolds numbers are those of
+/// the model; in numbers of the full-scale gear, with the viscosity ν of the tank, they are
 ///   netting V d/ν λ'^−1.5,   ropes and floats V (λ D_M)/ν λ⁻¹ λ'^−0.5                      (3)
 struct TautiModel {
   double lengths = 1, twines = 1;  // λ, λ'
@@ -22,11 +24,11 @@ struct TautiModel {
   /// The viscosity at which full-size netting has the Reynolds number (3), divided by that of the tank.
   double viscosity_of_netting() const;
   /// Replaces the ropes and floats of a scene by those of the model, scaled up to the size of the gear. The
-  /// water of the scene must have the viscosity above.
+  /// viscosity of the scene's water must be that of viscosity_of_netting().
   void scale_ropes_and_floats(Scene& scene) const;
 };
 
-/// A part that may be partly above water, where (1) does not hold; null if there is none.
+/// A part with elements that may be partly above water, where (1) does not hold; null if there is none.
 const Part* find_part_above_water(const Scene& scene);
 
 }  // namespace netloft::scenes

@@ -7,14 +7,14 @@
 
 namespace netloft::scenes {
 
-/// A fault in the table `key` of a part.
+/// A wrong thickness: the table of the part that has it, and the message.
 struct ThicknessFault {
   const char* key;
   std::string message;
 };
 
-/// Refuses twine that is as thick as its bars are long, since no mesh could open, and a rope that is as thick
-/// as it is long. Empty if there is no fault.
+/// Finds twine that is as thick as its bars are long, so that no mesh could open, and a rope that is as thick
+/// as it is long. Empty if there is no such fault.
 std::optional<ThicknessFault> thickness_fault(const Part& part, const Geometry& geometry);
 
 inline constexpr const char* kThicknessCure = "one of the two may be in another unit";

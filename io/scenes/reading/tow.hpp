@@ -10,11 +10,12 @@ namespace netloft::scenes {
 /// Reads `[tow]`, the velocity at which water and ground pass the gear.
 void read_tow(formats::TableReader tow, Scene& scene);
 
-/// Reads `[bed]`: the bed of the sea, and its material.
+/// Reads `[bed]`: sets the seabed of the scene, and returns its material.
 SeaBottom read_bed(formats::TableReader bed, Scene& scene);
 
-/// The friction of a part on ground that does not pass: it sticks if the element stores where it held
-/// (reads_state); any other element has none.
+/// The friction of a part on ground that does not move relative to the gear. `sticks`: the element stores
+/// where it touched the ground first (NETLOFT_READS_STATE) and holds to that place. `none`: any other
+/// element, whose friction needs a sliding velocity.
 enum class StandingFriction { not_asked, none, sticks };
 StandingFriction friction_on_standing_ground(const Scene& scene, const Part& part, const ElementType& type);
 

@@ -14,14 +14,14 @@ class WaterReader {
       : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out), gear_(gear) {}
 
   void read();
-  /// Refuses waves in a static analysis, where they have no effect.
+  /// Reports waves in a static analysis, where they have no effect, as an error.
   void check_waves();
-  /// Scales ropes and floats by Tauti's rule. Refuses motions, because the rule makes forces similar but not
-  /// masses.
+  /// Scales ropes and floats by Tauti's rule (tauti.hpp), if the scene asks for it. A motion is then an
+  /// error, because the rule makes forces similar but not masses.
   void take_model();
   /// Gives the factors of `[bed] bottom` to all parts that rest on the bed.
   void lay_bottom();
-  /// The key of the bed that distinguishes port from starboard; null if none does.
+  /// The key of `[bed]` by which the bed differs between port and starboard; null if there is none.
   const char* uneven_key() const;
   bool says_tow() const { return says_tow_; }
 

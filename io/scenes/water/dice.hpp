@@ -6,7 +6,7 @@
 namespace netloft::scenes {
 
 /// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood, "Fast splittable
-/// pseudorandom number generators", OOPSLA 2014), seeded by a name and a number.
+/// pseudorandom number generators", OOPSLA 2014), with a seed made from a name and a number.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}

@@ -21,10 +21,10 @@ struct Jonswap {
   static double shape(double ratio, double peakedness);
 };
 
-/// Draws waves of equal energy from the spectrum. The band from 0.4 to 5 f_p, which holds all but 0.2 % of
-/// the energy of (1), is divided into as many bands as there are waves. Each band gives one wave with a
-/// random frequency, so that the sea does not repeat, and a random phase. The random numbers come from Dice,
-/// so that a seed gives the same sea on every machine. The waves satisfy (2) exactly.
+/// Represents the spectrum by waves of equal energy. The frequencies from 0.4 to 5 f_p, which have all but
+/// 0.2 % of the energy of (1), are divided into as many bands as there are waves. Each band gives one wave
+/// with a random phase and a random frequency within the band, so that the sea does not repeat. The random
+/// numbers come from Dice, so that a seed gives the same sea on every machine. The waves satisfy (2) exactly.
 std::vector<AiryWaves::Component> sample(const Jonswap& spectrum);
 
 }  // namespace netloft::scenes
