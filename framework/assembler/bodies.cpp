@@ -135,7 +135,7 @@ void Bodies::move(std::span<const double> x, std::span<double> v, std::span<doub
 
 void Bodies::differentiate(std::span<const double> x, const BodyMotion& motion) {
   using T = Dual<3>;
-  using R = Dual<6, 1>;  // of q and its rate
+  using R = Dual<6, 1>;  // derivatives with respect to q and its rate
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Point& p = points_[k];
     const Body& body = bodies_[p.body];
@@ -257,7 +257,7 @@ bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::sp
       const auto second = a.empty() ? Vec3<double>{} : read(a, body.rotation, body.arm);
       const auto new_rate = rate_of_spin(shorter, spin_of(psi, rate));
       put(v, new_rate);
-      // α is linear in ψ̈, so that the part of α from the rates alone is subtracted first.
+      // The angular acceleration α is linear in ψ̈: its part from the rates alone is subtracted first.
       put(a, rate_of_spin(shorter, spin_rate_of(psi, rate, second) - spin_rate_of(shorter, new_rate, {})));
     }
     put(u, shorter - (1 / body.arm) * read(start, body.rotation));

@@ -32,7 +32,7 @@ class Bodies {
   Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return pairs_.empty(); }
-  /// Nodes of each body: its origin and its rotation.
+  /// For each body, the nodes of its origin and of its rotation.
   const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
   double arm(std::size_t body) const { return bodies_[body].arm; }
   /// The origin of the body that carries a node; the node itself if no body carries it.
@@ -71,7 +71,7 @@ class Bodies {
   struct Body {
     Place origin, rotation;
     double arm;
-    std::size_t rotation_block;  // diagonal block of its rotation; kNoBlock if it cannot turn
+    std::size_t rotation_block;  // index of the diagonal block of its rotation; kNoBlock if it cannot turn
   };
   struct Point {
     std::uint32_t node;
@@ -110,7 +110,8 @@ class Bodies {
   std::vector<Point> points_;
   std::vector<Slopes> slopes_;  // of the points
   std::vector<Product> products_;
-  std::vector<std::vector<Target>> targets_;  // per scene node: itself, or origin and rotation of its body
+  std::vector<std::vector<Target>>
+      targets_;  // for each scene node: itself, or origin and rotation of its body
 };
 
 }  // namespace netloft

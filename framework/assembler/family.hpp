@@ -68,7 +68,7 @@ class ElementFamily {
   struct GlobalNode {
     std::uint32_t node;
     std::array<double, 3> start;
-    std::uint8_t held;  // axes without an unknown
+    std::uint8_t held;  // coordinates that are not unknowns
   };
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
@@ -98,8 +98,8 @@ class ElementFamily {
   const ElementType* type_;
   std::vector<std::uint32_t> parts_;  // scene parts
   double viscosity_ratio_ = 1;
-  std::vector<std::size_t> part_begin_;      // per part of parts_, +1
-  std::vector<std::uint32_t> part_, nodes_;  // per element: index in parts_; its nodes
+  std::vector<std::size_t> part_begin_;      // first element of each part, and one past the last
+  std::vector<std::uint32_t> part_, nodes_;  // for each element: index in parts_; its nodes
   std::vector<double> arms_;                 // per element on a body [m]
   std::vector<ParameterBlock> parameters_, law_parameters_;
   std::vector<netloft_bound_law> laws_;

@@ -32,7 +32,7 @@ class Frames {
   };
   struct Block {
     std::size_t base;
-    int row, column;  // indices in nodes_, -1: not rotated
+    int row, column;  // indices in nodes_ of the nodes of the block; -1: not rotated
     bool lower_only;  // a diagonal block that stores only its lower triangle
   };
 

@@ -16,11 +16,11 @@ namespace netloft {
 /// The inputs of the elements of one tile, in rows of 64 numbers. An input that the scene does not have is
 /// empty.
 struct TileInputs {
-  std::vector<double> x, x_low;                     // positions [m] and their low-order part
+  std::vector<double> x, x_low;                     // positions [m], and the digits that rounding removes
   std::vector<double> v, a;                         // [m/s], [m/s²]; empty if everything is at rest
   std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
-  std::vector<double> bed;                          // six numbers per node
+  std::vector<double> bed;                          // per node: height, slopes and second derivatives
   ExtensionInputs
       extensions;  // data of extensions of the plugin interface, for the family that receives the tile
   // the time [s] of the current in `current`, if the current is uniform

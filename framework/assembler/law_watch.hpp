@@ -12,7 +12,8 @@ namespace netloft {
 struct RangeUse {
   const netloft_validity* range = nullptr;
   double inside = 0, outside = 0;
-  double least = std::numeric_limits<double>::infinity(), most = -least;  // values of the quantity
+  double least = std::numeric_limits<double>::infinity(),
+         most = -least;  // least and largest value of the quantity
 
   /// Fraction of the use that is outside the range, 0 to 1.
   double fraction_outside() const { return outside > 0 ? outside / (inside + outside) : 0; }
@@ -21,7 +22,7 @@ struct RangeUse {
 /// Use of a law by the parts of a family.
 struct LawUse {
   const LawType* law = nullptr;
-  std::vector<std::uint32_t> parts;  // of the scene
+  std::vector<std::uint32_t> parts;  // indices of scene parts
   std::vector<RangeUse> ranges;
 };
 

@@ -46,7 +46,7 @@ struct MemberOfStep {
   bool grows() const { return before.rest_length != after.rest_length; }
 };
 
-/// T̄, k, and the stretch s with its derivative by l₁.
+/// Mean tension T̄, mean stiffness k, and the stretch s with its derivative with respect to l₁.
 struct MeanOfMember {
   MeanTension tension;
   MeanStiffness stiffness;

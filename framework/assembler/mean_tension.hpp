@@ -9,14 +9,14 @@ namespace netloft {
 /// The tension is linear in l on either side of the rest length, below which the member is slack. J. C. Simo
 /// and N. Tarnow, "The discrete energy-momentum method", ZAMP 43, 1992.
 struct MeanTension {
-  double T, slope;  // T̄ [N], its derivative by l₁ [N/m]
+  double T, slope;  // T̄ [N], and its derivative with respect to l₁ [N/m]
 };
 MeanTension mean_tension(const netloft_member& member, double before, double after);
 
 /// Stiffness of a member over the same step:
 ///   k = (T(l₁) − T(l₀))/(l₁ − l₀)                                                               (2)
 struct MeanStiffness {
-  double k, slope;  // k [N/m], its derivative by l₁ [N/m²]
+  double k, slope;  // k [N/m], and its derivative with respect to l₁ [N/m²]
 };
 MeanStiffness mean_stiffness(const netloft_member& member, double before, double after);
 

@@ -13,7 +13,7 @@ namespace netloft {
 /// row by row, so that an element adds whole blocks: one look-up for nine values takes half the time of nine
 /// look-ups. Blocks include rows and columns of held axes, which are not in the pattern.
 struct NodeBlocks {
-  std::vector<std::size_t> column_start;  // per node, +1
+  std::vector<std::size_t> column_start;  // first block of each column (node), and one past the last
   std::vector<std::uint32_t> row_node;    // ascending in a column
 
   std::size_t count() const { return row_node.size(); }

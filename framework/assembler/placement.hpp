@@ -66,7 +66,7 @@ class Placement {
 
   /// Initial positions over all dofs [m].
   const std::vector<double>& start() const { return start_; }
-  /// Nodes of each body: its origin and its rotation.
+  /// For each body, the nodes of its origin and of its rotation.
   const std::vector<std::array<std::uint32_t, 2>>& body_nodes() const { return bodies_.pairs(); }
 
  protected:
@@ -77,7 +77,7 @@ class Placement {
 
   std::size_t scene_nodes_;
   Numbering numbering_;
-  std::map<std::uint32_t, std::array<double, 9>> axes_;  // of turned nodes
+  std::map<std::uint32_t, std::array<double, 9>> axes_;  // axes of nodes whose unknowns are not along x, y, z
   Frames frames_;
   Bodies bodies_;
 

@@ -21,7 +21,7 @@ struct Kinematics {
 struct StepEnds {
   const double *before = nullptr, *after = nullptr;
   double length = 0;   // length h of the step [s]
-  double damping = 0;  // χ of (3) in mean_of_members.hpp
+  double damping = 0;  // damping χ of members, (3) of mean_of_members.hpp
 };
 
 /// The sums that an evaluation computes. A sum that is null or `none` is not computed.
@@ -32,9 +32,9 @@ struct Request {
   double* residual = nullptr;      // over all dofs, +dE/dx [N]: of unknowns, then of held dofs (reactions)
   double* gradient = nullptr;      // also over all dofs: the part of the residual that has an energy [N]
   MatrixKind matrix = MatrixKind::none;
-  double* values = nullptr;  // Assembler::value_slots() long [N/m]
+  double* values = nullptr;  // values of the matrix, Assembler::value_slots() long [N/m]
   Kinematics motion = {};
-  const StepEnds* between = nullptr;  // if not null, compute mean forces of this step; x is its middle
+  const StepEnds* between = nullptr;  // if not null, mean forces of this step are computed; x is its middle
 };
 
 }  // namespace netloft

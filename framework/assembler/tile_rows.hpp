@@ -65,7 +65,7 @@ class TileRows {
         for (double* row = from; row < to; row += kTileLanes) std::fill_n(row + lane, kEight, 0.0);
   }
   bool is_zero(const double* row) const {
-    constexpr std::size_t kApart = 8;  // independent accumulators
+    constexpr std::size_t kApart = 8;  // number of independent accumulators
     std::uint64_t some[kApart] = {};   // integers, which the compiler can vectorise
     std::size_t lane = 0;
     for (; lane + kApart <= lanes_; lane += kApart)
@@ -77,7 +77,7 @@ class TileRows {
   }
 
   std::vector<double> all_;
-  std::size_t rows_ = 0, lanes_ = 0;            // of this tile
+  std::size_t rows_ = 0, lanes_ = 0;            // rows and lanes that this tile has opened
   std::size_t zero_rows_ = 0, zero_lanes_ = 0;  // rows and lanes that the previous tile left zero
 };
 

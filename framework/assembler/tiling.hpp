@@ -23,12 +23,12 @@ struct Tiling {
   const ElementFamily* family = nullptr;
   std::size_t tiles = 0;
   std::vector<std::uint32_t> order;       // tiles, colour by colour
-  std::vector<std::size_t> colour_begin;  // in `order`, +1
+  std::vector<std::size_t> colour_begin;  // first tile of each colour in `order`, and one past the last
   std::vector<std::int32_t> vector_map;   // [tile][dof][64] -> index in vectors over all dofs
   std::vector<std::int32_t>
       block_map;  // [tile][block][64] -> index of the first of nine values; ~index: add the transpose
   std::vector<std::vector<Twin>> twins;  // per tile, if the matrix is symmetric; nearly always empty
-  std::size_t blocks_per_element = 0;    // pairs of corners (P, Q): Q <= P if symmetric, else all
+  std::size_t blocks_per_element = 0;    // number of pairs of corners (P, Q), Q <= P if symmetric
   std::size_t first_spare =
       0;  // index of the first unused block (one per tile), which collects the entries of held nodes
 

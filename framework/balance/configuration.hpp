@@ -16,7 +16,7 @@ struct StepProblem {
   double t;
   std::span<const double> v0, a0;
   double cv, ca;
-  std::span<const double> mass;  // of each unknown [kg]; ca × mass acts like a stiffness
+  std::span<const double> mass;  // mass of each unknown [kg]; ca × mass acts like a stiffness
   MovingState* state;            // receives positions and rates
   double least_load;             // lower bound of the load to which tolerances are relative [N]
   /// If F is the mean force of a step (netloft_motion::solve_between), the ends of this step. u is then its

@@ -7,11 +7,12 @@ enum class Convergence { none, at_round_off, within_tolerance };
 
 /// The quantities that decide on convergence: norms of nodal forces, each the largest of all nodes [N].
 struct Imbalance {
-  double residual = 0;      // r
-  double load = 0;          // F, the largest of the dead loads and the reactions
-  double rounding = 0;      // b, upper bound of the residual that rounding of the positions can cause
-  bool is_driven = true;    // whether an external force acts, such as weight, drag or pressure
-  bool is_in_time = false;  // whether this is a step in time, whose inertia rounds, too
+  double residual = 0;    // r
+  double load = 0;        // F, the largest of all dead loads and reactions
+  double rounding = 0;    // b, upper bound of the residual that rounding of the positions can cause
+  bool is_driven = true;  // whether an external force acts, such as weight, drag or pressure
+  bool is_in_time =
+      false;  // whether this is a step in time, in which inertia forces have rounding errors, too
 };
 
 /// Default tolerance ε of (1).

@@ -32,7 +32,7 @@ struct Limits {
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // null: work is not limited
   double work = std::numeric_limits<double>::infinity();  // budget, in units of the model
-  Judging judging = {};                                   // for the final point
+  Judging judging = {};                                   // how the final point is assessed
 
   /// Returns the limit that has been reached after this number of iterations, this processor time and the
   /// operations in `spent`.

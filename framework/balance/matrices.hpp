@@ -47,7 +47,7 @@ class Matrices {
   Assembler& assembler_;
   Statistics& statistics_;
   std::vector<double> exact_, convex_, metric_, sum_;
-  std::vector<double> diagonal_;  // of the metric
+  std::vector<double> diagonal_;  // diagonal of the metric
 };
 
 }  // namespace netloft

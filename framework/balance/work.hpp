@@ -16,7 +16,7 @@ class Assembler;
 ///   work = Σ count × cost / unit                                                            (2)
 struct WorkModel {
   double factorisation = 1, solution = 0, matrix = 0, residual = 0;  // [floating-point operations]
-  double unit = 1;                                                   // (1), of the original scene
+  double unit = 1;  // cost of one iteration of the original scene, (1)
 
   double of_iteration() const { return factorisation + solution + matrix + residual; }
   /// Work by (2). Factorisations that end early count in full, because most of their work was done. An energy

@@ -10,9 +10,10 @@
 namespace netloft {
 
 struct ConformanceOptions {
-  std::uint64_t seed = 1;  // of the sampled parameters, data and states; one seed always gives one report
-  int elements = 100;      // sampled elements, 1 … 640
-  int directions = 3;      // directions of each directional check, 1 … 100
+  std::uint64_t seed =
+      1;               // seed of the sampled parameters, data and states; one seed always gives one report
+  int elements = 100;  // sampled elements, 1 … 640
+  int directions = 3;  // number of directions in checks of slopes, 1 … 100
   bool timings = true;
   std::uint32_t law_kind =
       0;  // kind of laws that the element uses in the tests; 0: every kind that it accepts, in turn
@@ -23,7 +24,7 @@ struct ConformanceOptions {
 struct CheckResult {
   std::string name;  // "force-is-gradient"
   bool passed = false, skipped = false;
-  bool depends = false;          // skipped because a check that it depends on failed
+  bool depends = false;          // whether it was skipped because a check on which it depends failed
   double figure = 0, limit = 0;  // the worst figure and its limit; both zero for yes-or-no checks
   std::string detail;            // where the worst figure occurred, or why the check was skipped
   std::string hint;              // a likely cause
@@ -32,7 +33,7 @@ struct CheckResult {
 struct TermTiming {
   std::string term;
   std::string want;        // "force", "force + tangent"
-  double nanoseconds = 0;  // in full tiles that stay in the cache
+  double nanoseconds = 0;  // time per element, in full tiles that stay in the cache
   std::string per = "element";
 };
 

@@ -14,7 +14,7 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kSteps[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};  // relative to the distance of the nodes
+constexpr double kSteps[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};  // steps relative to the distance of the nodes
 constexpr double kKinkStep = 1e-5;
 constexpr double kDerivativeLimit = 1e-6;
 constexpr double kLeftOutLimit = 0.1;
@@ -337,7 +337,7 @@ Finding no_work_round_a_closed_path(Bench& b) {
         Lanes length(kLanes, 0.0), best(kLanes, 1e300);
         for (std::size_t lane = 0; lane < s.count; ++lane) length[lane] = 0.4 * b.spacing(s, lane);
         for (int pieces = 16; pieces <= 262144;
-             pieces *= 4) {  // energies can bend sharply at the end of slack
+             pieces *= 4) {  // many pieces, because an energy can bend sharply where an element becomes taut
           const Lanes error = energy_not_accounted_for(b, term, s, direction, length, pieces);
           bool done = true;
           for (std::size_t lane = 0; lane < s.count; ++lane) {

@@ -24,7 +24,7 @@ States in_uniform_flow(const Bench& b, const netloft_term& term, States s) {
       s.v[at(d, lane)] = term.traits & NETLOFT_READS_VELOCITY ? s.v[at(d % 3, lane)] : 0;
       s.a[at(d, lane)] = s.current_dz[at(d, lane)] = 0;
       if (b.type.is_on_body() && d / 3 == 1)
-        s.v[at(d, lane)] = s.current[at(d, lane)] = 0;  // without rotation
+        s.v[at(d, lane)] = s.current[at(d, lane)] = 0;  // bodies do not rotate
     }
   return s;
 }

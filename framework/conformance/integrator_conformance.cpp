@@ -65,7 +65,7 @@ Finding leaves_the_start_alone(IntegratorBench& b) {
   return motion.left_alone() ? Finding{} : failed("u, v or a at the start of a step has changed");
 }
 
-constexpr double kSpan = 2;  // [s] of a motion whose periods are 3 to 6 s
+constexpr double kSpan = 2;  // duration [s]; the periods of the motion are 3 to 6 s
 
 double error_with(IntegratorBench& b, const PracticeSwing& like, int steps) {
   PracticeMotion motion(like);

@@ -61,7 +61,7 @@ Finding no_hidden_state(Bench& b) {
 
 namespace {
 
-constexpr double kCanary = -7.25e-300;  // small, so that any number added to it is visible
+constexpr double kCanary = -7.25e-300;  // small, so that the addition of any number is visible
 constexpr std::size_t kMargin = 4 * kLanes;
 
 /// An array surrounded by a known number, which is also in all lanes from `count` on; zero where a term may

@@ -9,9 +9,9 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kBarrier = 0.1, kHardening = 100;  // b and q/h of (1) in practice.hpp
-constexpr double kStrength = 100, kShift = 0.025;   // F and d of (1)
-constexpr double kReach = 0.72;  // R of (1): n² f/(2 k) of a chain with the defaults of Practice
+constexpr double kBarrier = 0.1, kHardening = 100;  // b [J] and q/h [1/m²] of the energy (1) in practice.hpp
+constexpr double kStrength = 100, kShift = 0.025;   // F [N] and d [m] of the stiffness near one position, (1)
+constexpr double kReach = 0.72;  // R [m] of (1): n² f/(2 k) of a chain with the defaults of Practice
 constexpr double kPracticeTolerance = 1e-10;
 constexpr int kMostIterations = 20000, kMostEvaluations = 1000000;
 

@@ -11,10 +11,11 @@ namespace netloft::conformance {
 
 /// Properties of a practice motion (a small motion with a known solution).
 struct PracticeSwing {
-  double damping = 0;          // ζ, fraction of the critical damping
-  double push = 0;             // f [m/s²], proportional to time
-  int fails = NETLOFT_OK;      // the status that every function of the host returns
-  std::uint32_t unknowns = 3;  // with ω = 1, 1.5, 2 … rad/s, and u = 1, ½, ⅓ … m at the start
+  double damping = 0;      // ζ, fraction of the critical damping
+  double push = 0;         // f [m/s²], proportional to time
+  int fails = NETLOFT_OK;  // the status that every function of the host returns
+  std::uint32_t unknowns =
+      3;  // number of unknowns, with ω = 1, 1.5, 2 … rad/s, and u = 1, ½, ⅓ … m at the start
 };
 
 /// Masses on springs with a known motion, behind the same functions as a scene:
@@ -49,8 +50,9 @@ class PracticeMotion {
 
   int solves = 0;
   double t = 0;
-  double estimate = 0, estimated = 0;  // largest estimated error of the last step; sum over all steps [m]
-  double error_between = 0;            // largest error within a step, of the cubic (3) [m]
+  double estimate = 0,
+         estimated = 0;      // largest estimated error in the last step; sum of these over all steps [m]
+  double error_between = 0;  // largest error within a step, of the cubic (3) [m]
   bool clears_scratch = true;
   std::vector<double> u, v, a;
 

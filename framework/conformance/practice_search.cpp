@@ -12,9 +12,9 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kSearchTolerance = 1e-8;        // of the analysis, relative to the load on a mass
+constexpr double kSearchTolerance = 1e-8;        // tolerance of the scene, relative to the load on a mass
 constexpr std::uint32_t kIterations = 30;        // of the analysis
-constexpr double kStageCost = 0.1;               // of an evaluation, in iterations
+constexpr double kStageCost = 0.1;               // cost of an assessment, in iterations
 constexpr std::size_t kRoom = 256, kGuard = 64;  // size of the message, and of the guard behind it
 
 bool is_finite(const double* u, std::size_t n) {
@@ -313,7 +313,8 @@ int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
 
 /// Counts the work of a strategy's own method, after it has ended.
 void PracticeSearch::end_own_method() {
-  std::fill(growing_.begin(), growing_.end(), std::numeric_limits<double>::quiet_NaN());  // valid until now
+  std::fill(growing_.begin(), growing_.end(),
+            std::numeric_limits<double>::quiet_NaN());  // a strategy must not read it any more
   if (!own_) return;
   spend((std::max(own_->iterations, own_->factorisations) + kStageCost) * own_cost_);
   knows_interrupt_ = knows_interrupt_ || (interrupted_ && own_->told_to_stop());

@@ -31,13 +31,13 @@ enum class Slip {
   stage_without_name,
   stage_not_filled,  // size of a struct, or no displacements
   out_of_range,      // a level, a factor or a limit
-  calls_itself,      // on the scene itself, from its start, with its defaults
+  calls_itself,      // it calls itself on the scene itself, from its start, with its defaults
   over_budget,       // a stage was offered more work than is left
   start_no_number,
   answer_no_number,
   answer_of_variant,
   after_interrupt,  // a stage was requested after one had reported an interrupt
-  after_budget      // a stage was requested without work left, which the strategy knew
+  after_budget      // a stage was requested although the strategy knew that no work was left
 };
 
 /// A search (what a strategy sees) of a practice problem: the chain of practice.hpp, its variants and its

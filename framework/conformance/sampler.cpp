@@ -42,7 +42,7 @@ bool has_default(const netloft_parameter& p) {
 
 double ParameterSampler::uniform(
     double lo,
-    double hi) {  // not std::uniform_real_distribution, which differs between libraries
+    double hi) {  // std::uniform_real_distribution is not used, because it differs between libraries
   return lo + (hi - lo) * (static_cast<double>(random_() >> 11) * 0x1p-53);
 }
 
@@ -116,7 +116,7 @@ Samples ParameterSampler::rows(const netloft_parameter& p) {
 double ParameterSampler::real(double lo, double hi, double least, double most) {
   if (lo <= most && hi >= least)
     return std::exp(uniform(std::log(std::max(lo, least)), std::log(std::min(hi, most))));
-  const double near = std::isfinite(lo) ? lo : hi - std::abs(hi);  // a range of unusual values
+  const double near = std::isfinite(lo) ? lo : hi - std::abs(hi);  // the range contains no usual value
   const double far = std::isfinite(hi) ? hi : lo + std::abs(lo);
   return uniform(near, far);
 }
@@ -186,7 +186,9 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
     s.a[at(d, lane)] = uniform(-1, 1);
     s.current[at(d, lane)] = uniform(-1, 1);
     s.current_dz[at(d, lane)] = uniform(-0.1, 0.1);
-    if (!s.swing.empty()) s.swing[at(d, lane)] = 10 * s.current_dz[at(d, lane)];  // draws no random number
+    if (!s.swing.empty())
+      s.swing[at(d, lane)] =
+          10 * s.current_dz[at(d, lane)];  // no random number is drawn, so that other samples do not change
   }
   if (type_.is_on_body()) turn(s, lane);
   for (std::size_t node = 0; 6 * (node + 1) * kLanes <= s.bed.size(); ++node) lay_bed(s, node, length, lane);

@@ -87,7 +87,7 @@ Finding stops_when_told(SolverBench& b) {
     p.interrupted_after = after;
     PracticeProblem problem(p);
     const int outcome = b.solve(problem);
-    if (problem.iterations < after) continue;  // it ended by itself
+    if (problem.iterations < after) continue;  // the solver ended before the interrupt
     if (problem.iterations > after || problem.evaluations_after_stop > 0)
       return failed("went on for " + std::to_string(problem.iterations - after) + " iterations and " +
                     std::to_string(problem.evaluations_after_stop) + " evaluations");

@@ -10,7 +10,7 @@ namespace netloft::conformance {
 namespace {
 
 constexpr std::uint32_t kMessage = 256;
-constexpr double kTime = 1;  // time of the members [s]
+constexpr double kTime = 1;  // time at which members are evaluated [s]
 
 /// Calls a function of the plugin, and converts an exception into a status.
 template <class Call>

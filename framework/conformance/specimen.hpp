@@ -31,7 +31,7 @@ struct States {
   std::uint32_t first = 0, count = 0;
   std::vector<double> x, v, a, current, current_dz;
   std::vector<double> memory = {};   // [state_width][64] memory of the elements; empty: none
-  std::vector<double> x_low = {};    // low-order part of x; empty: unknown
+  std::vector<double> x_low = {};    // digits that rounding removes from x; empty: unknown
   std::vector<double> ground = {};   // [3] velocity of the ground, one for all lanes; empty: at rest
   std::vector<double> bed = {};      // [6 nodes][64] the bed below the nodes of the stencil; empty: none
   std::vector<double> swing = {};    // [dof][64] acceleration of the water; empty: none
@@ -108,7 +108,7 @@ class Specimen {
   std::vector<ParameterBlock> parameters_;
   LaneCounts law_lanes_;
   std::vector<netloft_bound_law> laws_;
-  std::vector<double> forgotten_;  // zeros: the memory of new elements
+  std::vector<double> forgotten_;  // zeros, the memory of elements without a past
   void* self_ = nullptr;
 };
 

@@ -18,8 +18,8 @@ enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
 struct GrowingMotion {
   std::vector<double> mode;        // over the unknowns, of length 1; empty: no growing motion is known
   std::vector<double> mode_later;  // a quarter of a period later, if it oscillates; else empty
-  double rate = 0;                 // [1/s]; zero if no fluid moves
-  double frequency = 0;            // of the oscillation [rad/s]
+  double rate = 0;                 // growth rate [1/s]; zero if no fluid moves
+  double frequency = 0;            // angular frequency of the oscillation [rad/s]
 };
 
 /// The remaining Newton step at a point: an estimate of its distance from the equilibrium.
@@ -49,7 +49,7 @@ struct Assessment {
 /// the verdict is reused.
 struct JudgedPoint {
   Assessment assessment;
-  std::vector<double> memory;  // of the elements
+  std::vector<double> memory;  // memory of the elements
 };
 
 /// The point and its remaining Newton step, as input of linear_motion.hpp.

@@ -16,13 +16,13 @@ enum class GrowthVerdict { none, marginal, grows, unknown };
 /// Growth of a small disturbance, and the motion into which it develops.
 struct Growth {
   GrowthVerdict verdict = GrowthVerdict::none;
-  double per_power = 0;           // largest |μ| of (6) over σ; zero if nothing grows
-  double rate = 0;                // Re s of the growing motion [1/s]
+  double per_power = 0;           // largest growth factor |μ| of (6) for all σ; zero if nothing grows
+  double rate = 0;                // growth rate Re s of the growing motion [1/s]
   double frequency = 0;           // Im s, its angular frequency [rad/s]; zero for a divergence
   std::vector<double> mode = {};  // over the unknowns, of length 1; empty if nothing grows
   std::vector<double> mode_later =
       {};                // a quarter of a period later, on the same scale; empty if it does not oscillate
-  Statistics cost = {};  // of the examination
+  Statistics cost = {};  // cost of the examination
   bool grows() const { return verdict == GrowthVerdict::grows; }
   /// Whether the growth is flutter (a growing oscillation, from a pair of complex eigenvalues), not
   /// divergence.

@@ -17,7 +17,7 @@ struct OtherShape {
 /// (framework/search/shapes.hpp).
 struct Shapes {
   bool by_energy = false;  // whether the solution is the one of least energy; else it is the first one found
-  int restarts = 0, times = 1;  // times: how often the solution was found, including the first time
+  int restarts = 0, times = 1;  // times: how often the solution was found, at least once
   std::vector<OtherShape> others;
 };
 
@@ -37,7 +37,7 @@ struct Solution : Assessment {
   Shapes shapes;
   std::vector<double>
       factors;  // factors of the scene's settings (such as lengths of ropes that are to give a wanted force)
-  std::vector<std::string> diagnostics;  // possible reasons for which it did not converge
+  std::vector<std::string> diagnostics;  // possible reasons why it did not converge
 };
 
 }  // namespace netloft

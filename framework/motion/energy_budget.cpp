@@ -254,7 +254,7 @@ bool EnergyBudget::find_forces(Moment& m) {
     if (!work_[k].in_the_middle && !sum_force(work_[k], m.x, motion, m.works[k])) return false;
   Kinematics as_rates = motion;
   as_rates.v = nullptr;
-  as_rates.a = state_.v().data();  // inertia for a = v is M v
+  as_rates.a = state_.v().data();  // the inertia force for the acceleration a = v is the momentum M v
   if (!sum_force(inertia_, m.x, as_rates, m.damping)) return false;
   kinetic_ = 0.5 * dot(m.damping, m.rates);  // (3)
   if (!find_turning(m)) return false;

@@ -73,8 +73,8 @@ class EnergyBudget {
   /// A state, and its forces over all dofs, as residuals.
   struct Moment {
     double t = 0;
-    std::vector<double> x, v, q, rates;           // q, rates: of unknowns and guided dofs
-    std::vector<std::vector<double>> works;       // per account of work_
+    std::vector<double> x, v, q, rates;           // q and `rates` contain unknowns and guided dofs
+    std::vector<std::vector<double>> works;       // forces of each account in work_
     std::vector<double> damping, holds, turning;  // turning: r_M(0, v) of (4), if there are bodies
   };
 

@@ -63,7 +63,7 @@ class EnergyJudge {
   bool makes_too_much() const { return !(made() <= 0.5 * given() + sums_[kNegligible]); }
 
   enum : std::size_t { kMade, kKinetic, kStored, kReleased, kNegligible, kInARow, kGiven };
-  std::vector<double> sums_;  // from kGiven on: for each k, the sum and its maximum
+  std::vector<double> sums_;  // from index kGiven on: for each k of (2), the sum and its maximum
 };
 
 }  // namespace netloft

@@ -8,7 +8,8 @@ namespace netloft {
 
 namespace {
 
-constexpr int kStepsPerExamination = 16;  // short steps per examined step, if no budget is kept
+constexpr int kStepsPerExamination =
+    16;  // one of so many short steps is examined, if no energy budget is kept
 
 }  // namespace
 
@@ -61,7 +62,7 @@ bool EnergyWatch::restate(const MarchState& state) {
 }
 
 void EnergyWatch::keep_in(MarchState& state, bool refreshes) {
-  if (settings_.budget && refreshes) budget_.refresh();  // otherwise the forces have not changed
+  if (settings_.budget && refreshes) budget_.refresh();  // without a memory, the forces have not changed
   if (settings_.budget) state.budget = budget_.sums();
   state.judged = judge_.sums();
 }

@@ -51,7 +51,7 @@ class EnergyWatch {
   const MarchSettings& settings_;
   bool makes_short_steps_;
   EnergyBudget budget_;
-  EnergyJudge judge_, tried_;  // tried_: including the attempted step
+  EnergyJudge judge_, tried_;  // tried_: judge_ after the attempted step
 };
 
 }  // namespace netloft

@@ -7,7 +7,7 @@ namespace netloft {
 /// Settings of the integration in time.
 struct MarchSettings {
   double duration = 0;  // [s]
-  double step = 0;      // length of the first step, or of all if not adaptive [s]; 0: the host chooses
+  double step = 0;      // length of the first step, or of all steps if not adaptive [s]; 0: the host chooses
   bool adaptive = true;
   // Accuracy of the path, relative to the longest element. The allowed errors of single steps follow from (2)
   // of step_control.hpp.

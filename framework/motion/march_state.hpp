@@ -15,7 +15,7 @@ class Assembler;
 struct MarchState {
   double t = 0, h = 0;                      // current time, and length of the next step [s]
   std::vector<double> u, v, a;              // of the unknowns [m], [m/s], [m/s²]
-  std::vector<double> memory;               // of the elements
+  std::vector<double> memory;               // memory of the elements
   std::vector<double> budget;               // sums of the energy budget [J]
   std::vector<double> judged;               // sums of the energy judge [J]
   std::vector<double> winches;              // Winches::state()
@@ -24,13 +24,13 @@ struct MarchState {
   double largest_at = 0;                    // time of the largest error [s]
   std::uint64_t largest_of = 0;             // node of the largest error
   double least_load = 0;                    // [N]
-  double stable_step = 0;                   // by the last tangent [s]; 0: not yet determined
-  std::size_t outputs = 0;                  // number of previous outputs
+  double stable_step = 0;   // longest stable step for the last tangent [s]; 0: not yet determined
+  std::size_t outputs = 0;  // number of previous outputs
   std::int64_t steps = 0, rejected = 0;
   double t_before = 0;  // beginning of the last step, if the march is compared with another one between the
                         // ends of steps [s]
   std::vector<double> u_before, v_before;  // state at t_before [m], [m/s]
-  std::vector<MarchState> other;           // the march for comparison, if there is one
+  std::vector<MarchState> other;           // state of the march for comparison, if there is one
   // Largest error so far by (1) of achieved_accuracy.hpp [m], and its time [s]; NaN: not compared yet.
   double path_error = std::numeric_limits<double>::quiet_NaN(), path_at = 0;
   std::uint64_t path_of = 0;  // node of path_error

@@ -8,10 +8,10 @@ namespace netloft {
 
 /// A degree of freedom without inertia. It can move, but nothing would bound its acceleration in a motion.
 struct MissingInertia {
-  std::uint32_t node = 0;                // the origin, if it is a body
-  std::optional<std::size_t> body = {};  // index in the scene
-  bool is_of_turning = false;            // a body without inertia about some axis through its centre of mass
-  bool is_on(const Part& part) const;    // whether one of its elements has the node
+  std::uint32_t node = 0;                // number of the node; for a body, its origin
+  std::optional<std::size_t> body = {};  // index of the body in the scene
+  bool is_of_turning = false;  // whether a body has no inertia about some axis through its centre of mass
+  bool is_on(const Part& part) const;  // whether an element of the part has this node
 };
 
 /// Finds bodies whose own elements give them no mass, or no inertia about some axis about which they can

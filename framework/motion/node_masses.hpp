@@ -38,7 +38,7 @@ class NodeMasses {
     std::size_t body = kNone;
     std::size_t count = 0;
     std::array<std::size_t, 6> unknown{};
-    std::array<std::size_t, 6> axis{};    // 3 to 5: axes of the second node
+    std::array<std::size_t, 6> axis{};    // axis of each unknown; 3 to 5 are axes of the second node
     std::array<double, 36> inverse = {};  // count x count, row by row
     bool has_mass = false;
   };
@@ -48,8 +48,9 @@ class NodeMasses {
 
   Assembler& assembler_;
   std::vector<Node> nodes_;
-  std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> of_bodies_;  // node -> body, place in it
-  std::vector<std::size_t> node_of_body_;                                   // index in nodes_
+  std::map<std::uint32_t, std::pair<std::size_t, std::size_t>>
+      of_bodies_;                          // node -> body, and index in Node::nodes
+  std::vector<std::size_t> node_of_body_;  // index in nodes_
   std::vector<double> blocks_;
   double coupled_ = 0;
 };

@@ -9,7 +9,7 @@ namespace netloft {
 struct Settling {
   AssembledScene scene;
   StepMethods methods;
-  Limits limits;  // of the problem of one step
+  Limits limits;  // limits for the solution of one step
   MarchSettings march;
   std::int64_t steps_per_check = 20;  // steps between evaluations of the static residual
   /// Describes this object as a solver whose parameters are `this`.

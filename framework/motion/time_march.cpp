@@ -201,7 +201,8 @@ class March {
           !energy_.examine(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
-      if (status != NETLOFT_OK && has_ended()) return false;  // the reason is a limit, not the step
+      if (status != NETLOFT_OK && has_ended())
+        return false;  // a limit of the march is the reason, not the step
       if (status < 0) return fail_in_step();
       ++state_.rejected;
       if (!settings_.adaptive) return fail_at("the step " + seconds_text(h) + " is too long: " + trouble());
@@ -414,7 +415,7 @@ class March {
   MarchWatch nobody_;
   MarchState other_start_;  // start of the march for comparison, if both begin
   std::unique_ptr<March> other_;
-  std::string other_lost_;  // the reason for which the march for comparison failed
+  std::string other_lost_;  // the reason why the march for comparison failed
 };
 
 }  // namespace

@@ -25,8 +25,9 @@ struct StepMethods {
 /// mean forces, the reactions are means over the step, too. Means explain the change of momentum in the step,
 /// whereas forces at its end oscillate from step to step with modes that are too fast for the scheme.
 struct ForceMoment {
-  double t;                             // [s]
-  std::span<const double> x, residual;  // over all dofs: positions [m], reactions of held ones [N]
+  double t;  // [s]
+  std::span<const double> x,
+      residual;  // over all dofs: positions [m]; residual, with reactions of held dofs [N]
   Kinematics motion;
 };
 
@@ -38,13 +39,13 @@ struct Snapshot {
   ForceMoment forces;            // at t if a step ends there, else at the end of the step around t
   const EnergyBudget*
       budget;  // energies at the end of the last step if outputs are dense; null: no budget is kept
-  const MarchState* state;  // from which to continue; null: continue from an earlier snapshot
+  const MarchState* state;  // state from which a march can continue; null: continue from an earlier snapshot
   std::span<const WinchMoment> winches = {};
 };
 
 /// Report of an accepted step.
 struct StepRecord {
-  double t, h, end;  // end of the step, its length, end of the march [s]
+  double t, h, end;  // time at the end of the step, its length, time at the end of the march [s]
   std::int64_t steps, rejected;
   double seconds;  // wall time so far
 };
@@ -61,7 +62,7 @@ struct MarchResult {
   std::vector<double> u;
   double t = 0;
   std::int64_t steps = 0, rejected = 0;
-  double shortest = 0, longest = 0;  // accepted steps [s]
+  double shortest = 0, longest = 0;  // shortest and longest accepted step [s]
   StartBalance start;
   double stable_step = 0;  // longest stable step with all members taut [s]; 0: any step is stable
   AchievedAccuracy accuracy;

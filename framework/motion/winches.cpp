@@ -171,7 +171,8 @@ void Winches::take(std::span<const double> tensions) {
 /// this one.
 void Winches::improve_slopes(std::span<const double> tensions) {
   if (slopes_.empty() || last_w_.empty()) return;
-  double square = 0, largest = 0;  // squared change of speeds; largest change of a tension over its error
+  double square = 0,
+         largest = 0;  // squared change of speeds; largest ratio of a tension's change to its error
   for (const std::size_t j : holding_) {
     const double change = ropes_[j].w - last_w_[j];
     square += change * change;
@@ -227,7 +228,7 @@ void Winches::solve_all() {
 double Winches::solve_one(std::size_t k, double others) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double S = std::min(slope(k, k), 0.0);
-  const double e = ropes_[k].T + others - S * last_w_[k] - ropes_[k].wanted;  // at w = 0
+  const double e = ropes_[k].T + others - S * last_w_[k] - ropes_[k].wanted;  // error of the tension at w = 0
   const double beyond = std::max(std::abs(e) - stage.dead_band, 0.0), v = stage.max_speed;
   return std::copysign(std::min(v * beyond / (stage.band - v * S), v), e);
 }

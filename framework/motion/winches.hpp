@@ -12,8 +12,8 @@ namespace netloft {
 struct WinchMoment {
   std::string rope;
   double length = 0;   // unstretched length of the rope paid out [m]
-  double speed = 0;    // of the last step, positive when paying out [m/s]
-  double tension = 0;  // if the winch holds a tension: mean over the last step, at the block [N]
+  double speed = 0;    // speed in the last step, positive when paying out [m/s]
+  double tension = 0;  // mean tension at the block in the last step, if the winch holds a tension [N]
 };
 
 /// The winches of a moving scene. In a step of length h from t₀, at the speed w at which a winch pays out,
@@ -67,10 +67,10 @@ class Winches {
   struct Rope {
     std::span<double> table;            // two rows (t, σ), at both ends of the step
     double before = 1, now = 1;         // σ at both ends of the last step
-    double speed = 0, tension = 0;      // of the last step [m/s], [N]
+    double speed = 0, tension = 0;      // speed and tension in the last step [m/s], [N]
     double w = 0, T = 0;                // speed and tension of this attempt
     double wanted = 0;                  // T* [N]
-    const WinchStage* stage = nullptr;  // in this attempt
+    const WinchStage* stage = nullptr;  // stage of its control in this attempt
   };
   const WinchStage& stage_at(std::size_t k, double t) const;
   std::vector<std::size_t> holding_at(double t) const;
@@ -97,8 +97,8 @@ class Winches {
       slopes_;  // S by rows, with zeros for winches that hold no tension [N s/m]; empty: unknown
   std::vector<double> measured_;  // S during its measurement, by columns
   std::vector<double> last_w_;    // speeds of the previous attempt [m/s]
-  double from_ = 0, until_ = 0;   // last step [s]
-  double t_ = 0, h_ = 0;          // this attempt [s]
+  double from_ = 0, until_ = 0;   // begin and end of the last step [s]
+  double t_ = 0, h_ = 0;          // begin and length of this attempt [s]
   int tries_ = 0;
 };
 

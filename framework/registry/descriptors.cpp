@@ -100,7 +100,7 @@ void check_integer(const netloft_parameter& p, const std::string& who, Faults& f
 void check_columns(const netloft_parameter& p, const std::string& who, Faults& faults) {
   if (!p.columns || !p.columns[0] || !p.column_units) return faults.add(who + " is a table without columns");
   for (std::size_t i = 0; p.columns[i]; ++i)
-    if (!p.column_units[i])  // nothing after the null may be read
+    if (!p.column_units[i])  // the list of units ends here, so that reading must stop
       return faults.add(who + " has no unit for its column \"" + p.columns[i] + "\"");
   faults.require(p.arguments <= 2 && (p.arguments < 2 || (p.columns[1] && p.columns[2])),
                  who + " is a table over " + std::to_string(p.arguments) +

@@ -74,7 +74,7 @@ struct ElementType {
   netloft_element_members members{};   // all zeros if it has none
   std::uint32_t state_width = 0;       // numbers that each element remembers
   const char* rides_on = nullptr;      // an element of the same plugin; null: users choose this one
-  std::vector<ExtensionInput> inputs;  // in the order of its list
+  std::vector<ExtensionInput> inputs;  // inputs of its tiles, in the order of its list
   const PluginOrigin* origin = nullptr;
 
   /// Number of nodes of the scene that an element has. In a tile, the rotation of a body and the unknowns

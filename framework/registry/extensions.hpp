@@ -44,7 +44,7 @@ struct ExtensionInputs {
     if (input == ExtensionInput::memory && (memory.state || memory.state_new)) return &memory;
     return nullptr;
   }
-  std::vector<const void*> places_ = std::vector<const void*>(8);  // more are made for longer lists
+  std::vector<const void*> places_ = std::vector<const void*>(8);  // enlarged for longer lists
 };
 
 /// The data of extensions for `create`.

@@ -33,7 +33,7 @@ class FloatingPointGuard {
  private:
   static unsigned control() {
 #if defined(__x86_64__)
-    constexpr unsigned flags = 0x3f;  // exception flags may come and go
+    constexpr unsigned flags = 0x3f;  // exception flags may change
     return _mm_getcsr() & ~flags;
 #else
     return 0;

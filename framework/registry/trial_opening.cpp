@@ -32,8 +32,8 @@ namespace netloft {
 
 namespace {
 
-constexpr int kSeconds = 20;                 // for opening and describing, on a busy machine
-constexpr rlim_t kMemory = rlim_t{1} << 30;  // in addition to the memory of the process
+constexpr int kSeconds = 20;                 // time limit to open and describe a plugin, on a busy machine
+constexpr rlim_t kMemory = rlim_t{1} << 30;  // memory of a trial, in addition to that of the process
 constexpr char kCameBack = 'b', kNeedsMemory = 'm',
                kIsLate = 'l';  // the report of a trial; none if the process ended before
 constexpr int kTalk =
@@ -168,7 +168,7 @@ void open_and_read(const char* file) {
       const auto* plugin = reinterpret_cast<netloft_plugin_function>(symbol)();
       read_words(read_plugin(plugin, file, std::filesystem::path(file).stem().string()));
     }
-  } catch (...) {  // reported when the program opens the plugin
+  } catch (...) {  // the exception is reported when the program itself opens the plugin
   }
 }
 
@@ -282,7 +282,8 @@ std::string fault_on_trial(const std::filesystem::path& file) {
   const std::lock_guard lock(one_at_a_time);
   const std::string path = std::filesystem::absolute(file).string();
   for (;;) {
-    if (!trials.is_running() && !trials.start()) return {};  // no resources for a trial
+    if (!trials.is_running() && !trials.start())
+      return {};  // no trial is made if the system has no resources
     const bool was_fresh = trials.is_fresh();
     const char word = trials.of(path);
     if (word == kCameBack) return {};

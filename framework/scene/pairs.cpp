@@ -23,7 +23,7 @@ std::vector<Pair> pair_bars(const std::vector<std::uint32_t>& nodes) {
 
 std::vector<Pair> pair_triangles(const std::vector<std::uint32_t>& nodes) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::size_t>>
-      edges;  // -> (element, corner opposite)
+      edges;  // edge -> (element, opposite corner)
   std::vector<Pair> pairs;
   for (std::size_t e = 0; 3 * e < nodes.size(); ++e)
     for (std::size_t k = 0; k < 3; ++k) {

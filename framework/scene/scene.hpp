@@ -108,14 +108,15 @@ enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 struct RigidBody {
   struct Point {
     std::uint32_t node;
-    std::array<double, 3> r;  // in the body's own axes [m]
+    std::array<double, 3> r;  // position in the body's own axes [m]
   };
   std::string name;
   std::uint32_t origin = 0;
-  std::array<double, 3> rotation = {};  // at the start, from its own axes to those of the world [rad]
-  std::uint8_t held_rotation = 0;       // components of the rotation vector that cannot change
+  std::array<double, 3> rotation =
+      {};  // rotation vector at the start, from the body's axes to those of the world [rad]
+  std::uint8_t held_rotation = 0;  // components of the rotation vector that cannot change
   std::vector<Point> points;
-  std::uint32_t rotation_node = 0;  // number of the rotation in the assembler, which sets it
+  std::uint32_t rotation_node = 0;  // number of the node for the rotation, set by the assembler
   /// The length by which rotations (divided: moments) become lengths and forces: the largest distance between
   /// the origin and a point of the body, 1 m if there is none [m].
   double arm() const;
@@ -127,10 +128,10 @@ struct Setting {
   std::string name;        // "length of warp", for sentences
   std::string part;        // name of the part and of the parts that ride on it
   std::string datum;       // name of the data that are multiplied, "rest_length"
-  std::string unit;        // of the sum of the data over the elements of the part
-  std::uint32_t node = 0;  // in the scene, held along all axes
+  std::string unit;        // unit of the sum of the data over the elements of the part
+  std::uint32_t node = 0;  // node of the scene, held along all axes
   double wanted = 0;       // magnitude of the reaction of its hold [N]
-  double factor = 1;       // by which the data have been multiplied since the scene was read
+  double factor = 1;       // factor by which the data have been multiplied since the scene was read
 };
 
 /// The model: parts of a gear on nodes in water, with holds, guides and bodies. It is plain data, made by the
@@ -139,7 +140,7 @@ struct Scene {
   std::string name;
   SceneWater water;
   Current current;
-  std::shared_ptr<const WaterField> waves = {};  // if the scene moves; null: no waves
+  std::shared_ptr<const WaterField> waves = {};  // waves in a motion; null: none
   std::array<double, 3> ground = {};             // velocity at which the ground passes the gear [m/s]
   SeaBed bed = {};
   std::vector<double> positions;   // initial positions, 3 per node [m]

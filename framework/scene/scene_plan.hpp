@@ -45,14 +45,14 @@ struct FamilyPlan {
   std::size_t elements = 0;
   std::vector<TermPlan> terms;
   std::vector<GlobalPlan> globals = {};
-  double viscosity_ratio = 1;  // the same for all its parts
+  double viscosity_ratio = 1;  // ratio of viscosities, the same for all its parts
 };
 
 /// The families, terms and matrix properties that a scene needs. Nothing else is loaded, evaluated or
 /// factorised.
 struct ScenePlan {
   std::vector<FamilyPlan> families;
-  std::vector<std::string> not_loaded;  // filled by unused_plugins if requested
+  std::vector<std::string> not_loaded;  // available plugins that are not used, if requested (unused_plugins)
   std::size_t nodes = 0, held_nodes = 0, bodies = 0, unknowns = 0;
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;

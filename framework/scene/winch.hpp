@@ -17,18 +17,18 @@ struct WinchStage {
   /// are linear between rows. After the last row, the last tension or length holds, and the speed is zero.
   std::vector<std::array<double, 2>> rows = {};
   // For a winch that follows a tension:
-  double max_speed = 0;  // of paying out or hauling in [m/s]
+  double max_speed = 0;  // largest speed of paying out or hauling in [m/s]
   double band = 0;       // deviation beyond the dead band at which the speed is the largest [N]
   double dead_band = 0;  // largest deviation at which the winch is at rest [N]
 };
 
 /// A rope on a winch in a moving scene (framework/motion/winches.hpp).
 struct Winch {
-  std::string part;         // the rope
+  std::string part;         // name of the rope's part
   std::string parameter;    // parameter of the rope: a table over time of the factor on its length
   std::uint32_t block = 0;  // node of the scene, held along all axes
   double length = 0;        // length of the rope at a factor of one [m]
-  std::vector<WinchStage> stages = {};  // in order; the first begins at the start
+  std::vector<WinchStage> stages = {};  // stages in order of time; the first begins at the start
 };
 
 }  // namespace netloft

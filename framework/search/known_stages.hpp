@@ -25,7 +25,7 @@ struct StageRequest {
 struct KnownStage {
   StageRequest request;
   Solution solution;
-  bool is_cut_off = false;  // ended by its budget, so that it can be continued
+  bool is_cut_off = false;  // whether its budget ended it, so that it can be continued
   // For a strategy only:
   bool has_solution = true;  // whether it solved some stage of its scene
   netloft_ending ending = NETLOFT_ENDED_NOT_CONVERGED;

@@ -75,13 +75,13 @@ class MemberProblem {
     std::int32_t point, origin;
   };
   std::vector<Carried> carried_;
-  std::vector<std::size_t> rotations_;  // indices among the unknowns, of bodies
+  std::vector<std::size_t> rotations_;  // indices of bodies' rotations among the unknowns
   std::vector<std::size_t> of_rotations_,
-      beside_;  // values on the diagonal, and beside it
+      beside_;  // their values on the diagonal, and beside it
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;    // by member
   std::vector<double> x_, step_;          // over all degrees of freedom
-  std::vector<double> tangent_, values_;  // matrix of r, matrix of (1)
+  std::vector<double> tangent_, values_;  // tangent of r; matrix of (1)
 };
 
 }  // namespace netloft

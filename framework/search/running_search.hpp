@@ -64,7 +64,7 @@ class RunningSearch {
   std::vector<double> growing_;                        // of the last stage
   std::vector<Solution> stationary_;                   // equilibria of the scene itself, not yet reported
   std::optional<Solution> closest_;                    // the point closest to balance
-  netloft_ending last_ = NETLOFT_ENDED_NOT_CONVERGED;  // of the last stage of the scene itself
+  netloft_ending last_ = NETLOFT_ENDED_NOT_CONVERGED;  // ending of the last stage of the scene itself
   std::string failure_;                                // why the strategy failed; empty if it did not
   int unsettled_ = 0;                                  // number of stages that did not come to rest
   EquilibriumChoice equilibria_;

@@ -57,7 +57,7 @@ Solution find_as_set(const VariantSource& source, const SearchOptions& options, 
 
 /// Solves one stage of the scene itself from u, with the solver of the options.
 Solution solve_near(const VariantSource& source, const SearchOptions& options, std::vector<double> u) {
-  constexpr std::uint32_t kNear = 100;  // iterations, as from an initial guess by the user
+  constexpr std::uint32_t kNear = 100;  // limit of iterations, as from an initial guess by the user
   SearchHost host(source, options);
   netloft_stage stage{};
   stage.size = sizeof stage;
@@ -116,7 +116,7 @@ class SetScenes {
   }
 
   const VariantSource& source_;
-  SearchOptions left_;  // with the remaining work and time
+  SearchOptions left_;  // options with the remaining work and time
   const StrategyUse& strategy_;
   double begun_;
   bool has_one_ = false;

@@ -25,8 +25,8 @@ struct StrategyUse {
 
 /// Solver, limits and receivers of a search.
 struct SearchOptions {
-  SolverUse solver;  // for stages that name no solver
-  Limits limits;     // of the scene itself; `seconds` and `interrupt` apply to the whole search
+  SolverUse solver;  // solver of stages that name none
+  Limits limits;     // limits for the scene itself; `seconds` and `interrupt` apply to the whole search
   double work =
       std::numeric_limits<double>::infinity();  // budget, in Newton iterations of the scene (work.hpp)
   std::function<void(const IterationRecord&)> on_iteration;

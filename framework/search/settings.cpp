@@ -23,10 +23,10 @@ constexpr double kFirstChange = 0.01;
 // Newton's method converges.
 constexpr double kLargestChange = 0.05;
 constexpr int kMostHalvings =
-    3;  // of a step; 1/8 of 5 % is less than the change over which slopes are measured
-constexpr int kMostSteps = 60;  // of 5 %: a factor of 18 up or down
+    3;  // number of times a step is halved; 1/8 of 5 % is less than the change over which slopes are measured
+constexpr int kMostSteps = 60;  // number of steps; 60 steps of 5 % change a factor by 18
 constexpr double kForceTolerance =
-    1e-9;  // relative to the given force; ten times the tolerance of equilibria
+    1e-9;  // tolerance relative to the given force; ten times that of equilibria
 
 /// Logarithms y of the factors, the equilibrium for them, and the relative errors g of its reactions.
 struct Point {
@@ -173,8 +173,8 @@ class SettingSearch {
 
   const Scene& scene_;
   const FindWithFactors& find_;
-  MatrixXd slopes_;  // J of (2)
-  Cost cost_;        // of all equilibria
+  MatrixXd slopes_;  // slopes J of (2)
+  Cost cost_;        // cost of all equilibria
   bool is_interrupted_ = false;
   std::string failed_;  // the reason why the last step found no equilibrium
 };

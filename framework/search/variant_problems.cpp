@@ -42,7 +42,7 @@ std::shared_ptr<VariantProblem> VariantProblems::at(const netloft_variant& varia
   of_level.level = variant.level;
   if (is_same(variant, of_level)) return level;
   if (last_ && is_same(variant, last_variant_)) return last_;
-  last_.reset();  // frees its memory for the next one
+  last_.reset();  // frees memory for the next problem
   auto easier = std::make_unique<Scene>(make_variant(*level->scene, *source_.registry, variant));
   last_ = make_problem(*easier);
   last_->own_scene = std::move(easier);

@@ -24,7 +24,7 @@ std::string text_of(const netloft_variant& variant);
 ///   current        multiplies the velocities of the water and of the tow
 Scene make_variant(const Scene& scene, Registry& registry, const netloft_variant& variant);
 
-/// Largest stiffness counted in newtons [N]; zero if there is none.
+/// Largest axial stiffness (in newtons); zero if there is none.
 double largest_stiffness(const Scene& scene, Registry& registry);
 
 /// Whether some part has a stiffness in compression.

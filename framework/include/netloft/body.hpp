@@ -35,7 +35,7 @@ struct Body : Pose<T> {
   Vec3<T> a, alpha;  // acceleration of the origin [m/s²], rate of the spin [rad/s²]
   Vec3<T> current;   // velocity of the water at the origin [m/s]
   Vec3<double> current_dz, ground{};
-  Bed bed{};  // below the origin
+  Bed bed{};  // the bed below the origin
   Water water{};
   double time = 0;
 
@@ -70,7 +70,7 @@ template <class T, int Nodes>
 struct MovingNodes {
   Points<T, Nodes> x, v, a, current;
   Vec3<double> ground{};
-  std::array<Bed, Nodes> bed{};  // below the nodes
+  std::array<Bed, Nodes> bed{};  // the bed below the nodes
   Water water{};
   double time = 0;
 };

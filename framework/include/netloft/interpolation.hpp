@@ -62,7 +62,7 @@ struct Interval {
     const double value = value_of(at);
     const std::size_t last = x.size() < 2 ? 0 : x.size() - 2;
     while (first < last && x[first + 1] <= value) ++first;
-    if (x.size() < 2 || !(value > x.front())) return;  // s = 0, and so are its derivatives
+    if (x.size() < 2 || !(value > x.front())) return;  // s and its derivatives stay zero
     length = x[first + 1] - x[first];
     s = value < x.back() ? (at - T(x[first])) / T(length) : T(1);
   }

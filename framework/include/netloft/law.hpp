@@ -19,7 +19,7 @@ struct Flow {
   Vec3<T> flow;                       // velocity of the water relative to the twine or netting [m/s]
   Vec3<T> direction;                  // unit vector along the twine, or normal to the screen
   T solidity{};                       // area of the twines over area of the netting; zero for a rope
-  double diameter = 0;                // of the twine [m]
+  double diameter = 0;                // diameter of the twine [m]
   double density = 0, viscosity = 0;  // of the water [kg/m3], [m2/s]
 };
 

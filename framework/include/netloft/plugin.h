@@ -74,12 +74,12 @@ typedef struct netloft_parameter {
   double fallback;                 /* default value, or, with `fallback_of`, a factor on that parameter */
   double lo, hi;                   /* allowed range, both ends included */
   uint32_t flags;                  /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS and the other roles above */
-  uint32_t offset;                 /* of the value in the parameter struct */
+  uint32_t offset;                 /* position of the value in the parameter struct [bytes] */
   const char* fallback_of;         /* name of an earlier real, or null */
   const char* const* choices;      /* null-terminated: one word of a CHOICE; a TEXT may join several by + */
   const char* fallback_text;       /* for NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
-  const char* const* column_units; /* their units, as many */
+  const char* const* column_units; /* units of the columns, as many */
   uint32_t arguments; /* number of leading columns that are arguments of the others; 0 means 1, 2 a grid */
   uint32_t reserved;
 } netloft_parameter;
@@ -103,7 +103,7 @@ typedef struct netloft_datum {
 /* Traits of a term. Bits that have no name here belong to extensions. */
 enum {
   NETLOFT_CONSERVATIVE = 1 << 0,   /* residual is the gradient of an energy, which the term computes */
-  NETLOFT_SYMMETRIC = 1 << 1,      /* tangent is symmetric and packed as lower triangle */
+  NETLOFT_SYMMETRIC = 1 << 1,      /* tangent is symmetric and packed as its lower triangle */
   NETLOFT_CONSTANT = 1 << 2,       /* force does not depend on the state: no tangent */
   NETLOFT_READS_VELOCITY = 1 << 3, /* reads tile.v, if it is not null */
   NETLOFT_READS_ACCELERATION = 1 << 4,
@@ -131,7 +131,7 @@ typedef struct netloft_tile {
   uint32_t first; /* index of the element in lane 0; a multiple of 64 */
   uint32_t count;
   double time;              /* [s] */
-  double cu, cv, ca;        /* factors of the tangent */
+  double cu, cv, ca;        /* factors of the tangent, see the top of this header */
   double water_density;     /* [kg/m3] */
   double water_viscosity;   /* kinematic [m2/s] */
   double gravity;           /* [m/s2] */
@@ -146,7 +146,7 @@ typedef struct netloft_tile {
   double* tangent; /* packed lower triangle, entry r(r+1)/2+c, if symmetric; else r*dofs+c; [entry][64] */
   char* message;   /* memory for a sentence if the status is not OK */
   uint32_t message_size;
-  uint32_t lane_at_fault;    /* set with a status that is not OK */
+  uint32_t lane_at_fault;    /* set by the term with a status that is not OK */
   const void* const* inputs; /* data of extensions in the order of netloft_element.inputs; null where the host
                                 or the scene has none */
 } netloft_tile;

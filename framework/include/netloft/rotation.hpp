@@ -28,7 +28,7 @@ struct RotationFactors {
 /// Computes Σ (−s)^k/(2k + n)!, which is a, b, c for n = 1, 2, 3, and its derivative. Valid for s below one.
 template <class T>
 void sum_rotation_series(const T& s, int n, T& sum, T& slope) {
-  constexpr int kTerms = 10;  // 1/21! is beyond double precision
+  constexpr int kTerms = 10;  // enough for double precision, because 1/21! is negligible
   sum = slope = T(0);
   double factorial = 1;
   for (int i = 2; i <= n; ++i) factorial *= i;

@@ -21,7 +21,7 @@
 namespace netloft {
 
 enum class Outcome {
-  stopped = NETLOFT_STOPPED,  // because `progress` returned false: converged, or a limit is reached
+  stopped = NETLOFT_STOPPED,  // `progress` returned false: converged, or a limit was reached
   step_too_short = NETLOFT_STEP_TOO_SHORT,
   linear_solve = NETLOFT_LINEAR_SOLVE,
   left_domain = NETLOFT_LEFT_DOMAIN,

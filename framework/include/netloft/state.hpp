@@ -38,8 +38,8 @@ struct Water {
 struct Bed {
   bool is_there = false;
   double x = 0, y = 0;                          // the place [m]
-  double height = 0, slope_x = 0, slope_y = 0;  // z_b [m], its derivatives
-  double xx = 0, xy = 0, yy = 0;                // its second derivatives [1/m]
+  double height = 0, slope_x = 0, slope_y = 0;  // z_b [m], its derivatives with respect to x and y
+  double xx = 0, xy = 0, yy = 0;                // second derivatives of z_b [1/m]
 
   /// z_b below a point near the place [m].
   template <class T>
@@ -55,7 +55,7 @@ struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
   Points<double, Nodes> x_low{};  // digits that rounding removes from x [m]; zero if they are not known
   Vec3<double> ground{};          // velocity of the ground [m/s]; zero if it is at rest
-  std::array<Bed, Nodes> bed{};   // below the nodes
+  std::array<Bed, Nodes> bed{};   // the bed below the nodes
   Points<double, Nodes> water_acceleration{};  // [m/s2]
   std::array<double, Nodes> surface{};         // height of the water's surface over the nodes [m]
   Water water{};

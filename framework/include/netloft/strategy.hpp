@@ -32,7 +32,7 @@
 
 namespace netloft {
 
-using Displacements = std::vector<double>;  // of the unknowns of a level [m]
+using Displacements = std::vector<double>;  // displacements of the unknowns of a level [m]
 
 /// Moves every unknown by up to `amplitude` [m], which breaks every symmetry. The result is the same on every
 /// machine and differs for every `turn`.

@@ -19,7 +19,7 @@ extern "C" {
 
 #define NETLOFT_EXT_BODIES "netloft.bodies/1"
 
-/* One more value of netloft_element.stencil. */
+/* Value of netloft_element.stencil for an element on a rigid body. */
 #define NETLOFT_BODY 0x201u
 
 #ifdef __cplusplus

@@ -23,7 +23,8 @@ extern "C" {
 typedef struct netloft_ground {
   uint32_t size;
   uint32_t reserved;
-  const double* velocity; /* [3] at which the ground passes a towed gear [m/s]; null: the ground is at rest */
+  const double*
+      velocity; /* [3] velocity at which the ground passes a towed gear [m/s]; null: the ground is at rest */
   const double* bed; /* [6 nodes][64] the bed below each node of the stencil: its height z_b [m], dz_b/dx,
                         dz_b/dy, and its second derivatives xx, xy, yy [1/m]; null: there is none */
 } netloft_ground;

@@ -21,8 +21,8 @@ typedef struct netloft_motion {
   uint32_t unknowns;
   void* host;
   double t, h;                   /* [s] */
-  const double *u, *v, *a;       /* at t; a is the a_new of the step before */
-  double *u_new, *v_new, *a_new; /* out: at t + h */
+  const double *u, *v, *a;       /* in: state at t; a is the a_new of the step before */
+  double *u_new, *v_new, *a_new; /* out: state at t + h */
   double* error;                 /* out: estimate of the error of u_new in this step [m]; zero if not set */
 
   /* F(t, u, v, a) [N]. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */

@@ -42,7 +42,7 @@ typedef struct netloft_law_tile {
 /* Quantities of a flow in which a law may be valid over a range only. */
 enum netloft_law_quantity {
   NETLOFT_REYNOLDS = 0,           /* |flow| D/viscosity */
-  NETLOFT_REYNOLDS_ACROSS = 1,    /* the same for the flow across a twine */
+  NETLOFT_REYNOLDS_ACROSS = 1,    /* the same with the part of the flow across a twine */
   NETLOFT_REYNOLDS_IN_MESHES = 2, /* |flow| D/(viscosity (1 - solidity)), for the flow through the meshes */
   NETLOFT_SOLIDITY = 3,
   NETLOFT_ATTACK = 4 /* angle between the flow and the twine or the netting, 0 to pi/2 [rad] */

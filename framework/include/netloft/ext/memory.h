@@ -28,8 +28,7 @@ typedef struct netloft_remembered {
   uint32_t size;
   uint32_t reserved;
   const double* state; /* [width][64] after the last accepted step; all zeros before the first */
-  double*
-      state_new; /* [width][64] to be written: what will be remembered if this step is accepted; or null */
+  double* state_new;   /* [width][64] out: what will be remembered if this step is accepted; or null */
 } netloft_remembered;
 
 #ifdef __cplusplus

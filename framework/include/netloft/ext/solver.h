@@ -37,7 +37,7 @@ enum netloft_outcome {
   NETLOFT_STOPPED = 0,        /* `progress` returned ARRIVED or GIVE_UP */
   NETLOFT_STEP_TOO_SHORT = 1, /* no step reduces the residual */
   NETLOFT_LINEAR_SOLVE = 2,   /* the matrix could not be factorised */
-  NETLOFT_LEFT_DOMAIN = 3,    /* an element has no force at the point */
+  NETLOFT_LEFT_DOMAIN = 3,    /* the forces of an element are not defined at the point */
   NETLOFT_NOT_FINITE = 4,     /* numbers overflowed */
   NETLOFT_SOLVER_ERROR = 5    /* see message */
 };
@@ -86,7 +86,7 @@ typedef struct netloft_problem {
 
 typedef struct netloft_solver {
   uint32_t size;
-  uint32_t needs; /* traits without which it cannot work */
+  uint32_t needs; /* traits of the problem without which it cannot work */
   const char *name, *doc;
   uint32_t parameter_bytes;
   uint32_t parameter_count;

@@ -40,7 +40,7 @@ enum netloft_ending {
   NETLOFT_ENDED_NOT_CONVERGED = 2, /* the solver found no further step */
   NETLOFT_ENDED_OUT_OF_WORK = 3,   /* its budget of work or of iterations was used up */
   NETLOFT_ENDED_UNSETTLED = 4,     /* its path exceeded `path`, or it ran away */
-  NETLOFT_ENDED_INTERRUPTED = 5    /* by the user or the time limit: return */
+  NETLOFT_ENDED_INTERRUPTED = 5    /* interrupted by the user or the time limit; the strategy must return */
 };
 
 enum netloft_stability {
@@ -68,19 +68,19 @@ typedef struct netloft_stage {
   double tolerance;       /* largest residual over the largest load; 0: that of the analysis */
   double work;            /* budget; 0: all that is left of the search */
   double path;            /* limit of the sum of largest nodal displacements / gear size; 0: none */
-  uint32_t iterations;    /* limit; 0: that of the analysis */
+  uint32_t iterations;    /* limit of iterations; 0: that of the analysis */
   uint32_t reserved;
   double* u; /* displacements of the unknowns of the variant's level; in: initial guess, out: final point */
 
   uint32_t ending, stability;    /* netloft_ending, netloft_stability */
-  double residual, load, energy; /* largest residual and load on a node [N], [N]; [J] */
+  double residual, load, energy; /* largest residual and load on a node [N], [N]; energy [J] */
   double rounding;               /* residual that rounding of the positions can cause [N] */
   double spent;                  /* work */
   uint32_t iterations_done, factorisations;
   const double* growing; /* a disturbance that grows, with as many entries as u; null: not known. Valid until
                             the next call */
-  double growth_rate;    /* of the disturbance [1/s]; zero if it is not known */
-  double growth_frequency; /* of its oscillation [rad/s] */
+  double growth_rate;    /* growth rate of the disturbance [1/s]; zero if it is not known */
+  double growth_frequency; /* angular frequency of its oscillation [rad/s] */
 } netloft_stage;
 
 /* The members of a variant, separate from all its other forces, for methods in which the tension of a member
@@ -91,11 +91,11 @@ typedef struct netloft_members {
   uint32_t count;               /* members */
   uint32_t unknowns, dofs;      /* lengths of u, of a residual */
   uint32_t parts;               /* parts of the scene */
-  uint32_t traits;              /* NETLOFT_SYMMETRIC: of the tangent of the other forces */
+  uint32_t traits;              /* NETLOFT_SYMMETRIC if the tangent of the other forces is symmetric */
   void* host;                   /* the struct is valid until another function of the search is called */
   const netloft_member* member; /* [count] */
   const uint32_t* part;         /* [count] part of the scene that a member belongs to */
-  double largest_coordinate;    /* [m] at the start, to estimate rounding */
+  double largest_coordinate;    /* largest coordinate at the start [m], to estimate rounding */
 
   /* Computes the chords w[count][3] of the members at displacements u [m]. */
   int (*chords)(void* host, const double* u, double* w);

@@ -23,8 +23,8 @@ typedef struct netloft_waves {
   uint32_t size;
   uint32_t reserved;
   const double* acceleration; /* [dof][64] acceleration of the water particles at the nodes [m/s2] */
-  const double* surface; /* [nodes][64] height of the surface of the water over the nodes, above z = 0 [m];
-                                 null: it is z = 0 everywhere */
+  const double* surface; /* [nodes][64] height of the water surface above z = 0, over the nodes [m]; null: the
+                            surface is z = 0 */
 } netloft_waves;
 
 #ifdef __cplusplus
