@@ -110,8 +110,8 @@ class Bodies {
   std::vector<Point> points_;
   std::vector<Slopes> slopes_;  // of the points
   std::vector<Product> products_;
-  std::vector<std::vector<Target>>
-      targets_;  // for each scene node: itself, or origin and rotation of its body
+  // For each scene node: itself, or origin and rotation of its body.
+  std::vector<std::vector<Target>> targets_;
 };
 
 }  // namespace netloft

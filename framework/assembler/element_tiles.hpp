@@ -15,8 +15,8 @@ struct ElementTiles {
   std::vector<FamilyGroup> groups;
   std::size_t count = 0;  // tiles of all groups
   bool symmetric = true;  // matrices hold their lower triangle only
-  std::size_t values =
-      0;  // length of the array of matrix values, with unused blocks that collect entries of held nodes
+  // Length of the array of matrix values, with unused blocks that collect entries of held nodes.
+  std::size_t values = 0;
 
   const FamilyGroup& group_of(std::size_t family) const;
   /// Degrees of freedom of the widest element.

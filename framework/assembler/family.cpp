@@ -68,8 +68,8 @@ void ElementFamily::gather_parameters(const Scene& scene) {
 }
 
 void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
-  law_parameters_.reserve(
-      plan.laws.size());  // law watches point to the entries, which no reallocation may move
+  // Law watches point to the entries, which no reallocation may move.
+  law_parameters_.reserve(plan.laws.size());
   for (const auto& law : plan.laws) {
     if (!law.type) {
       laws_.push_back({});  // the water is still: no term reads a law

@@ -21,8 +21,8 @@ struct TileInputs {
   std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
   std::vector<double> bed;                          // per node: height, slopes and second derivatives
-  ExtensionInputs
-      extensions;  // data of extensions of the plugin interface, for the family that receives the tile
+  // Data of extensions of the plugin interface, for the family that receives the tile.
+  ExtensionInputs extensions;
   // the time [s] of the current in `current`, if the current is uniform
   double current_time = std::numeric_limits<double>::quiet_NaN();
 };

@@ -12,8 +12,8 @@ namespace netloft {
 struct RangeUse {
   const netloft_validity* range = nullptr;
   double inside = 0, outside = 0;
-  double least = std::numeric_limits<double>::infinity(),
-         most = -least;  // least and largest value of the quantity
+  // Least and largest value of the quantity.
+  double least = std::numeric_limits<double>::infinity(), most = -least;
 
   /// Fraction of the use that is outside the range, 0 to 1.
   double fraction_outside() const { return outside > 0 ? outside / (inside + outside) : 0; }

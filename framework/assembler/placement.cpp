@@ -50,8 +50,8 @@ void Placement::place_from(std::span<const double> base, std::span<const double>
   std::copy(u.begin(), u.end(), x_low.begin());
   std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
   frames_.turn_back(u, x_low);
-  for (std::size_t i = 0; i < x.size();
-       ++i) {  // exact sum of two numbers: the rounded sum and its error (Knuth 1969)
+  // Exact sum of two numbers: the rounded sum and its error (Knuth 1969).
+  for (std::size_t i = 0; i < x.size(); ++i) {
     const double way = x_low[i];
     x[i] = base[i] + way;
     const double moved = x[i] - base[i];

@@ -18,8 +18,8 @@ struct StepTile {
         forces(2 * before.size()) {}
 
   std::vector<double> before, after;  // positions at the ends of the step, [dof][64] [m]
-  std::vector<double> energies,
-      forces;  // energies and forces of one term at two positions: [2][64] [J], [2][dof][64] [N]
+  // Energies and forces of one term at two positions: [2][64] [J], [2][dof][64] [N].
+  std::vector<double> energies, forces;
   std::vector<netloft_member> members_before, members, members_after;  // [lane][member]
 };
 

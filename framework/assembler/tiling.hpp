@@ -29,8 +29,8 @@ struct Tiling {
       block_map;  // [tile][block][64] -> index of the first of nine values; ~index: add the transpose
   std::vector<std::vector<Twin>> twins;  // per tile, if the matrix is symmetric; nearly always empty
   std::size_t blocks_per_element = 0;    // number of pairs of corners (P, Q), Q <= P if symmetric
-  std::size_t first_spare =
-      0;  // index of the first unused block (one per tile), which collects the entries of held nodes
+  // Index of the first unused block (one per tile), which collects the entries of held nodes.
+  std::size_t first_spare = 0;
 
   std::size_t lanes(std::size_t tile) const;
 };

@@ -11,8 +11,8 @@ struct Imbalance {
   double load = 0;        // F, the largest of all dead loads and reactions
   double rounding = 0;    // b, upper bound of the residual that rounding of the positions can cause
   bool is_driven = true;  // whether an external force acts, such as weight, drag or pressure
-  bool is_in_time =
-      false;  // whether this is a step in time, in which inertia forces have rounding errors, too
+  // Whether this is a step in time, in which inertia forces have rounding errors, too.
+  bool is_in_time = false;
 };
 
 /// Default tolerance ε of (1).

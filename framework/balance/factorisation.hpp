@@ -22,8 +22,8 @@ enum class FactorStatus { ok, not_positive_definite, singular, out_of_memory, fa
 
 struct FactorResult {
   FactorStatus status = FactorStatus::ok;
-  std::int32_t column =
-      -1;  // column at which a factorisation stopped, in the caller's numbering; -1: not known
+  // Column at which a factorisation stopped, in the caller's numbering; -1: not known.
+  std::int32_t column = -1;
   std::int32_t negative_pivots = -1;  // number of negative eigenvalues of a symmetric matrix; -1: not known
 };
 

@@ -257,8 +257,8 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
             });
   const Convergence c = convergence_of(imbalance_of(b), limits_.tolerance);
   b.at_round_off = c == Convergence::at_round_off;
-  b.balanced = c != Convergence::none &&
-               !has_run_away(x);  // far away from the start, rounding errors hide any residual
+  // Far away from the start, rounding errors hide any residual.
+  b.balanced = c != Convergence::none && !has_run_away(x);
   return b;
 }
 

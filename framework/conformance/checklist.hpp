@@ -11,8 +11,8 @@ template <class Bench>
 struct Check {
   const char* name;
   Finding (*run)(Bench&);
-  std::vector<const char*>
-      depends_on;  // the check is skipped if one of these failed, or was skipped for that reason
+  // The check is skipped if one of these failed, or was skipped for that reason.
+  std::vector<const char*> depends_on;
   const char* hint;
 };
 

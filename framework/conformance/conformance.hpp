@@ -10,8 +10,8 @@
 namespace netloft {
 
 struct ConformanceOptions {
-  std::uint64_t seed =
-      1;               // seed of the sampled parameters, data and states; one seed always gives one report
+  // Seed of the sampled parameters, data and states; one seed always gives one report.
+  std::uint64_t seed = 1;
   int elements = 100;  // sampled elements, 1 … 640
   int directions = 3;  // number of directions in checks of slopes, 1 … 100
   bool timings = true;

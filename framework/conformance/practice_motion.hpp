@@ -14,8 +14,8 @@ struct PracticeSwing {
   double damping = 0;      // ζ, fraction of the critical damping
   double push = 0;         // f [m/s²], proportional to time
   int fails = NETLOFT_OK;  // the status that every function of the host returns
-  std::uint32_t unknowns =
-      3;  // number of unknowns, with ω = 1, 1.5, 2 … rad/s, and u = 1, ½, ⅓ … m at the start
+  // Number of unknowns, with ω = 1, 1.5, 2 … rad/s, and u = 1, ½, ⅓ … m at the start.
+  std::uint32_t unknowns = 3;
 };
 
 /// Masses on springs with a known motion, behind the same functions as a scene:
@@ -50,8 +50,8 @@ class PracticeMotion {
 
   int solves = 0;
   double t = 0;
-  double estimate = 0,
-         estimated = 0;      // largest estimated error in the last step; sum of these over all steps [m]
+  // Largest estimated error in the last step; sum of these over all steps [m].
+  double estimate = 0, estimated = 0;
   double error_between = 0;  // largest error within a step, of the cubic (3) [m]
   bool clears_scratch = true;
   std::vector<double> u, v, a;

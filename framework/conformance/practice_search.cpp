@@ -313,8 +313,8 @@ int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
 
 /// Counts the work of a strategy's own method, after it has ended.
 void PracticeSearch::end_own_method() {
-  std::fill(growing_.begin(), growing_.end(),
-            std::numeric_limits<double>::quiet_NaN());  // a strategy must not read it any more
+  // The growing disturbance of the last stage was valid until now.
+  std::fill(growing_.begin(), growing_.end(), std::numeric_limits<double>::quiet_NaN());
   if (!own_) return;
   spend((std::max(own_->iterations, own_->factorisations) + kStageCost) * own_cost_);
   knows_interrupt_ = knows_interrupt_ || (interrupted_ && own_->told_to_stop());

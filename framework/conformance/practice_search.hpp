@@ -126,9 +126,9 @@ class PracticeSearch {
   double own_cost_ = 1;                   // cost of its factorisations
   double spent_ = 0;
   bool interrupted_ = false, knows_interrupt_ = false, knows_budget_ = false;
-  std::vector<std::vector<double>> answers_,
-      of_variants_;  // answers: points of the scene itself; of_variants: equilibria of variants
-  Rank met_;         // best equilibrium of the scene itself in any stage
+  // Answers of the strategy, which are points of the scene itself, and equilibria of variants.
+  std::vector<std::vector<double>> answers_, of_variants_;
+  Rank met_;  // best equilibrium of the scene itself in any stage
   std::map<Slip, std::string> slips_;
   std::string trace_, message_;
 };

@@ -186,9 +186,8 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
     s.a[at(d, lane)] = uniform(-1, 1);
     s.current[at(d, lane)] = uniform(-1, 1);
     s.current_dz[at(d, lane)] = uniform(-0.1, 0.1);
-    if (!s.swing.empty())
-      s.swing[at(d, lane)] =
-          10 * s.current_dz[at(d, lane)];  // no random number is drawn, so that other samples do not change
+    // No random number is drawn, so that other samples do not change.
+    if (!s.swing.empty()) s.swing[at(d, lane)] = 10 * s.current_dz[at(d, lane)];
   }
   if (type_.is_on_body()) turn(s, lane);
   for (std::size_t node = 0; 6 * (node + 1) * kLanes <= s.bed.size(); ++node) lay_bed(s, node, length, lane);

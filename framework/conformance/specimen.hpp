@@ -19,10 +19,10 @@ struct Sample {
   std::vector<Values> parameters;
   std::vector<std::uint32_t> part;
   std::vector<std::vector<double>> data;  // [datum] -> [element][width]
-  std::uint32_t law_kind =
-      0;  // kind of the laws in slots that accept it; other slots have the first kind accepted
-  std::vector<ByteRange> spoilt =
-      {};  // bytes of the parameters that are overwritten because no row of the table declares them
+  // Kind of the laws in slots that accept it; other slots have the first kind accepted.
+  std::uint32_t law_kind = 0;
+  // Bytes of the parameters that are overwritten because no row of the table declares them.
+  std::vector<ByteRange> spoilt = {};
 };
 
 /// The states of up to 64 elements, in arrays [dof][64] like those of a tile. An empty array is passed as

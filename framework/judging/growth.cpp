@@ -78,8 +78,8 @@ void take_mode(const Eigen::VectorXcd& y, Growth& g) {
 Growth growth_of(const RitzPair& pair, const Cayley& A) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
-  if (!(s.real() > 0))
-    return {.verdict = GrowthVerdict::marginal};  // the eigenvalue does not grow, although powers of A do
+  // Powers of A grow, but the eigenvalue does not.
+  if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};
   Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));
   g.per_power = std::sqrt((1 + c) / (1 - c));  // (6)

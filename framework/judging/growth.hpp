@@ -20,8 +20,8 @@ struct Growth {
   double rate = 0;                // growth rate Re s of the growing motion [1/s]
   double frequency = 0;           // Im s, its angular frequency [rad/s]; zero for a divergence
   std::vector<double> mode = {};  // over the unknowns, of length 1; empty if nothing grows
-  std::vector<double> mode_later =
-      {};                // a quarter of a period later, on the same scale; empty if it does not oscillate
+  // A quarter of a period later, on the same scale; empty if it does not oscillate.
+  std::vector<double> mode_later = {};
   Statistics cost = {};  // cost of the examination
   bool grows() const { return verdict == GrowthVerdict::grows; }
   /// Whether the growth is flutter (a growing oscillation, from a pair of complex eigenvalues), not

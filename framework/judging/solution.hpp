@@ -35,8 +35,8 @@ struct Solution : Assessment {
   Cost cost;
   bool does_not_settle = false;  // its path exceeded Limits::path, or motions did not come to rest
   Shapes shapes;
-  std::vector<double>
-      factors;  // factors of the scene's settings (such as lengths of ropes that are to give a wanted force)
+  // Factors of the scene's settings (such as lengths of ropes that are to give a wanted force).
+  std::vector<double> factors;
   std::vector<std::string> diagnostics;  // possible reasons why it did not converge
 };
 

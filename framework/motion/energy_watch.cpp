@@ -8,8 +8,8 @@ namespace netloft {
 
 namespace {
 
-constexpr int kStepsPerExamination =
-    16;  // one of so many short steps is examined, if no energy budget is kept
+// One of so many short steps is examined, if no energy budget is kept.
+constexpr int kStepsPerExamination = 16;
 
 }  // namespace
 

@@ -48,8 +48,8 @@ class NodeMasses {
 
   Assembler& assembler_;
   std::vector<Node> nodes_;
-  std::map<std::uint32_t, std::pair<std::size_t, std::size_t>>
-      of_bodies_;                          // node -> body, and index in Node::nodes
+  // Node -> body, and index in Node::nodes.
+  std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> of_bodies_;
   std::vector<std::size_t> node_of_body_;  // index in nodes_
   std::vector<double> blocks_;
   double coupled_ = 0;

@@ -201,8 +201,8 @@ class March {
           !energy_.examine(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
-      if (status != NETLOFT_OK && has_ended())
-        return false;  // a limit of the march is the reason, not the step
+      // A limit of the march is the reason, not the step.
+      if (status != NETLOFT_OK && has_ended()) return false;
       if (status < 0) return fail_in_step();
       ++state_.rejected;
       if (!settings_.adaptive) return fail_at("the step " + seconds_text(h) + " is too long: " + trouble());
@@ -246,8 +246,8 @@ class March {
     const int status = scheme_.step(m);
     if (status != NETLOFT_OK) return status;
     for (std::size_t i = 0; i < error_.size(); ++i)
-      if (is_shared(assembler_, i))
-        error_[i] = 0;  // an unknown that a part shares is not a length, and has no history
+      // An unknown that a part shares is not a length, and has no history.
+      if (is_shared(assembler_, i)) error_[i] = 0;
     double sum = 0;
     for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
     return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
@@ -401,8 +401,8 @@ class March {
   TransientProblem problem_;
   StepControl control_;
   EnergyWatch energy_;
-  MarchState state_,
-      next_;  // next_: end of the attempted step; after its acceptance, the beginning of that step
+  // next_: end of the attempted step; after its acceptance, the beginning of that step.
+  MarchState state_, next_;
   ShownState shown_;
   Winches winches_;
   MarchTimes times_;

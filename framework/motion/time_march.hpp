@@ -26,8 +26,8 @@ struct StepMethods {
 /// whereas forces at its end oscillate from step to step with modes that are too fast for the scheme.
 struct ForceMoment {
   double t;  // [s]
-  std::span<const double> x,
-      residual;  // over all dofs: positions [m]; residual, with reactions of held dofs [N]
+  // Over all dofs: positions [m]; residual, with reactions of held dofs [N].
+  std::span<const double> x, residual;
   Kinematics motion;
 };
 
@@ -37,8 +37,8 @@ struct Snapshot {
   std::span<const double> u;
   std::span<const double> x, v;  // over all dofs: positions [m], velocities [m/s]
   ForceMoment forces;            // at t if a step ends there, else at the end of the step around t
-  const EnergyBudget*
-      budget;  // energies at the end of the last step if outputs are dense; null: no budget is kept
+  // Energies at the end of the last step if outputs are dense; null: no budget is kept.
+  const EnergyBudget* budget;
   const MarchState* state;  // state from which a march can continue; null: continue from an earlier snapshot
   std::span<const WinchMoment> winches = {};
 };

@@ -10,11 +10,11 @@ namespace netloft {
 namespace {
 
 constexpr double kSettled = 1e-3;  // speed error relative to the largest speed, a thousandth of the band
-constexpr int kMostTries =
-    12;  // attempts per step, without those that measure S; half-way, S is measured again
+// Attempts per step, without those that measure S; half-way, S is measured again.
+constexpr int kMostTries = 12;
 constexpr double kMeasured = 0.02;  // change of speed to measure S, relative to the largest speed
-constexpr int kSweeps =
-    30;  // sweeps over the winches to solve (2) and (3); the gear couples winches only weakly
+// Sweeps over the winches to solve (2) and (3); the gear couples winches only weakly.
+constexpr int kSweeps = 30;
 constexpr double kLeastLeft =
     0.05;  // least remaining fraction of a rope; with less, its bars are too stiff for any step
 
@@ -171,8 +171,8 @@ void Winches::take(std::span<const double> tensions) {
 /// this one.
 void Winches::improve_slopes(std::span<const double> tensions) {
   if (slopes_.empty() || last_w_.empty()) return;
-  double square = 0,
-         largest = 0;  // squared change of speeds; largest ratio of a tension's change to its error
+  // Squared change of speeds; largest ratio of a tension's change to its error.
+  double square = 0, largest = 0;
   for (const std::size_t j : holding_) {
     const double change = ropes_[j].w - last_w_[j];
     square += change * change;

@@ -29,7 +29,7 @@ struct WinchMoment {
 ///   T̄(w + s) = T̄(w) + S s                                                                         (3)
 /// for all winches that hold a tension together, with a matrix S. S is measured once by differences, and then
 /// updated after C. G. Broyden (Math. Comput. 19, 1965) from attempt to attempt and from step to step; each
-/// attempt solves the step again. Steps end at the beginning of a stage.
+/// attempt solves the step again. Steps end when the control of a winch changes (WinchStage).
 class Winches {
  public:
   enum class Verdict { settled, again, lost };
@@ -93,8 +93,8 @@ class Winches {
   double tolerance_;
   std::vector<Rope> ropes_;
   std::vector<std::size_t> holding_;  // winches that hold a tension in this attempt
-  std::vector<double>
-      slopes_;  // S by rows, with zeros for winches that hold no tension [N s/m]; empty: unknown
+  // S by rows, with zeros for winches that hold no tension [N s/m]; empty: unknown.
+  std::vector<double> slopes_;
   std::vector<double> measured_;  // S during its measurement, by columns
   std::vector<double> last_w_;    // speeds of the previous attempt [m/s]
   double from_ = 0, until_ = 0;   // begin and end of the last step [s]

@@ -12,11 +12,9 @@ namespace netloft {
 /// A call that a thread is making. If a plugin crashes or never returns, a signal handler or another thread
 /// reads here which function of the plugin was called.
 struct CallFrame {
-  enum class Kind : std::uint32_t {
-    host,
-    element,
-    method
-  };                           // a method (solver, strategy …) calls the host in turn
+  // Whose code runs: that of the host, of an element, or of a method (solver, strategy …), which calls the
+  // host in turn.
+  enum class Kind : std::uint32_t { host, element, method };
   const char* type = nullptr;  // "rope/bar"
   const char* what = nullptr;  // "term", "create", "solve"
   const char* name = nullptr;  // of the term; may be null

@@ -36,8 +36,8 @@ constexpr int kSeconds = 20;                 // time limit to open and describe 
 constexpr rlim_t kMemory = rlim_t{1} << 30;  // memory of a trial, in addition to that of the process
 constexpr char kCameBack = 'b', kNeedsMemory = 'm',
                kIsLate = 'l';  // the report of a trial; none if the process ended before
-constexpr int kTalk =
-    STDERR_FILENO + 1;  // file descriptor for messages to the program, in the process of trials
+// File descriptor for messages to the program, in the process of trials.
+constexpr int kTalk = STDERR_FILENO + 1;
 
 /// Discards the output of the process, which is of no use to users.
 void be_quiet() {
@@ -239,8 +239,8 @@ class Trials {
   bool is_fresh() const { return tried_ == 0; }
 
  private:
-  pid_t process_ = -1,
-        owner_ = -1;  // owner_: the process that started the trials; a fork of it starts its own
+  // owner_: the process that started the trials; a fork of it starts its own.
+  pid_t process_ = -1, owner_ = -1;
   int talk_ = -1;
   int tried_ = 0;
 };
@@ -282,8 +282,8 @@ std::string fault_on_trial(const std::filesystem::path& file) {
   const std::lock_guard lock(one_at_a_time);
   const std::string path = std::filesystem::absolute(file).string();
   for (;;) {
-    if (!trials.is_running() && !trials.start())
-      return {};  // no trial is made if the system has no resources
+    // No trial is made if the system has no resources.
+    if (!trials.is_running() && !trials.start()) return {};
     const bool was_fresh = trials.is_fresh();
     const char word = trials.of(path);
     if (word == kCameBack) return {};

@@ -112,8 +112,8 @@ struct RigidBody {
   };
   std::string name;
   std::uint32_t origin = 0;
-  std::array<double, 3> rotation =
-      {};  // rotation vector at the start, from the body's axes to those of the world [rad]
+  // Rotation vector at the start, from the body's axes to those of the world [rad].
+  std::array<double, 3> rotation = {};
   std::uint8_t held_rotation = 0;  // components of the rotation vector that cannot change
   std::vector<Point> points;
   std::uint32_t rotation_node = 0;  // number of the node for the rotation, set by the assembler

@@ -57,7 +57,7 @@ struct ScenePlan {
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
-  bool between = false;               // mean forces of steps are used, whose matrix is not symmetric
+  bool between = false;               // forces are averaged over steps in time, whose matrix is not symmetric
   std::string unsymmetric_because;    // "priour/triangle drag"
   std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
 

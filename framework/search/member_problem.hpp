@@ -76,8 +76,8 @@ class MemberProblem {
   };
   std::vector<Carried> carried_;
   std::vector<std::size_t> rotations_;  // indices of bodies' rotations among the unknowns
-  std::vector<std::size_t> of_rotations_,
-      beside_;  // their values on the diagonal, and beside it
+  // Indices of the matrix values in rows and columns of these rotations: on the diagonal, and off it.
+  std::vector<std::size_t> of_rotations_, beside_;
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;    // by member
   std::vector<double> x_, step_;          // over all degrees of freedom

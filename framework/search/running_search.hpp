@@ -57,8 +57,8 @@ class RunningSearch {
   SearchHost& host_;
   netloft_variant scene_;
   std::shared_ptr<VariantProblem> variant_problem_;  // the problem of scene_
-  double tolerance_, budget_, begun_,
-      unit_;  // unit_: work of one iteration of its scene, in iterations of the original scene
+  // unit_: work of one iteration of its scene, in iterations of the original scene.
+  double tolerance_, budget_, begun_, unit_;
   netloft_search interface_{};
   char message_[256] = "";
   std::vector<double> growing_;                        // of the last stage

@@ -27,8 +27,8 @@ struct StrategyUse {
 struct SearchOptions {
   SolverUse solver;  // solver of stages that name none
   Limits limits;     // limits for the scene itself; `seconds` and `interrupt` apply to the whole search
-  double work =
-      std::numeric_limits<double>::infinity();  // budget, in Newton iterations of the scene (work.hpp)
+  // Budget, in Newton iterations of the scene (work.hpp).
+  double work = std::numeric_limits<double>::infinity();
   std::function<void(const IterationRecord&)> on_iteration;
   KeptPoint* kept = nullptr;  // receives accepted points of the original scene
   /// Called after every stage with its record and its final displacements. If the stage was on a coarser

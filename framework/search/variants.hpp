@@ -18,7 +18,7 @@ std::string text_of(const netloft_variant& variant);
 
 /// Returns a scene with the same parts and nodes but other parameters. The level of the variant is ignored.
 /// The roles of parameters (NETLOFT_STIFFNESS, NETLOFT_COMPRESSION) determine which of them change.
-///   stiffness_cap  lowers all stiffnesses of a part in proportion, so that none in newtons exceeds the cap
+///   stiffness_cap  lowers all stiffnesses of a part by one factor, so that no axial one exceeds the cap [N]
 ///   compression    multiplies stiffnesses in compression; at zero, the elastic energy under dead loads is
 ///                  convex, so that there is one equilibrium
 ///   current        multiplies the velocities of the water and of the tow

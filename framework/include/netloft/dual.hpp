@@ -90,8 +90,8 @@ struct Dual {
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value * x.value + y.value * y.value;
-    const Dual turn =
-        (x.value * y - y.value * x) / square;  // proportional to the sine of the change of angle
+    // Proportional to the sine of the change of angle.
+    const Dual turn = (x.value * y - y.value * x) / square;
     const Dual ahead = (x.value * x + y.value * y) / square;
     return std::atan2(y.value, x.value) + atan(turn / ahead);
   }

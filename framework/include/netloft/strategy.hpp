@@ -96,8 +96,8 @@ struct Stage {
   Displacements u;
   Ending ending = Ending::not_converged;
   int stability = NETLOFT_STABILITY_UNKNOWN;
-  double residual = 0, load = 0,
-         energy = 0;    // largest residual and load on a node [N], [N]; energy [J]; 0 if not `has_forces`
+  // Largest residual and load on a node [N], [N]; energy [J]; 0 if not `has_forces`.
+  double residual = 0, load = 0, energy = 0;
   double rounding = 0;  // residual that rounding of the positions can cause [N]
   double spent = 0;     // work
   unsigned iterations = 0, factorisations = 0;
