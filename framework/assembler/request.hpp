@@ -34,7 +34,7 @@ struct Request {
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // values of the matrix, Assembler::value_slots() long [N/m]
   Kinematics motion = {};
-  const StepEnds* between = nullptr;  // if not null, mean forces of this step are computed; x is its middle
+  const StepEnds* between = nullptr;  // if not null, compute mean forces of this step, with x in its middle
 };
 
 }  // namespace netloft

@@ -7,7 +7,7 @@ enum class Convergence { none, at_round_off, within_tolerance };
 
 /// The quantities that decide on convergence: norms of nodal forces, each the largest of all nodes [N].
 struct Imbalance {
-  double residual = 0;    // r
+  double residual = 0;    // r, the largest nodal residual
   double load = 0;        // F, the largest of all dead loads and reactions
   double rounding = 0;    // b, upper bound of the residual that rounding of the positions can cause
   bool is_driven = true;  // whether an external force acts, such as weight, drag or pressure

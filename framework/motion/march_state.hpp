@@ -27,8 +27,7 @@ struct MarchState {
   double stable_step = 0;   // longest stable step for the last tangent [s]; 0: not yet determined
   std::size_t outputs = 0;  // number of previous outputs
   std::int64_t steps = 0, rejected = 0;
-  double t_before = 0;  // beginning of the last step, if the march is compared with another one between the
-                        // ends of steps [s]
+  double t_before = 0;  // beginning of the last step, needed to compare marches between the ends of steps [s]
   std::vector<double> u_before, v_before;  // state at t_before [m], [m/s]
   std::vector<MarchState> other;           // state of the march for comparison, if there is one
   // Largest error so far by (1) of achieved_accuracy.hpp [m], and its time [s]; NaN: not compared yet.

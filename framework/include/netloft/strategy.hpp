@@ -96,7 +96,7 @@ struct Stage {
   Displacements u;
   Ending ending = Ending::not_converged;
   int stability = NETLOFT_STABILITY_UNKNOWN;
-  // Largest residual and load on a node [N], [N]; energy [J]; 0 if not `has_forces`.
+  // Largest residual and load on a node [N], [N]; energy [J]; all zero if has_forces() is false.
   double residual = 0, load = 0, energy = 0;
   double rounding = 0;  // residual that rounding of the positions can cause [N]
   double spent = 0;     // work

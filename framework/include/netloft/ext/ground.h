@@ -14,17 +14,16 @@ extern "C" {
 #define NETLOFT_EXT_GROUND "netloft.ground/1"
 
 /* Traits of a term. */
-/* The term reads netloft_ground.velocity if the ground moves past the gear. A host may then give no memory
- * (ext/memory.h), because friction that only slides needs none. */
-#define NETLOFT_READS_GROUND (1u << 17)
+#define NETLOFT_READS_GROUND                                                                                \
+  (1u << 17) /* reads netloft_ground.velocity if the ground passes the gear; a host may then give no memory \
+                (ext/memory.h), because friction that only slides needs none */
 #define NETLOFT_READS_BED (1u << 18) /* reads netloft_ground.bed if the scene has a bed */
 
-/* Input of a tile; its place is null if both arrays would be null. */
+/* Given with a tile, in netloft_tile.inputs; null if there is neither a velocity nor a bed. */
 typedef struct netloft_ground {
   uint32_t size;
   uint32_t reserved;
-  const double*
-      velocity;      /* [3] velocity of the ground past a towed gear [m/s]; null: the ground is at rest */
+  const double* velocity; /* [3] at which the ground passes a towed gear [m/s]; null: the ground is at rest */
   const double* bed; /* [6 nodes][64] the bed below each node of the stencil: its height z_b [m], dz_b/dx,
                         dz_b/dy, and its second derivatives xx, xy, yy [1/m]; null: there is none */
 } netloft_ground;

@@ -23,7 +23,7 @@ typedef struct netloft_memory {
   uint32_t width; /* numbers that an element remembers */
 } netloft_memory;
 
-/* Input of a tile; its place is null if both arrays would be null. */
+/* Given with a tile, in netloft_tile.inputs; null if both arrays would be null. */
 typedef struct netloft_remembered {
   uint32_t size;
   uint32_t reserved;
