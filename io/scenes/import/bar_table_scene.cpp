@@ -9,7 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Writes one scene; members are tables in the order of the file.
+/// Writes the scene of a table of nodes and bars. The member functions write its parts, in the order of the
+/// file.
 class TableScene {
  public:
   TableScene(const BarTable& table, const std::string& mesh_name) : table_(table), mesh_name_(mesh_name) {}
@@ -61,7 +62,8 @@ class TableScene {
                               .text());
   }
 
-  /// Groups the nodes by the property `what`, in the order of the table: a set for each value.
+  /// Makes a set of nodes for each value of the property `what`, in the order of the table. Nodes with the
+  /// value zero or empty are left out.
   template <class Key, class What>
   std::vector<std::pair<Key, std::string>> sets_of(const char* name, What&& what) {
     std::vector<std::pair<Key, std::string>> sets;
@@ -79,9 +81,9 @@ class TableScene {
     return sets;
   }
 
-  /// The bed under a node.
+  /// The stiffness of the bed under a node at which ropes meet, each with its own bed.
   struct BedUnder {
-    double least = 0, most = 0;      // smallest and largest stiffness under ropes that meet here [N/m²]
+    double least = 0, most = 0;      // smallest and largest stiffness under these ropes [N/m²]
     double product = 0, metres = 0;  // sums over half bars of stiffness times length, and of length
     bool is_of_two = false;          // whether ropes with different beds meet here
     void add(double stiffness, double length) {
@@ -91,12 +93,12 @@ class TableScene {
       product += stiffness * length;
       metres += length;
     }
-    /// Stiffness of the bed under the node, averaged over the length of rope that it carries [N/m²].
+    /// Stiffness of the bed under the node, averaged over the length of the half bars there [N/m²].
     double stiffness() const { return least == most ? most : product / metres; }
   };
 
-  /// Writes one bed for all ropes with the same stiffness of the bed. A node where ropes with different beds
-  /// meet would rest on both beds; if there is one, beds are written for sets of nodes instead.
+  /// Writes a bed part for each stiffness, on all ropes with this bed. If ropes with different beds meet at a
+  /// node, it would rest on both beds; beds are then written for sets of nodes instead.
   void write_beds() {
     std::vector<BedUnder> under(table_.nodes.size());
     std::map<double, std::vector<std::string>> on;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Divides a gear without a mesh. Panels are filled with knots of a coarser net, as in FEMNET; the mesh side
-// of this net is the meshing step. Nodes agree with those of FEMNET's mesher; where both diagonals of a
-// square of the lattice are equally good, FEMNET may choose the other one.
+// Divides a gear without a mesh into elements. As in FEMNET, the nodes of a panel are the knots of a coarser
+// net, whose mesh side is the meshing step. Nodes agree with those of FEMNET. Triangles may differ where both
+// diagonals of a square between nodes are equally good.
 //   u = U + V,  v = V − U                 a panel in mesh sides along its twines                      (1)
 //   parts of a side = max(|Δu|, |Δv|) l₀/step, rounded, at least one                                  (2)
 //   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
-// l₀ [m] mesh side; step [m]. A Delaunay triangulation connects the nodes in the plane x = U l₀, y = √3 V
-// l₀, in which meshes are opened by one half and (3) is a lattice of equilateral triangles.
+// U, V are the panel coordinates in meshes, Δu and Δv the differences between the ends of a side, l₀ [m] the
+// mesh side, step [m] the meshing step. A Delaunay triangulation connects the nodes in the plane x = U l₀, y
+// = √3 V l₀, in which meshes are opened by one half and (3) is a lattice of equilateral triangles.
 #include "io/formats/mesh/mesh.hpp"
 #include "io/gears/meshing/border_sides.hpp"
 #include "io/gears/meshing/triangulation.hpp"
@@ -26,12 +27,12 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-constexpr double kMostParts = 1e5;    // largest number of parts from one end of a panel to the other
+constexpr double kMostParts = 1e5;    // limit of parts from one end of a panel to the other
 constexpr double kLongestSide = 100;  // mesh side [m]
-// Least distance of inner nodes from the border, as a fraction of the step, so that no triangle is flat;
+// Least distance of inner nodes from the border, as a fraction of the step, so that no triangle is flat.
 // FEMNET has some nodes at 0.24.
 constexpr double kNearest = 0.2;
-constexpr double kFlat = 1e-9;  // twice the area below which a triangle has no netting [meshes²]
+constexpr double kFlat = 1e-9;  // a triangle with less than this twofold area has no netting [meshes²]
 
 Triple between(const Triple& a, const Triple& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
@@ -43,19 +44,19 @@ double along(const Triple& a, const Triple& b, const Triple& c, const Triple& d)
   return sum;
 }
 
-/// A line between two points of the gear, which is divided once for all panels and cables that are sewn
-/// there.
+/// A line between two points of the gear. It is divided once, for all panels and cables that are sewn
+/// together there.
 struct Line {
   std::vector<std::uint32_t> nodes;  // from end to end
   Triple from{}, to{};               // positions of its ends in the drawing
 };
 
-/// A point of a panel, in meshes.
+/// The panel coordinates of a point, in meshes.
 struct Meshes {
   double U = 0, V = 0;
 };
 
-/// The netting of one panel in the plane in which it is triangulated.
+/// The plane in which the netting of one panel is triangulated.
 class PanelPlane {
  public:
   explicit PanelPlane(const Panel& p) : panel_(p), step_(p.step / p.side) {}
@@ -75,7 +76,7 @@ class PanelPlane {
     return !(u * v < 2 * most_nodes && std::max(u, v) < kMostParts);
   }
 
-  /// The inner nodes (3). U and V of `low` and `high`, and of the lattice, mean u and v in mesh sides.
+  /// The inner nodes (3). Here U and V of `low` and `high` hold u and v.
   std::vector<Meshes> inside(const std::vector<gears::PlanePoint>& border) const {
     const auto [low, high] = extent();
     const gears::BorderSides sides(border, kNearest * panel_.step);
@@ -91,7 +92,7 @@ class PanelPlane {
  private:
   static constexpr double kOpen = std::numbers::sqrt3;
 
-  /// The smallest and the largest u and v.
+  /// The smallest and the largest u and v, in U and V.
   std::pair<Meshes, Meshes> extent() const {
     Meshes low{1e300, 1e300}, high{-1e300, -1e300};
     for (const auto& c : panel_.corners) {
@@ -109,8 +110,8 @@ double twice_area(const Meshes& a, const Meshes& b, const Meshes& c) {
   return (b.U - a.U) * (c.V - a.V) - (b.V - a.V) * (c.U - a.U);
 }
 
-/// Initial positions of inner nodes of a panel: the corners of its drawing are triangulated, and positions
-/// interpolated in each triangle.
+/// The initial shape of a panel, from the drawing: its corners are triangulated, and positions of inner nodes
+/// are interpolated in each triangle.
 class DrawnPanel {
  public:
   /// `corners` must be counter-clockwise.
@@ -120,7 +121,7 @@ class DrawnPanel {
     triangles_ = gears::connect_points(border, {}).triangles;
   }
 
-  /// Interpolates in the triangle that contains the point, or in the nearest one.
+  /// The position at a point of the panel, interpolated in the triangle that contains it or is nearest.
   Triple at(const Meshes& m) const {
     double best = -1e300;
     Triple place{};
@@ -144,7 +145,7 @@ class DrawnPanel {
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
-/// Divides one gear; members are steps in their order.
+/// Divides one gear. The member functions are the steps, in the order of execution.
 class Divider {
  public:
   Divider(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes)
@@ -198,7 +199,7 @@ class Divider {
     return static_cast<std::uint32_t>(mesh_.nodes.size() - 1);
   }
 
-  /// The node of a corner or end. The object that is divided first determines its type.
+  /// The node of a corner or end. The type of a node is that of the panel or cable that is divided first.
   std::uint32_t node_of(const LinkPoint& point, const Triple& at, int type, const formats::Place& place) {
     const auto [known, is_new] = node_of_point_.try_emplace(links_.point(point), 0);
     if (is_new) known->second = add_node(at, type, place);
@@ -297,7 +298,7 @@ class Divider {
     return is_fine();
   }
 
-  /// Twice the signed area in meshes.
+  /// Twice the signed area of a panel [meshes²].
   static double area(const Panel& p) {
     double sum = 0;
     for (std::size_t i = 0; i < p.corners.size(); ++i) {

@@ -10,9 +10,8 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Thins out a sampled curve so that straight lines between the kept samples stay within a given distance of
-/// all samples. A sample is kept when no straight line from the last kept sample stays within that distance
-/// of all samples up to the next one.
+/// Thins out a sampled curve: it drops samples as long as the straight lines between the kept ones stay
+/// within kHauledWithin of all samples.
 class Curve {
  public:
   explicit Curve(double first) : time_(0), value_(first), times_{0}, values_{first} {}
@@ -31,7 +30,7 @@ class Curve {
     time_ = time;
     value_ = value;
   }
-  /// Whether it ever changed, beyond rounding.
+  /// Whether the value ever changed.
   bool changes() const {
     return std::any_of(values_.begin(), values_.end(), [&](double v) { return v != values_[0]; }) ||
            value_ != values_[0];
@@ -53,7 +52,8 @@ class Curve {
   std::vector<double> times_, values_;
 };
 
-/// A cable that drums haul, with its bars in the order of the file.
+/// A cable that drums haul: its bars in the order of the file, their present lengths, and their lengths over
+/// time.
 struct Hauled {
   std::vector<std::size_t> bars;
   std::vector<double> lengths;
@@ -73,7 +73,7 @@ Hauled cable_of(const GearFile& gear, const MeshFile& file, int cable) {
   return out;
 }
 
-/// Index of the interval of the table that contains a time; nothing outside the table.
+/// Index of the interval of a drum's times that contains `time`; nothing outside of them.
 std::optional<std::size_t> interval_at(const Drum& drum, double time) {
   for (std::size_t i = 0; i + 1 < drum.times.size(); ++i)
     if (time >= drum.times[i] && time <= drum.times[i + 1] && drum.times[i + 1] > drum.times[i]) return i;

@@ -36,8 +36,7 @@ std::optional<std::string> read_text(const fs::path& path, formats::Diagnostics&
   return in ? std::optional(std::move(text).str()) : std::nullopt;
 }
 
-/// The path of the mesh of a gear: the requested file, or the file beside the gear with the ending .mdg or
-/// .MDG.
+/// The path of the mesh of a gear: the requested one, or that of the gear with the ending .mdg or .MDG.
 fs::path mesh_of(const ImportRequest& request) {
   if (!request.mesh.empty()) return request.mesh;
   fs::path beside = request.gear;
@@ -61,9 +60,8 @@ struct FoundMesh {
   std::string name;  // name of the file; empty if the import divided the gear
 };
 
-/// Divides the gear into elements. Requested results that name nodes are dropped, because node numbers of the
-/// file refer to another mesh. Bars of several twines are replaced by triangles, because only FEMNET's mesher
-/// places them.
+/// Divides the gear into elements. Requested outputs that name nodes are dropped, because the file numbers
+/// the nodes of another mesh. Panels with netting2ropes get triangles, because only FEMNET places their bars.
 FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagnostics& diagnostics) {
   using femnet::Finding, femnet::Wanted;
   gear.findings.push_back(
@@ -83,8 +81,8 @@ FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagno
   return {femnet::divide_gear(gear, diagnostics), {}};
 }
 
-/// Finds the mesh of the gear. A mesh beside the gear that refers to parts that the gear does not have is
-/// outdated, and is not used.
+/// Reads the mesh of the gear, or divides the gear. If the user named no mesh, a file beside the gear is used
+/// only if it fits: one that refers to parts that the gear does not have is outdated.
 FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, formats::Diagnostics& diagnostics) {
   const fs::path path = mesh_of(request);
   const bool is_named = !request.mesh.empty();

@@ -13,7 +13,7 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-constexpr int kMostTableRows = 10000;  // largest table; a larger number of rows is taken for an error
+constexpr int kMostTableRows = 10000;  // limit of rows; a larger number is an error
 
 /// Keywords without effect on the results of an import. A * at the beginning or the end of a name stands for
 /// any letters.
@@ -30,10 +30,10 @@ constexpr const char* kIdle[] = {"Auto_convergence",
                                  "paraview",
                                  "nrj",
                                  "haul"};
-/// Keywords that change the drawing, and have no effect if there is a mesh already.
+/// Keywords that change the drawing, and so have no effect if the gear has a mesh already.
 constexpr const char* kOfMesher[] = {"type_noeud_*", "rope_X",       "add_*",   "rot_*",
                                      "homothety",    "translation*", "symmetr*"};
-/// Keywords of motion, which have no effect at rest.
+/// Keywords for a motion, which have no effect at rest.
 constexpr const char* kOfMotion[] = {"hauling_*", "speed_type_node*", "wave_*", "winch_*", "time_*"};
 /// Keywords that change the results and have no counterpart in a scene.
 constexpr const char* kMissing[] = {"catch_gravity",
@@ -65,7 +65,7 @@ bool is_one_of(std::string_view name, const char* const (&patterns)[N]) {
                      [&](const char* p) { return is_like(name, p); });
 }
 
-/// Reads the tail; each keyword has its own member.
+/// Reads the tail of a gear file. Each keyword that changes the gear has a member function of its name.
 class KeywordReader {
  public:
   KeywordReader(DonScanner& in, GearFile& gear, formats::Diagnostics& diagnostics)
@@ -138,7 +138,7 @@ class KeywordReader {
 
   double number() { return in_.next_real(("an argument of " + name_).c_str()); }
 
-  /// A panel, cable or type by the number that follows in the text; null after an error.
+  /// The panel, cable or node type whose number follows in the text; null after an error.
   template <class T>
   T* one_of(std::vector<T>& all, const char* what) {
     const int number = in_.next_integer(("an argument of " + name_).c_str());
@@ -157,8 +157,8 @@ class KeywordReader {
   void wave_model() { gear_.environment.wave_model = in_.next_integer("an argument of wave_model"); }
   void link() { gear_.link_distance = number(); }
 
-  /// Reads the arguments 13 x1 x2 y1 y2 z1 z2 type. Other codes mean half-spaces, which are left to the
-  /// mesher.
+  /// Reads the arguments 13 x1 x2 y1 y2 z1 z2 type, a box. Other codes than 13 mean half-spaces, which only
+  /// FEMNET's mesher uses.
   void type_box() {
     const int code = in_.next_integer("a code of type_noeud_XYZ_SUPINF");
     if (code != 13 || gear_.plane != 3) return leave_to_mesher();
@@ -218,7 +218,7 @@ class KeywordReader {
     gear_.drums.push_back(std::move(d));
   }
 
-  /// Reads the arguments of a motion: type, n, n times, n velocities along x, y and z.
+  /// Reads the arguments of a motion of nodes: type, n, n times, n velocities along x, y and z.
   void node_motion() {
     const NodeType* type = one_of(gear_.types, "type");
     if (!type) return;
@@ -245,7 +245,9 @@ class KeywordReader {
     if (c) smear_floats(*c, 0);
   }
 
-  /// Spreads n spheres of diameter D and net buoyancy F over a cable:
+  /// Adds n spheres (floats) of diameter D and net buoyancy F to a cable of length L, as if they were part of
+  /// it. The cable, of diameter d, density ρ and drag coefficient C, gets the values with a prime; V is the
+  /// volume of a sphere, m its mass, V_c the volume of the cable:
   ///   V = π D³/6,  m = V ρ_w − F/g,  V_c = L π d²/4
   ///   ρ′ = (V_c ρ + n m)/(V_c + n V),  d′ = √(4 (V_c + n V)/(π L)),  C′ = (0.6 n π D²/4 + C L d)/(L d′)
   void smear_floats(Cable& c, double length) {
@@ -311,7 +313,8 @@ class KeywordReader {
     if (Cable* c = cable()) c->constant_tension = number();
   }
 
-  /// Sets the force of a type to that of a foil in the current: q (c_d, c_l, c_z), q = ρ S c²/2.
+  /// Sets the force on nodes of a type to that of a foil of area S in the current c: q (c_d, c_l, c_z) along,
+  /// across and upward, with q = ρ S c²/2.
   void foil() {
     NodeType* type = one_of(gear_.types, "type");
     const double S = number(), cd = number(), cl = number(), cz = number();

@@ -51,7 +51,7 @@ void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, f
   mesh.regions.push_back(std::move(region));
 }
 
-/// Adds a set for each plane of symmetry: the nodes of bending cables that lie in it.
+/// Adds a set for each plane of symmetry: the nodes in it of cables with bending stiffness.
 void add_planes(const GearFile& gear, const MeshFile& file, formats::InputMesh& mesh) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     formats::MeshSet plane{plane_name(axis)};
@@ -144,7 +144,8 @@ std::vector<Loose> find_loose(const GearFile& gear, const MeshFile& file) {
     auto& axes = found.at(pieces.leader(n)).axes;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (type.fixed[axis] != 0 || type.symmetry[axis] != 0) axes[axis] = false;
-    if (type.box[2] != 0 || type.sense[2] != 0) axes[2] = false;  // the water or the bed carries it
+    if (type.box[2] != 0 || type.sense[2] != 0)
+      axes[2] = false;  // buoyancy or the bed keeps it in place along z
   }
   std::vector<Loose> loose;
   for (const auto& [leader, piece] : found)

@@ -66,7 +66,7 @@ std::string in_capitals(std::string_view text) {
 
 MoordynSection section_named(const std::string& title) {
   using enum MoordynSection;
-  // Longer words come first, so that ROD TYPES are not taken for RODS.
+  // ROD TYPES comes before RODS, because the first match counts.
   static const std::pair<const char*, MoordynSection> known[] = {{"LINE TYPES", line_types},
                                                                  {"LINE DICTIONARY", line_types},
                                                                  {"ROD TYPES", rod_types},

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostRows = 4000000;
 constexpr int kMostErrors = 50;
 
-/// A possible column of a table. A column without a unit contains words.
+/// A column that a table may have. A column without a unit contains words.
 struct Column {
   const char *name, *unit, *doc;
   double lo = 0, hi = 0;
@@ -68,7 +68,7 @@ bool may_stand_in_a_name(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
 }
 
-/// Reads one table; members are steps in their order.
+/// Reads one table of nodes and bars. The member functions are the steps, in the order of execution.
 class TableOfBars {
  public:
   TableOfBars(const std::string& text, int file, formats::Diagnostics& diagnostics)
@@ -113,7 +113,7 @@ class TableOfBars {
       head_ == kNodeColumns ? read_node(row) : read_bar(row);
   }
 
-  /// Reads the line of column names, `EA` or `EA [N]`, and with it the order of the columns.
+  /// Reads the line of column names, such as `EA` or `EA [N]`, which may be in any order.
   template <std::size_t N>
   void read_head(const Row& row, const Column (&columns)[N]) {
     head_ = columns;
@@ -248,7 +248,8 @@ class TableOfBars {
         {{static_cast<std::uint32_t>(*from), static_cast<std::uint32_t>(*to)}, length.value_or(drawn)});
   }
 
-  /// Returns the rope of this name, or adds it. Other numbers than in its first row are an error.
+  /// Returns the rope with the name of `rope`, or adds it. Properties that differ from those in the first row
+  /// of the rope are an error.
   TableRope& rope_of(const TableRope& rope) {
     const auto [known, is_new] = rope_named_.try_emplace(rope.name, table_.ropes.size());
     if (is_new) table_.ropes.push_back(rope);
@@ -275,8 +276,8 @@ class TableOfBars {
     return {};
   }
 
-  /// Checks that at least one bar ends at every node. Holds and loads act through bars, and a truncated file
-  /// lacks bars.
+  /// Checks that a bar ends at every node: holds and loads act through bars, and in a truncated file bars are
+  /// missing.
   void check_ends() {
     std::vector<bool> is_used(table_.nodes.size());
     for (const auto& rope : table_.ropes)
@@ -301,8 +302,8 @@ class TableOfBars {
   const Column* head_ = nullptr;  // columns of the rows that are being read
   bool has_no_head_ = false;
   std::size_t width_ = 0;
-  std::vector<std::size_t> where_;  // position in a row, by column
-  std::vector<bool> is_known_;      // whether the table has it, by column
+  std::vector<std::size_t> where_;  // by column: its position in a row
+  std::vector<bool> is_known_;      // by column: whether the table has it
   std::map<std::string, std::size_t> node_named_, rope_named_;
 };
 

@@ -12,10 +12,10 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Rounds to single precision, in which FEMNET stores the numbers of panels.
+/// Rounds to single precision, because FEMNET stores the numbers of panels in it.
 double in_single(double value) { return static_cast<double>(static_cast<float>(value)); }
 
-/// Reads one file; members are steps in their order.
+/// Reads one gear file. The member functions are the steps, in the order of execution.
 class GearReader {
  public:
   GearReader(const std::string& text, int file, formats::Diagnostics& diagnostics)
@@ -152,7 +152,8 @@ class GearReader {
     gear_.links.push_back(std::move(link));
   }
 
-  /// Reads entries as long as they look like entries, because their announced number is not always correct.
+  /// Reads the meshing order. The number of entries in the file is not always correct, so that entries are
+  /// read as long as they look like entries.
   void read_order() {
     in_.skip_colon("the meshing order");
     if (in_.try_word('a')) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads a .mdg: blocks of rows, each after a title, the number of rows and another title.
+// Reads a .mdg, a mesh of FEMNET: blocks of rows, each after a title, the number of rows and another title.
 #include "io/formats/mesh/mesh.hpp"
 #include "io/formats/mesh/text_rows.hpp"
 #include "io/scenes/import/femnet_gear.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kMostMeshRows = 4000000;
 constexpr double kShareRounding = 1e-6;
 
-/// Reads one file; members are steps in their order.
+/// Reads one mesh file. The member functions are the steps, in the order of execution.
 class MeshFileReader {
  public:
   MeshFileReader(const std::string& text, int file, const GearFile& gear, formats::Diagnostics& diagnostics)
@@ -99,13 +99,13 @@ class MeshFileReader {
     return 0;
   }
 
-  /// Reports an error that shows that the mesh belongs to another version of the gear.
+  /// Reports an error that only a mesh of another version of the gear can have.
   void error_of_gear(const formats::Place& place, const std::string& message, const std::string& hint) {
     mesh_.is_of_another_gear = true;
     error(place, message, hint);
   }
 
-  /// The number of a type, cable or panel of the gear.
+  /// The number of a type, cable or panel, which the gear must have.
   int index_of_gear(const formats::Word& word, std::int64_t lo, std::size_t hi, const char* what) {
     const int errors_before = diagnostics_.errors(), value = index(word, lo, hi, what);
     if (diagnostics_.errors() > errors_before && formats::integer_in(word.text))
@@ -113,7 +113,7 @@ class MeshFileReader {
     return value;
   }
 
-  /// A whole number from `lo` to `hi`.
+  /// Reads a whole number from `lo` to `hi`.
   int index(const formats::Word& word, std::int64_t lo, std::size_t hi, const char* what) {
     const auto value = formats::integer_in(word.text);
     if (value && *value >= lo && *value <= static_cast<std::int64_t>(hi)) return static_cast<int>(*value);

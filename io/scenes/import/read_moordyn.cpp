@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads an input file of MoorDyn. A line of dashes with a title begins each section. All sections but
-// options and outputs continue with two lines for the names and units of their columns, which MoorDyn does
-// not read.
+// Reads an input file of MoorDyn. A line of dashes with a title begins each section. In all sections except
+// options and outputs, two lines with names and units of columns follow, which MoorDyn does not read.
 //   density of a line  ρ = m/(π d²/4)   m [kg/m] mass, d [m] diameter                             (1)
 //   tangential drag    C_t = π C_dAx    C_dAx refers to the surface π d, C_t to d                 (2)
 //   bed under a line   k = k_bot d      k_bot [Pa/m]; a segment of length s has stiffness k s     (3)
@@ -34,7 +33,7 @@ struct LineType {
   double diameter = 0, mass = 0, EA = 0, EI = 0, cd = 0, cd_axial = 0;
 };
 
-/// Reads one file; members are steps in their order.
+/// Reads one file. The member functions are the steps, in the order of execution.
 class MooringReader {
  public:
   MooringReader(const std::string& text, int file, formats::Diagnostics& diagnostics)
@@ -125,9 +124,9 @@ class MooringReader {
     }
   }
 
-  /// Reads a line with names of columns. Version 1 has the length of a line before its ends; only the name of
-  /// this column distinguishes it from version 2. In version 1 a number of rows may come before the names: "2
-  /// NTypes".
+  /// Reads a line with names of columns. In version 1 of the format the length of a line comes before its
+  /// ends; only the name of the column tells the versions apart. In version 1 a number of rows ("2 NTypes")
+  /// may come before the names.
   void read_names(const Row& row) {
     if (names_ == 2 && formats::integer_in(row[0].text)) return;
     --names_;
@@ -174,7 +173,8 @@ class MooringReader {
       error(row[0].place, "there is a line type " + shown(row[0]) + " already");
   }
 
-  /// Reads a body. The import supports points on bodies that do not move; others would need a rigid body.
+  /// Reads a body. Only points on bodies that do not move are imported; other bodies would have to become
+  /// rigid bodies.
   void read_body(const Row& row) {
     if (!has_columns(row, 8, "number, attachment, X0 Y0 Z0, r0 p0 y0")) return;
     Body body{{}, in_capitals(row[1].text)};
@@ -273,7 +273,7 @@ class MooringReader {
     rope.density = type.mass / (std::numbers::pi * type.diameter * type.diameter / 4);  // (1)
     rope.normal = type.cd;
     rope.tangential = std::numbers::pi * type.cd_axial;  // (2)
-    rope.bed = type.diameter;                            // (3), without k_bot
+    rope.bed = type.diameter;  // (3) before the factor k_bot, which the options give
     if (std::any_of(out_.table.ropes.begin(), out_.table.ropes.end(),
                     [&](auto& r) { return r.name == name; }))
       return error(place, "there is a line with this number already");
@@ -287,8 +287,8 @@ class MooringReader {
     out_.table.ropes.push_back(std::move(rope));
   }
 
-  /// Adds a node of a line at its initial position, on a parabola about as long as the line: length = d + 8
-  /// s²/(3 d), with the sag s.
+  /// Adds a node of a line. The line begins as a parabola whose length is about its own: length = d + 8 s²/(3
+  /// d), with the distance d of its ends and the sag s.
   std::uint32_t add_node(const std::string& line, int number, std::array<std::uint32_t, 2> ends, double t,
                          double length) {
     const auto &a = out_.table.nodes[ends[0]].at, &b = out_.table.nodes[ends[1]].at;
@@ -348,8 +348,8 @@ class MooringReader {
     }
   }
 
-  /// Adds results for the tensions at ends of lines: the net force on the node at the end, as in MoorDyn. The
-  /// end must be held, and no other line may end at its point.
+  /// Adds results for the tensions at ends of lines: as in MoorDyn, the net force on the node at the end. The
+  /// end must be held, and no other line may end there.
   void add_tensions() {
     std::map<std::uint32_t, int> lines_at;
     for (const auto& rope : out_.table.ropes)

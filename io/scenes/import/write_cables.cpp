@@ -19,7 +19,8 @@ std::string called(const SceneDraft& from, std::size_t cable) {
   return names + (names.empty() || floats.empty() ? "" : "; ") + floats;
 }
 
-/// Writes the bars of a cable that no drum hauls, or with `hauled` one bar that a drum hauls.
+/// Writes the part with the bars of a cable that no drum hauls; with `hauled`, the part of one bar that a
+/// drum hauls.
 void write_bars(SceneDraft& to, const Cable& c, const std::string& name, const std::string& comment,
                 const HauledBar* hauled) {
   to.begin_part(name, "rope/bar", comment);
@@ -42,8 +43,8 @@ void write_bars(SceneDraft& to, const Cable& c, const std::string& name, const s
   to.write_drag(c.cd, c.friction, c.place);
 }
 
-/// The extent along `axis` of bars that have exactly one end in a plane, positive or negative by the side on
-/// which they lie [m]; zero if there are none.
+/// The sum of the extents along `axis` [m] of bars that have exactly one end in a plane: positive if they lie
+/// on its positive side, zero if there are none.
 double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& bars,
                     const std::vector<std::uint32_t>& plane, std::size_t axis) {
   const auto is_there = [&](auto n) { return std::find(plane.begin(), plane.end(), n) != plane.end(); };
@@ -55,7 +56,8 @@ double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& ba
   return side;
 }
 
-/// Lets bars that end in a plane of symmetry bend against their mirror images.
+/// Writes a part by which bars that end in a plane of symmetry have a bending moment against their mirror
+/// images.
 void write_mirrors(SceneDraft& to, const Cable& c, std::size_t number) {
   const formats::MeshRegion* region = to.out.mesh.find(cable_name(number));
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -116,8 +118,8 @@ void write_cables(SceneDraft& to) {
   for (std::size_t c = 0; c < to.gear.cables.size(); ++c) write_cable(to, c);
 }
 
-/// Writes clamps with the bending stiffness of the weaker cable. A clamp of cables that do not meet or do not
-/// bend is left out, with a note.
+/// Writes the clamps, with the smaller bending stiffness of the two cables. A clamp of cables that do not
+/// meet or have no bending stiffness is left out, with a note.
 void write_clamps(SceneDraft& to) {
   for (std::size_t i = 0; i < to.gear.clamps.size(); ++i) {
     const Clamp& clamp = to.gear.clamps[i];

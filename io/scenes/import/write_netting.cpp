@@ -33,7 +33,8 @@ InlineTable twine_of(SceneDraft& to, const Panel& p, double EA, double EA_compre
 }
 
 /// Writes netting with one bar for several twines. FEMNET replaces n twines by one thick twine, whose
-/// friction is too large by √n; here the drag coefficient is multiplied by √n to agree.
+/// tangential drag (friction) is too large by √n; here the friction is multiplied by √n, so that results
+/// agree.
 void write_twines(SceneDraft& to, std::size_t number, const std::string& region) {
   const Panel& p = to.gear.panels[number];
   const TwineBar bar(p);
@@ -68,8 +69,8 @@ void write_panel(SceneDraft& to, std::size_t number) {
   if (to.out.mesh.find(name + "-twines")) write_twines(to, number, name + "-twines");
 }
 
-/// Initial position of the front of the catch: the last fifth of the drawing, along the current, lies behind
-/// it.
+/// Initial position of the front of the catch along the current: a fifth of the length of the netting is
+/// behind it.
 double first_front(const SceneDraft& from) {
   double low = 1e6, high = -1e6;
   for (const auto& t : from.file.triangles)

@@ -21,8 +21,8 @@ formats::TableReader own_table(formats::TableReader& analysis, const std::string
   return at.component.empty() ? plugin : plugin.table(at.component, formats::Presence::optional);
 }
 
-/// The parameters of a solver, an integrator or a strategy in the scene. The first call for a component reads
-/// them; later calls return the same values.
+/// The parameters that the scene gives to a solver, an integrator or a strategy. They are read at the first
+/// call for a component; later calls return the same values.
 template <class Type>
 const Values& parameters_of(const Type& component, formats::TableReader& analysis, Analysis& a) {
   const auto [given, is_new] = a.given.try_emplace(component.type);
@@ -33,8 +33,8 @@ const Values& parameters_of(const Type& component, formats::TableReader& analysi
   return given->second;
 }
 
-/// Sets up an integrator that `solver` names: it marches in time until the motion has died out, so mass
-/// damping is on by default.
+/// Reads the settings if `solver` names an integrator: a motion then finds the equilibrium by dying out, so
+/// that mass damping is on by default.
 void read_settling(formats::TableReader& table, Registry& registry, Analysis& a) {
   a.dynamics.integrator = a.solver;
   const IntegratorType& type = registry.integrator(a.solver);
@@ -46,17 +46,18 @@ void read_settling(formats::TableReader& table, Registry& registry, Analysis& a)
   a.dynamics.march.budget = false;
 }
 
-/// Refuses keys of motions in a static analysis whose `kind` is not stated, because kind = "dynamic" may have
-/// been forgotten.
+/// Reports keys of motions in a static analysis as errors, because kind = "dynamic" may have been forgotten.
+/// If the scene states its `kind`, they may stay.
 void pass_over_time(formats::TableReader& table) {
-  bool is_refused = table.has("kind");  // kind = "static" is stated, so keys of motions may stay
+  bool is_refused = table.has("kind");  // kind = "static" is stated
   for (const auto& key : dynamics_keys())
     if (table.has(key.name) && !std::exchange(is_refused, true))
       table.error(key.name, "has no effect on an equilibrium",
                   "kind = \"dynamic\" for a motion, kind = \"static\" to keep it for another day");
 }
 
-/// Reads the keys of motions. Returns true if the analysis needs no solver of equilibria.
+/// Reads the keys of motions. Returns true if the analysis needs no solver for equilibria, because a motion
+/// finds the equilibrium.
 bool read_time(formats::TableReader& table, Registry& registry, Analysis& a) {
   const bool moves = a.kind == AnalysisKind::dynamics;
   a.settles = !moves && is_integrator(registry, a.solver);
@@ -83,8 +84,8 @@ void read_solver(formats::TableReader& table, Registry& registry, Analysis& a) {
 }
 
 /// Reads the strategy. If a static analysis names only a solver, the strategy is kStrategyOfNamedSolver, so
-/// that the result shows what this solver can do by itself. In a motion `solver` names the solver of the
-/// steps; the default strategy finds the equilibrium from which the motion may start.
+/// that the result shows what this solver can do alone. In a motion `solver` is the solver of the time steps,
+/// and the strategy finds the equilibrium at which the motion may start.
 void read_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   const bool only_solver = values.contains("solver") && !values.contains("strategy");
   if (only_solver && a.kind == AnalysisKind::statics) a.strategy = kStrategyOfNamedSolver;
@@ -92,8 +93,8 @@ void read_strategy(formats::TableReader& table, Registry& registry, const Values
   a.strategy_parameters = parameters_of(strategy, table, a);
 }
 
-/// Clears the strategy: an integrator that is used as a solver reaches the equilibrium by time steps and
-/// calls no strategy. Warns if the scene names one.
+/// Clears the strategy, and warns if the scene names one: a motion that finds the equilibrium by dying out
+/// needs no strategy.
 void pass_over_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   if (values.contains("strategy")) {
     registry.strategy(a.strategy);
@@ -119,7 +120,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
   return a;
 }
 
-/// Calls `read`. If a plugin is refused, reports this at `key` and sets `refused`.
+/// Calls `read`. If that finds no usable plugin, reports this at `key` and sets `refused`.
 template <class Read>
 void read_component(formats::TableReader& table, const char* key, bool& refused, const Read& read) {
   try {
@@ -141,8 +142,8 @@ void report_successors(formats::TableReader& table) {
     if (table.has(key)) table.error(key, "is no longer a key of [analysis]", successor);
 }
 
-/// Whether a name is that of a strategy, which decides on the hint for a strategy named as a solver. Its
-/// plugin is opened to find out.
+/// Whether a name is that of a strategy; if so, an error about a solver of this name gets a hint. Opens the
+/// plugin to find out.
 bool is_strategy(Registry& registry, const std::string& name) {
   try {
     registry.strategy(name);
@@ -152,7 +153,7 @@ bool is_strategy(Registry& registry, const std::string& name) {
   }
 }
 
-/// Checks the solvers and strategies that parameters of a strategy name.
+/// Checks the names of solvers and strategies in the parameters of a strategy.
 void check_named_by(const StrategyType& strategy, const Values& values, formats::TableReader own,
                     Registry& registry, bool& refused) {
   for (const auto& parameter : strategy.parameters) {
@@ -168,16 +169,16 @@ void check_named_by(const StrategyType& strategy, const Values& values, formats:
   }
 }
 
-/// Checks the names in the tables of all strategies. Which of these strategies another strategy calls is
-/// known only later.
+/// Checks these names in the tables of all strategies, because it is not known yet which of them another
+/// strategy will call.
 void check_names(formats::TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
   for (const auto& [type, values] : a.given)
     for (const auto& strategy : registry.plugin(table_of_component(type).plugin).strategies)
       if (strategy.type == type) check_named_by(strategy, values, own_table(table, type), registry, refused);
 }
 
-/// Reads the tables of components that the scene does not name as its solver or strategy: a strategy may call
-/// them.
+/// Reads the tables of solvers, integrators and strategies that the scene does not choose itself, because a
+/// strategy may call them.
 void read_others(formats::TableReader& table, Registry& registry, Analysis& a) {
   const auto read = [&](const auto& all) {
     for (const auto& component : all) parameters_of(component, table, a);

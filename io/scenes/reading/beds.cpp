@@ -14,7 +14,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// A plane of ground whose surface layer of thickness `softness` [m] is soft.
+/// The bed of one part: a plane, whose surface yields by `softness` [m].
 struct Bed {
   const Part* part = nullptr;
   formats::Place place;
@@ -58,8 +58,8 @@ void check_height(const Bed& bed, const Scene& scene, formats::Diagnostics& diag
         "the bed pushes at what cannot move");
 }
 
-/// Refuses two beds that carry the same node, because both would push at it. `is_first`: heights in the
-/// report are measured from bed `a`; warns if bed `b` is another plane.
+/// Reports two beds on the same node as an error, because both would push at it. `is_first`: `a` is the first
+/// bed, from which the report measures heights; a warning says if bed `b` is another plane.
 void check_pair(const Bed& a, const Bed& b, bool is_first, formats::Diagnostics& diagnostics) {
   const std::set<std::uint32_t> carried(a.part->nodes.begin(), a.part->nodes.end());
   const bool shares = std::any_of(b.part->nodes.begin(), b.part->nodes.end(),

@@ -14,7 +14,7 @@ namespace netloft::scenes {
 namespace {
 
 constexpr const char* kBottom = "bottom";
-constexpr double kMostFactor = 1e6;  // largest factor, such as that of rock relative to mud
+constexpr double kMostFactor = 1e6;  // limit of factors; rock over mud may be as large
 
 const netloft_parameter& bottom_key() {
   return *std::ranges::find_if(bed_keys(),
@@ -28,8 +28,8 @@ std::optional<std::size_t> column_named(const char* name) {
   return {};
 }
 
-/// Refuses negative factors, factors above kMostFactor, and a stiffness factor of zero, with which the bed
-/// would carry nothing.
+/// Reports factors below zero or above kMostFactor as errors, and a stiffness factor of zero, with which the
+/// bed would carry nothing.
 void check_factors(const Samples& rows, formats::TableReader& bottom) {
   for (std::size_t k = 2; bottom_key().columns[k]; ++k) {
     const std::string_view name = bottom_key().columns[k];

@@ -13,9 +13,9 @@ namespace netloft::scenes {
 
 namespace {
 
-/// A mention of a catalogue part in a scene.
+/// A part of the scene that names a part of the catalogue.
 struct NamedPart {
-  std::string name;  // of the part in the scene
+  std::string name;  // name of the part in the scene
   formats::Table* part;
   std::string key;  // the key that names it: twine, rope, float or board
   std::string path;
@@ -23,7 +23,7 @@ struct NamedPart {
   formats::Value& said() const { return part->find(key)->value; }
 };
 
-/// Calls visit(path, name, table) for all parts and bodies.
+/// Calls visit(path, name, table) for the tables of all parts and bodies.
 template <class Visit>
 void for_pieces(formats::Value& scene, const Visit& visit) {
   formats::Table* root = scene.as<formats::Table>();
@@ -52,8 +52,8 @@ void insert_numbers(std::set<std::string>& known, const std::vector<netloft_para
     if (std::string_view(p.name).starts_with(prefix)) known.insert(p.name + prefix.size());
 }
 
-/// The names of the numbers that elements of the part's plugin take under `key`. All elements of the plugin
-/// count, because riders on the part read the same table.
+/// The names of the parameters under `key` that elements of the part's plugin have. All elements of the
+/// plugin count, because companions of the part read the same table.
 std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry) {
   std::set<std::string> known;
   const formats::Member* type = mention.part->find("type");
@@ -67,8 +67,8 @@ std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry
   return known;
 }
 
-/// A part of the same kind that replaces a part not found, so that the rest of the scene can be read. Null if
-/// the catalogue has none.
+/// Any catalogue part of a kind, which replaces one that was not found, so that the rest of the scene can be
+/// read. Null if the catalogue has none.
 const gears::CataloguePart* stand_in(const gears::Catalogue& catalogue, const std::string& key) {
   for (const auto& part : catalogue.parts())
     if (part.kind->key == key) return &part;
@@ -93,7 +93,8 @@ void put(const NamedPart& mention, const gears::Catalogue& catalogue, Registry& 
 
 constexpr const char *kPolar = "polar", *kSlip = "sideslip";
 
-/// A mention of a polar in the table of a board: `board = { polar = "cambered-low-aspect" }`.
+/// A board whose table names a polar (coefficients over the angle of attack) of the catalogue: `board = {
+/// polar = "cambered-low-aspect" }`.
 struct NamedPolar {
   formats::Table* board;
   std::string path;
@@ -111,8 +112,8 @@ std::vector<NamedPolar> find_polars(formats::Value& scene) {
   return polars;
 }
 
-/// A table of those of `columns` that the polar has; nothing if it lacks the second column, the first column
-/// of values.
+/// A table of those of `columns` that the polar has; nothing if it lacks the second one, which has the first
+/// values.
 std::optional<formats::Value> columns_of(const gears::CataloguePart& polar,
                                          const std::vector<const char*>& columns, formats::Place place) {
   formats::Table table;

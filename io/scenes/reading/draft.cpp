@@ -65,7 +65,8 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   }
   if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
   const bool hangs_on_geometry = geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
-  if (is_sound[*p] || !hangs_on_geometry)  // else the error in the geometry is reported already
+  if (is_sound[*p] ||
+      !hangs_on_geometry)  // otherwise an error in the geometry, reported before, is the cause
     diagnostics_.error(
         m.place,
         m.path + ": " + formats::in_quotes(geometry.names.name) + " has no " + formats::in_quotes(name),
@@ -73,7 +74,8 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   return {};
 }
 
-/// The names of a part. They move from `geometries` to `out.parts` when nodes are numbered, after the joins.
+/// The names of edges and points of a part. They move from `geometries` to `out.parts` when nodes are
+/// numbered.
 PartGeometry& Draft::names_of(std::size_t part) {
   return part < out.parts.size() ? out.parts[part] : geometries[part].names;
 }

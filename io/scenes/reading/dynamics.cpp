@@ -93,8 +93,8 @@ double limited(double slope, double before, double after) {
   return std::clamp(slope, -most, most);
 }
 
-/// A smooth cubic course through the points d. The velocity at a point is the limited mean slope between its
-/// two neighbours, and zero at both ends.
+/// A smooth motion through the displacements d at the times t: cubic in between. The velocity at a point is
+/// the mean slope to its two neighbours, limited as above, and zero at the first and last point.
 Course through(const std::vector<double>& t, const std::vector<Course::Point>& d) {
   Course course;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -109,7 +109,8 @@ Course through(const std::vector<double>& t, const std::vector<Course::Point>& d
   return course;
 }
 
-/// The displacements of velocities that are linear between the points, zero at t = 0.
+/// The motion with the velocities v at the times t: velocities are linear in between, and the displacement is
+/// zero at time zero.
 Course gone(const std::vector<double>& t, const std::vector<Course::Point>& v) {
   Course course;
   for (std::size_t i = 0; i < t.size(); ++i) {

@@ -59,7 +59,7 @@ void ElementChoice::read(const ElementType& type, formats::TableReader& table, P
   check_idle_keys(part, table);
 }
 
-/// The parameters of the elements of a part and of all elements that ride on them, each name once.
+/// The parameters of an element type and of its companions, each name once.
 std::vector<netloft_parameter> ElementChoice::parameters_with_companions(const ElementType& type) const {
   std::vector<netloft_parameter> all = type.parameters;
   for (const auto* rider : companions_of(type))

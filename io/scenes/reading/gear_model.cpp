@@ -15,7 +15,8 @@ namespace {
 constexpr double kMostFiner = 100;
 constexpr std::int64_t kFewestNodes = 20;
 
-/// Whether the scene says `nodes = "knots"`; then no other key may set the fineness of the mesh.
+/// Whether the scene says `nodes = "knots"`: every knot is a node, and no other key may set the fineness of
+/// the mesh.
 bool wants_knots(formats::TableReader& table) {
   const formats::Value* nodes = table.kind("nodes") == formats::Kind::text ? table.raw("nodes") : nullptr;
   return nodes && *nodes->as<std::string>() == kKnots;
@@ -28,8 +29,8 @@ Values read_gear_keys(formats::TableReader& table, bool knots) {
   return read_parameters(keys, table);
 }
 
-/// Refuses `nodes` and `size` together, since each sets the fineness of the mesh, and a number of nodes out
-/// of range.
+/// Reports `nodes` together with `size` as an error, because each sets the fineness of the mesh, and a number
+/// of nodes out of range.
 void check_fineness(const GearKeys& keys, formats::TableReader& table) {
   if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
     table.error("size", "stands beside nodes, and either says how fine the mesh is",
@@ -46,7 +47,7 @@ void check_knots(formats::TableReader& gear) {
                  "leave one of them out");
 }
 
-/// Refuses half a gear if the plan differs between port and starboard.
+/// Reports half a gear as an error if the plan differs between port and starboard.
 void check_halves(const gears::NetPlan& plan, formats::TableReader& table) {
   for (const auto& body : plan.bodies)
     if (body.stands != gears::Standing::pair)

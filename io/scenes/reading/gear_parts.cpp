@@ -62,8 +62,8 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
   own_.resize(mesh().nodes);
 }
 
-/// The initial guess of the position of a board: as deep as warps usually reach with such boards, but not
-/// below the bed. The equilibrium does not depend on it, unless a gear has several equilibria.
+/// The initial guess for a board: as deep as such boards usually go behind warps of this length, but not
+/// below the bed. Only the choice between several equilibria depends on it.
 BodyOfPlan GearParts::place_of(const gears::GearBody& body) const {
   BodyOfPlan place{body.is_mirrored ? -1.0 : 1.0, {}};
   const gears::Rope* warp = plan_.find_rope(gears::kWarp);
@@ -153,7 +153,7 @@ void GearParts::add_rope(const gears::GearRope& rope, const gears::RopeMesh& mes
            std::move(geometry), mesh.nodes);
 }
 
-/// `nodes`: own number -> node of the gear.
+/// Adds a panel or a rope as a part. `nodes`: own number of the part -> node of the gear.
 void GearParts::add_part(std::string_view kind, const std::string& name, const std::string& path,
                          formats::Value numbers, bool is_of_catalogue, Geometry geometry,
                          const std::vector<std::uint32_t>& nodes) {
@@ -214,7 +214,8 @@ void GearParts::put_pieces(const gears::GearPieces& pieces) {
   draft_.add_rider(std::move(part), pieces.pieces->place, elements_->type_of("floats"), is_sound);
 }
 
-/// The nodes that carry `pieces`. Adds to `carried` the length of rope or edge [m] that belongs to each node.
+/// The nodes to which floats or weights are attached. Adds to `carried` the length of rope or edge [m] that
+/// each of them represents.
 std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
                                                std::vector<double>& carried) const {
   std::vector<std::uint32_t> nodes;
@@ -244,7 +245,7 @@ std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
   return nodes;
 }
 
-/// Stores the roles that the plan gives its ropes. Parts of ropes have the order of the ropes of the gear.
+/// Stores the roles that the plan gives its ropes. Ropes of `gear` are in the order of those of gear_.
 void GearParts::name_lines(GearInScene& gear) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::Rope& rope = *gear_.ropes[r].rope;
@@ -258,8 +259,8 @@ void GearParts::name_lines(GearInScene& gear) const {
   }
 }
 
-/// The name of a point in reports. The ends of a rope across the gear have the same names in the whole and in
-/// the half gear.
+/// The name of a point in reports. An end of a rope that runs from port to starboard has the same name in the
+/// whole gear and in the half.
 std::string GearParts::point_name(const std::string& name) const {
   const auto dot = name.find('.');
   const gears::GearRope* rope = dot == std::string::npos ? nullptr : gear_.find_rope(name.substr(0, dot));
@@ -270,7 +271,7 @@ std::string GearParts::point_name(const std::string& name) const {
   return end == "end" ? rope->name + ".starboard" : name;
 }
 
-/// Whether all nodes of a rope of the plan are carried. A pair counts as carried if its rope to starboard is.
+/// Whether all nodes of a rope of the plan are in `carried`. For a pair of ropes the starboard one decides.
 bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
     if (gear_.ropes[r].rope->name == rope)
@@ -288,8 +289,8 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
 
 namespace {
 
-/// Divides the number of pieces by `shoes`, the number of shoes of one board, so that the result does not
-/// depend on whether the other board is modelled, too.
+/// Divides the number of pieces of a contact by `shoes`, the number of points on which one board rests, so
+/// that each gets the same number whether one or both boards are modelled.
 void count_on_one_side(formats::Table& contact, double shoes) {
   if (contact.find("each")) return;
   double pieces = 1;
@@ -369,9 +370,9 @@ void GearParts::hold_blocks() {
   draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
 }
 
-/// For each warp with a tension, adds a setting: the solver finds the length with this tension. Adds a winch
-/// for each warp with a tension or a winch program; without a program it holds the tension in a motion. A
-/// warp starts at its block.
+/// Prepares warps on winches. For a warp with a given tension, the search for the equilibrium finds its
+/// length (a Setting). In a motion, a winch follows the winch program of the plan, or holds the tension if
+/// there is none. A warp starts at its block.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::GearRope& rope = gear_.ropes[r];

@@ -88,9 +88,9 @@ Geometry read_panel(formats::TableReader& part);
 /// (`parallel`) of m mesh bars each, where `bar` is the length of a mesh bar:
 ///   rest_length = m bar,  parallel = m                                                              (1)
 ///   4 rest_length parallel = 4 m² bar, the bars of m² meshes                                        (2)
-/// By (2) the total length of twine is that of the panel, for every m. No bar lies on an edge, so that edges
-/// need no special bars. With m = 1, nodes are the knots and bars the bars of the net. Cells that are not
-/// square in meshes are an error, because their bars would run across twines. Nodes and sets are those of
+/// The total length of twine (2) is that of the panel for every m. No bar lies on an edge, so that edges need
+/// no special bars. With m = 1, nodes are the knots and bars the bars of the net. Cells that are not square
+/// in meshes are an error, because their bars would run across twines. Nodes and sets are those of
 /// read_panel() with crossed cells, but sets have no centres. Data of elements: rest_length [m], parallel.
 /// Faces (Geometry::Faces): four triangles per cell, from its centre to each side, with to_aft as in
 /// read_panel().

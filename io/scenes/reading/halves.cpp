@@ -11,8 +11,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Tolerance as a fraction of the breadth of a gear. Solutions to the usual tolerance were up to 5e-10 beyond
-// the plane, crossed gears 0.1.
+// Nodes beyond the plane by less than this fraction of the gear's breadth do not count. Solutions to the
+// usual tolerance were up to 5e-10 beyond, crossed gears 0.1.
 constexpr double kRounding = 1e-6;
 constexpr std::size_t kMostNames = 5;
 
@@ -53,8 +53,8 @@ std::string list_names(const LoadedScene& loaded, const std::vector<Beyond>& par
   return names;
 }
 
-/// Adds the crossings of the pairs of a whole gear. The gear may be towed askew, so each body is compared
-/// with the other one and not with the plane.
+/// Adds the crossings of pairs of bodies in a whole gear. The gear may be towed askew, so that each body is
+/// compared with the other one of its pair and not with the plane.
 void add_pairs(const LoadedScene& loaded, std::span<const double> positions,
                std::vector<Crossing>& crossings) {
   for (const auto& [name, parts] : loaded.gear->pairs) {

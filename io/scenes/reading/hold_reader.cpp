@@ -57,7 +57,7 @@ void HoldReader::refuse_carried(const Mention& m, std::uint32_t node) {
                          "] holds its attitude");
 }
 
-/// Moves the nodes of a hold along a course.
+/// Moves the nodes of a hold in the given way (`course`).
 void HoldReader::guide(Course course, const HoldEntry& entry, const Hold& hold, formats::TableReader& table) {
   if (course.knots.empty()) return;
   guides_.push_back(table);

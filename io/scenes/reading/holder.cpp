@@ -28,7 +28,7 @@ std::uint8_t read_axes(formats::TableReader& table) {
   return axes ? axes : std::uint8_t{kAllAxes};
 }
 
-/// A rotation whose first column is `d`.
+/// A rotation matrix whose first column is the direction of `d`.
 std::array<double, 9> frame_along(const std::array<double, 3>& d) {
   const double length = std::hypot(d[0], d[1], d[2]);
   const std::array<double, 3> a{d[0] / length, d[1] / length, d[2] / length};
@@ -41,8 +41,8 @@ std::array<double, 9> frame_along(const std::array<double, 3>& d) {
   return {a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]};
 }
 
-/// Reads `along`, the direction of a line on which the nodes are free, or `plane`, the normal of a plane in
-/// which they are free (a symmetry plane).
+/// Reads `along`, the direction of a line on which the nodes can move, or `plane`, the normal of a plane in
+/// which they can move (a plane of symmetry).
 void read_frame(formats::TableReader& table, HoldEntry& entry) {
   const bool along = table.has("along"), plane = table.has("plane");
   if (!along && !plane) return;
@@ -151,14 +151,14 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
   return held;
 }
 
-/// Whether a node can be held along axes of the scene. The bits of a node that has its own axes refer to
-/// those; only the bits of all three axes mean the same in both.
+/// Whether a node can be held along axes of the world. The bits of `held` refer to the node's own axes if it
+/// has some; only if all three are set do they mean the same for both.
 bool Holder::holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const {
   return axes == kAllAxes || scene_.held[node] == kAllAxes || !scene_.frames.contains(node);
 }
 
-/// Gives a node its own axes. Returns false if the node is held along other axes already; a node that is held
-/// along all axes needs none.
+/// Gives a node the axes of `frame`. Returns false if it is held along other axes already. A node that is
+/// held along all axes keeps the axes of the world.
 bool Holder::turn(std::uint32_t node, const std::array<double, 9>& frame) {
   if (scene_.held[node] == kAllAxes) return true;
   if (const auto at = scene_.frames.find(node); at != scene_.frames.end()) return at->second == frame;
@@ -167,8 +167,8 @@ bool Holder::turn(std::uint32_t node, const std::array<double, 9>& frame) {
   return true;
 }
 
-/// The position of every node: where it is sketched, if the entry gives no other place. Empty for an entry
-/// along a line or a plane, whose axes are not those of the world.
+/// The held position of every node: the initial one, unless the entry gives other places. Empty for an entry
+/// with `along` or `plane`, whose axes are not those of the world.
 std::vector<Holder::Point> Holder::places(const HoldEntry& entry,
                                           const std::vector<std::uint32_t>& nodes) const {
   std::vector<Point> points;
@@ -181,8 +181,7 @@ std::vector<Holder::Point> Holder::places(const HoldEntry& entry,
   return points;
 }
 
-/// Puts a node at its held position. Returns false if another entry holds it elsewhere, which is reported at
-/// `at`.
+/// Puts a node at its held position. If another entry holds it elsewhere, reports this and returns false.
 bool Holder::put(std::uint32_t node, const Put& put, formats::TableReader& table) {
   for (const Put& earlier : put_[node])
     if (!agree(put.point, earlier.point, put.axes & earlier.axes)) {

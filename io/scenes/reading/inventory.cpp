@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A number in the table of a part, in an SI unit; NaN if the table does not have it.
+/// A number in the table of a part, converted to the SI unit `unit`; NaN if the table does not have it.
 double number_of(const formats::Value& part, const char* key, const char* unit) {
   const formats::Table* table = part.as<formats::Table>();
   const formats::Member* member = table ? table->find(key) : nullptr;

@@ -17,7 +17,7 @@ void JoinReader::read() {
   number(joiner);
 }
 
-/// Joins the nodes that parts have in common in meshes and in the net plan.
+/// Joins nodes that parts have in common because a mesh file or the net plan says so.
 void JoinReader::join_by_others(Joiner& joiner) const {
   meshes_.connect(joiner);
   gear_.join(joiner);
@@ -60,8 +60,8 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
   return true;
 }
 
-/// Refuses joins that make an element collapse. To find the first such join, makes all joins again, one by
-/// one.
+/// Reports the first join that makes two nodes of an element one, as an error. To find it, makes all joins
+/// again, one by one.
 void JoinReader::check_joins(Joiner& joiner) const {
   if (!joiner.find_collapse(nodes_per_element(draft_.types))) return;
   Joiner again(draft_.geometries);
@@ -77,7 +77,7 @@ void JoinReader::check_joins(Joiner& joiner) const {
   }
 }
 
-/// Gives the nodes of the scene their numbers, and elements their nodes.
+/// Numbers the nodes of the scene, and converts the elements of parts to these numbers.
 void JoinReader::number(Joiner& joiner) {
   LoadedScene& out = draft_.out;
   joiner.number(out.scene);

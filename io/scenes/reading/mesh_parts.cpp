@@ -49,7 +49,7 @@ std::string names_of_regions(const formats::InputMesh& mesh, formats::RegionKind
   return names.empty() ? "it has no " + std::string(formats::name_of(kind)) : "there is: " + names;
 }
 
-/// Own numbers of the nodes of a region, in the order of the mesh.
+/// The nodes of a region, which are the nodes of its part; their own numbers follow the order of the mesh.
 struct OwnNodes {
   OwnNodes(const formats::InputMesh& mesh, const formats::MeshRegion& region)
       : nodes(region.nodes), own(mesh.node_count(), kNone) {
@@ -58,8 +58,8 @@ struct OwnNodes {
     for (std::uint32_t i = 0; i < nodes.size(); ++i) own[nodes[i]] = i;
   }
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  std::vector<std::uint32_t> nodes;  // nodes of the mesh, by own number
-  std::vector<std::uint32_t> own;    // own number, by node of the mesh
+  std::vector<std::uint32_t> nodes;  // own number -> node of the mesh
+  std::vector<std::uint32_t> own;    // node of the mesh -> own number; kNone outside the region
 };
 
 void add_nodes(const formats::InputMesh& mesh, const formats::MeshRegion& region, const OwnNodes& numbers,

@@ -17,7 +17,7 @@ std::string mirrored_word(const std::string& word) {
   return word;
 }
 
-/// Whether a draft has something of this name.
+/// Whether the scene has a point, a part, or an edge with this name.
 bool has(const Draft& draft, const std::string& name) {
   if (draft.points.contains(name)) return true;
   const auto dot = name.find('.');
@@ -26,7 +26,7 @@ bool has(const Draft& draft, const std::string& name) {
          (dot == std::string::npos || draft.geometries[*part].names.sets.contains(name.substr(dot + 1)));
 }
 
-/// Replaces ".end" of a rope across the gear by ".starboard", which is the same end.
+/// Replaces ".end" of a rope that runs from port to starboard by ".starboard", another name of the same end.
 std::string in_full(const Draft& draft, const std::string& name) {
   const std::string port = name.substr(0, name.find('.')) + ".port";
   return name.ends_with(".end") && has(draft, port) ? name.substr(0, name.find('.')) + ".starboard" : name;

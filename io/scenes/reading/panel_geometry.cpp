@@ -14,7 +14,7 @@ namespace netloft::scenes {
 
 namespace {
 
-// Limit of one part: 3·10⁷ unknowns, three times as many as have been solved; a matrix may have 10⁸.
+// Limit of one part, with 3·10⁷ unknowns: three times as many as have been solved. A matrix may have 10⁸.
 constexpr std::int64_t kMostElements = 20000000;
 
 /// Rows and columns of a structured panel.
@@ -42,7 +42,7 @@ void name_edges(const Grid& g, PartGeometry& names) {
   names.sets["aft-right"] = {g.node(g.across, g.along)};
 }
 
-/// The initial surface of a panel: the point at the fractions s across and t along.
+/// The initial surface of a panel: its point at the fractions s across and t along the panel.
 using SurfacePoint = std::function<Point(double s, double t)>;
 
 /// The bilinear surface through the four corners.
@@ -55,8 +55,8 @@ SurfacePoint through_corners(std::vector<Point> corner) {
 
 Vec3<double> vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// The surface c(t) + r(t) (cos 2πs e₁ + sin 2πs e₂) about the axis a, with e₁ × e₂ = a; e₁ points upwards as
-/// far as the axis allows.
+/// The surface of a tube around the line c(t) from one point to another, with the radius r(t): c(t) + r(t)
+/// (cos 2πs e₁ + sin 2πs e₂), with e₁ × e₂ the direction of the line; e₁ points upwards as far as possible.
 SurfacePoint round_an_axis(const Point& from, const Point& to, double radius, double radius_aft) {
   const Vec3<double> way = vector(to) - vector(from), a = (1 / norm(way)) * way;
   const Vec3<double> up = std::abs(a.z) > 0.999 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 0, 1};
@@ -91,7 +91,7 @@ std::optional<SurfacePoint> read_tube(formats::TableReader& part) {
   return round_an_axis(from, to, radius, radius_aft);
 }
 
-/// Reads `sketch` or `tube`; returns nothing after an error.
+/// Reads the initial surface from `sketch` or `tube`; returns nothing after an error.
 std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   if (part.has("tube") && part.has("sketch"))
     part.error("tube", "stands beside a sketch; a panel starts in one place", "leave one of them out");
@@ -101,7 +101,7 @@ std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   return through_corners(sketch);
 }
 
-/// The keys of a panel, before it is divided.
+/// What the keys of a panel say: its size, its cells and its initial surface.
 struct Panel {
   double across, along, bar;  // [meshes], [m]
   Grid cells;
@@ -128,12 +128,14 @@ std::optional<Panel> read_panel_keys(formats::TableReader& part, const GeometryK
       across, along, bar, {static_cast<std::size_t>(cells[0]), static_cast<std::size_t>(cells[1])}, *surface};
 }
 
-/// The length of a cell divided by its width, both in meshes; 1 if its bars run along the twines.
+/// The length of a cell over its width, both in meshes. If it is 1, bars from corner to centre run along the
+/// twines.
 double slant(const Panel& p, double across, double along) { return p.along * across / (p.across * along); }
 
 bool is_square(double slant) { return std::abs(slant - 1) < 1e-9; }
 
-/// The square cells nearest to those of a panel, such as "[36, 36]"; empty if there are none.
+/// The numbers of cells, nearest to those of a panel, with which cells are square in meshes, such as "[36,
+/// 36]"; empty if there are none.
 std::string nearest_square_cells(const Panel& p) {
   double best = std::numeric_limits<double>::infinity();
   std::string cells;
@@ -175,11 +177,11 @@ void place_centres(const Panel& p, Geometry& out) {
     }
 }
 
-/// Nodes of a triangle, outer face counter-clockwise.
+/// Nodes of a triangle, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Cell (i, j) of a panel: its corners counter-clockwise seen from outside, beginning with the fore left one,
-/// and the number of the node in the middle, which exists only in crossed cells.
+/// and the number of the node at its centre, which only crossed cells have.
 struct Cell {
   Cell(const Grid& g, std::size_t i, std::size_t j)
       : corners{g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1), g.node(i, j + 1)},
@@ -207,7 +209,7 @@ void for_each_cell(const Grid& g, Visit&& visit) {
     for (std::size_t i = 0; i < g.across; ++i) visit(Cell(g, i, j));
 }
 
-/// Adds a triangle of netting with the orientation `netting`.
+/// Adds a triangle of netting; `netting` is its orientation, such as "diamond".
 void add_triangle(const Panel& p, const Triangle& corners, const std::string& netting, Geometry& out) {
   for (const auto node : corners) {
     const auto [U, V] = out.names.panel[node];

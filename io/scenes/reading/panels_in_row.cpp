@@ -28,11 +28,11 @@ class PanelsInRow {
     }
   }
 
-  /// Meshes behind the aft edge of a panel.
+  /// The number of meshes behind the aft edge of a panel, averaged over the nodes of the edge.
   double behind(std::size_t panel) {
     Panel& p = panels_[panel];
     if (p.is_counted) return p.behind;
-    p.is_counted = true;  // set before recursion, so that panels sewn in a ring end it
+    p.is_counted = true;  // set before the recursion, which would not end if panels are sewn in a ring
     double sum = 0, count = 0;
     for (const auto node : p.aft_edge)
       if (const double most = most_behind(node, panel); most > 0) sum += most, ++count;
@@ -46,7 +46,7 @@ class PanelsInRow {
     bool is_counted = false;
   };
 
-  /// The most meshes behind a node in the panels other than `panel` that continue there.
+  /// The largest number of meshes behind a node, in the panels other than `panel` that continue there.
   double most_behind(std::uint32_t node, std::size_t panel) {
     double most = 0;
     for (const auto& [other, meshes] : seams_[node])

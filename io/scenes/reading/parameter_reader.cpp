@@ -28,7 +28,7 @@ Samples read_rows(const netloft_parameter& p, formats::TableReader& table) {
   return rows;
 }
 
-/// Reads a table whose first column must ascend; returns only its first row if it does not.
+/// Reads a table whose first column must ascend; returns only its first row after an error.
 Samples read_samples(const netloft_parameter& p, formats::TableReader table) {
   Samples rows = read_rows(p, table);
   for (std::size_t i = 1; i < rows.size(); ++i)
@@ -74,7 +74,7 @@ Samples read_grid(const netloft_parameter& p, formats::TableReader table) {
   return rows;
 }
 
-/// Reads a text, and reports the fault that its parameter finds in it.
+/// Reads a text, and reports an error if the parameter does not allow it.
 std::string read_text(const netloft_parameter& p, formats::TableReader& from, const std::string& key) {
   std::string text = from.text(key, {.doc = p.doc});
   const bool is_text = from.kind(key) == formats::Kind::text;
@@ -100,14 +100,14 @@ netloft::Value read_value(const netloft_parameter& p, formats::TableReader& from
   }
 }
 
-/// Whether a parameter "group.…" is required.
+/// Whether one of the parameters in a group, which are named "group.…", is required.
 bool group_is_required(std::span<const netloft_parameter> table, const std::string& group) {
   for (const auto& p : table)
     if (std::string_view(p.name).starts_with(group + ".") && (p.flags & NETLOFT_REQUIRED)) return true;
   return false;
 }
 
-/// Opens the table with the keys of a group; refuses an empty table of an optional group.
+/// Opens the table with the keys of a group. An empty table of a group that is optional is an error.
 formats::TableReader open_group(std::span<const netloft_parameter> table, formats::TableReader& from,
                                 const std::string& group) {
   const bool is_required = group_is_required(table, group);

@@ -31,7 +31,7 @@ void PartReader::read_parts(formats::Presence presence) {
     if (parts.kind(name) == formats::Kind::table) {
       formats::TableReader part = parts.table(name);
       if (part.has("on")) {
-        riders_.emplace_back(name, part);  // read later: the parts it stands on may follow
+        riders_.emplace_back(name, part);  // read later, because the parts that it names may follow
         draft_.announce_rider(name);
       } else {
         read_part(name, part);
@@ -106,7 +106,8 @@ void PartReader::read_part(const std::string& name, formats::TableReader& table,
     geometry = place ? read_body(table, place) : read_geometry(*type, name, table);
     read_extra_data(*type, geometry, table);
   } else {
-    for (const auto& key : table.keys()) table.raw(key);  // without a type, all keys count as known
+    for (const auto& key : table.keys())
+      table.raw(key);  // without a type it is unknown which keys are allowed
   }
   geometry.names.name = name;
   geometry.names.place = table.place();
@@ -144,7 +145,7 @@ Geometry PartReader::read_geometry(const ElementType& type, const std::string& n
   }
 }
 
-/// Reads data that the geometry does not give: one value for all elements of the part.
+/// Reads data of elements that the geometry does not determine: one value for all elements of the part.
 void PartReader::read_extra_data(const ElementType& type, Geometry& geometry, formats::TableReader& table) {
   const std::size_t elements = geometry.elements.size() / static_cast<std::size_t>(type.nodes());
   for (const auto& datum : type.data)

@@ -13,7 +13,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Removes numbers from the catalogue that the element type does not take.
+/// Removes numbers of a catalogue part that the element type does not take.
 void drop_unknown_numbers(formats::Table& numbers, const ElementType& type, const std::string& key) {
   std::erase_if(numbers.members, [&](const formats::Member& number) {
     const std::string name = key + "." + number.key;
@@ -42,7 +42,8 @@ PlanElements::PlanElements(const gears::NetPlan& plan, const gears::Gear& gear,
   read_exceptions(elements, gear);
 }
 
-/// Whether a name means something that rests on the bed: a rope, a body, or the kind itself.
+/// Whether a name means something with contact elements: a rope or a body that rests on the bed, or the kind
+/// "contact" itself.
 bool PlanElements::touches_bed(const std::string& name) const {
   if (!contact_) return false;
   const gears::Rope* rope = plan_.find_rope(name);
@@ -50,7 +51,8 @@ bool PlanElements::touches_bed(const std::string& name) const {
   return name == kContact || (rope && rests_on_bed(*rope)) || (body && !shoes_of(*body).empty());
 }
 
-/// Reads tables such as `[elements.top-codend]`, which override `[elements.KIND]` for one part of the plan.
+/// Reads tables such as `[elements.top-codend]`, which override `[elements.KIND]` for one panel, rope or body
+/// of the plan.
 void PlanElements::read_exceptions(formats::TableReader& elements, const gears::Gear& gear) {
   std::vector<std::string> names;
   for (const auto& panel : gear.panels) names.push_back(panel.name);

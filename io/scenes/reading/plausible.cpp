@@ -15,16 +15,18 @@ namespace {
 
 // Fresh water has 1000 kg/m3, the Dead Sea 1240 kg/m3; 0 is air.
 constexpr double kLightestWater = 900, kHeaviestWater = 1250;  // [kg/m3]
-// A chain has the diameter of the wire of its links, and as a cylinder of this diameter 25 000 to 28 000
-// kg/m3 (the library's). Footropes with rollers or chain loops counted in are up to 30 000 kg/m3 there.
+// The diameter of a chain is that of the wire of its links; a cylinder of this diameter has 25 000 to 28 000
+// kg/m3 (chains of the library). Footropes of the library whose density includes rollers or chain loops have
+// up to 30 000 kg/m3.
 constexpr double kHeaviestChain = 28000, kDensest = 50000;  // [kg/m3]
-// 20 kn. Gears are towed at up to 6 kn; faster, drag breaks them.
+// 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
 constexpr double kFastestTow = 10;  // [m/s]
-// 39 kn. A ship in a heavy sea moves a block by less than 5 m/s.
+// 39 kn. A ship in a heavy sea moves its blocks by less than 5 m/s.
 constexpr double kFastestHold = 20;  // [m/s]
-// A residual of 1 % of the largest load is more than the differences between gears that are compared.
+// A residual of 1 % of the largest load changes results by more than the differences between gears that
+// people compare.
 constexpr double kCoarsestTolerance = 0.01;  // [1]
-// Catalogues round buoyancy, volume and mass, each to about 5 %.
+// Catalogues round buoyancy, volume and mass by about 5 % each.
 constexpr double kRoundingOfFloats = 0.2;  // of the weight of the water displaced [1]
 
 void check_water(const LoadedScene& loaded, formats::TableReader& root) {
@@ -123,8 +125,8 @@ void check_stiffness(const Part& part, const KnownParameter& tension, const Know
                       "EA_compression = 0 is a rope that bears no compression; leave it out for the default");
 }
 
-/// A float that is given its buoyancy uses its volume and mass for its inertia alone. If no mass is given,
-/// the buoyancy may be anything up to the weight of the water displaced.
+/// Warns of a float whose given buoyancy does not fit its volume and mass, which then count for its inertia
+/// only. If no mass is given, any buoyancy up to the weight of the displaced water fits.
 void check_float(const LoadedScene& loaded, const Part& part, const formats::Place& place,
                  formats::Diagnostics& diagnostics) {
   const double given = number_or(0, part.parameters, parameter::kFloatBuoyancy.name),

@@ -60,7 +60,8 @@ Point placed(const Point& origin, const Point& rotation, const Point& r) {
   return point_of(vector_of(origin) + rotated(vector_of(rotation), vector_of(r)));
 }
 
-/// The side of a body. The plan decides for a body of a pair, whose table must not state a side.
+/// The side of a body: 1 to starboard, -1 to port. For a body of a pair the plan decides, and its table must
+/// not state a side.
 double read_side(formats::TableReader& table, const BodyOfPlan* plan) {
   if (!plan || table.has(kSide.name)) {
     const double said = read_word(table, kSide) == "port" ? -1 : 1;
@@ -111,8 +112,8 @@ std::string shown(const RigidBody& body, std::size_t point, const BodyGeometry& 
   return formats::in_quotes(body.name + "." + geometry.names[point]);
 }
 
-/// Refuses a node that two bodies carry, or that one body carries and that is the origin of another, because
-/// it would couple their rotations.
+/// Reports an error if a point of the body belongs to another body, too, or is the origin of one, because
+/// this would couple their rotations.
 void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& geometry,
                  formats::Place place, formats::Diagnostics& diagnostics) {
   const Scene& scene = draft.out.scene;

@@ -9,8 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// The rope of the plan that has a tension or a winch program; null if there is none. All warps are one rope
-/// of the plan.
+/// The rope of the plan that has a given tension or a winch program; null if there is none. All warps are one
+/// rope of the plan, with copies.
 const gears::Rope* find_warp(const gears::NetPlan& plan) {
   const auto is_run = [](const gears::Rope& rope) { return rope.tension || !rope.winch.empty(); };
   const auto warp = std::ranges::find_if(plan.ropes, is_run);
@@ -28,7 +28,7 @@ bool has_table(const Part& part, Registry& registry, const std::string& name) {
   });
 }
 
-/// The part of a rope; null if its element type was refused.
+/// The part that is the rope with this name; null if its element type was rejected.
 Part* find_part(Scene& scene, const std::string& name) {
   const auto part =
       std::ranges::find_if(scene.parts, [&](const Part& one) { return one.name == name && !one.companion; });
@@ -60,7 +60,7 @@ void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& 
                         "elements.ropes.type = \"rope/bar\"");
       return;
     }
-    part->parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};  // rewritten in every step
+    part->parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};  // the motion sets it in every step
   }
 }
 

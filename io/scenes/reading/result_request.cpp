@@ -17,7 +17,7 @@ namespace {
 
 const std::vector<std::string> kHow = {"min", "max", "mean", "sum", "range"};
 
-/// A quantity of nodes.
+/// A quantity of nodes that a result may take.
 struct NodeQuantity {
   const char *name, *unit, *doc;
   ResultRequest::Source source;
@@ -36,7 +36,7 @@ const NodeQuantity kNodeQuantities[] = {
     {"reaction z", "N", "force of what holds it on the gear, along z", Source::reaction, 2},
 };
 
-/// The angles of rigid bodies, as in netloft/attitude.hpp.
+/// The angles of rigid bodies (netloft/attitude.hpp).
 const NodeQuantity kAngles[] = {
     {"heading", "rad", "angle by which the nose is turned outward", Source::attitude, 0},
     {"heel", "rad", "angle by which the top leans outward", Source::attitude, 1},
@@ -92,7 +92,8 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A hint for a wrong `take`, such as "minimum z", "tension" of an edge, or "min heigth".
+/// A hint for a wrong `take`. It covers words such as "minimum z", quantities of elements such as "tension"
+/// asked of an edge, and misspelt names such as "min heigth".
 std::string take_hint(const ResultRequest& request, const ElementType& type, bool whole) {
   const auto names = quantity_names(whole ? &type : nullptr);
   if (has_name(quantity_names(&type), request.quantity))

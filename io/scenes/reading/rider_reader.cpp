@@ -19,7 +19,7 @@ bool rests_on_bed(const ElementType& type) {
          });
 }
 
-/// Removes the parameters that only companions of a part take; the companions have copies.
+/// Removes parameters of a part that only its companions use; they have copies.
 void keep_own_parameters(Part& part, const ElementType& type) {
   std::erase_if(part.parameters, [&](const auto& given) {
     return std::none_of(type.parameters.begin(), type.parameters.end(),
@@ -66,7 +66,7 @@ void RiderReader::read_contacts() {
         "rest on it");
 }
 
-/// The nodes of all parts of the scene that rest on a bed.
+/// The nodes of all parts of the scene that are contact with a bed.
 std::set<std::uint32_t> RiderReader::carried_by_beds() const {
   std::set<std::uint32_t> nodes;
   for (std::size_t p = 0; p < draft_.types.size(); ++p)

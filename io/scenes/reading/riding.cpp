@@ -8,7 +8,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// The length of twine in a triangle: |d| bars of length `bar`, counting both twine directions.
+/// The length of twine in a triangle, counting both twine directions: |d| bars of length `bar`, where d is
+/// twice its area in twine coordinates.
 double twine_length(const std::vector<double>& u, const std::vector<double>& v, double bar, std::size_t e) {
   const double d = (u[3 * e + 1] - u[3 * e]) * (v[3 * e + 2] - v[3 * e]) -
                    (u[3 * e + 2] - u[3 * e]) * (v[3 * e + 1] - v[3 * e]);
@@ -68,7 +69,7 @@ void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider) {
   for (std::size_t a = 0; 2 * a < first.nodes.size(); ++a)
     for (std::size_t b = 0; 2 * b < second.nodes.size(); ++b)
       for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t end = i / 2, begin = i % 2;  // of a, of b
+        const std::size_t end = i / 2, begin = i % 2;  // end: the shared end of bar a, begin: that of bar b
         if (first.nodes[2 * a + end] != second.nodes[2 * b + begin]) continue;
         rider.nodes.insert(rider.nodes.end(), {first.nodes[2 * a + 1 - end], first.nodes[2 * a + end],
                                                second.nodes[2 * b + 1 - begin]});

@@ -14,13 +14,13 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Refuses non-zero parameters along y, which have names that end in "_y".
+/// Reports parameters along y, whose names end in "_y", as errors if they are not zero.
 void check_symmetric_parameters(const Draft& draft, const std::string& cure,
                                 formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {
     const ElementType* type = draft.types[p];   // null if unknown, which was reported
-    if (!type || type->is_on_body()) continue;  // its y points outward, so it is symmetric
+    if (!type || type->is_on_body()) continue;  // y of its axes points outward on either side
     const Part& part = out.scene.parts[p];
     for (const auto& [name, value] : part.parameters)
       if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
@@ -29,8 +29,8 @@ void check_symmetric_parameters(const Draft& draft, const std::string& cure,
   }
 }
 
-/// Reports crossings at the start. A held part cannot leave the wrong side, which is an error; a free one
-/// can, which is a warning.
+/// Reports a gear that has crossed its plane of symmetry, or boards that have crossed, at the start. This is
+/// an error if a node beyond the plane is held, and else a warning, because free nodes can return.
 void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) {
   for (const auto& crossing : find_crossings(out, out.scene.positions)) {
     const formats::Place place = out.parts[crossing.part].place;
@@ -42,15 +42,15 @@ void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) 
   }
 }
 
-/// Reports parts that nothing holds. `types`: the types of all parts of the scene.
+/// Reports parts that nothing holds. `types`: element types of all parts of the scene.
 void check_held(const LoadedScene& out, const std::vector<const ElementType*>& types,
                 formats::Diagnostics& diagnostics) {
   for (const auto& fault : find_loose_parts(out.scene, nodes_per_element(types)))
     diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
-/// Warns of friction that does not suit the ground. Friction of towed parts points aft only if the ground
-/// passes them; on standing ground there is none, unless the element has friction that sticks.
+/// Warns of friction that does not suit the ground. The friction of towed parts points aft only if the ground
+/// moves past them; if it does not, a part has no friction unless its elements have one that sticks.
 void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {
@@ -73,7 +73,7 @@ void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagn
   }
 }
 
-/// Refuses elements that need a bed of the scene if there is none.
+/// Reports elements that need the bed of the scene as errors if there is none.
 void check_bed(const Draft& draft, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p)

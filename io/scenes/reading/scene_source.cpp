@@ -22,7 +22,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Reads one scene; members are steps in the order they happen.
+/// Reads one scene. The member functions are the steps, in the order of execution.
 class SceneReader {
  public:
   /// `plan` is null for a scene without a net plan.
@@ -102,7 +102,7 @@ class SceneReader {
   HoldReader holds_{root_, draft_, *gear_};
 };
 
-/// The input of a net plan. The catalogue is never changed.
+/// All inputs of a net plan: its tables and the catalogue, which never changes.
 struct PlanInput {
   formats::Value tables;
   std::shared_ptr<const gears::Catalogue> catalogue;
@@ -115,7 +115,8 @@ struct PlanRead {
   std::vector<formats::Diagnostic> messages;
 };
 
-/// Reads and checks a plan. `said` has the sources of the scene and no messages.
+/// Reads and checks a plan. `said` gives the sources of the scene, for places in messages, and has no
+/// messages yet.
 std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, formats::Diagnostics said) {
   auto read = std::make_shared<PlanRead>();
   read->plan = gears::read_plan(input.tables, *input.catalogue, said);
@@ -132,7 +133,7 @@ void append_new(std::vector<formats::SourceFile>& files, const std::vector<forma
 
 }  // namespace
 
-/// The file, and the results of the expensive steps of its last instances.
+/// The document of the scene, and stored results of the expensive steps of its last instances.
 class SceneSource::Memory {
  public:
   explicit Memory(std::filesystem::path file) : file_(std::move(file)) {}
@@ -149,7 +150,7 @@ class SceneSource::Memory {
     put_catalogue_parts(root, catalogue, registry, diagnostics, strengths);
     std::shared_ptr<const PlanRead> plan;
     if (gears::holds_plan(root)) plan = read_plan({std::move(plan_tables), catalogue.load()}, diagnostics);
-    if (plan && diagnostics.errors()) return {};  // nothing in a scene can be judged without its gear
+    if (plan && diagnostics.errors()) return {};  // the rest of the scene cannot be checked without the gear
     LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, divisions_, file_.parent_path(),
                                      registry, diagnostics, refused)
                              .read();
@@ -173,8 +174,8 @@ class SceneSource::Memory {
     return root;
   }
 
-  /// Reads the plan, or takes a stored one. After an error in the scene, the plan is read only to report its
-  /// own errors, and is not stored.
+  /// Reads the plan, or returns the stored one for an equal input. After an error in the scene, the plan is
+  /// only read to report its own errors, and is not stored.
   std::shared_ptr<const PlanRead> read_plan(PlanInput input, formats::Diagnostics& diagnostics) {
     if (diagnostics.errors())
       return std::make_shared<PlanRead>(
@@ -188,7 +189,7 @@ class SceneSource::Memory {
 
   std::filesystem::path file_;
   std::optional<formats::Document> document_;
-  formats::Diagnostics said_;  // while the document was loaded
+  formats::Diagnostics said_;  // messages of loading the document
   gears::KeptCatalogue catalogue_;
   gears::Recent<PlanInput, const PlanRead> plans_{4};
   gears::Divisions divisions_;

@@ -8,8 +8,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Largest turn between two knots of the course: a cubic deviates from an arc of that angle by 2e-8 of its
-/// radius.
+/// Largest turn between two points of the course, which is cubic in between: it then deviates from an arc by
+/// 2e-8 of the radius.
 constexpr double kArc = 0.05;  // [rad]
 
 gears::ShipMoment between(const gears::ShipMoment& a, const gears::ShipMoment& b, double s) {
@@ -24,15 +24,16 @@ double rate_of_turn(const gears::ShipMoment& a, const gears::ShipMoment& b) {
   return (b.heading - a.heading) / (b.t - a.t);
 }
 
-/// The rate of turn at a moment where the rate jumps: the smaller one, or zero if the sign changes. A course
-/// has only one velocity there, while the velocity of the block jumps. The error is on the side that turns
-/// more, where knots are close.
+/// The rate of turn at a moment where the rate jumps: the smaller one, or zero if the sign changes. The
+/// velocity of a block jumps there, but a course has only one velocity at a time. The error is on the side
+/// that turns more, where the points of the course are close.
 double at_corner(double before, double after) {
   if (before * after <= 0) return 0;
   return std::abs(before) < std::abs(after) ? before : after;
 }
 
-/// The moments of a path, divided so finely that the course follows (1), each with dψ/dt.
+/// The moments of a ship's path, with further ones between them, so that the course follows (1); `turns` is
+/// dψ/dt at each of them.
 struct Row {
   std::vector<gears::ShipMoment> moments;
   std::vector<double> turns;

@@ -13,7 +13,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Makes the elements of one rider; members are steps in their order.
+/// Makes the elements of one rider. The member functions are the steps, in the order of execution.
 class RiderMaker {
  public:
   RiderMaker(const ElementType& type, formats::TableReader& table, Draft& draft, Part& rider)
@@ -41,9 +41,9 @@ class RiderMaker {
   }
 
  private:
-  /// Whether the triangles may be reversed so that their outer face is outside. They may not if they have
-  /// data of corners other than to_aft, which an exchange of two corners would mix up. Panels of a net plan
-  /// are outward already.
+  /// Whether the order of corners may be reversed so that the outer face of triangles is outside. It may not
+  /// if the elements have data of corners other than to_aft, which would then belong to other corners. Panels
+  /// of a net plan have the right order already.
   bool bears_pressure() const {
     return type_.element.stencil == NETLOFT_TRIANGLE && !panels_.empty() &&
            std::ranges::all_of(type_.data,
@@ -57,7 +57,7 @@ class RiderMaker {
       names_ = table_.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
   }
 
-  /// Distributes `number` pieces over the nodes, or puts `each` pieces on every node.
+  /// Makes elements on nodes: distributes `number` pieces over them, or puts `each` pieces on every node.
   void stand_on_nodes() {
     const formats::Range pieces = formats::between(0, 1e6);
     const double number = table_.real(
@@ -96,7 +96,8 @@ class RiderMaker {
       table_.error("on", formats::in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
   }
 
-  /// Puts an element on the origin of a body, or on one of its points if the element has the datum kArm.
+  /// Makes an element on the origin of a body, or on one of its points if the element has the datum `arm`,
+  /// the position of the point.
   void stand_on_body(const Joiner::Ends& set, bool is_whole, const Mention& at) {
     const auto& body = draft_.geometries[set.part].body;
     if (!body || !(is_whole || declares(type_, datum::kArm)))
@@ -114,7 +115,7 @@ class RiderMaker {
     }
   }
 
-  /// Whether `on` has as many names as an element has nodes: one element may then stand on these points.
+  /// Whether `on` has as many names as an element has nodes: they may then name the nodes of one element.
   bool is_one_of_corners() const { return names_.size() == static_cast<std::size_t>(type_.nodes()); }
 
   void stand_between_points() {
@@ -127,7 +128,7 @@ class RiderMaker {
 
   bool is_rope(std::size_t part) const { return draft_.types[part]->element.stencil == NETLOFT_BAR; }
 
-  /// Makes elements on pairs of bars, one bar from each of two ropes.
+  /// Makes elements on pairs of bars with a common node, one bar from each of two ropes.
   void stand_between_ropes() {
     if (table_.diagnostics().errors()) return;
     if (ropes_.size() != 2)
@@ -150,8 +151,8 @@ class RiderMaker {
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   }
 
-  /// Copies the elements of a part if they have the stencil of the rider, or takes the triangles between its
-  /// bars. Returns false if neither is possible.
+  /// Copies the elements of a part if they have the shape (stencil) of the rider's, or else the triangles
+  /// between the bars of a panel. Returns false if neither is possible.
   bool add_elements(std::size_t part) {
     panels_.push_back(rider_.nodes.size());
     if (draft_.types[part]->element.stencil == type_.element.stencil)
@@ -171,7 +172,7 @@ class RiderMaker {
     return faces;
   }
 
-  /// Reads data that the parts below do not give: one value for all elements.
+  /// Reads data that the other parts do not have: one value for all elements.
   void read_missing_data() {
     const std::size_t elements = rider_.nodes.size() / static_cast<std::size_t>(type_.nodes());
     for (const auto& datum : type_.data)
@@ -187,9 +188,9 @@ class RiderMaker {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
   std::vector<double> carried_;
-  std::vector<std::size_t> panels_;     // for whole parts: index of the first corner of each part
-  std::vector<std::size_t> ropes_;      // parts, for elements on pairs of bars
-  std::vector<std::uint32_t> corners_;  // named nodes of one element
+  std::vector<std::size_t> panels_;     // whole parts: index in rider_.nodes of the first corner of each
+  std::vector<std::size_t> ropes_;      // indices of the ropes, for elements on pairs of bars
+  std::vector<std::uint32_t> corners_;  // nodes of one element, named in `on`
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Least volume between a panel and the centre at which the inside is clear, as a fraction of the volume of a
-// ball around the centre.
+// If the volume between a panel and the centre is a smaller fraction than this of the volume of a ball around
+// the centre, it is not clear which side is inside.
 constexpr double kLeastVolume = 1e-3;
 
 class Triangles {
@@ -23,7 +23,7 @@ class Triangles {
   }
 
   /// Whether the triangles from `begin` to `end` face the centre: their normals, weighted by area, point
-  /// towards it.
+  /// towards it on average.
   bool face_inward(std::size_t begin, std::size_t end) const {
     double volume = 0, most = 0;
     for (std::size_t i = begin; i < end; i += 3) {

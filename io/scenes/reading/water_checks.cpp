@@ -24,8 +24,8 @@ Heights heights_of(const Scene& scene) {
   return gear;
 }
 
-/// Warns of a profile that lies above or below the gear. A profile is constant outside its heights, so only
-/// one of its values would act.
+/// Warns of a current whose profile lies above or below the gear. A profile is constant beyond its heights,
+/// so that only one of its values would act.
 void check_profile(const Scene& scene, formats::TableReader& root) {
   const auto& profile = scene.current.samples;
   if (scene.current.is_uniform() || scene.positions.empty()) return;

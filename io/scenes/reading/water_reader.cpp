@@ -35,7 +35,7 @@ void WaterReader::check_waves() {
               "kind = \"dynamic\" in [analysis], or leave them out");
 }
 
-/// Takes the speed of the ship, which tows the gear of a net plan.
+/// Sets the velocity of water and ground to that of a ship that tows the gear of a net plan.
 void WaterReader::read_ship() {
   if (!root_.has("ship")) return;
   const gears::Ship* ship = gear_.ship();
@@ -50,9 +50,9 @@ void WaterReader::read_ship() {
   out_.scene.current.tow = out_.scene.ground;
 }
 
-/// Sets the viscosity for a model. A model at 1 : s in water of viscosity ν, with velocities smaller by √s,
-/// has the Reynolds numbers of the gear in water of viscosity ν s^1.5; if nothing stretches, everything else
-/// is similar (W. Froude).
+/// Sets the water of the scene, with the viscosity of a model test. By Froude's rule a model at 1 : s in
+/// water of viscosity ν, with velocities smaller by √s, has the Reynolds numbers of the gear in water of
+/// viscosity ν s^1.5; if nothing stretches, everything else is similar (W. Froude).
 void WaterReader::take_water(const WaterKeys& keys, formats::TableReader& water) {
   out_.scene.water = keys;
   if (keys.model_twine_scale == 0) {

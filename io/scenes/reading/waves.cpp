@@ -21,7 +21,8 @@ double depth_of(const WaveKeys& keys, const Scene& scene) {
 
 bool is_drawn(const WaveKeys& keys) { return keys.spectrum != 0; }
 
-/// Refuses the keys of the other kind of waves, which would have no effect.
+/// Reports keys that belong to the other kind of waves (regular or a spectrum) as errors, because they have
+/// no effect.
 void refuse_idle(const WaveKeys& keys, formats::TableReader& waves) {
   if (is_drawn(keys)) {
     if (waves.has("phase"))
@@ -33,8 +34,8 @@ void refuse_idle(const WaveKeys& keys, formats::TableReader& waves) {
       waves.error(key, "belongs to a spectrum, and these waves are regular", "spectrum = \"jonswap\"");
 }
 
-/// Refuses breaking waves: the height of a regular wave, or the significant height at the peak period, is too
-/// large.
+/// Reports breaking waves as an error: the height of regular waves, or the significant height at the peak
+/// period, is too large.
 void check_height(const WaveKeys& keys, double k, double depth, formats::TableReader& waves) {
   const double length = 2 * std::numbers::pi / k, highest = highest_wave(k, depth);
   if (keys.height >= highest)

@@ -7,8 +7,8 @@
 
 namespace netloft::scenes {
 
-/// Newton's method for x tanh x = y, x = k d. It starts from the limit of deep or shallow water that is
-/// nearer, and converges quadratically to rounding.
+/// Solves x tanh x = y for x = k d, y = ω² d/g, by Newton's method. It starts from the limit of deep or
+/// shallow water, whichever is nearer, and converges quadratically to rounding.
 double wave_number(double omega, double gravity, double depth) {
   const double deep = omega * omega / gravity, y = deep * depth;
   if (!std::isfinite(depth) || y > 40) return deep;  // 1 − tanh 40 is below rounding
@@ -30,7 +30,7 @@ bool is_shallow(double k, double depth) { return k * depth < std::numbers::pi / 
 
 namespace {
 
-/// The factor r of the ramp and its rate of change.
+/// The factor r of the ramp, and its derivative with respect to time.
 struct Ramp {
   double value = 1, rate = 0;
 };
@@ -41,7 +41,7 @@ Ramp ramp_at(double length, double time) {
   return {q * q * (3 - 2 * q), 6 * q * (1 - q) / length};
 }
 
-/// The functions (4), written with powers of e that do not overflow.
+/// The functions (4) at the height ζ, written with powers of e that do not overflow.
 struct Profile {
   Profile(double k, double d, double zeta) {
     const double down = std::exp(k * zeta), up = std::exp(-k * (zeta + 2 * d)),

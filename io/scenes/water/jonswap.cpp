@@ -13,7 +13,8 @@ namespace {
 constexpr double kLowest = 0.4, kHighest = 5;  // bounds of f/f_p
 constexpr std::size_t kSamples = 20001;  // samples of the integral: limits of bands are accurate to 1e-6
 
-/// The energy below each sample of f/f_p by the trapezoidal rule, as a fraction of the total energy.
+/// The energy of waves with frequencies below each sample of f/f_p, as a fraction of the total energy, by the
+/// trapezoidal rule.
 std::vector<double> energy_below(double peakedness) {
   const double step = (kHighest - kLowest) / static_cast<double>(kSamples - 1);
   std::vector<double> sums(kSamples);
