@@ -101,7 +101,7 @@ std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   return through_corners(sketch);
 }
 
-/// What the keys of a panel say: its size, its cells and its initial surface.
+/// The values of the keys of a panel: its size, its cells and its initial surface.
 struct Panel {
   double across, along, bar;  // [meshes], [m]
   Grid cells;
