@@ -52,7 +52,7 @@ TEST(Handle, NothingIsPrintedInAnyThreadThatAskedForSilence) {
   std::thread([] {
     silence_hdf5();
     H5Fopen("/no/such/file.hdf", H5F_ACC_RDONLY, H5P_DEFAULT);
-    H5Eclear2(H5E_DEFAULT);  // HDF5 leaks what a dying thread has on its error stack
+    H5Eclear2(H5E_DEFAULT);  // HDF5 leaks the error stack of a thread that ends
   }).join();
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -19,7 +19,7 @@ using test::says;
 
 class LifeCycle : public test::InScratchFolder {
  protected:
-  /// A finished result that is identified by its mark.
+  /// Writes a finished result, which `mark` identifies.
   void write_result(const std::string& name, std::int64_t mark) const {
     ResultFile file(in(name));
     file.tree().write_int("/netloft/mark", mark, "1");
@@ -154,7 +154,7 @@ TEST_F(LifeCycle, AFolderWithoutWritePermissionIsAnError) {
   EXPECT_TRUE(says(message, "a.hdf.part: Permission denied")) << message;
 }
 
-/// A limit on the file size fails a write in the same place as a full disk, and needs no disk of its own.
+/// Writes under a limit on the file size, which fails in the same place as a full disk but needs no disk.
 int write_on_a_full_disk(const std::filesystem::path& path, const std::filesystem::path& another) {
   std::signal(SIGXFSZ, SIG_IGN);
   {

@@ -47,7 +47,7 @@ class InScratchFolder : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// Runs `action` in a process of its own; the exit status, or 1000 + the signal that killed it.
+/// Runs `action` in its own process. Returns the exit status, or 1000 + the signal that killed the process.
 template <class Action>
 int run_in_child(Action&& action) {
   const pid_t child = fork();
@@ -64,7 +64,7 @@ int run_in_child(Action&& action) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
 }
 
-/// A process that does `action` and then lives until this object dies.
+/// A process that calls `action` and then waits until this object is destroyed.
 class Companion {
  public:
   template <class Action>
@@ -91,7 +91,7 @@ class Companion {
   pid_t child_;
 };
 
-/// HDF5 looks at its environment once; in a child it can be made to look again.
+/// Makes HDF5 read its environment again, which it does only when it is opened; for child processes.
 inline void restart_hdf5_with_locking(const char* setting) {
   setenv("HDF5_USE_FILE_LOCKING", setting, 1);
   H5close();

@@ -74,7 +74,7 @@ TEST_F(SealedResult, IsNeverReadWrongWhereItsTableIsDamaged) {
   EXPECT_GE(refused, bytes_.size() - table_ - 8);
 }
 
-/// HDF5 comes to no end with an object of no length.
+/// HDF5 would never return from an object of zero length.
 TEST_F(SealedResult, WithoutItsTableIsRefusedWhereItsTextsLeadNowhere) {
   const std::string kBegin("GCOL\1", 5);
   std::string whole = bytes_.substr(0, table_);

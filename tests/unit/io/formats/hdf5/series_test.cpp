@@ -40,7 +40,7 @@ class Series : public test::InScratchFolder {
   SeriesJournal begin(const std::string& name = "a.hdf.part") const {
     return SeriesJournal::create(in(name), "this run", "", layout());
   }
-  /// A journal of outputs, each with a checkpoint that holds its number.
+  /// Writes a journal of outputs, each with a checkpoint that contains its time.
   SeriesJournal written(const std::vector<double>& times) const {
     SeriesJournal journal = begin();
     for (const double time : times) journal.write(state(time), "after " + std::to_string(time));
@@ -81,7 +81,8 @@ TEST_F(Series, IsReadWhileItGrows) {
   expect_states(Reader(in("a.hdf.part")), {0.0, 0.5, 1.0});
 }
 
-/// Heights stay, strains change at 1; one that goes on writes what one that was never killed does.
+/// The heights never change, the strains change at time 1. A resumed run must write the file of a run without
+/// a kill.
 TEST_F(Series, HoldsAFieldOnceAsLongAsItStays) {
   const auto output = [](double time) {
     SeriesState s = state(time);
@@ -188,7 +189,7 @@ TEST_F(Series, StaysWhereNoResultCanBeMadeOfIt) {
   EXPECT_FALSE(exists("a.hdf"));
 }
 
-/// Writes outputs without end; one byte down the pipe for each that is safe.
+/// Writes outputs without end, and one byte into the pipe for each output that would survive a kill.
 [[noreturn]] void write_for_ever(const std::filesystem::path& part, int confirm) {
   SeriesJournal journal = SeriesJournal::create(part, "this run", "", layout());
   for (int i = 0;; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Meshes as OBJ and VTK: what is written is read as the same, and what is wrong is said at its place.
+// Writes meshes as OBJ and VTK and reads them again; reports of errors name their places.
 #include "io/formats/mesh/mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,8 @@ TEST(Obj, OfAnotherProgramIsRead) {
   EXPECT_EQ(net->numbers, (std::vector<double>{0, 0, 20, 0, 20, -10, 0, 0, 20, -10, 0, -10}));
   const auto* rope = read.mesh.find("Net-001-bars");
   ASSERT_NE(rope, nullptr);
-  EXPECT_EQ(rope->numbers, (std::vector<double>{0, 0.5, 0.5, 1}));  // by the distances of the nodes
+  EXPECT_EQ(rope->numbers,
+            (std::vector<double>{0, 0.5, 0.5, 1}));  // fractions of the rope, by the distances of the nodes
   EXPECT_EQ(read.mesh.sets.at(0).nodes, (std::vector<std::uint32_t>{0, 4}));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Meshes as VTKHDF: files of other programs, results of this one, and what is wrong in either.
+// Reads meshes in VTKHDF: files of other programs, results of this program, and invalid files.
 #include "io/formats/hdf5/tree.hpp"
 #include "io/formats/mesh/mesh.hpp"
 
@@ -19,7 +19,7 @@ using Reals = std::vector<double>;
 using Ints = std::vector<std::int64_t>;
 using Change = std::function<void(Tree&)>;
 
-/// Two triangles, a rope of two bars and a set, as another program may write them.
+/// Writes two triangles, a rope of two bars and a set, as another program may write them.
 void write_grid(Tree& tree, bool has_regions = true) {
   tree.set_attribute("/VTKHDF", "Type", "UnstructuredGrid");
   tree.write_ints("/VTKHDF/NumberOfPoints", Ints{5}, "1");
@@ -40,10 +40,10 @@ void write_grid(Tree& tree, bool has_regions = true) {
   tree.write_matrix("/VTKHDF/CellData/shares", Reals{0, 0, 0, 0, 0, 0.25, 0.25, 1, 0, 0}, 2, "1");
 }
 
-/// A file in the tests' folder, written and read.
+/// Writes a file in the tests' folder and reads it.
 struct Written {
   explicit Written(const Change& write, const std::string& name = "grid.vtkhdf") {
-    // Tests run beside one another, each in a process.
+    // Tests run at the same time in several processes, so file names differ.
     const fs::path path = fs::path(testing::TempDir()) / (std::to_string(getpid()) + name);
     {
       const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
@@ -73,7 +73,7 @@ TEST(VtkHdfMesh, HasTheRegionsOfAnotherProgram) {
   EXPECT_EQ(file.mesh.sets[0].nodes, (std::vector<std::uint32_t>{0, 4}));
 }
 
-/// Two states of the points, of which the last is read.
+/// The file has two states of the points; the last one must be read.
 TEST(VtkHdfMesh, IsThatOfTheLastState) {
   const Written file([](Tree& tree) {
     write_grid(tree);
@@ -91,7 +91,7 @@ TEST(VtkHdfMesh, IsThatOfTheLastState) {
   EXPECT_EQ(file.mesh.positions.size(), 15u);
 }
 
-/// Bars of 1 m, the second stretched to twice its length; one triangle without a place on a panel.
+/// The bars are 1 m long, the second is stretched to 2 m, and one triangle has no place on a panel.
 TEST(VtkHdfMesh, HasThePartsOfAResult) {
   const Written file([](Tree& tree) {
     write_grid(tree, false);

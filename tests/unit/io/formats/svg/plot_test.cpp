@@ -26,7 +26,7 @@ std::size_t count(const std::string& text, const std::string& piece) {
   return n;
 }
 
-/// Points of the n-th line drawn.
+/// The points of the n-th line of the plot.
 std::vector<std::pair<double, double>> points_of_line(const std::string& svg, int n) {
   const std::regex line("<polyline points=\"([^\"]*)\"");
   auto at = std::sregex_iterator(svg.begin(), svg.end(), line);
@@ -42,17 +42,17 @@ std::vector<std::pair<double, double>> points_of_line(const std::string& svg, in
 TEST(Plot, DrawsALinePerSeriesAndAMarkerPerPoint) {
   const std::string svg = draw_svg(example_plot());
   EXPECT_EQ(count(svg, "<polyline"), 2u);
-  EXPECT_EQ(count(svg, "<circle"), 3u + 1u);  // one in the legend
+  EXPECT_EQ(count(svg, "<circle"), 3u + 1u);  // three points, and one marker in the legend
   EXPECT_EQ(count(svg, "stroke-dasharray"), 2u);
 }
 
 TEST(Plot, IsTrueToScale) {
   const auto line = points_of_line(draw_svg(example_plot()), 0);
   ASSERT_EQ(line.size(), 3u);
-  // Two decades in x, then four; y doubles twice.
+  // x covers two decades, then four; y doubles in both steps.
   EXPECT_NEAR((line[1].first - line[2].first) / (line[0].first - line[1].first), 2, 1e-3);
   EXPECT_NEAR((line[1].second - line[2].second) / (line[0].second - line[1].second), 1, 2e-3);
-  EXPECT_LT(line[2].second, line[0].second);  // more is higher: y runs downwards in SVG
+  EXPECT_LT(line[2].second, line[0].second);  // y runs downwards in SVG
 }
 
 TEST(Plot, ShadesBandsBehindTheirLines) {
@@ -132,7 +132,7 @@ TEST(Plot, MakesAPageThatNeedsNoOtherFile) {
 
 TEST(Plot, WritesTicksOfOneAxisInOneManner) {
   LinePlot plot;
-  plot.series = {{"s", {{1e-6, 0.03}, {1, 0.4}}}};  // many decades across, little more than one upwards
+  plot.series = {{"s", {{1e-6, 0.03}, {1, 0.4}}}};  // many decades of x, little more than one of y
   const std::string svg = draw_svg(plot);
   for (const char* label : {">0.05<", ">0.1<", ">0.2<", ">\u22124<"})
     EXPECT_NE(svg.find(label), std::string::npos) << label;
@@ -147,7 +147,7 @@ TEST(Plot, ExplainsHollowMarkersWhereThereAreSome) {
   const std::size_t white = count(draw_svg(plot), "fill=\"#ffffff\"");
   plot.series.front().points.back().is_hollow = true;
   EXPECT_EQ(count(draw_svg(plot), "half of them"), 1u);
-  EXPECT_EQ(count(draw_svg(plot), "fill=\"#ffffff\""), white + 2);  // that marker, and the one in the legend
+  EXPECT_EQ(count(draw_svg(plot), "fill=\"#ffffff\""), white + 2);  // this marker, and the one in the legend
 }
 
 TEST(SvgPicture, GivesZeroNoSign) {

@@ -73,7 +73,6 @@ TEST(Hostile, ManyHeadersTakeNoMoreThanTheirTime) {
   EXPECT_EQ(in.reader.tables("hold").size(), 20000u);
 }
 
-/// Random errors find parser faults that nobody would think of.
 TEST(Hostile, RandomSlipsAreSurvived) {
   const std::string good =
       "include = []\n[parts.net]\ntype = \"a/b\"\nsketch = [[-16, 0, 0.5], [\"1 m\", nan, inf]]\n"

@@ -13,7 +13,7 @@
 
 namespace netloft::formats::test {
 
-/// A folder of its own for each test, gone when the test is.
+/// Gives each test a folder of its own, which is removed after the test.
 class Scratch : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -34,7 +34,7 @@ class Scratch : public ::testing::Test {
   Document load(const std::string& name, const std::vector<std::string>& overrides = {}) {
     return Document::load(folder_ / name, overrides, diagnostics_);
   }
-  /// The messages with the folder of the test taken out.
+  /// The messages without the name of the test's folder.
   std::string errors() const {
     std::string text = diagnostics_.render(false);
     const std::string folder = folder_.lexically_normal().string() + '/';
@@ -52,7 +52,7 @@ struct Input {
       : document(Document::parse(text, "net.toml", overrides, diagnostics)),
         reader(document.root(), diagnostics) {}
 
-  /// The first error as "line:column: message", "" when there is none.
+  /// The first error as "line:column: message"; "" if there is none.
   std::string error() const {
     const auto all = diagnostics.sorted();
     if (all.empty()) return {};

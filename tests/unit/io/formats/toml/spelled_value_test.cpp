@@ -9,7 +9,7 @@ namespace {
 
 using test::Input;
 
-/// The spelling of a value in TOML, after a check that --set reads it back as the same.
+/// Writes a value as TOML and checks that --set reads the same value from this text.
 std::string spelt(const std::string& toml) {
   Input in("v = " + toml);
   const Value& value = in.document.root().as<Table>()->find("v")->value;

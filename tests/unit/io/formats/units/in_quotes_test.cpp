@@ -14,7 +14,7 @@ TEST(InQuotes, CutsALongTextBetweenCharacters) {
   EXPECT_EQ(in_quotes(a + "aäö" + a), "\"" + a + "a...\"");
 }
 
-/// Bytes that only continue a character.
+/// The text consists of bytes that only continue a UTF-8 character, so that no cut is between characters.
 TEST(InQuotes, CutsWhatIsNoTextSomewhere) { EXPECT_EQ(in_quotes(std::string(80, '\xA3')).size(), 57 + 5u); }
 
 }  // namespace

@@ -15,8 +15,7 @@
 namespace netloft::formats {
 namespace {
 
-/// Expects `text` to be read as `value`; exact, because every expected value is the decimal a person would
-/// write.
+/// Expects `text` to be read exactly as `value`, which is the decimal number that a person would write.
 void expect_reads(const char* text, const char* unit, double value) {
   const Quantity read = to_si(text, unit);
   EXPECT_TRUE(read.ok()) << read.error;

@@ -40,7 +40,7 @@ TEST(Catalogue, DensityGivesTheWeightInWaterOfTheMaterial) {
   const Catalogue catalogue = load(folder, d);
   const auto& numbers = catalogue.find("thin", {"twine"})->numbers;
   const double round = std::numbers::pi / 4 * 0.002 * 0.002;
-  const double in_water = 1.8e-3 * (1 - 1025.0 / 960);  // of a metre of polyethylene, by Archimedes
+  const double in_water = 1.8e-3 * (1 - 1025.0 / 960);  // [kg/m] polyethylene less displaced water
   EXPECT_NEAR((numbers.at("density") - 1025) * round, in_water, 1e-15);
 }
 

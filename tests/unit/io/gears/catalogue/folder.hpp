@@ -10,7 +10,7 @@
 
 namespace netloft::gears {
 
-/// A folder of one test, gone when it ends.
+/// A folder for one test, which is removed after the test.
 class TestFolder {
  public:
   TestFolder() : path_(std::filesystem::temp_directory_path() / unique_name()) {

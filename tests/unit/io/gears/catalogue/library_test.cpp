@@ -40,7 +40,7 @@ TEST(GearLibrary, NettingNamesATwineThatIsThere) {
   }
 }
 
-/// A typing error in a digit would show as a stress no such material bears.
+/// A wrong digit in the library would give a stress that no such material can bear.
 TEST(GearLibrary, BreakingStressesAreThoseOfTheirKind) {
   for (const auto& part : library().parts()) {
     if (!part.numbers.contains("breaking_load")) continue;

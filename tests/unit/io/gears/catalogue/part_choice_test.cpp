@@ -10,7 +10,7 @@
 namespace netloft::gears {
 namespace {
 
-/// `twine = …` of a scene, and the catalogue with one twine, "thin".
+/// Reads a line `twine = …` of a scene, with a catalogue that has one twine, "thin".
 struct Bench {
   explicit Bench(const std::string& line) {
     folder.write("twines.toml", kTwine);

@@ -15,7 +15,7 @@ const PlacedPanel& placed(const std::vector<PlacedPanel>& panels, const std::str
   return panels.front();
 }
 
-/// Panels to scale: stretched length going aft, half of the stretched width across (ISO 3169).
+/// Panels are drawn to scale: stretched length aft, half of the stretched width across (ISO 3169).
 TEST(Layout, DrawsStretchedLengthByHalfOfTheStretchedWidth) {
   const auto checked = check_text(kGoodPlan);
   const auto panels = lay_out(checked.plan);
@@ -52,7 +52,7 @@ TEST(Drawing, NamesPanelsCountsCuttingsTwinesAndRopes) {
   }
 }
 
-/// Every side of a triangle is a line, and the borders on top of them.
+/// Each side of a triangle is a line, and the borders are drawn over these lines.
 TEST(Drawing, OfTrianglesHasAllTheirSides) {
   const auto checked = check_text(kGoodPlan);
   const Gear gear = make_gear(checked.plan, Extent::whole);

@@ -16,7 +16,7 @@
 namespace netloft::gears {
 namespace {
 
-/// A divided gear with all that it points into.
+/// A divided gear, and the plan to which it refers.
 struct Divided {
   CheckedPlan checked;
   Gear gear;
@@ -28,7 +28,7 @@ struct Divided {
   const RopeMesh& rope(const std::string& name) const {
     return mesh.ropes[static_cast<std::size_t>(gear.find_rope(name) - gear.ropes.data())];
   }
-  /// Gear nodes of an edge or a corner.
+  /// The gear's numbers of the nodes of an edge or a corner.
   std::vector<std::uint32_t> nodes(const std::string& panel_name, const std::string& set) const {
     std::vector<std::uint32_t> all;
     for (const auto own : panel(panel_name).sets.at(set)) all.push_back(panel(panel_name).nodes[own]);
@@ -125,7 +125,7 @@ TEST(GearMeshByKnots, IsWithoutHolesAndHasTheAreaOfItsOutlines) {
     expect_closed_and_oriented(all.gear, all.mesh);
   });
 }
-// Off the borders: most of all triangles.
+// More than 95 % of the triangles have two bars between knots as sides; only those at borders have not.
 TEST(GearMeshByKnots, HasTrianglesBetweenKnotsButForItsBorders) {
   const Divided all = divided(library_text("codend-100-round.toml"), Extent::whole, by_knots());
   for (std::size_t p = 0; p < all.mesh.panels.size(); ++p) {
@@ -191,7 +191,7 @@ TEST(GearMesh, SewnEdgesHaveTheSameNodes) {
   });
 }
 
-/// 60 meshes on 56: every node is at the same fraction of both edges.
+/// 60 meshes are sewn to 56: each node must be at the same fraction of both edges.
 TEST(GearMesh, TakeUpIsSpreadEvenlyOverTheSeam) {
   const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(2000));
   const auto &body = all.panel("top-body"), &bag = all.panel("top-intermediate");
@@ -213,7 +213,7 @@ TEST(GearMesh, RestLengthsAddUpToTheRopes) {
   });
 }
 
-/// Along a hung edge, the rope has the nodes of the edge in a row and the length that the hanging says.
+/// Along a hung edge, the rope has the nodes of the edge in their order, and the length that the plan states.
 TEST(GearMesh, RopesRunAlongTheNodesOfTheirEdges) {
   const auto all = divided(library_text("four-panel.toml"), Extent::whole, by_nodes(500));
   EXPECT_EQ(all.rope("headline").nodes, all.nodes("top", "fore"));
@@ -222,7 +222,7 @@ TEST(GearMesh, RopesRunAlongTheNodesOfTheirEdges) {
   EXPECT_EQ(all.rope("starboard-breast-line").nodes, breast);
 }
 
-/// Wings take 36 of 83.9 ft and the bosom 11.9; the missing length of rope is distributed among them.
+/// Both wings take 36 ft and the bosom 11.9 ft of the rope, 83.9 ft in all; they share the lack of rope.
 TEST(GearMesh, RopesTakeTheSharesOfTheirEdges) {
   const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(2000));
   const auto& rope = all.rope("headrope");
@@ -287,7 +287,7 @@ TEST(GearMesh, IsTheSameToPortAndToStarboard) {
   }
 }
 
-/// Mean length of the sides of triangles where netting is spread.
+/// Mean length of the sides of triangles in half-open netting.
 double mean_side(const Divided& all, const std::string& name) {
   const auto& mesh = all.panel(name);
   double sum = 0;
@@ -319,7 +319,7 @@ TEST(GearMesh, PartsMayBeFinerThanOthers) {
   expect_closed_and_oriented(all.gear, all.mesh);
 }
 
-/// A rib rope along a seam has the seam's nodes.
+/// A rib rope along a seam must have the nodes of the seam.
 TEST(GearMesh, EdgesMayBeSewnAndHung) {
   const auto all = divided(library_text("four-panel.toml") + R"(
 [ropes.rib]
@@ -353,7 +353,7 @@ depth = 50
   for (const auto node : half.nodes("bag", "sides")) EXPECT_TRUE(middle.contains(node));
 }
 
-/// `fore` or `round`, and the rest of a panel.
+/// The text of a panel; `more` has `fore` or `round`, and other keys.
 std::string panel_of(const std::string& name, const std::string& more) {
   return "[panels." + name + "]\nmesh = \"80 mm\"\ndepth = 30\n" +
          "twine = { diameter = \"2 mm\", EA = \"3 kN\", density = 960 }\n" + more + "\n";
@@ -363,8 +363,8 @@ std::string join_of(const std::string& one, const std::string& other) {
   return "[[join]]\nedges = [" + one + ", " + other + "]\n";
 }
 
-/// A mesh without holes, in which `row` has the nodes of the mouth of the bag and comes back to its middle
-/// below.
+/// Expects a mesh without holes. The mouth of the bag has the nodes of the panels of `row`, and the last of
+/// these panels reaches the middle below.
 void expect_ring(const std::string& plan, const std::vector<std::string>& row) {
   for (const Extent extent : {Extent::whole, Extent::half}) {
     SCOPED_TRACE(extent == Extent::half ? "half" : "whole");

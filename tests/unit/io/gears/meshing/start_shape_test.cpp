@@ -8,7 +8,7 @@
 namespace netloft::gears {
 namespace {
 
-/// The library's trawl in some 300 nodes; the plan must live as long as the gear.
+/// A trawl of the library with some 300 nodes. The plan is a member, because the gear refers to it.
 struct Trawl {
   explicit Trawl(Extent extent) : checked(check_text(library_text("83-112-eastern.toml"))) {
     gear = make_gear(checked.plan, extent);
@@ -23,7 +23,7 @@ struct Trawl {
   GearMesh mesh;
 };
 
-// Bridles lead to a towing point that may be anywhere.
+// Only the netting is tested, because bridles lead to a towing point that may be anywhere.
 TEST(StartShape, OfAHalfHasItsNettingToStarboardOfItsPlane) {
   const Trawl trawl(Extent::half);
   const auto x = StartShapes(trawl.gear, trawl.mesh).with(trawl.gear);

@@ -14,7 +14,7 @@ std::string with_the_slip() {
   return text.replace(text.find(right), right.size(), "cut = \"381M out\"");
 }
 
-/// The plan as published; the numbers are worked out by hand: 3 + 43 + 133.7 - 70·2.5/3.5 = 129.7.
+/// The wing of the published plan, computed by hand: 3 + 43 + 133.7 - 70·2.5/3.5 = 129.7 meshes.
 TEST(EasternTrawl, TheLibraryGearCanBeSewn) {
   const auto checked = check_text(library_text("83-112-eastern.toml"));
   EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
@@ -23,7 +23,7 @@ TEST(EasternTrawl, TheLibraryGearCanBeSewn) {
       << checked.said();
 }
 
-/// Headrope: 2·36 + 11.9 ft = 83.9 ft = 25.57 m on 83 ft = 25.3 m.
+/// The edges need 2·36 + 11.9 ft = 83.9 ft = 25.57 m of the headrope, which is 83 ft = 25.3 m long.
 TEST(EasternTrawl, TheHeadropeIsAFootShort) {
   EXPECT_TRUE(says(check_text(library_text("83-112-eastern.toml")),
                    "headrope: 25.3 m long, 25.57 m of it are given to edges"));
@@ -48,7 +48,7 @@ TEST(EasternTrawl, TheSlipIsFoundAlsoWhereTheOtherCutTakesTheRest) {
   EXPECT_TRUE(says(checked, "the cuttings give 129.9 meshes")) << checked.said();
 }
 
-/// 0.71 meshes of both sides of the bottom body: half a mesh a side is the selvedge's.
+/// The cuttings of the bottom body miss its aft count by 0.71 meshes; seams may hide one mesh.
 TEST(PlanCheck, AMeshMoreOrLessIsNotTold) {
   EXPECT_FALSE(says(check_text(library_text("83-112-eastern.toml")), "bottom-body.aft"));
 }
@@ -74,7 +74,6 @@ TEST(PlanCheck, TakeUpIsTheRatioOfMeshes) {
   EXPECT_FALSE(says(check_text(text), "join[1]"));
 }
 
-/// 130 meshes of 80 mm at the sides of a wedge: measured where meshes differ.
 TEST(PlanCheck, SidesOfOtherMeshesAreMeasuredAlongTheirTwines) {
   std::string text = kGoodPlan;
   const std::string bag = "fore = 20\ndepth = 50\nsides = \"AN\"\n";
@@ -86,7 +85,8 @@ fore = 20
 depth = 40
 sides = "AN"
 )");
-  text += "[[join]]\nedges = [\"bag.sides\", \"cover.sides\"]\n";  // 50 of 80 mm on 40 of 100 mm: 4 m each
+  text += "[[join]]\nedges = [\"bag.sides\", \"cover.sides\"]\n";  // 50 meshes of 80 mm and 40 of 100 mm: 4 m
+                                                                   // each
   const auto checked = check_text(text);
   EXPECT_FALSE(says(checked, "join[2]")) << checked.said();
 }
@@ -97,7 +97,7 @@ TEST(PlanCheck, AHangingMayTakeTheStretchedLengthAndNoMore) {
   EXPECT_TRUE(says(checked, "wing.inner is 2 m long when its meshes are stretched")) << checked.said();
 }
 
-/// A rib rope along a seam: sewn and hung.
+/// A rib rope is hung on the edges of a seam.
 TEST(PlanCheck, AnEdgeMayBeBothSewnAndHung) {
   const auto checked = check_text(kGoodPlan + R"(
 [ropes.rib]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Panels by their corners in meshes.
+// Panels that are defined by their corners, in meshes.
 #include "tests/unit/io/gears/plan/divided.hpp"
 #include "tests/unit/io/gears/plan/plans.hpp"
 
@@ -23,7 +23,7 @@ GearMesh divided(const Gear& gear) {
   return divide(gear, fineness);
 }
 
-/// The same edges, in the same places.
+/// Expects the same edges in the same places.
 void expect_same(const Outline& a, const Outline& b) {
   ASSERT_EQ(a.edges.size(), b.edges.size());
   for (std::size_t i = 0; i < a.edges.size(); ++i) {
@@ -71,7 +71,7 @@ TEST(Corners, MakeAPanelOfAnyNumberOfSides) {
     ASSERT_EQ(checked.diagnostics.errors(), 0) << n << checked.said();
     const double area = 0.5 * n * 20 * 15 * std::sin(2 * kPi / n);
     EXPECT_NEAR(outline_area(outline_of(checked.plan.panels[0])), area, 1e-3)
-        << n;  // corners have six decimals
+        << n;  // corners in the plan have six decimals
     const Gear gear = make_gear(checked.plan, Extent::whole);
     const GearMesh mesh = divided(gear);
     expect_areas(gear, mesh);

@@ -11,7 +11,7 @@
 
 namespace netloft::gears {
 
-/// The shoelace formula.
+/// The area of an outline by the shoelace formula.
 inline double outline_area(const Outline& outline) {
   double sum = 0;
   for (const auto& e : outline.edges) sum += (e.from.x * e.to.y - e.to.x * e.from.y) / 2;
@@ -24,7 +24,7 @@ inline double triangle_area(const PanelMesh& panel, std::size_t triangle) {
   return ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0])) / 2;
 }
 
-/// Triangles fill the outline once: the sum of their areas is its area, with their sign as without.
+/// Expects triangles to fill the outline once: the sums of their signed and unsigned areas are its area.
 inline void expect_areas(const Gear& gear, const GearMesh& mesh) {
   for (std::size_t p = 0; p < gear.panels.size(); ++p) {
     double sum = 0, turned = 0;
@@ -40,7 +40,7 @@ inline void expect_areas(const Gear& gear, const GearMesh& mesh) {
 
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Sides of all triangles in gear nodes, in the direction of the triangle, and how often.
+/// The sides of all triangles, as two nodes of the gear in the direction of the triangle, and their numbers.
 inline std::map<Side, int> directed_sides(const GearMesh& mesh) {
   std::map<Side, int> sides;
   for (const auto& panel : mesh.panels)
@@ -50,7 +50,7 @@ inline std::map<Side, int> directed_sides(const GearMesh& mesh) {
   return sides;
 }
 
-/// Sides of the edges that are sewn to nothing.
+/// The triangle sides along edges that are not sewn.
 inline std::set<Side> free_sides(const Gear& gear, const GearMesh& mesh) {
   std::set<std::pair<std::size_t, std::size_t>> sewn;
   for (const auto& seam : gear.seams)
@@ -66,8 +66,8 @@ inline std::set<Side> free_sides(const Gear& gear, const GearMesh& mesh) {
   return sides;
 }
 
-/// A net without holes and without folds: each side of a triangle belongs to two of them that run along it
-/// in opposite directions (so that all of them show the same face outwards), or to one on a free edge.
+/// Expects a net without holes and folds: two triangles run along each side, in opposite directions because
+/// they show the same face outwards; a side on a free edge has one triangle.
 inline void expect_closed_and_oriented(const Gear& gear, const GearMesh& mesh) {
   const auto sides = directed_sides(mesh);
   const auto free = free_sides(gear, mesh);

@@ -190,7 +190,7 @@ TEST(Gear, ARopeOfTheMiddleIsTiedOnBothSides) {
   EXPECT_EQ(half.between, (std::array<std::string, 2>{"kite", "post"}));
 }
 
-/// Corners fall on those of the sketch, what is between them on straight lines; to port it is mirrored.
+/// The corners of a panel are at those of the sketch, its sides are straight, and port is mirrored.
 TEST(Gear, ASketchPutsAPanelInItsPlace) {
   const auto checked = check_text(changed_plan(
       "sides = \"5B1P in\"", "sides = \"5B1P in\"\nsketch = [[0, 0, 2], [0, 3, 2], [4, 1, 1], [4, 0, 1]]"));
@@ -207,7 +207,7 @@ TEST(Gear, ASketchPutsAPanelInItsPlace) {
   expect_at({0, 21}, {2, 0, 1.5}), expect_at({20, 0}, {0, 1.5, 2});
 }
 
-/// A cod-end of one piece: 20 meshes round, 10 of them in the half.
+/// A cod-end of one sheet, 20 meshes round, of which half a gear has 10.
 std::string tube_plan() {
   return changed_plan("fore = 20\ndepth = 50\nsides = \"AN\"\nopen = [\"sides\", \"aft\"]",
                       "round = 20\ndepth = 25\npieces = 2\nopen = \"aft\"");
@@ -250,7 +250,6 @@ TEST(Gear, PiecesInARowAreOnePanel) {
   EXPECT_DOUBLE_EQ(checked.plan.find_panel("bag")->depth, 50);
 }
 
-/// 2·(meshes of the half) of the whole: no netting is lost or made by mirroring.
 TEST(Gear, TheWholeHasTwiceTheAreaOfTheHalf) {
   const auto checked = check_text(library_text("83-112-eastern.toml"));
   const auto area = [&](Extent extent) {
@@ -263,8 +262,8 @@ TEST(Gear, TheWholeHasTwiceTheAreaOfTheHalf) {
   EXPECT_GT(area(Extent::half), 0);
 }
 
-/// The name "fore" of a middle panel denotes all stretches there: the one across the middle and those to
-/// either side.
+/// The name "fore" of a middle panel means all parts of its fore edge: in the middle, to port and to
+/// starboard.
 TEST(Gear, ANameForSeveralStretchesHoldsThoseToPort) {
   const auto checked = check_text(R"(
 [panels.square]

@@ -12,7 +12,7 @@ namespace {
 
 const char* const kGears[] = {"83-112-eastern.toml", "four-panel.toml", "codend-100-round.toml"};
 
-/// All that is done to a plan. What is wrong has a place; what is not becomes a picture and a gear.
+/// Checks a plan. Each message must have a place; a plan without errors must become a picture and a gear.
 void try_plan(const std::string& text) {
   const auto checked = check_text(text);
   for (const auto& finding : checked.diagnostics.sorted())
@@ -28,7 +28,7 @@ std::string seed_text() {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The fuzzer would find little beyond the reader if what it starts from were wrong.
+/// If the plan from which the fuzzer starts were wrong, the fuzzer would test little more than the reader.
 TEST(HostilePlans, TheSeedOfTheFuzzerCanBeSewn) {
   const auto checked = check_text(seed_text());
   EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
@@ -44,7 +44,7 @@ TEST(HostilePlans, CutOffAnywhereAreAnswered) {
   }
 }
 
-/// Pieces of plans put where they do not belong.
+/// Puts pieces of plans into places where they do not belong.
 TEST(HostilePlans, PutTogetherAtRandomAreAnswered) {
   std::mt19937 dice(20130612);
   const auto below = [&](std::size_t n) { return dice() % n; };
@@ -77,7 +77,6 @@ TEST(HostilePlans, AsManyPiecesAsNobodyHasAreRefused) {
   }
 }
 
-/// A thousand seams of one edge: each but the first is reported, in a short time.
 TEST(HostilePlans, AFloodOfSeamsIsAnswered) {
   std::string text = kGoodPlan;
   for (int i = 0; i < 1000; ++i) text += "[[join]]\nedges = [\"bag.sides\", \"bag.sides\"]\nselvedge = 1\n";

@@ -40,9 +40,9 @@ TEST(Outline, OfAMiddlePanelIsItsStarboardHalf) {
   const auto checked = check_text(kGoodPlan);
   const Outline outline = outline_of(*checked.plan.find_panel("body"));
   expect_closed_outline(outline);
-  EXPECT_DOUBLE_EQ(edge(outline, "bosom").to.x, 10);  // half of 20
+  EXPECT_DOUBLE_EQ(edge(outline, "bosom").to.x, 10);  // half of 20 meshes
   EXPECT_DOUBLE_EQ(edge(outline, "wing").to.x, 40);
-  EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 10);  // 40 less 42·2.5/3.5
+  EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 10);  // 40 meshes less 42·2.5/3.5, by 5B1P over 42 deep
   EXPECT_DOUBLE_EQ(edge(outline, "middle").from.y, 42);
 }
 
@@ -73,7 +73,7 @@ TEST(Outline, CornersOfASideOfSeveralCutsLieBetweenThem) {
   EXPECT_NE(std::find(corners.begin(), corners.end(), "breast-cut-aft"), corners.end());
 }
 
-/// The bag laced to a cover with three meshes of either side: 20 and 6 less, halved.
+/// The bag is sewn to a cover. The seams gather three meshes on each side of both, so 14 of 20 remain.
 std::string laced_plan() {
   return kGoodPlan + R"(
 [panels.cover]
@@ -98,7 +98,7 @@ TEST(Selvedge, TakesItsMeshesOfThePanel) {
   EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 7);
 }
 
-/// Three meshes of double netting are 12 twines; 50 meshes of 80 mm are 4 m.
+/// Three meshes of double netting have 12 twines; 50 meshes of 80 mm are 4 m long.
 TEST(Selvedge, IsAStripOfItsTwines) {
   const auto checked = check_text(laced_plan());
   const Rope* rope = checked.plan.find_rope("cover-sides-selvedge");
@@ -113,7 +113,7 @@ TEST(Selvedge, IsAStripOfItsTwines) {
   EXPECT_DOUBLE_EQ(number("diameter"), std::sqrt(12.0) * 0.002);
 }
 
-/// The fore edge of the bag no longer fits the body's edge, and that is reported: 14 meshes on 20.
+/// The seams make the bag narrower, so its fore edge no longer fits the 20 meshes of the body.
 TEST(Selvedge, ChangesWhatIsSewnBesideIt) {
   const auto checked = check_text(laced_plan());
   EXPECT_NE(checked.said().find("body.aft has 20 meshes, bag.fore has 14 meshes"), std::string::npos)
@@ -142,21 +142,21 @@ Outline turned(const std::string& keys) {
   return outline_of(checked.plan.panels.front());
 }
 
-/// A mesh of diamond netting is two bars long either way; of square netting bars are counted.
+/// A mesh of diamond netting is two bars long in both directions; in square netting, counts are bars.
 TEST(Outline, SquareNettingIsHalfAsLongWhenStretched) {
   EXPECT_DOUBLE_EQ(edge(turned(""), "fore").stretched, 10);
   EXPECT_DOUBLE_EQ(edge(turned("orientation = \"t90\"\n"), "fore").stretched, 10);
   EXPECT_DOUBLE_EQ(edge(turned("orientation = \"square\"\n"), "fore").stretched, 5);
 }
 
-/// Expected by twine_coordinates.hpp (3) and by hand: 1N2B goes 5 across in 10 deep, 5 cycles of 2 bars and a
-/// point, two bars long: 10 stretched meshes.
+/// By hand: 1N2B goes 5 meshes across in 10 deep. These are 5 cycles of 2 bars and a point, which is two bars
+/// long: 20 bars, or 10 stretched meshes.
 TEST(Outline, TwinesAlongACutAreThoseOfItsBarsAndPoints) {
   EXPECT_DOUBLE_EQ(edge(turned(""), "outer").stretched, 5 * (2 * 0.5 + 1));
 }
 
-/// Along the bars of diamond netting, which is what turning by 45° makes of an edge, all twines are straight:
-/// 10 meshes of √2 bars are 10/√2 stretched meshes of two.
+/// Netting turned by 45° has its bars along the edges, so these are straight twines: 10 meshes of √2 bars are
+/// 10/√2 stretched meshes of two bars.
 TEST(Outline, NettingTurnedByAnEighthRunsAlongItsBars) {
   EXPECT_NEAR(edge(turned("angle = \"45 deg\"\n"), "fore").stretched, 10 / std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(edge(turned("angle = \"90 deg\"\n"), "fore").stretched, 10, 1e-12);
@@ -177,7 +177,7 @@ TEST(TwineCoordinates, OfDiamondTurnedByARightAngleAreThoseOfT90) {
   EXPECT_NEAR(turned[1], -t90[0], 1e-12);
 }
 
-/// Whatever the angle, bars keep their length and knots their number: u² + v² and the area are kept.
+/// A rotation keeps the length of bars, u² + v², and the number of knots, which is the area.
 TEST(TwineCoordinates, TurningIsARotation) {
   for (const char* orientation : {"diamond", "t90", "square"}) {
     const auto plain = twine_coordinates(orientation, 0, 2, 5),

@@ -8,7 +8,7 @@
 namespace netloft::gears {
 namespace {
 
-/// Draws plans of three panels that are sewn together whatever their cuttings are.
+/// Draws random plans of three panels, which can be sewn together whatever their cuttings are.
 class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}
@@ -51,7 +51,7 @@ class Draw {
     return panel;
   }
 
-  /// Up to three cuts, the second perhaps across only.
+  /// Draws up to three cuts; the second of three may go across only.
   std::vector<Cut> side(const std::string& name, double depth) {
     std::vector<Cut> cuts;
     const std::size_t n = whole(1, 3);
@@ -86,8 +86,7 @@ class Draw {
     return least;
   }
 
-  /// The meshes that a side gains up to y; cuts that only go across at y are left out (taken = 0) or included
-  /// (1).
+  /// The meshes that a side gains up to y. A cut at y that only goes across counts by the fraction `taken`.
   static double gain(const std::vector<Cut>& side, double y, double taken) {
     double sum = 0;
     for (const auto& cut : side) {

@@ -234,7 +234,7 @@ const Wrong kSewing[] = {
     {"PartsJoinedToOneAnotherOnly", "\"headline.end\"", "\"bridle.end\"", "are joined to each other only"},
 };
 
-/// Catalogues of a user's own, named by a plan.
+/// A user's own catalogue that the plan names, and the error that it causes.
 struct WrongCatalogue {
   const char* name;
   const char* text;
