@@ -105,7 +105,7 @@ class VtkReader {
 
   void read_points() {
     const std::size_t count = next_count(kMostNodes, "points");
-    next();  // type
+    next();  // skips the type
     for (std::size_t i = 0; i < 3 * count && goes_on(); ++i) {
       const Word word = next();
       if (word.text.empty()) return fail(word.place, "the file ends within its points");
@@ -132,12 +132,12 @@ class VtkReader {
   }
 
   void read_offsets(std::size_t offsets, std::size_t nodes) {
-    next();  // type
+    next();  // skips the type
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < offsets && goes_on(); ++i)
       ends.push_back(next_count(nodes, "nodes before a cell"));
     next();
-    next();  // CONNECTIVITY, type
+    next();  // skip the word CONNECTIVITY and the type
     for (std::size_t c = 0; c + 1 < ends.size() && goes_on(); ++c) {
       cells_.nodes.emplace_back();
       if (ends[c + 1] < ends[c]) return fail(place_of_cells_, "the offsets of cells do not grow");
@@ -165,7 +165,7 @@ class VtkReader {
 
   void read_scalars() {
     const std::string name(next().text);
-    next();  // type
+    next();  // skips the type
     std::size_t components = 1;
     Word word = next();
     if (const auto value = integer_in(word.text); value && *value >= 1 && *value <= 4) {
@@ -174,12 +174,12 @@ class VtkReader {
     }
     if (in_capitals(word.text) != "LOOKUP_TABLE")
       return fail(word.place, "LOOKUP_TABLE is expected behind SCALARS");
-    next();  // its name
+    next();  // skips the name of the table
     read_values(name, components, is_on_cells_ ? cells_.nodes.size() : points_);
   }
 
   void read_field() {
-    next();  // name
+    next();  // skips the name of the field
     const std::size_t arrays = next_count(1000, "arrays");
     for (std::size_t a = 0; a < arrays && goes_on(); ++a) {
       Word word = next();

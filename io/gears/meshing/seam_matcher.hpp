@@ -5,7 +5,7 @@
 
 namespace netloft::gears {
 
-/// A point on a side, at a fraction of its length.
+/// A point at a fraction of the length of a side.
 struct Break {
   double fraction = 0;
   std::size_t point = 0;

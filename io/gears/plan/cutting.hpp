@@ -32,7 +32,7 @@ struct CuttingRate {
 /// text is not a rate.
 std::optional<CuttingRate> parse_rate(std::string_view text);
 
-/// Rates that differ from `text` in one letter: what a plan may mean whose text is not a rate.
+/// Rates that differ in one letter from `text`, which is not a rate: proposals for what the plan means.
 std::vector<std::string> rates_near(const std::string& text);
 
 }  // namespace netloft::gears

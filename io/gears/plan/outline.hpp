@@ -37,7 +37,7 @@ struct Outline {
 
 Outline outline_of(const Panel& panel);
 
-/// Meshes of the aft edge of the whole panel that follow from its cuttings.
+/// The number of meshes that the cuttings give the aft edge of the whole panel.
 double aft_by_cuttings(const Panel& panel);
 
 }  // namespace netloft::gears

@@ -23,7 +23,7 @@ struct GearShape {
   std::vector<std::array<double, 3>> at_corners;  // by triangle, for netting
   results::CatchBody fish;
   std::vector<results::BodyPlate> plates;
-  std::vector<Point3> hulls;  // of ships: corners of triangles
+  std::vector<Point3> hulls;  // corners of the triangles of ships
 
   /// The colour of a value on a kind of cell; without a field, the colour of the cell's part.
   Colour colour(results::CellKind kind, std::uint32_t cell, double value) const;

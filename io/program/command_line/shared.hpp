@@ -20,16 +20,16 @@ CLI::Validator numbers_between(double low, double high);
 
 void add_color_option(CLI::App& command, CommonOptions& o);
 void add_json_option(CLI::App& command, CommonOptions& o);
-/// --color, --json.
+/// Adds --color and --json.
 void add_common_options(CLI::App& command, CommonOptions& o);
-/// --plugins, --color, --json.
+/// Adds --plugins, --color and --json.
 void add_plugin_options(CLI::App& command, PluginOptions& o);
 CLI::Option* add_set_option(CLI::App& command, std::vector<std::string>& set, const std::string& doc);
 /// Adds the scene, and the options that find its plugins.
 void add_scene_options(CLI::App& command, SceneOptions& o);
 /// Adds the scene options, and those that choose strategy and solver.
 void add_method_options(CLI::App& command, MethodOptions& o);
-/// Adds the number of an output of a motion.
+/// Adds the option that selects an output of a motion by its number.
 CLI::Option* add_state_option(CLI::App& command, int& state);
 
 }  // namespace netloft::program

@@ -11,9 +11,8 @@ namespace netloft::program {
 /// its call, and whether the stack overflowed. The exit code is then kOther.
 void explain_crashes();
 
-/// Reports crashes in the same way for conformance checks of `type`, with the name of the check, until the
-/// next call. Checks may take `seconds` of processor time, and an interruption also ends them. An empty type
-/// ends this mode.
+/// Reports crashes in conformance checks of `type` in the same way, and names the check. Checks may take
+/// `seconds` of processor time, and an interruption also ends them. An empty `type` ends this mode.
 void explain_crashes_of(const std::string& type, double seconds = 0);
 
 /// During its lifetime a crash ends the program with a sentence about the file and exit code 2, because HDF5

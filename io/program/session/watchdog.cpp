@@ -43,7 +43,7 @@ void limit_last_act() {
   alarm(kLastAct);
 }
 
-/// The innermost method that has not returned since the watchdog began to watch its thread.
+/// The innermost solver, integrator or strategy that has not returned since the watchdog began to watch.
 CallFrame caller_for_ever(const CallStack& calls) {
   for (std::uint32_t i = std::min(calls.lowest(), CallStack::kDeepest); i-- > 0;)
     if (const CallFrame frame = calls.at(i); frame.kind == CallFrame::Kind::method) return frame;

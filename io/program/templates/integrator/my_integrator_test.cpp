@@ -39,7 +39,7 @@ int main() {
   m.scratch = scratch;
   netloft::Motion motion(m);
   MyIntegrator::step(MyIntegrator::Parameters{.damping = 0}, motion);
-  const double by_hand[3] = {0.6, -0.8, -0.6};  // (1 - 1/4)/(1 + 1/4), -(1 + 0.6)/2, -u; 0.6^2 + 0.8^2 = 1
+  const double by_hand[3] = {0.6, -0.8, -0.6};  // u₁ = 0.75/1.25, v₁ = -(1 + 0.6)/2, a₁ = -u₁
   std::printf("arrives at %g, %g, %g; by hand %g, %g, %g\n", u1[0], v1[0], a1[0], by_hand[0], by_hand[1],
               by_hand[2]);
   return std::abs(u1[0] - by_hand[0]) + std::abs(v1[0] - by_hand[1]) + std::abs(a1[0] - by_hand[2]) < 1e-12

@@ -47,7 +47,7 @@ int main() {
   p.progress = progress;
   netloft::Problem problem(p);
   MySolver::solve(MySolver::Parameters{.damping = 0.1, .overshoot = 0.5}, problem);
-  const double by_hand[2] = {4.0 / 3, 5.0 / 3};  // 2 a - b = 1, 2 b - a = 2
+  const double by_hand[2] = {4.0 / 3, 5.0 / 3};  // the solution of 2 a - b = 1, 2 b - a = 2
   std::printf("ends at %g, %g; by hand %g, %g\n", u[0], u[1], by_hand[0], by_hand[1]);
   return std::abs(u[0] - by_hand[0]) + std::abs(u[1] - by_hand[1]) < 1e-8 ? 0 : 1;
 }
