@@ -16,8 +16,8 @@ constexpr double kLonger = 2, kShorter = 0.5;
 // Least relative difference of the mean steps of both marches. Marches with similar steps give no error
 // estimate.
 constexpr double kLeastDifference = 0.1;
-// Displacement of a disturbed start, divided by the length of the longest element: far above the tolerance to
-// which steps are solved, far below what can be measured on a gear.
+// Displacement of a disturbed start, divided by the length of the longest element: far below what can be
+// measured on a gear. Steps are solved at least as accurately, see limits_of_comparison().
 constexpr double kDisturbance = 1e-7;
 
 double distance(const std::vector<double>& here, const std::vector<double>& there, std::size_t first) {
@@ -36,6 +36,12 @@ MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_boun
   s.longest_step *= s.pace;
   s.output_interval *= s.pace;
   return s;
+}
+
+Limits limits_of_comparison(const Limits& limits) {
+  Limits l = limits;
+  l.tolerance = std::min(l.tolerance, kDisturbance);
+  return l;
 }
 
 MarchSettings settings_of_disturbed(const MarchSettings& settings) {

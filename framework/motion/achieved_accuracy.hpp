@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/balance/assembled_scene.hpp"
+#include "framework/balance/limits.hpp"
 #include "framework/motion/march_settings.hpp"
 #include "framework/motion/march_state.hpp"
 #include "framework/motion/step_control.hpp"
@@ -52,6 +53,10 @@ struct AchievedAccuracy {
 
 /// Settings of the second march, with which a march is compared: the same, with steps r times as long.
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability);
+
+/// Limits of the second and the third march: the same, with a tolerance of at most the relative displacement
+/// of disturb(). The errors of steps that are solved less accurately would hide the disturbance.
+Limits limits_of_comparison(const Limits& limits);
 
 /// Settings of the third march, with which the second one is compared.
 MarchSettings settings_of_disturbed(const MarchSettings& settings);

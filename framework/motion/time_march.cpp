@@ -37,6 +37,7 @@ class March {
       : of_(of),
         methods_(methods),
         limits_(limits),
+        other_limits_(limits_of_comparison(limits)),
         settings_(settings),
         watch_(watch),
         scheme_(methods.integrator),
@@ -124,7 +125,8 @@ class March {
       if (settings_.disturb) disturb(state_.other[0], control_.element_size());
     }
     if (!state_.other.empty()) {
-      other_ = std::make_unique<March>(of_, methods_, limits_, other_settings_, nobody_, &state_.other[0]);
+      other_ =
+          std::make_unique<March>(of_, methods_, other_limits_, other_settings_, nobody_, &state_.other[0]);
       if (!other_->begin() || !other_->begin_other()) lose_other();
       assembler_.set_memory(own);
       winches_.restore();
@@ -395,6 +397,7 @@ class March {
   Assembler& assembler_ = of_.assembler;
   const StepMethods& methods_;
   const Limits& limits_;
+  const Limits other_limits_;  // of the march for comparison
   const MarchSettings& settings_;
   const MarchWatch& watch_;
   StepScheme scheme_;
