@@ -18,9 +18,11 @@ struct StageRecord {
 
 /// Cost of a solution, and the stages (solves) that led to it.
 struct Cost {
-  Statistics statistics;            // the solver's own counts, and the time of all stages
+  // The sum over all stages. The times include the checks that the host makes after the last stage; the
+  // counts do not.
+  Statistics statistics;
   double work = 0;                  // of all stages, in Newton iterations of the scene (work.hpp)
-  std::vector<StageRecord> stages;  // if there were several; `statistics` is then their sum
+  std::vector<StageRecord> stages;  // in the order in which they ran; one if the strategy solved only once
 
   /// Adds the cost of later stages.
   void add(const Cost& later);

@@ -5,7 +5,6 @@
 namespace netloft::results {
 
 /// Names of groups of a result file (io/formats/hdf5/LAYOUT.md).
-inline const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/",
-                         kSwing = "/netloft/swing/";
+inline const std::string kRoot = "/netloft/", kErrors = "/netloft/errors/", kSpread = "/netloft/spread/";
 
 }  // namespace netloft::results
