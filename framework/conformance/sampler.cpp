@@ -128,7 +128,8 @@ bool Sampler::is_corner(const netloft_datum& datum) const {
 
 double Sampler::number(const netloft_datum& datum) {
   if (is_corner(datum)) return uniform(-4, 4);
-  if (type_.is_on_body() && std::string_view(datum.name) == datum::kSide.name)
+  if (const HostDatum* of_host = find_datum_on(type_.element.stencil, datum.name);
+      of_host && of_host->is_sign)
     return uniform(0, 1) < 0.5 ? -1 : 1;
   const std::string_view unit = datum.unit;
   if (unit == "m") return std::exp(uniform(std::log(0.5), std::log(2.0)));

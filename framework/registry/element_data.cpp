@@ -18,7 +18,7 @@ constexpr HostDatum of_pair(HostDatum datum, std::uint32_t corners, std::uint32_
 
 constexpr HostDatum kOfNode[] = {datum::kPieces, datum::kLength};
 constexpr HostDatum kOfBar[] = {datum::kRestLength, datum::kParallel};
-constexpr HostDatum kOfTriangle[] = {datum::kU, datum::kV, datum::kBarLength, datum::kToAft};
+constexpr HostDatum kOfTriangle[] = {datum::kU, datum::kV, datum::kBarLength, datum::kToAft, datum::kOutward};
 constexpr HostDatum kOfBody[] = {datum::kSide, datum::kArm};
 constexpr HostDatum kOfBarPair[] = {of_pair(datum::kRestLength, 2, 3), of_pair(datum::kParallel, 2, 3)};
 constexpr HostDatum kOfTrianglePair[] = {of_pair(datum::kU, 3, 4), of_pair(datum::kV, 3, 4),

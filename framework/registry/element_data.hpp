@@ -16,6 +16,7 @@ struct HostDatum {
   const char* name;
   std::uint32_t width;  // numbers of one element
   const char *unit, *doc;
+  bool is_sign = false;  // whether its numbers are 1 or -1
 };
 
 namespace datum {
@@ -29,7 +30,9 @@ inline constexpr HostDatum kU{"u", 3, "1", "first twine coordinate of the corner
 inline constexpr HostDatum kV{"v", 3, "1", "second twine coordinate of the corners, in bars"};
 inline constexpr HostDatum kBarLength{"bar_length", 1, "m", "unstretched bar of the netting"};
 inline constexpr HostDatum kToAft{"to_aft", 3, "1", "meshes from the corners to the aft edge of the panel"};
-inline constexpr HostDatum kSide{"side", 1, "1", "1 to starboard, -1 to port"};
+inline constexpr HostDatum kOutward{
+    "outward", 1, "1", "1 if the corners are counter-clockwise seen from outside, -1 if clockwise", true};
+inline constexpr HostDatum kSide{"side", 1, "1", "1 to starboard, -1 to port", true};
 inline constexpr HostDatum kArm{
     "arm", 3, "m",
     "point of the body that it stands on, in the axes of a body to starboard; 0: the whole body"};

@@ -15,12 +15,12 @@ constexpr int kUnknowns = 10;  // nine coordinates and ξ
 /// them.
 template <class T>
 struct Slice {
-  Slice(const Front::Parameters& p, const Points<T, 3>& x, const T& front) {
+  Slice(const Front::Parameters& p, const Front::Data& d, const Points<T, 3>& x, const T& front) {
     const double ex = std::cos(p.direction), ey = std::sin(p.direction);
     std::array<T, 3> s;
     for (std::size_t i = 0; i < 3; ++i) s[i] = ex * x[i].x + ey * x[i].y - front;
     behind = Front::behind(s);
-    n = cross(x[1] - x[0], x[2] - x[0]);
+    n = d.outward * cross(x[1] - x[0], x[2] - x[0]);
     volume = behind.I * (0.5 * ex * n.x + 0.5 * ey * n.y);
   }
   Front::Behind<T> behind;
@@ -30,16 +30,16 @@ struct Slice {
 
 using Tangent = Dual<kUnknowns, 1>;
 
-Slice<Tangent> slice_of(const Front::Parameters& p, const State<4>& s) {
+Slice<Tangent> slice_of(const Front::Parameters& p, const Front::Data& d, const State<4>& s) {
   Points<Tangent, 3> x;
   for (int i = 0; i < 9; ++i)
     x[static_cast<std::size_t>(i / 3)][i % 3] =
         Tangent::variable(s.x[static_cast<std::size_t>(i / 3)][i % 3], i);
-  return {p, x, Tangent::variable(s.x[3].x, 9)};
+  return {p, d, x, Tangent::variable(s.x[3].x, 9)};
 }
 
-Slice<double> plain_slice_of(const Front::Parameters& p, const State<4>& s) {
-  return {p, {s.x[0], s.x[1], s.x[2]}, s.x[3].x};
+Slice<double> plain_slice_of(const Front::Parameters& p, const Front::Data& d, const State<4>& s) {
+  return {p, d, {s.x[0], s.x[1], s.x[2]}, s.x[3].x};
 }
 
 void put(const Tangent& residual, int row, const State<4>& s, Local<4>& out) {
@@ -61,18 +61,18 @@ double Front::full(const Parameters& p, const Water& w) {
   return p.pressure + 0.5 * w.density * p.drag_coefficient * p.speed * p.speed;  // (1)
 }
 
-double Front::volume(const Parameters& p, const Data&, const State<4>& s) {
-  return plain_slice_of(p, s).volume;
+double Front::volume(const Parameters& p, const Data& d, const State<4>& s) {
+  return plain_slice_of(p, d, s).volume;
 }
 
-double Front::on(const Parameters& p, const Data&, const State<4>& s) {
-  const auto slice = plain_slice_of(p, s);
+double Front::on(const Parameters& p, const Data& d, const State<4>& s) {
+  const auto slice = plain_slice_of(p, d, s);
   return full(p, s.water) * (slice.behind.w[0] + slice.behind.w[1] + slice.behind.w[2]);
 }
 
-Status Front::Push::evaluate(const Parameters& p, const Data&, const Whole& whole, const State<4>& s,
+Status Front::Push::evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,
                              Local<4>& out) {
-  const auto slice = slice_of(p, s);
+  const auto slice = slice_of(p, d, s);
   const double pressure = full(p, s.water);
   for (int i = 0; i < 3; ++i)
     for (int axis = 0; axis < 3; ++axis)

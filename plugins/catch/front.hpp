@@ -8,7 +8,7 @@ namespace netloft::catches {
 
 /// Pressure of the flow that the catch stops, from inside on all netting behind a plane across the flow:
 ///   p = p₀ + C_d ½ ρ V²                                                                        (1)
-///   n = (x₂−x₁)×(x₃−x₁)                        outward normal, length twice the area             (2)
+///   n = o (x₂−x₁)×(x₃−x₁)                      outward normal, length twice the area             (2)
 ///   e = (cos ψ, sin ψ, 0),  s_i = e·x_i − ξ    distance of corner i behind the plane             (3)
 ///   I(s) = mean of max(s, 0) over the triangle,  w_i = ∂I/∂s_i                                    (4)
 ///   r_i = −(w_i p/2) n                         residual on each corner                           (5)
@@ -22,8 +22,9 @@ namespace netloft::catches {
 /// the catch (of its half in half a gear); σ [1] the fraction of V₀ at a given time, linear between the times
 /// of a table, and 1 without a table. All triangles of a part share ξ, which is either given or an unknown
 /// whose equation is (7). By the theorem of Gauss, Σ v is the volume between the plane and the netting, if
-/// that is closed behind the plane. Corners are counter-clockwise seen from outside. Source: the catch of
-/// FEMNET (D. Priour), where ξ is found by bisection without its tangent.
+/// that is closed behind the plane. o is 1 if the corners are counter-clockwise seen from outside, and −1 if
+/// they are clockwise. Source: the catch of FEMNET (D. Priour), where ξ is found by bisection without its
+/// tangent.
 struct Front {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // ξ
@@ -32,7 +33,9 @@ struct Front {
     double pressure = 0, speed = 0, drag_coefficient = 0, volume = 0, front = 0, direction = 0;
     netloft_table growth{};  // t [s], σ
   };
-  struct Data {};
+  struct Data {
+    double outward = 1;  // o
+  };
   struct Whole {
     double triangles = 0;
   };
@@ -48,12 +51,12 @@ struct Front {
   static double first_front(const Parameters& p, const Whole&) { return p.front; }
   template <class T>
   static Behind<T> behind(const std::array<T, 3>& s);
-  static double full(const Parameters& p, const Water& w);                    // p [Pa]
-  static double volume(const Parameters& p, const Data&, const State<4>& s);  // v [m³]
-  static double on(const Parameters& p, const Data&, const State<4>& s);      // p Σ w [Pa]
+  static double full(const Parameters& p, const Water& w);                      // p [Pa]
+  static double volume(const Parameters& p, const Data& d, const State<4>& s);  // v [m³]
+  static double on(const Parameters& p, const Data& d, const State<4>& s);      // p Σ w [Pa]
 
   struct Push {
-    static Status evaluate(const Parameters& p, const Data&, const Whole& whole, const State<4>& s,
+    static Status evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,
                            Local<4>& out);
   };
 };

@@ -7,6 +7,8 @@ using netloft::catches::Pressure;
 
 namespace {
 
+constexpr const char* kOutward = "1 if the corners are counter-clockwise seen from outside, -1 if clockwise";
+
 void add_front(netloft::Plugin& plugin) {
   auto& f = plugin.element<Front>("front", "Pressure on all netting behind a plane across the flow");
   f.real("catch.volume", &Front::Parameters::volume, "m3",
@@ -28,6 +30,7 @@ void add_front(netloft::Plugin& plugin) {
   f.real("catch.drag_coefficient", &Front::Parameters::drag_coefficient, "1",
          "pressure divided by the dynamic pressure of that speed", {.lo = 0, .hi = 1e3, .fallback = 1.4});
   f.global("front", "m", "position of the plane along the flow", "catch.volume", Front::first_front);
+  f.data("outward", &Front::Data::outward, "1", kOutward);
   f.term<Front::Push, netloft::from_outside | netloft::is_drag | netloft::reads_time>(
       "pressure", "outward force of the catch on the netting");
   f.output("pressure", "Pa", "pressure on the netting, reduced for triangles that the plane cuts",
@@ -66,6 +69,7 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
   c.global("front", "1", "meshes along the netting that the catch fills, from its aft end", "catch.volume",
            Pressure::first_front);
   c.data("to_aft", &Pressure::Data::to_aft, "1", "meshes from each corner to the aft end of the netting");
+  c.data("outward", &Pressure::Data::outward, "1", kOutward);
   c.term<Pressure::Push, netloft::from_outside | netloft::is_drag | netloft::reads_time>(
       "pressure", "outward force of the catch on the netting");
   c.output("pressure", "Pa", "pressure on the netting, reduced for triangles that the catch front cuts",

@@ -30,9 +30,9 @@ double front(const State<4>& s) { return s.x[3].x; }
 
 /// The quantities of one triangle in (6) to (9).
 struct FilledSlice {
-  FilledSlice(const Pressure::Parameters& p, const State<4>& s)
+  FilledSlice(const Pressure::Parameters& p, double o, const State<4>& s)
       : axis(kAxes[p.across]),
-        n(cross(s.x[1] - s.x[0], s.x[2] - s.x[0])[axis]),
+        n(o * cross(s.x[1] - s.x[0], s.x[2] - s.x[0])[axis]),
         arm((s.x[0][axis] + s.x[1][axis] + s.x[2][axis]) / 3 - p.middle) {}
   double volume() const { return arm * n / 2; }  // (6)
   int axis;
@@ -61,9 +61,10 @@ Pressure::Fraction cut_off(const std::array<std::size_t, 3>& corner, const Cut& 
   return fraction;
 }
 
+/// `pressure`: o p.
 void push(double pressure, const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
   const double half = pressure / 2;
-  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);                   // (2)
+  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);                   // (2), without o
   for (std::size_t i = 0; i < 3; ++i) out.force[i] = -(fraction.at[i] * half) * n;  // (3)
   if (!s.wants_tangent) return;
   for (int j = 0; j < 3; ++j) {
@@ -75,16 +76,16 @@ void push(double pressure, const Pressure::Fraction& fraction, const State<4>& s
     out.tangent[r][kFront] = -s.cu * fraction.slope_at[r / 3] * half * n[static_cast<int>(r % 3)];  // (8)
 }
 
-void balance_volume(const Pressure::Parameters& p, double pressure, double triangles,
+void balance_volume(const Pressure::Parameters& p, double pressure, double triangles, double o,
                     const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
-  const FilledSlice slice(p, s);
+  const FilledSlice slice(p, o, s);
   const double k = pressure / std::cbrt(p.volume);
   out.force[3].x = k * (fraction.value() * slice.volume() -
                         in_time::factor_at(p.growth, s.time) * p.volume / triangles);  // (7)
   if (!s.wants_tangent) return;
   out.tangent[kFront][kFront] = s.cu * k * fraction.slope() * slice.volume();  // (8)
   for (int j = 0; j < 3; ++j) {
-    const Skew turn = cross_matrix((0.5 * slice.arm) * opposite(s, j));
+    const Skew turn = cross_matrix((0.5 * o * slice.arm) * opposite(s, j));
     for (int c = 0; c < 3; ++c)
       out.tangent[kFront][3 * j + c] = s.cu * k * fraction.value() *
                                        ((c == slice.axis ? slice.n / 6 : 0) - turn.at[slice.axis][c]);  // (9)
@@ -154,7 +155,7 @@ double Pressure::on(const Parameters& p, const Data& d, const State<4>& s) {
 }
 
 double Pressure::volume(const Parameters& p, const Data& d, const State<4>& s) {
-  return fraction_behind_front(d.to_aft, front(s)).value() * FilledSlice(p, s).volume();
+  return fraction_behind_front(d.to_aft, front(s)).value() * FilledSlice(p, d.outward, s).volume();
 }
 
 Status Pressure::Push::evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,
@@ -163,8 +164,8 @@ Status Pressure::Push::evaluate(const Parameters& p, const Data& d, const Whole&
     throw OutsideDomain("the front of the catch has left its netting, which may be too small for the volume");
   const Fraction fraction = fraction_behind_front(d.to_aft, front(s));
   const double pressure = full(p, s.water);
-  push(pressure, fraction, s, out);
-  if (p.volume > 0) balance_volume(p, pressure, whole.triangles, fraction, s, out);
+  push(d.outward * pressure, fraction, s, out);
+  if (p.volume > 0) balance_volume(p, pressure, whole.triangles, d.outward, fraction, s, out);
   return Status::ok;
 }
 

@@ -8,15 +8,16 @@ namespace netloft::catches {
 
 /// Pressure of the flow that the catch stops, from inside on the netting behind the catch front:
 ///   p = p₀ + C_d ½ ρ V²                                                                (1)
-///   n = (x₂−x₁)×(x₃−x₁) = x₁×x₂ + x₂×x₃ + x₃×x₁     outward normal, length twice the area    (2)
+///   n = o (x₂−x₁)×(x₃−x₁)                           outward normal, length twice the area    (2)
 ///   r_i = −(φ_i p/2) n,  i = 1, 2, 3                  the part of the force on each corner   (3)
-///   K_ij = (φ_i p/2) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v            (4)
+///   K_ij = o (φ_i p/2) [w_j]×,  w₁ = x₂−x₃, w₂ = x₃−x₁, w₃ = x₁−x₂,  [w]× v = w×v            (4)
 ///   φ_i(m) = (∫ N_i over the part of the triangle with s < m)/(its area),  φ = Σ φ_i        (5)
 /// p₀ [Pa] given pressure, V [m/s] speed of the water through the gear, C_d drag coefficient of the catch; s
 /// is the number of meshes to the aft end of the netting, counted through all panels in a row and given at
 /// the corners; m is the number of filled meshes, so that the front is at s = m; N_i is linear, 1 at corner i
-/// and 0 at the others. φ_i is computed for the unstretched triangle. Corners are counter-clockwise seen from
-/// outside. Source: the trawl-gear paper, p with C_d = 1.4; (3) after Priour.
+/// and 0 at the others. φ_i is computed for the unstretched triangle. o is 1 if the corners are
+/// counter-clockwise seen from outside, and −1 if they are clockwise. Source: the trawl-gear paper, p with
+/// C_d = 1.4; (3) after Priour.
 ///
 /// The pressure is a follower force without an energy. Over a closed surface, or one with a fixed rim, the
 /// sum of (3) is the gradient of −p × volume and the sum of (4) is symmetric; but a catch front that cuts
@@ -28,7 +29,7 @@ namespace netloft::catches {
 ///   v = (ȳ − y₀) n_y/2,  ȳ = (y₁ + y₂ + y₃)/3         ∮ (y − y₀) dA_y over the triangle      (6)
 ///   r_m = k (Σ φ v − σ V₀) = 0,  k = p/∛V₀                                                (7)
 ///   ∂r_i/∂m = −φ_i′ (p/2) n,   ∂r_m/∂m = k φ′ v                                           (8)
-///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
+///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − o ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
 /// V₀ [m³] volume; σ [1] its fraction at a given time, from a table, 1 without one; y axis across the
 /// cod-end, y₀ the middle of the cod-end. By the theorem of Gauss, Σ φ v is the volume behind the front,
 /// closed there by a surface of straight lines from side to side. This is exact for every cod-end that is
@@ -47,6 +48,7 @@ struct Pressure {
   };
   struct Data {
     std::array<double, 3> to_aft{};  // s [meshes]
+    double outward = 1;              // o
   };
   /// Sums over all triangles of a part.
   struct Whole {

@@ -131,6 +131,7 @@ void GearParts::add_panel(const gears::GearPanel& panel, const gears::PanelMesh&
     to_aft.push_back(plan.depth - V);
   }
   geometry.data[datum::kBarLength.name].assign(mesh.triangles.size() / 3, plan.mesh / 2);
+  geometry.data[datum::kOutward.name].assign(mesh.triangles.size() / 3, 1);
   formats::Value twine = plan.twine;
   keep_strength(draft_.out, panel.name, plan.twine, plan.twines, plan.twine_name);
   if (plan.twines > 1 && twine.as<formats::Table>())

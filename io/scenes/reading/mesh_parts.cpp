@@ -89,6 +89,7 @@ void read_triangles(const formats::MeshRegion& region, formats::TableReader& par
     out.names.panel[out.elements[corner]] = {U, V};
   }
   out.data[datum::kBarLength.name].assign(region.size(), bar);
+  out.data[datum::kOutward.name].assign(region.size(), 1);
 }
 
 /// Names the start, the end and the middle of a rope whose bars follow one another.

@@ -220,6 +220,7 @@ void add_triangle(const Panel& p, const Triangle& corners, const std::string& ne
     out.data[datum::kToAft.name].push_back(p.along - V);
   }
   out.data[datum::kBarLength.name].push_back(p.bar);
+  out.data[datum::kOutward.name].push_back(1);
 }
 
 void add_face(const Panel& p, const Triangle& corners, Geometry& out) {

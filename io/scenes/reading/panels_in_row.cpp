@@ -14,11 +14,12 @@ constexpr double kOnEdge = 1e-6;  // distance within which a node lies on the af
 
 class PanelsInRow {
  public:
-  PanelsInRow(const std::vector<std::size_t>& begins, const std::vector<std::uint32_t>& nodes,
+  PanelsInRow(const std::vector<PanelBelow>& panels, const std::vector<std::uint32_t>& nodes,
               const std::vector<double>& to_aft)
-      : panels_(begins.size()) {
-    for (std::size_t p = 0; p < begins.size(); ++p)
-      for (std::size_t i = begins[p]; i < (p + 1 < begins.size() ? begins[p + 1] : nodes.size()); ++i) {
+      : panels_(panels.size()) {
+    for (std::size_t p = 0; p < panels.size(); ++p)
+      for (std::size_t i = panels[p].begin; i < (p + 1 < panels.size() ? panels[p + 1].begin : nodes.size());
+           ++i) {
         seams_[nodes[i]][p] = to_aft[i];
         if (to_aft[i] < kOnEdge) panels_[p].aft_edge.push_back(nodes[i]);
       }
@@ -60,14 +61,15 @@ class PanelsInRow {
 
 }  // namespace
 
-void count_meshes_through_seams(const std::vector<std::size_t>& begins, Part& rider) {
+void count_meshes_through_seams(const std::vector<PanelBelow>& panels, Part& rider) {
   const auto data = rider.data.find(datum::kToAft.name);
   if (data == rider.data.end()) return;
   auto& to_aft = data->second;
-  PanelsInRow row(begins, rider.nodes, to_aft);
-  for (std::size_t p = 0; p < begins.size(); ++p) {
+  PanelsInRow row(panels, rider.nodes, to_aft);
+  for (std::size_t p = 0; p < panels.size(); ++p) {
     const double behind = row.behind(p);
-    for (std::size_t i = begins[p]; i < (p + 1 < begins.size() ? begins[p + 1] : to_aft.size()); ++i)
+    for (std::size_t i = panels[p].begin; i < (p + 1 < panels.size() ? panels[p + 1].begin : to_aft.size());
+         ++i)
       to_aft[i] += behind;
   }
 }

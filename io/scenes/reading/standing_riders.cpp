@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/standing_riders.hpp"
 
+#include "io/scenes/reading/outward.hpp"
 #include "io/scenes/reading/own_data.hpp"
 #include "io/scenes/reading/panels_in_row.hpp"
 #include "io/scenes/reading/part_names.hpp"
 #include "io/scenes/reading/riding.hpp"
-#include "io/scenes/reading/turn_outward.hpp"
 
 #include <algorithm>
 
@@ -36,18 +36,25 @@ class RiderMaker {
     if (!corners_.empty()) stand_between_points();
     if (type_.element.stencil == NETLOFT_BAR_PAIR) stand_between_ropes();
     if (type_.element.stencil == NETLOFT_TRIANGLE) count_meshes_through_seams(panels_, rider_);
-    if (bears_pressure() && !draft_.out.gear) turn_outward(panels_, draft_.out.scene.positions, rider_);
+    if (type_.element.stencil == NETLOFT_TRIANGLE && declares(type_, datum::kOutward)) tell_outside();
     read_missing_data();
   }
 
  private:
-  /// Whether the order of corners may be reversed so that the outer face of triangles is outside. It may not
-  /// if the elements have data of corners other than to_aft, which would then belong to other corners. Panels
-  /// of a net plan have the right order already.
-  bool bears_pressure() const {
-    return type_.element.stencil == NETLOFT_TRIANGLE && !panels_.empty() &&
-           std::ranges::all_of(type_.data,
-                               [](const auto& d) { return std::string_view(d.name) == datum::kToAft.name; });
+  void tell_outside() {
+    Outward outward = find_outward(panels_, draft_.out.scene.positions, rider_);
+    rider_.data[datum::kOutward.name] = std::move(outward.of_triangles);
+    if (outward.unknown < 2) return;
+    table_.diagnostics().warning(
+        table_.place("on"),
+        rider_.name + ": has no inside, since " + std::to_string(outward.unknown) +
+            " of its panels lie in one plane; it pushes each of them towards the side "
+            "that sees the corners counter-clockwise",
+        "sketch the panels apart, or stand it on one panel");
+  }
+
+  bool is_of_plan(std::size_t part) const {
+    return draft_.out.gear && std::ranges::count(draft_.out.gear->panels, part) > 0;
   }
 
   void read_names() {
@@ -154,7 +161,7 @@ class RiderMaker {
   /// Copies the elements of a part if they have the shape (stencil) of the rider's, or else the triangles
   /// between the bars of a panel. Returns false if neither is possible.
   bool add_elements(std::size_t part) {
-    panels_.push_back(rider_.nodes.size());
+    panels_.push_back({rider_.nodes.size(), is_of_plan(part)});
     if (draft_.types[part]->element.stencil == type_.element.stencil)
       ride_on_elements(draft_.out.scene.parts[part], rider_);
     else if (type_.element.stencil == NETLOFT_TRIANGLE && !draft_.geometries[part].faces.nodes.empty())
@@ -188,7 +195,7 @@ class RiderMaker {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
   std::vector<double> carried_;
-  std::vector<std::size_t> panels_;     // whole parts: index in rider_.nodes of the first corner of each
+  std::vector<PanelBelow> panels_;      // if it stands on whole parts
   std::vector<std::size_t> ropes_;      // indices of the ropes, for elements on pairs of bars
   std::vector<std::uint32_t> corners_;  // nodes of one element, named in `on`
 };

@@ -208,9 +208,10 @@ twine = {{ diameter = {f.length(0.004)}, EA = 17000, EA_compression = 0, density
 """
     upper = [(0, -0.6, -9.7), (0, 0.6, -9.7), (2.6, 0.6, -9.7), (2.6, -0.6, -9.7)]
     lower = [(0, 0.6, -10.3), (0, -0.6, -10.3), (2.6, -0.6, -10.3), (2.6, 0.6, -10.3)]
-    if flip:  # both panels drawn from the other side
-        upper, lower = ([c[1], c[0], c[3], c[2]] for c in (upper, lower))
     seams = [("upper.right", "lower.left"), ("lower.right", "upper.left")]
+    if flip:  # one of the panels drawn from the other side
+        lower = [lower[1], lower[0], lower[3], lower[2]]
+        seams = [("upper.right", "lower.right"), ("lower.left", "upper.left")]
     joins = "".join(f"""
 [[join]]
 points = ["{a}", "{b}"]
@@ -220,7 +221,7 @@ points = ["{a}", "{b}"]
     holds = f"""
 [[hold]]
 on = "upper.fore"
-at = {f.line(*(rim[::-1] if flip else rim))}
+at = {f.line(*rim)}
 [[hold]]
 on = "lower.fore"
 at = {f.line(*(under[::-1] if flip else under))}

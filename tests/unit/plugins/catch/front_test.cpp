@@ -56,6 +56,17 @@ TEST(CatchFront, AddsUpToTheVolumeBehindThePlane) {
     EXPECT_NEAR(volume_of_box(front), front < 0 ? 3 : std::max(0.0, 2 - front), 1e-13) << front;
 }
 
+TEST(CatchFront, IsTheSameHoweverTheCornersTurn) {
+  const Front::Parameters p = pressing(100, 0.7);
+  State<4> s = somewhere(0.5), other = s;
+  std::swap(other.x[1], other.x[2]);
+  Local<4> out, turned;
+  ASSERT_EQ(Front::Push::evaluate(p, {}, {3}, s, out), Status::ok);
+  ASSERT_EQ(Front::Push::evaluate(p, {-1}, {3}, other, turned), Status::ok);
+  const std::size_t at[] = {0, 2, 1, 3};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(norm(out.force[i] - turned.force[at[i]]), 0, 1e-12) << i;
+}
+
 TEST(CatchFront, LooksAlongTheFlow) { EXPECT_NEAR(volume_of_box(0.4, 0.7), 1.6, 1e-13); }
 
 TEST(CatchFront, PushesAThirdOnEachCornerOfWhatIsBehindIt) {

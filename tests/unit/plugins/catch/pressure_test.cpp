@@ -115,10 +115,10 @@ TEST(CatchPressure, HasTheDerivativeOfItsForceAsTangent) {
 /// Checks (4), (8) and (9) of pressure.hpp on both branches of (5), along every axis.
 TEST(CatchPressure, HasTheDerivativeOfItsVolumeAndFrontAsTangent) {
   for (const double front : {1.5, 3.0})
-    for (const std::int64_t across : {0, 1, 2}) {
+    for (const auto& [across, o] : std::vector<std::pair<std::int64_t, double>>{{0, 1}, {1, -1}, {2, 1}}) {
       Pressure::Parameters p = filled(120, 2.5);
       p.across = across, p.middle = -0.3;
-      const Pressure::Data d{{2, 4, 1}};
+      const Pressure::Data d{{2, 4, 1}, o};
       const auto force = [&](int dof, double step) {
         State<4> s = somewhere(front);
         s.x[static_cast<std::size_t>(dof / 3)][dof % 3] += step;
@@ -137,6 +137,22 @@ TEST(CatchPressure, HasTheDerivativeOfItsVolumeAndFrontAsTangent) {
         }
       }
     }
+}
+
+TEST(CatchPressure, IsTheSameHoweverTheCornersTurn) {
+  const Pressure::Parameters p = filled(120, 2.5);
+  State<4> s = somewhere(3), other = s;
+  std::swap(other.x[1], other.x[2]);
+  Local<4> out, turned;
+  ASSERT_EQ(Pressure::Push::evaluate(p, {{2, 4, 1}}, {3, 4}, s, out), Status::ok);
+  ASSERT_EQ(Pressure::Push::evaluate(p, {{2, 1, 4}, -1}, {3, 4}, other, turned), Status::ok);
+  const int at[] = {0, 2, 1, 3};
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 12; ++j)
+      EXPECT_NEAR(out.tangent[i][j], turned.tangent[3 * at[i / 3] + i % 3][3 * at[j / 3] + j % 3], 1e-12)
+          << i << ' ' << j;
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(norm(out.force[i] - turned.force[static_cast<std::size_t>(at[i])]), 0, 1e-12) << i;
 }
 
 TEST(CatchPressure, SharesTheVolumeThatIsWantedOutAmongItsTriangles) {

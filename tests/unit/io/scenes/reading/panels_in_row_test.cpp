@@ -13,9 +13,9 @@ Meshes counted(const std::vector<std::uint32_t>& nodes, const Meshes& to_aft) {
   Part rider;
   rider.nodes = nodes;
   rider.data["to_aft"] = to_aft;
-  std::vector<std::size_t> begins;
-  for (std::size_t corner = 0; corner < nodes.size(); corner += 3) begins.push_back(corner);
-  count_meshes_through_seams(begins, rider);
+  std::vector<PanelBelow> panels;
+  for (std::size_t corner = 0; corner < nodes.size(); corner += 3) panels.push_back({corner});
+  count_meshes_through_seams(panels, rider);
   return rider.data.at("to_aft");
 }
 
