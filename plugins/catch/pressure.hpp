@@ -15,9 +15,9 @@ namespace netloft::catches {
 /// p₀ [Pa] given pressure, V [m/s] speed of the water through the gear, C_d drag coefficient of the catch; s
 /// is the number of meshes to the aft end of the netting, counted through all panels in a row and given at
 /// the corners; m is the number of filled meshes, so that the front is at s = m; N_i is linear, 1 at corner i
-/// and 0 at the others. φ_i is computed for the unstretched triangle. o is 1 if the corners are
-/// counter-clockwise seen from outside, and −1 if they are clockwise. Source: the trawl-gear paper, p with
-/// C_d = 1.4; (3) after Priour.
+/// and 0 at the others. φ_i is computed for the unstretched triangle. o is 1 for corners that are
+/// counter-clockwise seen from outside, else −1. Source: the trawl-gear paper, p with C_d = 1.4; (3) after
+/// Priour.
 ///
 /// The pressure is a follower force without an energy. Over a closed surface, or one with a fixed rim, the
 /// sum of (3) is the gradient of −p × volume and the sum of (4) is symmetric; but a catch front that cuts

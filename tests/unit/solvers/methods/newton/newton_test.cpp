@@ -70,8 +70,10 @@ Scene pressed_kite() {
   s.rope("legs b and c", {b, top, c}, std::sqrt(2), kEA);
   s.rope("rim", {a, b, c, a}, std::sqrt(3), kEA).parameters["rope.EA_compression"] = kEA;
   s.rope("spring", {a, tie}, 4, 1);
-  s.part("catch", "catch/pressure", {{"catch.pressure", 1000 / (1.5 * h)}, {"catch.meshes", 1.0}}, {a, b, c})
-      .data["to_aft"] = {1, 0, 0};
+  Part& pressed = s.part("catch", "catch/pressure",
+                         {{"catch.pressure", 1000 / (1.5 * h)}, {"catch.meshes", 1.0}}, {a, b, c});
+  pressed.data["to_aft"] = {1, 0, 0};
+  pressed.data["outward"] = {1};
   return s.scene;
 }
 
