@@ -21,8 +21,7 @@ namespace netloft::catches {
 ///
 /// The pressure is a follower force without an energy. Over a closed surface, or one with a fixed rim, the
 /// sum of (3) is the gradient of −p × volume and the sum of (4) is symmetric; but a catch front that cuts
-/// through a cod-end is a moving rim. An energy −p Σ x₁·(x₂×x₃)/6 would add forces on that rim that depend on
-/// the origin.
+/// through a cod-end is a moving rim, on which the forces of −p Σ x₁·(x₂×x₃)/6 would depend on the origin.
 ///
 /// All triangles of a part share the front m. It is the given number of `meshes`, or an unknown whose
 /// equation is that the catch has the given volume:
