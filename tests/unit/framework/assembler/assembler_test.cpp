@@ -12,7 +12,7 @@
 namespace netloft::test {
 namespace {
 
-/// A net on two ropes, taut in every twine and bar, one node held along one axis only.
+/// A net on two ropes. Every twine and bar is taut, and one node is held along one axis only.
 Sketch net_with_ropes() {
   Sketch s;
   s.scene = sample::hanging_panel(3, 45);
@@ -26,7 +26,8 @@ Sketch net_with_ropes() {
   return s;
 }
 
-/// Scale of central differences with step h: third derivatives of a bar are about its stiffness over length².
+/// Step h of central differences. The third derivatives of a bar are about its stiffness divided by its
+/// length squared.
 constexpr double kStep = 1e-4;
 
 TEST(Assembler, HasTheGradientOfTheEnergyAsResidual) {
@@ -141,13 +142,14 @@ void expect_ordered(Assembled& a, const std::vector<double>& x) {
   }
 }
 
-// Moved by metres, so that some twines are slack and some taut, and springs are in compression.
+// Nodes are displaced by metres, so that some twines are slack, some are taut, and springs are in
+// compression.
 TEST(Assembler, HasAConvexPartBetweenNothingAndTheMetricOfNetting) {
   Assembled a(net_with_ropes().scene);
   expect_ordered(a, a.moved(8));
 }
 
-/// Springs that are known by their energy alone.
+/// Springs of which only the energy is implemented.
 Scene springs() {
   Sketch s;
   const auto fixed = s.node(0, 0, 0, kAllAxes), b = s.node(0.4, 0.1, 0), c = s.node(0.7, 0, 0.2),
@@ -188,7 +190,8 @@ TEST(Assembler, ReportsWhatHoldsTheGearAsReactions) {
   const auto at = [&](std::uint32_t node, int axis) {
     return r[a.assembler.numbering().dof(node, axis).at()];
   };
-  // The bar is stretched by 1 m: it pulls with 100 N. What holds it pulls up with that and half the weight.
+  // The bar is stretched by 1 m and pulls with 100 N. The reaction at its top is this force and half of the
+  // weight.
   EXPECT_NEAR(at(top, 2), 100 + half, 1e-12 * 100);
   EXPECT_NEAR(at(end, 2), -100 + half + 50, 1e-12 * 100);
   EXPECT_NEAR(at(end, 0), -3, 1e-15);
@@ -246,7 +249,7 @@ TEST(Assembler, TellsABrokenElementFromAStateWithoutForce) {
   EXPECT_EQ(scene.assembler.fault().status, NETLOFT_ERROR);
 }
 
-/// Everything that an evaluation gives, with a number of threads.
+/// All results of an evaluation with a number of threads.
 struct Everything {
   Everything(const Scene& scene, int threads) {
     Assembled a(scene, threads);

@@ -18,8 +18,8 @@ namespace {
 enum Node : std::uint32_t { kAnchor, kUpper, kLower, kTail, kOrigin };
 constexpr std::array<double, 3> kToUpper{0.3, 0, 0.4}, kToLower{-0.2, 0, -0.6};
 
-/// A rigid link on a rope of one bar, with a heavy rope of one bar hung from its other end; tilted at the
-/// start.
+/// A rigid link at the end of a rope of one bar. A heavy rope of one bar hangs from the other end of the
+/// link. All are tilted at the start.
 Scene link_on_a_rope() {
   Scene scene = sample::hanging_rope(1);
   scene.positions = {0, 0, 0, 0.3, 0, -1, -0.2, 0, -2, 0.5, 0, -2.7, 0, 0, -1.4};
@@ -34,7 +34,8 @@ Scene link_on_a_rope() {
   return scene;
 }
 
-/// The same with a vane on the link, turned at the start, in a current that changes with depth.
+/// The scene of link_on_a_rope() with a vane on the link. The link is rotated at the start, in a current that
+/// changes with depth.
 Scene vane_on_a_rope() {
   Scene scene = link_on_a_rope();
   scene.bodies[0].rotation = {0.4, -0.2, 0.3};
@@ -51,7 +52,7 @@ TEST(Bodies, HandOnTheGradientOfTheEnergyBesideTheResidual) {
 
 TEST(Bodies, HangPlumbBetweenTheirRopes) {
   Scene scene = link_on_a_rope();
-  scene.bodies[0].held_rotation = kAxisX | kAxisZ;  // nothing resists a turn about the plumb line
+  scene.bodies[0].held_rotation = kAxisX | kAxisZ;  // nothing resists a rotation about the vertical
   const auto solved = solve(std::move(scene));
   ASSERT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;
   EXPECT_EQ(solved.solution.stability, Stability::stable);
@@ -64,7 +65,7 @@ TEST(Bodies, HandTheWholeWeightOnToWhatHoldsThem) {
   Scene scene = link_on_a_rope();
   scene.bodies[0].held_rotation = kAxisX | kAxisZ;
   const auto solved = solve(std::move(scene));
-  const double weight = 2 * M_PI / 4 * 0.05 * 0.05 * (7850 - 1025) * 9.81;  // of both ropes
+  const double weight = 2 * M_PI / 4 * 0.05 * 0.05 * (7850 - 1025) * 9.81;  // weight of both ropes
   EXPECT_NEAR(solved.reaction(kAnchor)[2], weight, 1e-6);
 }
 
@@ -97,7 +98,7 @@ TEST(Bodies, TakeTheMomentsOfTheirPoints) {
   };
   const double arm = s.scene.bodies[0].arm();
   const Vec3<double> psi = (1 / arm) * at(4, x), generalised = arm * at(4, r);
-  // m of Tᵀm: T⁻ᵀ is T⁻¹ of −ψ.
+  // the moment m from the generalised force Tᵀm: T⁻ᵀ(ψ) = T⁻¹(−ψ)
   const Vec3<double> moment = rate_of_spin(-psi, generalised);
   const Vec3<double> force = at(far, r) + at(origin, r);
   const Vec3<double> total = cross(at(far, x), at(far, r)) + cross(at(origin, x), at(origin, r)) + moment;
@@ -106,7 +107,7 @@ TEST(Bodies, TakeTheMomentsOfTheirPoints) {
   EXPECT_GT(norm(moment), 1);
 }
 
-/// Derivatives of the residual by differences, against a tangent, of a body at any rotation.
+/// Compares the tangent of a body at any rotation with differences of the residual.
 void expect_exact_tangent(Assembled& a, const std::vector<double>& u) {
   std::vector<double> x(a.assembler.start());
   const auto matrix = [&] {
@@ -131,12 +132,12 @@ void expect_exact_tangent(Assembled& a, const std::vector<double>& u) {
 
 const std::vector<double> kAnywhere{0.1, 0.2, -0.3, 0.05, -0.1, 0.15, 0.7, -0.4, 0.9};
 
-/// Both kinds of storage: the lower triangle, and the whole matrix.
+/// The parameter selects the storage: the lower triangle, or the whole matrix.
 class BodyTangent : public testing::TestWithParam<bool> {};
 
 TEST_P(BodyTangent, IsTheDerivativeOfTheResidualAtAnyRotation) {
   Assembled a(link_on_a_rope(), 1, [](ScenePlan& plan) { plan.symmetric = GetParam(); });
-  ASSERT_EQ(a.assembler.pattern().size, 9);  // the tail, the body's origin, its rotation
+  ASSERT_EQ(a.assembler.pattern().size, 9);  // unknowns of the tail, of the body's origin and of its rotation
   expect_exact_tangent(a, kAnywhere);
 }
 
@@ -148,12 +149,12 @@ TEST(Bodies, KeepTheTangentOfElementsThatStandOnThem) {
   expect_exact_tangent(a, kAnywhere);
 }
 
-/// A body on a hinge turns about a point that is held.
+/// A body on a hinge rotates about a held point.
 TEST(Bodies, KeepTheTangentOnAHinge) {
   Scene scene = link_on_a_rope();
   scene.held[kOrigin] = kAllAxes;
   Assembled a(std::move(scene));
-  ASSERT_EQ(a.assembler.pattern().size, 6);  // the tail, the rotation
+  ASSERT_EQ(a.assembler.pattern().size, 6);  // unknowns of the tail and of the rotation
   expect_exact_tangent(a, {0.1, 0.2, -0.3, 0.7, -0.4, 0.9});
 }
 
@@ -176,7 +177,7 @@ TEST(Bodies, GiveAResidualThatIsTheGradientOfTheEnergy) {
   }
 }
 
-/// A vane in motion: F(u, v, a), its tangent and its masses.
+/// A vane in motion: its residual F(u, v, a), its tangent and its masses.
 class MovingVane : public testing::Test {
  protected:
   Scene scene = vane_on_a_rope();
@@ -212,7 +213,7 @@ class MovingVane : public testing::Test {
   }
 };
 
-/// With what an implicit step of 0.1 s multiplies by, so that every derivative counts.
+/// cv and ca are those of an implicit step of 0.1 s, so that all derivatives count.
 TEST_F(MovingVane, HasTheExactTangent) {
   const double cv = 20, ca = 400;
   const auto K = matrix(1, cv, ca);
@@ -262,8 +263,8 @@ TEST_F(MovingVane, HasMassesThatAreTheDerivativeByAcceleration) {
   EXPECT_LT(largest_difference(y, direct), 1e-10 * largest(direct));
 }
 
-/// Two full turns and a rest equal the rest: positions, velocities and accelerations of carried nodes do not
-/// change.
+/// Removing two full turns from a rotation vector changes no position, velocity or acceleration of a carried
+/// node.
 TEST_F(MovingVane, StaysWhereItIsWhenItsRotationIsShortened) {
   const double arm = scene.bodies[0].arm();
   const Vec3<double> bit{0.3, -0.5, 0.2}, turns = (1 + 4 * M_PI / norm(bit)) * bit;

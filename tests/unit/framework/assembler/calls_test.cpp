@@ -46,7 +46,7 @@ struct Bar {
   TileSums sums;
 };
 
-/// E = k (‖w‖² − l₀²)²/(8 l₀²) with w = (1, 2, 4), k = 2 N/m, l₀ = 1 m.
+/// The bar has the energy E = k (‖w‖² − l₀²)²/(8 l₀²) with w = (1, 2, 4), k = 2 N/m, l₀ = 1 m.
 TEST(TermCalls, AddTermsWithAnEnergyApartFromTheOthers) {
   const TermCalls calls(TangentChoice::exact, false);
   Bar spring("test/spring");
@@ -61,7 +61,7 @@ TEST(TermCalls, AddTermsWithAnEnergyApartFromTheOthers) {
   EXPECT_FALSE(follower.sums.force.is_zero());
 }
 
-/// The force on the second node is k w × (1, 2, 3): entry (3, 1) of the tangent is −3 k.
+/// The force on the second node is k w × (1, 2, 3), so that entry (3, 1) of the tangent is −3 k.
 TEST(TermCalls, AddAsMuchOfAnUnsymmetricTangentAsIsChosen) {
   Bar bar("test/follower");
   bar.call(TermCalls(TangentChoice::exact, false), false, MatrixKind::exact);

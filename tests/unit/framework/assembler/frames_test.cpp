@@ -11,13 +11,13 @@
 namespace netloft {
 namespace {
 
-/// Own axes d, e, f with d = (1, 0, -1)/√2.
+/// The axes of a node's unknowns, with d = (1, 0, -1)/√2.
 std::array<double, 9> inclined_axes() {
   const double c = std::sqrt(0.5);
   return {c, 0, c, 0, 1, 0, -c, 0, c};
 }
 
-/// A bar from the origin to a bead on the line along (1, 0, -1), started 1.2 m down it.
+/// A bar from the origin to a bead that moves on the line along (1, 0, -1) and starts at a distance of 1.2 m.
 Scene bead_on_a_line() {
   Scene scene = sample::hanging_rope(1);
   scene.parts[0].data["rest_length"] = {1.0};
@@ -75,7 +75,7 @@ TEST(Frames, KeepTheTangentTheDerivativeOfTheResidual) {
   }
 }
 
-/// The left half of the hanging panel, its middle column free in the plane x = 0 alone.
+/// The left half of the hanging panel. Its middle column can move in the plane x = 0 only.
 Scene left_half(int n) {
   Scene whole = sample::hanging_panel(n, 36.5), half = whole;
   std::vector<std::uint32_t> number(whole.node_count(), ~0u);
@@ -117,7 +117,7 @@ TEST(SymmetryPlane, MakesHalfAPanelHangLikeTheWhole) {
         EXPECT_NEAR(half.position(j * (n / 2 + 1) + i)[axis], whole.position(j * (n + 1) + i)[axis], 1e-8);
 }
 
-// Positions and their low-order parts together are the sum in twice the precision, for rotated nodes, too.
+// Positions plus the digits that rounding removes are exact to twice the precision, for rotated nodes, too.
 TEST(Frames, KeepWhatPositionsRoundOff) {
   const Scene scene = bead_on_a_line();
   Assembler assembler(scene, make_scene_plan(scene, test::shipped_plugins()), 1);

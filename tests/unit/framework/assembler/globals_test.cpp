@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Unknowns that all elements of a part have in common, solved for together with the positions.
+// Unknowns that all elements of a part share, and that are found together with the positions.
 #include <gtest/gtest.h>
 
 #include "tests/unit/framework/assembler/sketch.hpp"
@@ -8,7 +8,8 @@
 namespace netloft::test {
 namespace {
 
-/// 70 bars of 1 m, more than a tile, whose length is an unknown, and two of 3 m, whose is given.
+/// A part of 70 bars of 1 m, more than a tile, whose rest length is an unknown, and a part of two bars of 3 m
+/// with a given rest length.
 Scene two_parts() {
   Sketch s;
   std::vector<std::uint32_t> many, few;

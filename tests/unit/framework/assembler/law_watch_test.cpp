@@ -14,7 +14,7 @@ struct Numbers {
   netloft_table curve{};
 };
 
-/// A force of 1 N/m along x.
+/// A law with a force of 1 N/m along x.
 struct Push {
   static constexpr auto kind = NETLOFT_SCREEN_LAW;
   using Parameters = Numbers;
@@ -23,7 +23,7 @@ struct Push {
   }
 };
 
-/// The law with the ranges that `declare` gives it.
+/// Returns the law with the ranges of validity that `declare` gives it.
 template <class Declare>
 LawType law_with(LawTable<Push>& table, Declare&& declare) {
   table.real("measured_at", &Numbers::measured_at, "1", "a number", {.lo = 0, .hi = 10, .fallback = 0});
@@ -43,7 +43,8 @@ ParameterBlock block_of(const LawType& law, const Values& values = {}) {
   return block;
 }
 
-/// Two screens of 3 and 1 m², solidity 0.2 and 0.4, struck at 30° and head on by 1 m/s.
+/// Two screens of 3 and 1 m² with a solidity of 0.2 and 0.4, in a flow of 1 m/s at 30° and at a right angle
+/// to the screen.
 struct Two {
   Two() {
     lanes.flow[0][0] = lanes.flow[0][1] = 1;
@@ -66,7 +67,7 @@ LawUse watched(const LawType& law, const ParameterBlock& block, bool is_told = t
   LawWatch watch(law, block);
   if (!is_told) two.f.extent = nullptr;
   const netloft_bound_law bound = watch.bound();
-  bound.evaluate(bound.parameters, &two.f);  // not watched
+  bound.evaluate(bound.parameters, &two.f);  // this call is not watched
   watch.begin();
   bound.evaluate(bound.parameters, &two.f);
   EXPECT_EQ(two.lanes.force[0][1], 1);

@@ -13,7 +13,7 @@ namespace {
 
 void of_steps(ScenePlan& plan) { use_mean_forces(plan, "test"); }
 
-/// Springs known by their energy alone, beside ropes that are slack and taut.
+/// Springs of which only the energy is implemented, and ropes that are slack or taut.
 Scene springs() {
   test::Sketch s;
   std::vector<std::uint32_t> chain;
@@ -24,7 +24,7 @@ Scene springs() {
   return s.scene;
 }
 
-/// A step between two states that are far apart: twines go slack and come taut in it.
+/// A step between two states that are far apart, in which twines become slack and taut.
 struct Step {
   Step(Scene scene, double size)
       : all(std::move(scene), 1, of_steps),
@@ -113,8 +113,8 @@ TEST(MeanForces, HaveTheSlopeOfTheirChangeWithTheMiddle) {
   }
 }
 
-/// Computed by hand: EA = 100 N, l0 = 2 m, from 1.9 m slack with 1 N to 2.2 m: (½ 50 0.2² − ½ 0.5 0.1²)/0.3
-/// N.
+/// Computed by hand for EA = 100 N and l0 = 2 m: the length changes from 1.9 m (slack, EA_compression = 1 N)
+/// to 2.2 m, so that the mean tension is (½ 50 0.2² − ½ 0.5 0.1²)/0.3 N.
 TEST(MeanTension, IsTheEnergyOverTheWay) {
   const netloft_member m{{-1, 1, 0}, 2, 100, 1, 1};
   EXPECT_NEAR(mean_tension(m, 1.9, 2.2).T, (0.5 * 50 * 0.04 - 0.5 * 0.5 * 0.01) / 0.3, 1e-12);

@@ -8,7 +8,7 @@
 namespace netloft::test {
 namespace {
 
-/// 150 leashes in two parts, more than two tiles; node i at x = i.
+/// 150 elements test/leash in two parts, more than two tiles; node i is at x = i.
 Scene leashes() {
   Sketch s;
   std::vector<std::uint32_t> first, second;

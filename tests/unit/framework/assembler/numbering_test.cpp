@@ -58,7 +58,8 @@ TEST(Pattern, HoldsTheLowerTriangleOfNeighbours) {
   const SparsePattern& p = scene.assembler.pattern();
   EXPECT_TRUE(p.symmetric);
   EXPECT_EQ(p.size, 9);
-  // b: 6 lower entries of its own and 9 with c; c the same with d; d its own. None between b and d.
+  // Lower entries: b has 6 of its own and 9 with c, c has the same with d, and d has its own. There are none
+  // between b and d.
   EXPECT_EQ(p.entries(), 15u + 15u + 6u);
   EXPECT_EQ(p.column_start.back(), 36);
   for (std::int32_t column = 0; column < p.size; ++column) {

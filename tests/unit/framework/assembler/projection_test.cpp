@@ -10,7 +10,7 @@
 namespace netloft {
 namespace {
 
-// [2 1; 1 2] has eigenvalues 1 and 3; [1 2; 2 1] has −1 and 3, and 3·½[1 1; 1 1] is left of it.
+// [2 1; 1 2] has the eigenvalues 1 and 3. [1 2; 2 1] has −1 and 3, and its projection is 3·½[1 1; 1 1].
 TEST(ProjectConvex, LeavesAPositiveMatrixAlone) {
   std::vector<double> k{2, 1, 1, 2};
   project_convex(k.data(), 2);
@@ -36,7 +36,7 @@ TEST(ProjectConvex, MakesNothingOfANegativeMatrix) {
   for (const double v : k) EXPECT_NEAR(v, 0, 1e-15);
 }
 
-/// Tangents of a tile in lane 1 of two, and zeros for what is to be added.
+/// Tangents of two elements of a tile, of which the second has these entries, and zeros for the sum.
 struct Bounds {
   Bounds(std::initializer_list<double> entries, bool symmetric)
       : tangent(entries.size() * NETLOFT_LANES), sum(3 * NETLOFT_LANES) {

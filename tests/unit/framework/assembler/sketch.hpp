@@ -7,14 +7,14 @@
 
 namespace netloft::test {
 
-/// The shipped plugins and one more, "test", with elements for what no shipped one does:
+/// The shipped plugins and the plugin "test", with elements that behave like no shipped one:
 ///   test/follower   bar; pushes sideways and turns with the bar: no energy, unsymmetric tangent
-///   test/spring     bar; quartic spring known by its energy alone: the host makes convex part and metric
-///   test/picky      bar; has no force when longer than its limit
+///   test/spring     bar; quartic spring of which only the energy is implemented
+///   test/picky      bar; its force is not defined beyond a limit of its length
 ///   test/leash      node; pulls back along x to the position that it remembers
 ///   test/alike      bar; its rest length, shared by its part, is an unknown if `free` is set
 ///   test/load       node; a constant force
-///   test/vane       body; a mass and a plate in the water, known by energy and force alone
+///   test/vane       body; a mass and a plate in the water, with energy and force implemented alone
 Registry& plugins();
 
 /// A scene to which tests add nodes and parts one by one.
@@ -23,10 +23,10 @@ struct Sketch {
 
   Sketch() { scene.name = "sketch", scene.water = {1025, 9.81}; }
   std::uint32_t node(double x, double y, double z, std::uint8_t held = 0);
-  /// A part of elements on these nodes, as many each as the stencil has.
+  /// Adds a part. Each element takes the next nodes of the list, as many as its stencil has.
   Part& part(const std::string& name, const std::string& type, Values parameters,
              std::vector<std::uint32_t> nodes);
-  /// Bars of rest length `l0` from each node to the next.
+  /// Adds a part of bars of rest length `l0`, from each node of the chain to the next.
   Part& rope(const std::string& name, const std::vector<std::uint32_t>& chain, double l0, double EA = 1e4);
 };
 
@@ -43,22 +43,23 @@ struct Assembled {
   ScenePlan plan;
   Assembler assembler;
 
-  /// The start, every coordinate moved by up to `size`, from a fixed seed.
+  /// Positions at the start with every coordinate moved by up to `size`, from a fixed seed.
   std::vector<double> moved(double size, unsigned seed = 1) const;
   std::vector<double> residual(const std::vector<double>& x);
   double energy(const std::vector<double>& x);
-  /// A matrix over the unknowns, full, row by row.
+  /// A full matrix over the unknowns, row by row.
   std::vector<double> matrix(const std::vector<double>& x, MatrixKind kind);
 };
 
-/// Central differences of the residual: d residual_row / d x_column over the unknowns, full, row by row.
+/// Central differences of the residual, d residual_row / d x_column over the unknowns: a full matrix, row by
+/// row.
 std::vector<double> difference(Assembled& a, const std::vector<double>& x, double h);
 
-/// A gradient found beside the residual at x has the bits that it has alone, and changes none of the other
-/// sums; and it is not the residual.
+/// Expects that a gradient that is computed together with the residual at x has the bits of a gradient
+/// computed alone, differs from the residual, and changes no other sum.
 void expect_gradient_beside_residual(Assembled& a, const std::vector<double>& x);
 
-/// Between -1 and 1, the same on every machine.
+/// Random numbers between -1 and 1, the same on every machine.
 std::vector<double> random_numbers(std::size_t count, unsigned seed);
 
 double largest(const std::vector<double>& v);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A file of its own, because headers for authors and for the host have different types of the same name
-// (Water, Family).
+// These elements have a file of their own, because the headers for authors and those of the host have
+// different types with the same names (Water, Family).
 #include <netloft/element.hpp>
 
 #include <cmath>
@@ -17,7 +17,8 @@ struct BarData {
   double rest_length = 0;
 };
 
-/// f = k (w × e), pushed at the second node alone: w from first to second, e = (1, 2, 3).
+/// A force without an energy on the second node, with the residual f = k (w × e): w is the vector from the
+/// first node to the second, e = (1, 2, 3).
 struct Follower {
   static constexpr auto stencil = NETLOFT_BAR;
   struct Parameters {
@@ -39,7 +40,8 @@ struct Follower {
   };
 };
 
-/// E = k (‖w‖² − l₀²)² / (8 l₀²): softens to compression, so that its tangent loses definiteness.
+/// A spring with the energy E = k (‖w‖² − l₀²)² / (8 l₀²). It softens in compression, so that its tangent
+/// becomes indefinite.
 struct Spring {
   static constexpr auto stencil = NETLOFT_BAR;
   struct Parameters {
@@ -56,7 +58,7 @@ struct Spring {
   };
 };
 
-/// E = ½ k ‖w‖² for bars no longer than `limit`.
+/// A spring with the energy E = ½ k ‖w‖², not defined for bars longer than `limit`.
 struct Picky {
   static constexpr auto stencil = NETLOFT_BAR;
   struct Parameters {
@@ -75,7 +77,8 @@ struct Picky {
   };
 };
 
-/// E = ½ k (‖w‖² − q)², q shared by all bars of a part: an unknown, or 4 m² where it is not free.
+/// A spring with the energy E = ½ k (‖w‖² − q)². q is shared by all bars of a part: an unknown if `free` is
+/// set, otherwise 4 m².
 struct Alike {
   static constexpr auto stencil = NETLOFT_BAR;
   static constexpr int globals = 1;
@@ -97,7 +100,7 @@ struct Alike {
   };
 };
 
-/// E = −F·x.
+/// A constant force F, with the energy E = −F·x.
 struct Load {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
@@ -112,8 +115,9 @@ struct Load {
   };
 };
 
-/// f = k (x - a) along x, a its position when it last remembered a step; has no force beyond x = 1000. On a
-/// ground that passes it is dragged along by k times the velocity.
+/// A residual f = k (x - a) along x, where a is the position at the last remembered step. It is not defined
+/// beyond x = 1000. If the ground moves past the node, it drags the node along with a force of k times its
+/// velocity.
 struct Leash {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
@@ -136,7 +140,8 @@ struct Leash {
   };
 };
 
-/// A body with a mass at one arm and a plate at another, which is pushed as fast as water flows past it.
+/// A body with a mass at one point and a plate at another. The force on the plate grows with the square of
+/// the water's velocity relative to it.
 struct Vane {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters {
@@ -162,7 +167,7 @@ struct Vane {
       return push;
     }
   };
-  /// A sphere about the centre of mass: m and J = inertia I there.
+  /// A sphere about the centre of mass, with mass m and moment of inertia J.
   struct Inertia {
     template <class T>
     static Wrench<T> force(const Parameters& p, const Data&, const Body<T>& b) {

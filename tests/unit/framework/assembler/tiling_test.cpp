@@ -14,7 +14,7 @@
 namespace netloft::test {
 namespace {
 
-/// The first family of a scene, tiled.
+/// The first family of a scene, cut into tiles.
 struct Tiled {
   explicit Tiled(Scene given)
       : scene(std::move(given)),
@@ -93,7 +93,7 @@ TEST(FamilyGroups, DoNotJoinFamiliesWhoseElementsHaveMoreNodes) {
   EXPECT_FALSE(have_same_nodes(rope.family, Tiled(sample::hanging_panel(4, 4)).family));
 }
 
-// 70 tiles around one node: more than there are colours to keep apart by a bit each.
+// 70 tiles have one common node. That is more than the 64 colours that a bit mask can hold.
 TEST(Tiling, PutsTilesAloneWhenANodeIsInTooMany) {
   Sketch s;
   const auto hub = s.node(0, 0, 0, kAllAxes);

@@ -50,7 +50,8 @@ TEST(Allocations, AreOverWithTheFirstIterationOfSeveralThreads) {
   expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(48, 34), "globalised", 3));
 }
 
-// From an overlong shape, the first tangents are positive definite, so that the convex part is used late.
+// The start is longer than the unstretched net. The first tangents are then positive definite, so that the
+// convex part is used late.
 TEST(Allocations, AreOverWithTheFirstIterationFromAnOverlongSketch) {
   expect_none_after_the_first_iteration(count_allocations(sample::hanging_panel(16, 54), "globalised", 1));
 }

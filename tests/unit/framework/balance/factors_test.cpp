@@ -10,7 +10,7 @@
 namespace netloft::test {
 namespace {
 
-/// The metric of a rope between a fixed top and its end, and what factorises it.
+/// The metric (linear stiffness) of a rope below a fixed top, with its factorisation.
 struct Rope {
   Rope()
       : assembled(rope_of_three()),

@@ -31,8 +31,8 @@ Matrix random(unsigned seed) {
   return Eigen::Map<const Matrix>(numbers.data());
 }
 
-/// M ÿ + C ẏ + (K₊ + N) y = 0: stiff along half of the directions by K₊; N, a millionth of it, and negative
-/// damping in C drive it.
+/// The motion M ÿ + C ẏ + (K₊ + N) y = 0. K₊ is a high stiffness along half of the directions. N, a millionth
+/// of it, and negative damping in C drive the motion.
 struct Driven {
   Matrix M, C, convex, N;
 
@@ -57,7 +57,7 @@ struct Driven {
   }
 };
 
-// Compared with all eigenvalues, for growth by a hundredth of |s|.
+// The bound is compared with all eigenvalues whose growth rate is at least a hundredth of |s|.
 TEST(FastestGrowth, IsNotExceededByWhatGrows) {
   const SparsePattern p = full_pattern();
   int grow = 0;
@@ -76,8 +76,8 @@ TEST(FastestGrowth, IsNotExceededByWhatGrows) {
   EXPECT_GT(fastest, 1e4) << "what is stiff is faster";
 }
 
-// Three values of σ with one factorisation each: 10/s, 0.1/s and 1e-3/s. By stiffness and mass alone, they
-// would range up to 1e7/s.
+// Three values of σ suffice, with one factorisation each: 10/s, 0.1/s and 1e-3/s. If σ were bounded by
+// stiffness and mass alone, it would range up to 1e7/s.
 TEST(FastestGrowth, SparesWhatIsOnlyStiff) {
   Driven driven(1, 0);
   driven.M.setIdentity(), driven.C.setIdentity(), driven.convex = 1e12 * Matrix::Identity();
@@ -87,7 +87,7 @@ TEST(FastestGrowth, SparesWhatIsOnlyStiff) {
   EXPECT_EQ(g.cost.factorisations, 3);
 }
 
-// s = 50 ± 999i by C alone, which neither K₊ nor N contains.
+// The eigenvalues s = 50 ± 999i follow from C alone, which neither K₊ nor N contains.
 TEST(FastestGrowth, SeesWhatNegativeDampingDrives) {
   Driven driven(1, 0);
   driven.M.setIdentity(), driven.C.setIdentity(), driven.convex = 1e6 * Matrix::Identity();

@@ -9,8 +9,8 @@
 
 namespace netloft::test {
 
-/// A mass on a linear spring: a bar of equal stiffness in tension and compression, along x from a fixed end,
-/// half of its own mass at the free one; no water, no gravity.
+/// A mass on a linear spring: a bar along x with equal stiffness in tension and compression. One end is
+/// fixed, and the free end carries half of the bar's mass. There is no water and no gravity.
 struct Oscillator {
   double EA = 1000, length = 2, mass = 0.5;  // [N], [m], [kg] at the free end
 
@@ -48,7 +48,7 @@ struct Chosen {
   ParameterBlock block;
 };
 
-/// A plan of a scene that moves, for the mean forces of a scheme if that is named.
+/// A plan of a scene in motion. If the integrator `by_means` is named, it uses the mean forces of its steps.
 inline ScenePlan plan_in_motion(const Scene& scene, const std::string& by_means) {
   ScenePlan plan =
       make_scene_plan(scene, shipped_plugins(), TangentChoice::symmetric, AnalysisKind::dynamics);
@@ -56,7 +56,7 @@ inline ScenePlan plan_in_motion(const Scene& scene, const std::string& by_means)
   return plan;
 }
 
-/// A scene that moves, with the solver of its steps.
+/// A scene in motion, with the solver of its steps.
 struct Moving {
   explicit Moving(Scene given, const std::string& solver = "chord", int threads = 1,
                   const std::string& by_means = "")

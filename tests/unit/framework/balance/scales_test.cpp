@@ -10,8 +10,8 @@
 namespace netloft::test {
 namespace {
 
-/// Two bars from a fixed top, 3 m and 2 m apart along z, of 0.5 kg/m in a vacuum; at their end a load of
-/// `load` N.
+/// Two bars below a fixed top, whose nodes are 3 m and 2 m apart along z, of 0.5 kg/m in a vacuum. A load of
+/// `load` newtons acts at their end.
 Assembled two_bars(double load, double gravity) {
   Sketch s;
   s.scene.water = {0, gravity};
@@ -35,7 +35,7 @@ TEST(Scales, TakeTheLargestNodalSumOfConstantForcesForTheLoad) {
   EXPECT_EQ(scales.driving_load().sum, 500);
 }
 
-// Half of a bar's weight, 0.5 kg/m · 4 m · 10 m/s², hangs at either end of it.
+// Each node carries half of the weight of each of its bars: 0.5 kg/m · 4 m · 10 m/s² per bar.
 TEST(Scales, CountTheWeightAtAllNodes) {
   Assembled a = two_bars(0, 10);
   EXPECT_NEAR(Scales(a.assembler).driving_load().largest, 20, 1e-12);

@@ -12,7 +12,7 @@
 namespace netloft::test {
 namespace {
 
-/// A chain of four bars from a fixed top, taut, with a load at its end.
+/// A taut chain of four bars below a fixed top, with a load at its end.
 Sketch hanging_chain() {
   Sketch s;
   std::vector<std::uint32_t> chain{s.node(0, 0, 0, kAllAxes)};
@@ -22,7 +22,8 @@ Sketch hanging_chain() {
   return s;
 }
 
-/// The same with a last bar that is too short: in compression, without lateral support.
+/// The chain of hanging_chain() with a last bar that is shorter than its rest length: it is in compression,
+/// without lateral support.
 Scene pressed_chain() {
   Sketch s = hanging_chain();
   s.scene.positions[3 * 4 + 2] = -3.7;
@@ -30,7 +31,7 @@ Scene pressed_chain() {
   return s.scene;
 }
 
-/// The callbacks of a problem, called as a solver does.
+/// The functions of a problem, called as a solver calls them.
 struct Called {
   explicit Called(Scene scene, Limits limits = {}, const std::function<void(ScenePlan&)>& change = {})
       : assembled(std::move(scene), 1, change),
@@ -91,8 +92,8 @@ TEST(StaticProblem, EvaluatesResidualAndGradientAtOnceToTheBitOfTwoEvaluations) 
   EXPECT_EQ(c.problem.statistics().residuals, before + 1);
 }
 
-/// A step of h that begins with displacements u0; its unknowns are those of its middle m, with rates
-/// v = 2 m/h and a = 4 m/h².
+/// A step of length h that begins with displacements u0. The unknowns are the displacements m of its middle,
+/// with rates v = 2 m/h and a = 4 m/h².
 struct MeanForceStep {
   MeanForceStep(const Assembler& assembler, std::vector<double> u0, double h)
       : state(assembler, 0), rest(u0.size(), 0.0), mass(u0.size(), 1.0) {
@@ -151,7 +152,7 @@ TEST(StaticProblem, SolvesWithWhatItMultipliesBy) {
   expect_solve_undoes_multiply(c, NETLOFT_EXACT, NETLOFT_INDEFINITE, 0.3);
 }
 
-/// (1 - share) exact + share convex + shift x metric, of the last evaluations, times x.
+/// The product of x with (1 - share) exact + share convex + shift metric, from the last evaluations.
 std::vector<double> between(Called& c, double share, double shift, const std::vector<double>& x) {
   const auto exact = c.multiply(NETLOFT_EXACT, shift, x), convex = c.multiply(NETLOFT_CONVEX, shift, x);
   std::vector<double> y(x.size());
@@ -193,7 +194,8 @@ TEST(StaticProblem, RefusesAnIndefiniteTangentUnlessAskedForAny) {
   expect_solve_undoes_multiply(c, NETLOFT_EXACT, NETLOFT_INDEFINITE, 0);
 }
 
-// The last bar pushes, and can turn both ways about its upper end: two directions of negative stiffness.
+// The last bar is in compression and can turn in two directions about its upper end: two directions of
+// negative stiffness.
 TEST(StaticProblem, CountsNegativeEigenvaluesOfAnIndefiniteTangent) {
   if (!has_mumps()) GTEST_SKIP() << "built without MUMPS";
   Sketch s;
@@ -267,7 +269,7 @@ TEST(StaticProblem, GoesOnUntilALimit) {
   EXPECT_EQ(c.problem.statistics().iterations, 2);
 }
 
-// A residual costs 2 units here, and a matrix 3.
+// In this model, a residual costs 2 units and a matrix 3.
 TEST(StaticProblem, StopsWhenItsBudgetOfWorkIsUsedUp) {
   const WorkModel model{.matrix = 30, .residual = 20, .unit = 10};
   Limits limits;
@@ -299,8 +301,8 @@ TEST(StaticProblem, StopsWhenTimeIsUpOrSomeoneInterrupts) {
   EXPECT_EQ(c.problem.stop(), Stop::interrupted);
 }
 
-/// A bar of 1 m and 100 N hanging from its top at height z, pulled at its end with 50 N: 1.5 m long in
-/// balance.
+/// A bar of 1 m and EA = 100 N below its top at height z. A load of 50 N at its end stretches it to 1.5 m in
+/// equilibrium.
 Sketch pulled_bar(double z) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -314,7 +316,7 @@ TEST(StaticProblem, ArrivesWhenTheLargestNodalResidualIsSmall) {
   Limits limits;
   limits.tolerance = 1e-6;
   Called c(pulled_bar(0).scene, limits);
-  c.p.u[2] = -2e-6;  // out of balance by 2e-4 N of 50 N
+  c.p.u[2] = -2e-6;  // the imbalance is 2e-4 N of a load of 50 N
   c.evaluate(0);
   EXPECT_EQ(c.progress(), NETLOFT_GO_ON);
   c.p.u[2] = -4e-7;
@@ -325,8 +327,8 @@ TEST(StaticProblem, ArrivesWhenTheLargestNodalResidualIsSmall) {
   EXPECT_NEAR(c.problem.history().back().scale, 50, 1e-3);
 }
 
-// The bar is held by 50 N in balance, and by a hundred times as much where it is stretched to 51 m: of that,
-// 4e-5 N are within 1e-6, and 4e-3 N too.
+// The reaction is 50 N in equilibrium, and a hundred times as much if the bar is stretched to 51 m. Relative
+// to the larger load, imbalances of 4e-5 N and of 4e-3 N would both be within 1e-6.
 TEST(StaticProblem, JudgesAPointByItsOwnLoadsWhateverWasTriedInBetween) {
   Limits limits;
   limits.tolerance = 1e-6;
@@ -345,7 +347,7 @@ TEST(StaticProblem, JudgesAPointByItsOwnLoadsWhateverWasTriedInBetween) {
   EXPECT_EQ(c.problem.statistics().residuals, evaluations + 1) << "and done once";
 }
 
-// At the point that fails the bar bears 4950 N already when the other element is asked for its force.
+// In the evaluation that fails, the bar already bears 4950 N when the other element is evaluated.
 TEST(StaticProblem, JudgesAPointByItsOwnLoadsAfterAnEvaluationThatFailed) {
   Sketch s = pulled_bar(0);
   s.part("picky", "test/picky", {{"limit", 10.0}}, {0, 1}).data["rest_length"] = {1};
@@ -361,7 +363,8 @@ TEST(StaticProblem, JudgesAPointByItsOwnLoadsAfterAnEvaluationThatFailed) {
   EXPECT_EQ(c.problem.history().back().scale, own);
 }
 
-// Positions of 1e6 m have an error of 1e-10 m: with 100 N/m, residuals below about 1e-8 N are meaningless.
+// Positions of 1e6 m have a rounding error of 1e-10 m: with 100 N/m, residuals below about 1e-8 N are
+// meaningless.
 TEST(StaticProblem, TakesRoundOffOfThePositionsForBalance) {
   Limits limits;
   limits.tolerance = 1e-14;

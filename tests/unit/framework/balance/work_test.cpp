@@ -33,7 +33,7 @@ MakeFactorisation sized(double flops, double entries, int& analyses) {
   return [=, &analyses](MatrixClass) { return std::make_unique<Sized>(flops, entries, analyses); };
 }
 
-/// Three bars in a row, of one term each: no weight, no water.
+/// Three bars in a row, with one term each, without weight and water.
 Scene three_bars() {
   Sketch s;
   s.scene.water.gravity = s.scene.water.density = 0;
@@ -61,7 +61,8 @@ TEST(WorkModel, HasOneNewtonIterationOfTheSceneForItsUnit) {
   EXPECT_DOUBLE_EQ(model.of(statistics), 1);
 }
 
-// F = 1000 and N = 100; 3 bars of 6 degrees of freedom and one term.
+// The factor takes F = 1000 operations and has N = 100 entries. There are 3 bars of 6 degrees of freedom with
+// one term.
 TEST(WorkModel, FollowsFromTheFactorAndTheElements) {
   int analyses = 0;
   Assembled a(three_bars());
@@ -83,8 +84,8 @@ TEST(WorkModel, LeavesItsAnalysisToTheSolver) {
   EXPECT_EQ(analyses, 1);
 }
 
-// A panel is ordered by nested dissection of a square; the count for a square grid with nine neighbours per
-// node is an upper estimate for panels of triangles, and small ones have less fill-in.
+// The estimate is the count for nested dissection of a square grid with nine neighbours per node. It is an
+// upper limit for panels of triangles, and small panels have less fill-in.
 TEST(WorkModel, EstimatesAFactorThatDoesNotTellItsSize) {
   plugins();
   int analyses = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The practice searches have the answers that their descriptions claim.
+// The practice searches (small problems for checks of strategies) have the solutions that their descriptions
+// claim.
 #include "framework/conformance/practice_search.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 namespace netloft::conformance {
 namespace {
 
-/// One stage of a search, from rest or from `u`.
+/// One stage of a search, from zero displacements or from `u`.
 struct Tried {
   explicit Tried(PracticeSearch& search, netloft_variant variant = {sizeof(netloft_variant), 0, 0, 1, 1},
                  std::vector<double> from = {})

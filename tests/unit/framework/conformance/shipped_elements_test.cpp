@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// All shipped components pass the checks in each of their builds, and all builds give the same bits.
+// All shipped components pass the checks, and all builds of a component give the same bits.
 #include "framework/conformance/law_bench.hpp"
 #include "framework/registry/library.hpp"
 #include "tests/folders.hpp"

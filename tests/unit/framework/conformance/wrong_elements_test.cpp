@@ -6,7 +6,7 @@
 namespace netloft::test {
 namespace {
 
-/// Whether this element exists for a data race, at which the thread sanitizer ends the program.
+/// Whether this element has a data race, at which the thread sanitizer ends the program.
 bool is_a_race([[maybe_unused]] const ElementType& type) {
 #if defined(__SANITIZE_THREAD__)
   return type.type == "wrong/shared_scratch";

@@ -32,7 +32,7 @@ inline std::set<std::string> promised(const std::string& doc) {
   return doc == "nothing" ? std::set<std::string>{} : std::set<std::string>{doc};
 }
 
-/// `check(options)` finds the flaw with any seed, and nothing else.
+/// Expects that `check(options)` finds the flaw with any seed, and nothing else.
 template <class Check>
 void expect_what_is_promised(const std::string& doc, Check&& check) {
   for (const std::uint64_t seed : {1u, 20u}) {

@@ -35,7 +35,7 @@ TEST(Curve, IsNeverAboveOrBelowItsSamples) {
   }
 }
 
-/// The slope equals differences, and has no jumps, not even at the ends.
+/// The slope equals differences of the curve and has no jumps, not even at the ends.
 TEST(Curve, HasASlopeWithoutJumps) {
   const Curve c(kX, kRises);
   for (double x = -0.5; x <= 6.5; x += 0.01) {

@@ -17,7 +17,7 @@ struct Shared {
   std::int64_t number = 3;
 };
 
-/// The block of the host: 2 for declared members, zero for others.
+/// The parameters as the host fills them: 2 for declared members, zero for others.
 struct Block {
   double given = 2;
   std::int64_t number = 0;
@@ -75,7 +75,7 @@ TEST(UndeclaredParameters, OfALawKeepTheAuthorsDefaults) {
   EXPECT_EQ(force[0], 6);
 }
 
-/// Reports its parameters by its outcome.
+/// A solver whose outcome tells whether it received the right parameters.
 struct Teller {
   using Parameters = Shared;
   static Outcome solve(const Parameters& p, Problem&) {

@@ -13,7 +13,7 @@ namespace {
 using V = Vec3<double>;
 constexpr double kTurn = 6.283185307179586;
 
-/// Rotation vectors of all sizes: none, tiny, up to two turns, and exactly where the series ends.
+/// Rotation vectors of all sizes: zero, tiny, up to two turns, and exactly where the series ends.
 std::vector<V> rotations() {
   std::vector<V> all{{0, 0, 0}, {1e-9, -2e-9, 1e-9}, {0.6, 0, 0.8}, {0, -3, 0.5}};
   std::mt19937 random(7);
@@ -39,7 +39,7 @@ TEST(Rotation, ByAQuarterTurnIsAQuarterTurn) {
   EXPECT_LT(norm(rotated(quarter, x) - V{0, 1, 0}), 1e-15);
 }
 
-/// dR/dt r = ω × R r, and once more for its rate, along a path of rotation vectors.
+/// Checks dR/dt r = ω × R r along a path of rotation vectors, and its derivative for the rate of ω.
 TEST(Rotation, SpinIsTheRateAtWhichThingsTurn) {
   const V rate{0.7, -0.4, 1.1}, second{-0.5, 0.9, 0.2}, r{1, 2, -0.5};
   constexpr double h = 1e-4;
@@ -58,7 +58,8 @@ TEST(Rotation, AMomentDoesTheSameWorkOnTheVectorAsOnTheSpin) {
   for (const V& psi : rotations()) {
     EXPECT_NEAR(dot(moment_on_vector(psi, moment), rate), dot(moment, spin_of(psi, rate)), 1e-12);
     const double turns = norm(psi) / kTurn;
-    if (turns > 0.5 && std::abs(turns - std::round(turns)) < 0.02) continue;  // no inverse
+    if (turns > 0.5 && std::abs(turns - std::round(turns)) < 0.02)
+      continue;  // T has no inverse at full turns
     EXPECT_LT(norm(spin_of(psi, rate_of_spin(psi, rate)) - rate), 1e-9) << norm(psi);
     EXPECT_LT(norm(moment_on_vector(psi, rate_of_spin(-psi, moment)) - moment), 1e-9) << norm(psi);
   }
@@ -87,7 +88,7 @@ TEST(Attitude, IsReadBackAsItWasGiven) {
         }
 }
 
-/// The nose is the forward end of x, against which the gear is towed.
+/// The nose is the forward end of the x axis; the gear is towed against x.
 TEST(Attitude, IsPositiveOutwardAndUp) {
   const auto starboard = axes_of({0.5, 0, 0}, 1), port = axes_of({0.5, 0, 0}, -1);
   EXPECT_NEAR((-starboard[0]).y, std::sin(0.5), 1e-15);

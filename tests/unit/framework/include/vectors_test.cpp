@@ -10,7 +10,7 @@ namespace {
 
 using Vector = std::vector<double>;
 
-// 1·5 + 2·4 + 3·3 + 4·2 + 5·1 = 35: one more than the four partial sums take.
+// 1·5 + 2·4 + 3·3 + 4·2 + 5·1 = 35: five products, one more than there are partial sums.
 TEST(Vectors, ADotProductCountsEveryEntry) {
   EXPECT_EQ(dot(Vector{1, 2, 3, 4, 5}, Vector{5, 4, 3, 2, 1}), 35);
   EXPECT_EQ(dot(Vector{}, Vector{}), 0);
@@ -31,8 +31,8 @@ TEST(Vectors, AScaledSumLeavesItsTermsAlone) {
   EXPECT_EQ(z, (Vector{7, 10}));
 }
 
-// Weyl: multiples of an irrational number are spread evenly, so that the mean tends to 0 as 1/n (the golden
-// ratio's discrepancy is below 1/√5 log n/n) and that of the squares to 1/3.
+// Multiples of an irrational number are distributed evenly (Weyl). Their mean therefore tends to 0 as 1/n
+// (the golden ratio's discrepancy is below 1/√5 log n/n), and the mean of their squares tends to 1/3.
 TEST(Vectors, AScatteredVectorIsSpreadEvenly) {
   Vector x(1000);
   scatter(x);

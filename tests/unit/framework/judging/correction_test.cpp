@@ -14,13 +14,13 @@ namespace netloft::test {
 namespace {
 
 Solved solve_sketch(const Scene& scene, double tolerance) {
-  plugins();  // the elements "test/…" are among the shipped ones from here on
+  plugins();  // makes the elements "test/…" known
   Solving how;
   how.limits.tolerance = tolerance;
   return solve(scene, how);
 }
 
-/// A bar of 1 m and EA = 10 kN along z that starts `height` long and carries `load` at its head.
+/// A bar of 1 m and EA = 10 kN along z, with the initial length `height` and a force `load` at its head.
 Scene standing_bar(double load, double height) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -30,7 +30,8 @@ Scene standing_bar(double load, double height) {
   return s.scene;
 }
 
-/// The tolerance accepts the start. By hand: 100 N stretch the bar by 0.01 m, and it starts at half of that.
+/// The tolerance accepts the start, so that no iteration is made. Computed by hand: 100 N stretch the bar by
+/// 0.01 m, and it starts at half of that.
 TEST(Correction, IsTheWayToTheEquilibriumWhereForcesAreLinear) {
   const Solved s = solve_sketch(standing_bar(100, 1.005), 1);
   EXPECT_EQ(s.solution.cost.statistics.iterations, 0);
@@ -68,7 +69,7 @@ TEST(Correction, TellsTheErrorOfALooselySolvedPanel) {
     const Solved loose = solve_sketch(panel, tolerance);
     const double distance =
         largest_node_distance(tight.scene, tight.assembler->numbering(), loose.solution.x, tight.solution.x);
-    if (distance < 1e-11) continue;  // the last step went further than it had to
+    if (distance < 1e-11) continue;  // the last step of the solver was more accurate than its tolerance
     ++told;
     EXPECT_LT(loose.solution.correction.length, 2 * distance) << tolerance;
     EXPECT_GT(loose.solution.correction.length, 0.5 * distance) << tolerance;
@@ -84,14 +85,14 @@ TEST(Correction, IsNotKnownWhereNothingIsBalanced) {
   EXPECT_TRUE(s.solution.correction.x.empty());
 }
 
-/// A quarter turn is no distance of 1.57 m; the carried point moves by √2 r.
+/// A quarter turn does not count as 1.57 m; the carried point moves by √2 r.
 TEST(NodeDistance, CountsRotationsOfBodiesByWhatTheyMove) {
   Sketch s;
   const auto origin = s.node(0, 0, 0), carried = s.node(0.5, 0, 0);
   s.scene.add_body({.name = "board", .origin = origin, .points = {{carried, {0.5, 0, 0}}}});
   const Assembled a(s.scene);
   std::vector<double> u(6), turned(a.assembler.start());
-  u[5] = 0.5 * std::numbers::pi / 2;  // rotations count by the arm
+  u[5] = 0.5 * std::numbers::pi / 2;  // the unknown is the rotation times the arm
   a.assembler.place(u, turned);
   EXPECT_NEAR(largest_node_distance(s.scene, a.assembler.numbering(), a.assembler.start(), turned),
               0.5 * std::sqrt(2.0), 1e-15);

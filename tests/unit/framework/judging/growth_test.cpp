@@ -18,7 +18,7 @@
 namespace netloft::test {
 namespace {
 
-/// A matrix with `below`, `on` and `above` its diagonal.
+/// A matrix with these numbers below, on and above its diagonal.
 struct ThreeDiagonals {
   ThreeDiagonals(std::int32_t size, double below, double on, double above) {
     pattern.size = size, pattern.symmetric = false, pattern.column_start = {0};
@@ -45,7 +45,7 @@ Growth growth_with(const ThreeDiagonals& K, const std::vector<double>& C, const 
   return find_growth(K.pattern, m, make_factorisation);
 }
 
-/// C ẏ + K y = 0: with growth e^(−λt) of K v = λ C v.
+/// The motion C ẏ + K y = 0, which contains e^(−λt) for the eigenvalues λ of K v = λ C v.
 Growth growth_without_mass(const ThreeDiagonals& K, const ThreeDiagonals& C, double error = 0) {
   return growth_with(K, C.values, std::vector<double>(C.values.size()), error);
 }
@@ -56,8 +56,8 @@ double growth_of(const ThreeDiagonals& K, const ThreeDiagonals& C) {
 
 double growth_of(const ThreeDiagonals& K) { return growth_of(K, {K.pattern.size, 0, 1, 0}); }
 
-// Eigenvalues a ± ib of [a b; −b a]: with |λ| = σ and a = −σ cos θ, |(σ − λ)/(σ + λ)|² is (1 + cos θ)/(1 −
-// cos θ).
+// [a b; −b a] has the eigenvalues a ± ib. With |λ| = σ and a = −σ cos θ, |(σ − λ)/(σ + λ)|² is (1 + cos θ)/(1
+// − cos θ).
 TEST(GrowthOfMatrices, IsThatOfACirculatoryPair) {
   const double cosine = 0.1, sine = std::sqrt(1 - cosine * cosine);
   EXPECT_NEAR(growth_of({2, -sine, -cosine, sine}), std::sqrt(1.1 / 0.9), 1e-2);
@@ -84,7 +84,7 @@ ThreeDiagonals random_matrix(int size, double shift, unsigned seed) {
   return K;
 }
 
-// Compared with all eigenvalues of the full problem, over six decades of time scales in one matrix.
+// The verdict is compared with all eigenvalues of the full matrix, whose time scales range over six decades.
 TEST(GrowthOfMatrices, IsFoundWhereverSomeEigenvalueGrows) {
   constexpr int kSize = 60;
   int grow = 0, decay = 0, marginal = 0;
@@ -97,7 +97,7 @@ TEST(GrowthOfMatrices, IsFoundWhereverSomeEigenvalueGrows) {
       for (int c = 0; c < kSize; ++c) K.values[static_cast<std::size_t>(c * kSize + i)] *= scale;
     }
     const Eigen::MatrixXd full = Eigen::Map<const Eigen::MatrixXd>(K.values.data(), kSize, kSize);
-    double c = -1;  // (6) of what grows most
+    double c = -1;  // c of (6) in growth.hpp of the eigenvalue that grows most
     for (const auto& lambda : full.eigenvalues()) c = std::max(c, -lambda.real() / std::abs(lambda));
     const Growth growth = growth_without_mass(K, C);
     if (c > 0.011) {
@@ -115,8 +115,8 @@ using Vec3 = Eigen::Vector3d;
 using Vec6 = Eigen::Vector<double, 6>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// The plate of framework/guides/body.md without mass, in equilibrium on its warp at 30 degrees to the flow:
-/// its matrices are differences of forces that are implemented here a second time.
+/// The plate of framework/guides/body.md without mass, in equilibrium on its warp at 30 degrees to the flow.
+/// Its matrices are differences of forces that are implemented here again, independently.
 struct PlateOnWarp {
   double damping, bracket;
   Eigen::Matrix3d axes = Eigen::AngleAxisd(-std::numbers::pi / 6, Vec3::UnitZ()).toRotationMatrix();
@@ -152,7 +152,7 @@ struct PlateOnWarp {
     }
     return A / 2e-6;
   }
-  /// Stiffness by the stretch of the warp and by its tension.
+  /// Stiffness from the stretch of the warp and from its tension.
   Mat6 convex() const {
     const Vec3 arm = axes * lever, along = pull.normalized();
     Eigen::Matrix<double, 3, 6> J;
@@ -181,7 +181,8 @@ TEST(GrowthOfMatrices, IsNoneOfAPlateWithoutMassOnItsWarp) {
     }
 }
 
-// y₁: s = 1 ± 10i; y₃: s = 0.01, which is almost on the circle for the σ that is best for the pair.
+// The eigenvalues are s = 1 ± 10i, and s = 0.01, which is almost on the unit circle for the σ that is best
+// for the pair.
 TEST(GrowthOfMatrices, TellsOfWhatDivergesBehindWhatSwingsFaster) {
   ThreeDiagonals K(3, 0, 0, 0);
   const ThreeDiagonals C(3, 0, 1, 0);
@@ -199,7 +200,7 @@ TEST(GrowthOfMatrices, TellsOfWhatDivergesBehindWhatSwingsFaster) {
   EXPECT_NEAR(diverges.rate, 0.01, 1e-6);
 }
 
-// s = 1 ± 0.5i, which grows five hundredfold in one period, is flutter as well; 1 ± 0.05i is not.
+// The pair s = 1 ± 0.5i, which grows five hundredfold in one period, counts as flutter; 1 ± 0.05i does not.
 TEST(GrowthOfMatrices, CallsAPairFlutterUnlessItOutgrowsAllDigitsInHalfATurn) {
   for (const double frequency : {0.5, 0.05}) {
     ThreeDiagonals K(2, 0, 0, 0);
@@ -213,14 +214,14 @@ TEST(GrowthOfMatrices, CallsAPairFlutterUnlessItOutgrowsAllDigitsInHalfATurn) {
   }
 }
 
-// s = 0.05 ± 10i and -0.05 ± 10i: within the band (6), and decaying.
+// The pair s = 0.05 ± 10i is within the marginal band (6) of growth.hpp; -0.05 ± 10i decays.
 TEST(GrowthOfMatrices, IsMarginalWhereAPairHardlyGrows) {
   const ThreeDiagonals C(2, 0, 1, 0), grows(2, -10, -0.05, 10), decays(2, -10, 0.05, 10);
   EXPECT_EQ(growth_without_mass(grows, C).verdict, GrowthVerdict::marginal);
   EXPECT_EQ(growth_without_mass(decays, C).verdict, GrowthVerdict::none);
 }
 
-// λ = -1e-3 of a stiffness that is known to 1e-2, or exactly.
+// The eigenvalue λ = -1e-3 of a stiffness whose error is 1e-2, or zero.
 TEST(GrowthOfMatrices, IsMarginalWhereTheStiffnessIsNotKnownThatWell) {
   ThreeDiagonals K(2, 0, 1, 0);
   K.values.front() = -1e-3;
@@ -232,7 +233,7 @@ TEST(GrowthOfMatrices, IsMarginalWhereTheStiffnessIsNotKnownThatWell) {
   EXPECT_EQ(verdict(1e-2), GrowthVerdict::marginal);
 }
 
-// One factorisation for each σ and 24 solutions with it.
+// Each σ takes one factorisation and 24 solutions.
 TEST(GrowthOfMatrices, CountsWhatItTakes) {
   const ThreeDiagonals K(200, -3, 2, 3.5), C(200, 0, 1, 0);
   ThreeDiagonals indefinite = K;
@@ -254,7 +255,7 @@ TEST(GrowthOfMatrices, HasTheSameBitsEachTime) {
   EXPECT_EQ(a.mode, b.mode);
 }
 
-// λ = 2 − √(3 × 3.1) along (√3.1, −√3).
+// The growing eigenvalue is λ = 2 − √(3 × 3.1), with the eigenvector (√3.1, −√3).
 TEST(GrowthOfMatrices, TellsWhatGrows) {
   const ThreeDiagonals K(2, 3, 2, 3.1), C(2, 0, 1, 0);
   const Growth growth = growth_without_mass(K, C);
@@ -262,7 +263,8 @@ TEST(GrowthOfMatrices, TellsWhatGrows) {
   EXPECT_NEAR(growth.mode[0] / growth.mode[1], -std::sqrt(3.1 / 3), 1e-6);
 }
 
-// λ = −1e9, 1 and 1: a strongly compressed member. The symmetric part is indefinite either way.
+// The eigenvalues are λ = ∓1e9, 1 and 1, as with a strongly compressed (or taut) member. The symmetric part
+// is indefinite in both cases.
 TEST(GrowthOfMatrices, SeesWhatGrowsMuchFasterThanTheRest) {
   ThreeDiagonals K(3, 2.5, 1, 0);
   K.values.front() = -1e9;
@@ -271,8 +273,8 @@ TEST(GrowthOfMatrices, SeesWhatGrowsMuchFasterThanTheRest) {
   EXPECT_LE(growth_of(K), kMarginalGrowth);
 }
 
-// λ² − (K₁₁/C₁₁ + K₂₂/C₂₂) λ + det K/det C = 0: the sum of its roots can change its sign with C, their
-// product cannot.
+// The eigenvalues satisfy λ² − (K₁₁/C₁₁ + K₂₂/C₂₂) λ + det K/det C = 0. The sum of the roots can change its
+// sign with C, their product cannot.
 TEST(GrowthOfMatrices, DependsOnTheDampingWhereItIsFlutterAlone) {
   ThreeDiagonals flutter(2, -3, 2, 3), divergence(2, -1, 2, 1), C(2, 0, 1, 0);
   flutter.values.back() = divergence.values.back() = -1;
@@ -283,7 +285,7 @@ TEST(GrowthOfMatrices, DependsOnTheDampingWhereItIsFlutterAlone) {
   }
 }
 
-// λ² − (K₁₁ + K₂₂) λ + det K = 0.
+// The eigenvalues satisfy λ² − (K₁₁ + K₂₂) λ + det K = 0.
 TEST(GrowthOfMatrices, TellsHowFastItGrowsAndSwings) {
   const ThreeDiagonals C(2, 0, 1, 0), flutter(2, -3, -0.5, 3), divergence(2, 3, 2, 3.1);
   const Growth swings = growth_without_mass(flutter, C);
@@ -294,10 +296,10 @@ TEST(GrowthOfMatrices, TellsHowFastItGrowsAndSwings) {
   EXPECT_EQ(topples.frequency, 0);
 }
 
-/// A single body: m, c, k.
+/// The growth of a single body with mass m, damping c and stiffness k.
 Growth growth_of_one(double m, double c, double k) { return growth_with({1, 0, k, 0}, {c}, {m}); }
 
-// s = −c/2m ± (c²/4m² − k/m)^½
+// The eigenvalues are s = −c/2m ± (c²/4m² − k/m)^½.
 TEST(GrowthWithMass, IsThatOfAPendulum) {
   EXPECT_EQ(growth_of_one(2, 0.3, 50).verdict, GrowthVerdict::none) << "hangs";
   const Growth topples = growth_of_one(2, 0.3, -50);
@@ -310,7 +312,8 @@ TEST(GrowthWithMass, IsThatOfAPendulum) {
   EXPECT_NEAR(swings.frequency, std::sqrt(25 - 0.075 * 0.075), 1e-8);
 }
 
-// One body is driven less than the other is damped. Without masses s = 0.5 and more would grow at once.
+// One body is driven (negative damping), but less than the other is damped. Without masses, 0.1 s² − 1.8 s −
+// 3 = 0, so that a motion grows at the rate s = 19.5.
 TEST(GrowthWithMass, SwingsNotWhereANeighbourDampsWhatDrivesIt) {
   const ThreeDiagonals K(2, -1, 2, -1);
   const std::vector<double> C{-0.1, 0, 0, 1}, unit{1, 0, 0, 1};
@@ -343,8 +346,8 @@ Growth growth_of_column(double P, double damping) {
   return growth_with(K, {2 * damping, -damping, -damping, damping}, {3, 1, 1, 1});
 }
 
-// 2 s⁴ + (7 − 2P) s² + 1 = 0 has pairs off the imaginary axis for P > 7/2 − √2. Just beyond, with
-// d = 2P − 7 and s² = (d ± i (8 − d²)^½)/4, the rate is the real part of s.
+// The characteristic equation 2 s⁴ + (7 − 2P) s² + 1 = 0 has roots off the imaginary axis for P > 7/2 − √2.
+// Just beyond, with d = 2P − 7 and s² = (d ± i (8 − d²)^½)/4, the growth rate is the real part of s.
 TEST(GrowthWithMass, FluttersByZieglersLoadWithoutDamping) {
   const double least = 3.5 - std::sqrt(2.0);
   EXPECT_NE(growth_of_column(0.99 * least, 0).verdict, GrowthVerdict::grows);
@@ -356,9 +359,9 @@ TEST(GrowthWithMass, FluttersByZieglersLoadWithoutDamping) {
   EXPECT_NEAR(g.frequency, s.imag(), 1e-3 * s.imag());
 }
 
-// Routh: 2s⁴ + 7γ s³ + (7 − 2P + γ²) s² + 2γ s + 1 = 0 has no root to the right for P < 41/28 + γ²/2: a
-// little damping takes away a third of the load (G. Herrmann and I.-C. Jong, On the destabilizing effect of
-// damping in nonconservative elastic systems, J. Appl. Mech. 32, 1965).
+// By Routh's criterion, 2s⁴ + 7γ s³ + (7 − 2P + γ²) s² + 2γ s + 1 = 0 has no root with a positive real part
+// for P < 41/28 + γ²/2: a little damping reduces the critical load by a third (G. Herrmann and I.-C. Jong, On
+// the destabilizing effect of damping in nonconservative elastic systems, J. Appl. Mech. 32, 1965).
 TEST(GrowthWithMass, FluttersSoonerWithALittleDamping) {
   for (const double gamma : {0.1, 0.5, 1.0}) {
     const double least = 41.0 / 28 + gamma * gamma / 2;
@@ -368,7 +371,8 @@ TEST(GrowthWithMass, FluttersSoonerWithALittleDamping) {
   EXPECT_TRUE(growth_of_column(1.8, 0.1).grows()) << "which stands without damping";
 }
 
-// (x + iy)¨ = −(1 − ib)(x + iy): the symmetric part of K is positive, and a first-order motion would decay.
+// The motion (x + iy)¨ = −(1 − ib)(x + iy) grows, although the symmetric part of K is positive, so that a
+// first-order motion would decay.
 TEST(GrowthWithMass, IsNotRuledOutByAPositiveSymmetricPart) {
   const ThreeDiagonals K(2, -0.3, 1, 0.3);
   const Growth g = growth_with(K, {0, 0, 0, 0}, {1, 0, 0, 1});
@@ -377,8 +381,8 @@ TEST(GrowthWithMass, IsNotRuledOutByAPositiveSymmetricPart) {
   EXPECT_EQ(growth_without_mass(K, {2, 0, 1, 0}).verdict, GrowthVerdict::none);
 }
 
-// Three springs in a row with a mass behind a node that has neither mass nor damping: what it sees is
-// k₁ + k₂k₃/(k₂ + k₃).
+// Three springs in a row, with a mass behind a node that has neither mass nor damping. The stiffness that
+// acts on the mass is k₁ + k₂k₃/(k₂ + k₃).
 TEST(GrowthWithMass, FollowsThroughNodesWithoutMass) {
   const auto growth_for = [](double k1, double k2, double k3) {
     ThreeDiagonals K(2, -k2, 0, -k2);
@@ -392,7 +396,7 @@ TEST(GrowthWithMass, FollowsThroughNodesWithoutMass) {
   EXPECT_NEAR(g.mode[1] / g.mode[0], 0.5, 1e-6);
 }
 
-// (9) needs only Cholesky factors of M, C and K.
+// The energy criterion (9) of linear_motion.hpp needs only Cholesky factors of M, C and K.
 TEST(GrowthWithMass, AsksNoMotionWhereItsEnergyFalls) {
   const ThreeDiagonals K(200, -1, 2.5, -1), unit(200, 0, 1, 0);
   const Growth g = growth_with(K, unit.values, unit.values);
@@ -401,7 +405,7 @@ TEST(GrowthWithMass, AsksNoMotionWhereItsEnergyFalls) {
   EXPECT_EQ(g.cost.solves, 0);
 }
 
-// Compared with all eigenvalues of the full problem.
+// The verdict is compared with all eigenvalues of the full problem.
 TEST(GrowthWithMass, IsFoundWhereverSomeEigenvalueGrows) {
   constexpr int kSize = 30;
   int grow = 0, decay = 0;
@@ -417,7 +421,7 @@ TEST(GrowthWithMass, IsFoundWhereverSomeEigenvalueGrows) {
         motion(kSize + i, kSize + c) = -C.values[static_cast<std::size_t>(c * kSize + i)] / mass;
       }
     }
-    double most = -1;  // c of (6)
+    double most = -1;  // largest c = Re s/|s|, see (6) of growth.hpp
     for (const auto& s : motion.eigenvalues()) most = std::max(most, s.real() / std::abs(s));
     const Growth g = growth_with(K, C.values, M);
     if (most > 0.1) {
@@ -454,7 +458,7 @@ struct FloatOnSpring {
     return find_growth(a.assembler, {a.assembler.start()}, make_factorisation);
   }
 
-  /// The rightmost s of the four: drag damps twice as much along the flow as across it.
+  /// The eigenvalue s with the largest real part. The drag damps twice as much along the flow as across it.
   std::complex<double> expected() const {
     const double k1 = 500 * (3 * squared - 1), k2 = 500 * (squared - 1), c = damping();
     Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(4, 4);
@@ -467,11 +471,11 @@ struct FloatOnSpring {
       if (s.real() > most.real()) most = s;
     return most;
   }
-  /// ½ ρ C_d (π/4) D² |W| [N s/m]
+  /// Damping coefficient ½ ρ C_d (π/4) D² |W| [N s/m].
   double damping() const { return 0.5 * 1025 * 0.47 * 0.25 * std::numbers::pi * 0.04 * speed; }
 };
 
-// det K = −0.325 x 0.225 k² + 9 push² < 0.
+// There is a divergence because det K = −0.325 x 0.225 k² + 9 push² < 0.
 TEST(Growth, IsDivergenceWhateverTheFlow) {
   for (const double speed : {0.0, 1.0, 5.0}) {
     const FloatOnSpring f{.push = 30, .speed = speed};
@@ -490,16 +494,16 @@ TEST(Growth, IsToldInSeconds) {
   EXPECT_NEAR(g.frequency, std::abs(f.expected().imag()), 1e-3 * g.frequency);
 }
 
-// The same in still water: the rotation of the force drives an oscillation, whose growth depends on a damping
-// that does not exist.
+// A float as in the previous test, in still water: the rotation of the force drives an oscillation, whose
+// growth depends on a damping that does not exist.
 TEST(Growth, IsMarginalWhereWhatSwingsIsNotDamped) {
   const FloatOnSpring f{.push = 200};
   EXPECT_GT(f.expected().real(), 1);
   EXPECT_EQ(f.growth().verdict, GrowthVerdict::marginal);
 }
 
-// With a taut spring, K₁₁ and K₂₂ are positive. A rotation of its force causes flutter, which a sufficiently
-// fast flow damps.
+// With a taut spring, K₁₁ and K₂₂ are positive. The rotating part of the force causes flutter, which a
+// sufficiently fast flow damps.
 TEST(Growth, IsFlutterThatFastWaterCalms) {
   FloatOnSpring f{.squared = 1.2, .push = 250};
   double calm = 0;
@@ -510,7 +514,7 @@ TEST(Growth, IsFlutterThatFastWaterCalms) {
   }
 }
 
-/// A float of 5 kg on a rod of 2 m, above its foot or below, in a current.
+/// A float of 5 kg on a rod of 2 m, above or below the foot of the rod, in a current.
 Scene float_on_rod(double z, std::array<double, 3> current, const std::string& drag_law) {
   Sketch s;
   s.scene.current.samples = {{0, current}};
@@ -549,7 +553,7 @@ double rate_of_motion(const Scene& scene, const std::vector<double>& u, const st
   return std::log(last / first) / (2 * duration / 3);
 }
 
-// With its frequency, thirds of the time are whole periods.
+// The duration is chosen such that a third of it is a whole number of periods.
 TEST(Growth, IsThatOfTheMotionOfAFloatInItsDragCrisis) {
   const Scene scene = float_on_rod(2, {1.7, 0, 0}, "sphere");
   const Solved s = solve_with("newton", scene);

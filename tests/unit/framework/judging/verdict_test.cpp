@@ -15,7 +15,7 @@ namespace netloft::test {
 namespace {
 
 Solved solve_sketch(const Scene& scene, Solving how = {}) {
-  plugins();  // the element "test/load" is among the shipped ones from here on
+  plugins();  // makes the element "test/load" known
   return solve(scene, how);
 }
 
@@ -63,7 +63,7 @@ TEST(Verdict, CallsWhatTheClassicMethodFindsThereUnstableToo) {
   EXPECT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
 }
 
-/// A solver that moves the last unknown to a given value, and reports that no step helps.
+/// A solver that moves the last unknown to this value, and reports that no step helps.
 double given_up_at = 0;
 SolverType quitter() {
   SolverType type;
@@ -96,14 +96,14 @@ Scene stiff_bar_beside_a_load() {
 }
 
 TEST(Verdict, DoesNotTakeASolversWordThatNoStepLeadsOn) {
-  for (const double off : {1e-3, 1e-5, 5e-8, 1e-9}) {  // r = 1e4 N/m off
+  for (const double off : {1e-3, 1e-5, 5e-8, 1e-9}) {  // the residual is 1e4 N/m × off
     const Solution s = given_up(bar_on_end(100), 0.01 + off);
     EXPECT_EQ(s.status, SolveStatus::not_converged) << off << ": " << s.reason;
   }
 }
 
-// Slack by 50 µm, it carries −50 µN: the imbalance is 1e-4 N, 1e-6 of the largest load. A step of 0.1 mm with
-// the slack stiffness makes it taut with 5000 N, and would gain 5e-9 J.
+// The second bar is slack by 50 µm and carries −50 µN. The imbalance is 1e-4 N, 1e-6 of the largest load. A
+// step of 0.1 mm, computed with the slack stiffness, makes it taut with 5000 N and would gain 5e-9 J.
 TEST(Verdict, SeesThatAFlickeringTwineHasNothingToGain) {
   const Solution s = given_up(stiff_bar_beside_a_load(), 5e-5);
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
@@ -144,7 +144,7 @@ TEST(Verdict, CallsStableWhereNothingGrowsWithoutAnEnergy) {
   EXPECT_GT(s.judging.factorisations, 0) << "what judging takes is counted";
 }
 
-// Two points are one equilibrium if their distance is no larger than their estimated errors.
+// Two points count as one equilibrium if their distance is not larger than the sum of their estimated errors.
 TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
   Scene scene = bar_with_a_follower();
   scene.current.samples = {{0, {0, 0, -4}}};
@@ -260,7 +260,7 @@ TEST(Verdict, NeverTakesAResidualThatMattersForBalance) {
   EXPECT_GT(refused, 50) << "stiff and far ones do not";
 }
 
-// A rope in line with its load: 1e15 N/m times the rounding of 6 m are several newtons.
+// The load acts along the rope: 1e15 N/m times the rounding error of 6 m is several newtons.
 TEST(Verdict, DoesNotCallARopeConvergedThatIsTooStiffForItsLoad) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -319,7 +319,7 @@ TEST(Verdict, NamesTheNodeWhereTheTangentIsSingular) {
   Sketch s;
   s.scene.water.gravity = 0;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0);
-  s.rope("bar", {a, b}, 1);  // exactly unstretched: no stiffness sideways
+  s.rope("bar", {a, b}, 1);  // exactly unstretched, so that it has no lateral stiffness
   s.part("load", "test/load", {{"z", -1.0}}, {b});
   const Solved solved = solve_sketch(s.scene, classic());
   EXPECT_EQ(solved.solution.status, SolveStatus::not_converged);
@@ -328,7 +328,7 @@ TEST(Verdict, NamesTheNodeWhereTheTangentIsSingular) {
   EXPECT_EQ(solved.solution.at_fault, "bar node 1");
 }
 
-/// A factorisation that fails like that of a matrix which is too large.
+/// A factorisation that fails because there is not enough memory.
 class WithoutRoom final : public Factorisation {
  public:
   std::string description() const override { return "without room"; }
@@ -357,7 +357,8 @@ TEST(Verdict, NamesTheElementThatHasNoForceAtTheStart) {
   EXPECT_EQ(solved.solution.at_fault, "picky element 0");
 }
 
-// Springs grow with the third power: the undamped steps of a bar far out of balance overflow.
+// The force of the spring grows with the third power of its length: undamped steps of a bar far out of
+// balance overflow.
 TEST(Verdict, SaysThatForcesOverflowedAndWhere) {
   Sketch s;
   s.scene.water.gravity = 0;

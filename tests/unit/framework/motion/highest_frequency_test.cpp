@@ -34,7 +34,7 @@ struct Chain {
       y[i] = spring[i] * (x[i] - before) + spring[i + 1] * (x[i] - after);
     }
   }
-  /// The highest frequency of the dense problem.
+  /// The highest frequency, from all eigenvalues of the full matrices.
   double omega() const {
     const auto n = static_cast<Eigen::Index>(size());
     Eigen::MatrixXd K(n, n), M = Eigen::MatrixXd::Zero(n, n);
@@ -58,8 +58,7 @@ TEST(HighestFrequency, IsThatOfAChainFromAbove) {
   EXPECT_LE(found, 1.005 * exact);
 }
 
-/// A heavy ball on a rope of bars that are stiff in axial direction only: four of twelve modes have a
-/// stiffness.
+/// A heavy ball on a rope whose bars are stiff along their axes only: four of twelve modes have a stiffness.
 TEST(HighestFrequency, IsFoundWhereFewModesAreStiff) {
   Chain chain(12, 0, 0.011);
   for (const std::size_t k : {0u, 1u, 2u, 3u}) chain.spring[k] = 8e4;

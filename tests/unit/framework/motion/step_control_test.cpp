@@ -8,7 +8,7 @@
 namespace netloft {
 namespace {
 
-/// A scheme whose error of a step is of third order, stable at any length.
+/// A scheme whose error of a step is of third order, and which is stable with any step.
 IntegratorType third_order() {
   IntegratorType type;
   type.type = "third/order";
@@ -21,7 +21,7 @@ struct Controlled {
   MarchSettings settings;
   IntegratorType type = third_order();
   StepScheme scheme{{&type, nullptr}};
-  StepControl control{settings, scheme, 2};  // elements of 2 m
+  StepControl control{settings, scheme, 2};  // the longest element has 2 m
 };
 
 TEST(StepControl, AllowsAStepWhatItMustForThePathToBeAsAccurateAsIsAsked) {

@@ -25,7 +25,7 @@ MarchSettings steps_of(double h, double duration) {
   return s;
 }
 
-/// Displacements at all outputs.
+/// The displacements of the mass at all outputs.
 std::vector<double> path(Moving& m, const std::string& integrator, const Values& values,
                          const MarchSettings& settings, const MarchState& from) {
   std::vector<double> u;
@@ -35,7 +35,7 @@ std::vector<double> path(Moving& m, const std::string& integrator, const Values&
   return u;
 }
 
-/// (2) and (3) of newmark.hpp with a = −ω² u, by hand.
+/// Newmark's method by hand, (2) and (3) of newmark.hpp, with a = −ω² u.
 std::vector<double> newmark_by_hand(double omega, double h, double chi, int n, double u, double v) {
   const double beta = (1 - chi) * (1 - chi) / 4, gamma = (1 - 2 * chi) / 2, w2 = omega * omega;
   std::vector<double> all = {u};
@@ -74,7 +74,7 @@ TEST(Newmark, FindsTheSameStepsByTheFixedPointOfThePaper) {
   expect_same(found, newmark_by_hand(o.omega(), h, -0.3, 50, 0.1, 0), 1e-10);
 }
 
-/// Whether the scheme of the paper makes 20 steps of c/ω.
+/// Whether Newmark's method with the fixed-point corrector makes 20 steps of length c/ω.
 bool settles(double c) {
   const Oscillator o;
   Moving m(o.scene());
@@ -188,7 +188,7 @@ TEST(CentralDifference, IsStableBelowItsLimitAndNotAbove) {
   }
 }
 
-/// Sum of an account at every output.
+/// Energies of the budget at every output.
 struct Budget {
   std::vector<double> kinetic, elastic, numerical;
   void note(const EnergyBudget& b) {
@@ -264,7 +264,7 @@ TEST(EnergyBudget, KnowsWhatMassDampingTakes) {
   EXPECT_NEAR(kept, 0.5 * o.EA / o.length * 0.01, 1e-4 * kept);
 }
 
-/// ü + c u̇ + ω² u = 0 from rest.
+/// The motion satisfies ü + c u̇ + ω² u = 0 and starts at rest.
 TEST(March, DampsByMassAsTheClosedFormSays) {
   const Oscillator o;
   Moving m(o.scene());
@@ -309,7 +309,7 @@ struct Steps {
   const char* name;
   const char* integrator;
   Values values;
-  double limit;  // of h ω
+  double limit;  // largest stable h ω
   int count = 3000;
 };
 
@@ -367,7 +367,7 @@ TEST(March, JudgesNothingWhereNobodyAsks) {
   EXPECT_EQ(m.run("central-difference", {}, s, &from).status, MarchStatus::finished);
 }
 
-/// Created and supplied energies before an output are stored with it.
+/// An output stores the energies that were created and supplied before it.
 TEST(March, IsLostAtTheSameStepWhenItGoesOnFromAnOutput) {
   const Oscillator o;
   const double h = 2.0005 / o.omega();
@@ -385,8 +385,8 @@ TEST(March, IsLostAtTheSameStepWhenItGoesOnFromAnOutput) {
   EXPECT_EQ(rest.reason, whole.reason);
 }
 
-/// The spring and the inertia of the held mass balance at the end of a step; the cubic between ends does not
-/// satisfy this.
+/// At the end of a step, the spring and the inertia of the held mass are in balance; with the cubic between
+/// ends they are not.
 TEST(March, TellsForcesOfEndsOfStepsBetweenThem) {
   const Oscillator o;
   Moving m(o.scene());
@@ -433,7 +433,7 @@ MarchSettings checked(double duration, double accuracy, double interval) {
   return s;
 }
 
-/// Largest error at outputs by the closed form, over the length of the only element.
+/// Largest difference from the closed form at outputs, divided by the length of the only element.
 double error_of_path(const Oscillator& o, const std::vector<double>& u, double interval) {
   double most = 0;
   for (std::size_t i = 0; i < u.size(); ++i)
@@ -443,7 +443,8 @@ double error_of_path(const Oscillator& o, const std::vector<double>& u, double i
 
 class PathError : public testing::TestWithParam<const char*> {};
 
-/// Once with the errors of single steps, once with fixed steps; both are compared with the closed form.
+/// The march runs once with control of the errors of steps, and once with fixed steps; both are compared with
+/// the closed form.
 TEST_P(PathError, IsNeverBelowThatOfTheClosedFormAndAtMostTenTimesIt) {
   const Oscillator o;
   const double interval = 0.4 / o.omega();
@@ -481,7 +482,7 @@ TEST(PathError, IsMissedWhereStepsThatAreGivenAreTooLong) {
   }
 }
 
-/// The current has a corner at every step, at which both marches end a step.
+/// The rate of the current jumps at every step, so that both marches end a step there.
 TEST(PathError, IsNotKnownWhereBothMarchesTakeTheSameSteps) {
   const Oscillator o;
   Scene scene = o.scene();
@@ -496,7 +497,7 @@ TEST(PathError, IsNotKnownWhereBothMarchesTakeTheSameSteps) {
   EXPECT_TRUE(a.is_missed());
 }
 
-/// Outputs within the first steps, which only one march has made.
+/// Outputs are so dense that some are within the first step.
 TEST(PathError, IsKnownWhereOutputsAreDenserThanSteps) {
   const Oscillator o;
   Moving m(o.scene());
@@ -552,8 +553,8 @@ TEST(March, SaysWhyItStopsAtANodeWithoutMass) {
   EXPECT_NE(r.reason.find("bar node 1 has no mass"), std::string::npos) << r.reason;
 }
 
-/// A spring pulled at its other end along d(t) = ½ b t²: ü + ω² u = ω² d, so that from rest
-/// u = d − b (1 − cos ωt)/ω².
+/// The other end of the spring moves by d(t) = ½ b t²: ü + ω² u = ω² d, so that from rest u = d − b (1 − cos
+/// ωt)/ω².
 TEST(March, MovesWhatAGuideHolds) {
   const Oscillator o;
   Scene scene = o.scene();
@@ -566,7 +567,7 @@ TEST(March, MovesWhatAGuideHolds) {
   EXPECT_NEAR(u.back(), b * T * T / 2 - b * (1 - std::cos(w * T)) / (w * w), 1e-6);
 }
 
-/// Three masses on two free bars, slack and taut as they fly and rotate.
+/// Three masses on two free bars, which become slack and taut while they fly and rotate.
 Scene flying() {
   Scene s = Oscillator().scene();
   s.positions = {0, 0, 0, 2, 0, 0, 3, 1.7, 0.4};
@@ -580,7 +581,7 @@ Scene flying() {
 struct Momenta {
   std::array<double, 3> linear{}, angular{};
 };
-/// Half of a bar's mass at either end: the mass of a node is that of the bars at it, halved.
+/// Momenta with half of the mass of each bar at either end.
 Momenta momenta_of(const Snapshot& s, const Assembler& assembler) {
   const std::array<double, 3> mass = {0.5, 0.5 + 0.5 * 2.05 / 2, 0.5 * 2.05 / 2};  // [kg]
   const std::vector<double> x = assembler.node_positions(s.x), v = assembler.node_positions(s.v);

@@ -165,7 +165,7 @@ TEST(Parameters, NameTheNearestOfAnUnknownName) {
 
 TEST(Parameters, TellAllFaultsAtOnce) {
   const Filled f({{"EA", -1.0}, {"material", std::string("wood")}, {"tempo", 1.0}});
-  EXPECT_EQ(f.faults.size(), 4u);  // EA, material, the missing maker, tempo
+  EXPECT_EQ(f.faults.size(), 4u);  // the faults are in EA, material, the missing maker, and tempo
 }
 
 TEST(Parameters, SayWhatIsAllowedAndWhatTheDefaultIs) {
@@ -178,7 +178,8 @@ TEST(Parameters, SayWhatIsAllowedAndWhatTheDefaultIs) {
   EXPECT_EQ(netloft::default_of(row("colour")), "green");
 }
 
-// A struct may have members that its author did not register: elements that share one struct do.
+// A struct may have members that its author did not register, for instance if several elements use one
+// struct.
 TEST(Parameters, AreZeroWhereNothingIsRegistered) {
   constexpr std::size_t kBytes = 96;
   { const std::vector<char> used_before(kBytes, 'x'); }  // what the heap is likely to hand out next

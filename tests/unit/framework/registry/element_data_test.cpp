@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The names under which the host gives elements numbers of their own: the page for authors, and who is
-// refused.
+// The names under which the host gives data to elements: whether the page for authors lists them, and which
+// declarations are refused.
 #include "framework/registry/element_data.hpp"
 #include "framework/registry/element_outputs.hpp"
 #include "tests/support/rows_of_page.hpp"
@@ -39,7 +39,7 @@ TEST(KnownOutputs, AreTheTableOfTheGuide) {
   EXPECT_EQ(test::rows_below("framework/guides/element.md", "| output | unit | |"), rows);
 }
 
-/// The message on a plugin whose one element declares this.
+/// The message on a plugin whose only element declares this datum.
 std::string refusal(std::uint32_t stencil, const char* name, std::uint32_t width, const char* unit) {
   netloft_datum d{sizeof d, width, name, unit, "a datum"};
   netloft_term t{};

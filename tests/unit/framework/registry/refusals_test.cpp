@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(ForFloatingPoint, Refused,
 TEST(Loader, KeepsItsFloatingPointModeWhenAPluginIsLinkedWithFastMath) {
   const unsigned before = floating_point_mode();
   const std::string text =
-      refusal(plugin("fast_math_linked"));  // GCC 13 and later link nothing harmful any more
+      refusal(plugin("fast_math_linked"));  // GCC 13 and later no longer link code that changes the mode
   EXPECT_TRUE(text.empty() || text.find("linked with -ffast-math") != std::string::npos) << text;
   EXPECT_EQ(floating_point_mode(), before);
 }

@@ -25,7 +25,7 @@ netloft_plugin plugin() {
   return p;
 }
 
-/// The offer of the plugin of a test. A function of C has no other way to it.
+/// What the plugin of a test offers. It is global because a C function must return it.
 netloft_laws offered{};
 
 std::string refusal(const netloft_plugin& p) {
@@ -69,7 +69,7 @@ TEST(Tables, WithRowsTooShortForASizeAreRefused) {
   EXPECT_NE(refusal(&one, 2).find("has a table whose rows are 0 bytes long"), std::string::npos);
 }
 
-// Half a pointer is invalid. Found by table_fuzzer.
+// The size of a row must not end within a pointer. Found by table_fuzzer.
 TEST(Tables, WithRowsThatEndWithinAPointerAreRefused) {
   netloft_law one = law();
   one.size = offsetof(netloft_law, parameters) + 4;
@@ -99,7 +99,7 @@ TEST(Extensions, ThatThrowAreAFault) {
   EXPECT_NE(refusal(p).find("made: its function `extension` throws"), std::string::npos);
 }
 
-/// An element of one term with these traits and inputs.
+/// The message on an element of one term with these traits and inputs.
 std::string refusal(std::uint32_t traits, const char* const* inputs) {
   netloft_term t{};
   t.size = sizeof t, t.name = "term", t.doc = "a term", t.traits = traits;

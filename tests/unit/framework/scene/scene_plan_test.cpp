@@ -30,7 +30,7 @@ TEST(ScenePlan, CountsWhatThereIsToSolve) {
   EXPECT_TRUE(plan.conservative);
 }
 
-// A rope may have stiffness in tension, in compression, or none.
+// A rope may have a stiffness in tension only, in compression only, or none.
 TEST(ScenePlan, EvaluatesATermIfOneOfTheParametersThatItNeedsIsSet) {
   const auto elastic = [](double EA, double EA_compression) {
     Sketch s;

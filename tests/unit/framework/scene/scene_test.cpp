@@ -8,7 +8,7 @@
 namespace netloft::test {
 namespace {
 
-/// Two ropes, each on two nodes of its own; the first node of the first is held.
+/// Two ropes that have no common node; the first node of the first rope is held.
 Sketch two_ropes() {
   Sketch s;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0), c = s.node(2, 0, 0), d = s.node(3, 0, 0);
@@ -42,7 +42,7 @@ TEST(FindLooseParts, NamesTheAxesAlongWhichNothingHolds) {
   EXPECT_NE(faults[0].message.find("held along x, z:"), std::string::npos) << faults[0].message;
 }
 
-// Two supports, neither of which holds all axes, hold the piece together.
+// The piece is held by two supports, neither of which holds all axes.
 TEST(FindLooseParts, AddsUpTheAxesOfAPiece) {
   Sketch s = two_ropes();
   s.scene.held[2] = kAxisX | kAxisY;

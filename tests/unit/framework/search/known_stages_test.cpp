@@ -6,7 +6,7 @@
 namespace netloft::test {
 namespace {
 
-/// A stage with ten numbers at its start and ten at its end, after so many iterations.
+/// A stage with ten numbers at its start, ten at its end, and this number of iterations.
 KnownStage stage(double start, std::size_t iterations = 0) {
   KnownStage s;
   s.request.by = "newton/newton", s.request.start.assign(10, start);
@@ -42,7 +42,7 @@ TEST(KnownStages, TellWhatCameOfTheSameRequestAndOfNoOther) {
 }
 
 TEST(KnownStages, ForgetWhatWasNotAskedForLongest) {
-  KnownStages known(60);  // three
+  KnownStages known(60);  // room for three stages
   for (const double start : {1, 2, 3}) known.keep(stage(start));
   EXPECT_TRUE(known.find(stage(1).request));
   known.keep(stage(4));

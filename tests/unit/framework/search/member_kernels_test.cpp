@@ -10,8 +10,8 @@ namespace {
 
 double made_up(std::size_t i) { return std::sin(1.0 + 1.7 * static_cast<double>(i * i)); }
 
-/// A bar between nodes 0 and 1, two members of a triangle on 1, 2 and 3, and one on 2, 3 and 0, of which the
-/// last pair has no block.
+/// A bar between nodes 0 and 1, two members of a triangle on nodes 1, 2 and 3, and one member on nodes 2, 3
+/// and 0, whose last pair of nodes has no block.
 struct Members {
   static constexpr std::size_t kNodes = 4;
   std::vector<MemberSite> sites{site(0, 1, {0, 1}), site(1, 2, {1, 2, 3}), site(3, 1, {2, 3, 0})};

@@ -12,8 +12,8 @@
 namespace netloft::test {
 namespace {
 
-/// Netting held along its top and drawn longer than it is, on a rope that bends, beside a winch rope at
-/// constant tension.
+/// Netting that is held along its top and drawn longer than its rest length, on a rope that bends, and a
+/// winch rope at constant tension.
 Scene netting_on_ropes() {
   Sketch s;
   s.scene = sample::hanging_panel(3, 45);
@@ -25,7 +25,7 @@ Scene netting_on_ropes() {
   return s.scene;
 }
 
-/// A scene as members, and their tensions by their own law at arbitrary displacements.
+/// A scene as a problem of members, with their tensions by their own law at arbitrary displacements.
 struct Taken {
   explicit Taken(Scene given)
       : assembled(std::move(given)),
@@ -71,7 +71,7 @@ TEST(MemberProblem, MakesTheForcesOfTheWholeSceneOfItsMembersAndTheRest) {
   EXPECT_LT(largest_difference(along, whole), 1e-12 * largest(whole));
 }
 
-/// Solves for arbitrary numbers whose product with the matrix is the right-hand side.
+/// Solves the system whose right-hand side is the product of the matrix with arbitrary numbers.
 void expect_inverse_of_tangent(Taken& taken) {
   netloft_members& m = taken.m;
   const auto K = taken.assembled.matrix(taken.positions(), MatrixKind::exact);
@@ -132,7 +132,7 @@ TEST(MemberProblem, FindsChangesOfChordsAlongAStep) {
   for (std::size_t i = 0; i < w.size(); ++i) EXPECT_NEAR(w[i], taken.w[i] + change[i], 1e-13);
 }
 
-/// A rope to a rigid body that is turned, and another from it to a node beside.
+/// A rope to a rotated rigid body, and another rope from the body to a fixed node.
 Scene ropes_on_a_body() {
   Sketch s;
   const auto anchor = s.node(-3, 0, 1, kAllAxes), eye = s.node(0, 0, 0), tail = s.node(0, 0, 0),
@@ -201,7 +201,7 @@ TEST(MemberProblem, ServesMembersOnNodesThatMoveAlongTheAxes) {
   EXPECT_FALSE(serves(winch)) << "no member has a stiffness";
 }
 
-/// Iterations that `progress` allows under limits.
+/// The number of iterations after which `progress` stops a method.
 int iterations_allowed(const Limits& limits, Stop& stop) {
   Assembled a(sample::hanging_rope(4));
   std::vector<IterationRecord> records;

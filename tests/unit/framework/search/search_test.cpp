@@ -182,7 +182,7 @@ TEST(ASearch, EndsAStageByItsOwnBudget) {
   });
 }
 
-// A strategy that was cut off is tried again, one that found nothing is not.
+// A strategy that was cut off is called again; a strategy that found nothing is not.
 TEST(ASearch, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   search(compressed_bars(), [](Search& of) {
     const Stage nothing = of.call("coarse-to-fine", "", {.name = "there is no coarser mesh"}, of.start());
@@ -190,7 +190,7 @@ TEST(ASearch, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   });
 }
 
-/// The ending of a strategy of the test that another one calls.
+/// The ending of a strategy, defined by the test, that another one calls.
 std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> strategy) {
   Registry& registry = shipped_plugins();
   const ScenePlan plan = make_scene_plan(scene, registry);
@@ -205,7 +205,7 @@ std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> st
   return running.ending();
 }
 
-// A stage that is cut off gets more work, and may be farther from balance than its start.
+// A stage that was cut off gets more work, although it may be farther from balance than its start.
 TEST(ASearch, EndsAsItsLastStageDidAndNotAsTheOneThatWasClosest) {
   const auto cut_off = [](Search& of) {
     Displacements near = of.start();
@@ -424,7 +424,7 @@ TEST(ASearch, TellsAStrategyThatTheUserInterrupts) {
   EXPECT_EQ(s.status, SolveStatus::interrupted) << s.reason;
 }
 
-// No solver makes a step that could meet the limit; the search reports it once.
+// The limit is reached before a solver makes a step; the search reports it once.
 TEST(ASearch, SaysThatItsTimeIsOver) {
   Limits limits;
   limits.seconds = 0;

@@ -11,7 +11,7 @@
 namespace netloft {
 namespace {
 
-/// Ropes of 100 m in bars of 50 m, with other data that have no length.
+/// Ropes of 100 m, each of two bars of 50 m, and data without a length.
 Scene ropes(const std::vector<double>& wanted) {
   Scene scene;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
@@ -24,7 +24,8 @@ Scene ropes(const std::vector<double>& wanted) {
   return scene;
 }
 
-/// A model of reactions over lengths, with a count of its calls; below `shortest` there is no equilibrium.
+/// A model that gives reactions as a function of lengths and counts its calls. Below the length `shortest`
+/// there is no equilibrium.
 struct Model {
   std::function<std::vector<double>(std::vector<double>)> reactions;
   double shortest = 0;
@@ -112,8 +113,8 @@ TEST(Settings, SayWhyTheyEndWhereThereIsNoEquilibriumBeyond) {
   EXPECT_LT(100 * s.factors[0], 96);
 }
 
-/// A wire of 4 bars with a weight at its lower end, and the length for which its upper end carries `wanted`
-/// newtons.
+/// Finds the length of a wire for which its upper end carries `wanted` newtons. The wire has 4 bars and a
+/// weight at its lower end.
 Solution hang(double l0, double wanted) {
   test::Sketch s;
   std::vector<std::uint32_t> chain{s.node(0, 0, 0, kAllAxes)};
