@@ -33,9 +33,9 @@ class Matrices {
   /// evaluated.
   bool row_sums(int matrix, double shift, double* y);
 
-  /// Evaluates M if this has not been done yet.
+  /// Evaluates the linear stiffness M if this has not been done yet.
   void need_metric();
-  /// Discards M, because the properties of elements have changed. It is evaluated again at its next use.
+  /// Discards M, because the properties of elements have changed. M is evaluated again at its next use.
   void forget_metric() {
     metric_.clear();
     diagonal_.clear();

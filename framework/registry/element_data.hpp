@@ -14,7 +14,7 @@ namespace netloft {
 /// them uses the names below. Authors find the table in guides/element.md, and a test compares both.
 struct HostDatum {
   const char* name;
-  std::uint32_t width;  // numbers of one element
+  std::uint32_t width;  // how many numbers an element has
   const char *unit, *doc;
   bool is_sign = false;  // whether its numbers are 1 or -1
 };

@@ -50,7 +50,8 @@ NETLOFT_INLINE void set_block(const double* line, WideBlock<Register>& K) {
   K.last = a * line[2] * line[2] + b;
 }
 
-/// Adds the 3 x 3 blocks of all node pairs of a site. The blocks of (p, q) and (q, p) are equal.
+/// Adds the 3 x 3 blocks of all node pairs of a site (the nodes of one or two members). The blocks of (p, q)
+/// and (q, p) are equal.
 template <class Register, std::uint32_t kNodes, std::uint32_t kMembers>
 NETLOFT_INLINE void add_to_pairs(const MemberSite& site, const MemberWeights* weights,
                                  const WideBlock<Register> (&K)[kMembers], double* values) {

@@ -228,7 +228,7 @@ TEST(MemberProblem, GivesUpAtEachOfItsLimits) {
   const std::atomic<bool> now = true;
   EXPECT_EQ(iterations_allowed({.interrupt = &now}, stop), 0);
   EXPECT_EQ(stop, Stop::interrupted);
-  const WorkModel model;  // a factorisation is a unit
+  const WorkModel model;  // a factorisation costs one unit of work
   Limits limits;
   limits.model = &model, limits.work = 3;
   EXPECT_EQ(iterations_allowed(limits, stop), 3);

@@ -209,7 +209,7 @@ std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> st
 TEST(ASearch, EndsAsItsLastStageDidAndNotAsTheOneThatWasClosest) {
   const auto cut_off = [](Search& of) {
     Displacements near = of.start();
-    near[0] += 0.199;  // of 0.2
+    near[0] += 0.199;  // close to the equilibrium, at 0.2
     const Stage closest = of.assess({.name = "near"}, near);
     const Stage stage = of.solve({.name = "short", .work = 1e-3}, of.start());
     EXPECT_FALSE(closest.is_stationary());
