@@ -28,8 +28,8 @@ class Meshes : public Levels {
   const scenes::LoadedScene& finest_;
   Registry& registry_;
   unsigned most_;
-  std::vector<std::unique_ptr<scenes::LoadedScene>>
-      coarser_;  // levels 1, 2, …; null: the level does not exist
+  // Levels 1, 2, …; null: the level does not exist.
+  std::vector<std::unique_ptr<scenes::LoadedScene>> coarser_;
 };
 
 }  // namespace netloft::runs

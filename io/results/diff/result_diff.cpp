@@ -10,8 +10,8 @@ namespace netloft::results {
 
 namespace {
 
-constexpr double kRoundOff =
-    1e-12;  // relative to the larger number: a smaller difference counts as no change
+// A difference below this fraction of the larger number is no change.
+constexpr double kRoundOff = 1e-12;
 
 struct ComparedNumber {
   std::string unit;

@@ -66,8 +66,8 @@ struct GearNames {
 /// Other equilibria of the scene, found by restarts of the search from elsewhere.
 struct FoundShapes {
   struct Other {
-    double energy = 0,
-           distance = 0;   // distance: largest distance of a node from its position in the solution [m]
+    // Energy [J]; largest distance of a node from its position in the solution [m].
+    double energy = 0, distance = 0;
     std::string furthest;  // name of that node
     int times = 1;         // how often it was found
   };
@@ -113,8 +113,8 @@ struct NumericalLoss {
 
 /// Facts about a motion in time.
 struct Motion {
-  std::string integrator,
-      start_from;  // start_from: "the equilibrium", "the sketch" (initial positions), or a file
+  // start_from: "the equilibrium", "the sketch" (the initial positions), or a result file.
+  std::string integrator, start_from;
   double time = 0, resumed_from = 0;  // time reached; time from which a killed run was resumed [s]
   std::int64_t steps = 0, rejected = 0;
   double shortest = 0, longest = 0;  // shortest and longest step made [s]

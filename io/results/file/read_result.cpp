@@ -13,8 +13,8 @@ namespace netloft::results {
 
 namespace {
 
-constexpr std::ptrdiff_t kDeepestGroup =
-    16;  // limit of nested groups, because a damaged file may have a group that contains itself
+// Limit of nested groups, because a damaged file may have a group that contains itself.
+constexpr std::ptrdiff_t kDeepestGroup = 16;
 
 void require_result(const formats::Reader& reader, const std::string& path) {
   if (!reader.has("/netloft"))

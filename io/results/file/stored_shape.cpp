@@ -14,8 +14,8 @@ namespace netloft::results {
 
 namespace {
 
-constexpr std::ptrdiff_t kDeepest =
-    16;  // limit of nested groups, because a damaged file may have a group that contains itself
+// Limit of nested groups, because a damaged file may have a group that contains itself.
+constexpr std::ptrdiff_t kDeepest = 16;
 StoredPart nameless_part() {
   StoredPart part;
   part.diameter = part.bar = kNone;

@@ -33,10 +33,10 @@ struct StoredMesh {
   std::vector<std::uint32_t> dots;
   std::vector<std::uint32_t> triangle_cells, bar_cells, dot_cells;
   std::vector<std::uint32_t> cell_part;  // by cell
-  std::vector<std::array<double, 6>>
-      corners;  // by triangle: panel coordinates U, V of its corners; NaN where unknown
-  std::vector<std::uint32_t> node_part,
-      node_number;  // by node: its part, and its number within that part
+  // Panel coordinates U, V of the corners of each triangle; NaN where unknown.
+  std::vector<std::array<double, 6>> corners;
+  // The part of each node, and its number within that part.
+  std::vector<std::uint32_t> node_part, node_number;
 };
 
 /// The kind of a cell: netting, a bar of a rope, or an element on a single node.
@@ -91,8 +91,8 @@ class StoredShape {
   StoredMesh mesh;
   std::vector<StoredBody> bodies;
   std::vector<double> times;
-  std::vector<std::string>
-      stages;  // what each state is: the start, the end of a stage, the result; empty: the result only
+  // The name of each state: the start, the end of a stage, the result. Empty: only the result.
+  std::vector<std::string> stages;
   std::vector<StoredField> fields;
   std::optional<StoredBed> bed;
   std::vector<StoredSeries> series;

@@ -45,8 +45,8 @@ struct BarTable {
   std::vector<TableNode> nodes;
   std::vector<TableRope> ropes;
   std::vector<TableResult> results = {};
-  double density = 1025, gravity = kStandardGravity,
-         depth = 0;  // density [kg/m³], gravity [m/s²], depth [m] of the water
+  // Density [kg/m³], gravity [m/s²] and depth [m] of the water.
+  double density = 1025, gravity = kStandardGravity, depth = 0;
 };
 
 /// Reads a table (TABLE.md). Errors name `file`, the number of the source, and line and column; after an

@@ -7,8 +7,8 @@ namespace netloft::scenes::femnet {
 
 /// The names of the files of an import.
 struct Names {
-  std::string gear,
-      mesh;  // files that were read, "b1.don" and "b1.mdg"; `mesh` is empty if the import divided the gear
+  // Files that were read, "b1.don" and "b1.mdg"; `mesh` is empty if the import divided the gear.
+  std::string gear, mesh;
   std::string own_mesh;  // mesh file that is written beside the scene, "b1.mesh"
 };
 

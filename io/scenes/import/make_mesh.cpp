@@ -144,8 +144,8 @@ std::vector<Loose> find_loose(const GearFile& gear, const MeshFile& file) {
     auto& axes = found.at(pieces.leader(n)).axes;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (type.fixed[axis] != 0 || type.symmetry[axis] != 0) axes[axis] = false;
-    if (type.box[2] != 0 || type.sense[2] != 0)
-      axes[2] = false;  // buoyancy or the bed keeps it in place along z
+    // Buoyancy or the bed keeps the piece in place along z.
+    if (type.box[2] != 0 || type.sense[2] != 0) axes[2] = false;
   }
   std::vector<Loose> loose;
   for (const auto& [leader, piece] : found)

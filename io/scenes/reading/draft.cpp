@@ -65,8 +65,8 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   }
   if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
   const bool hangs_on_geometry = geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
-  if (is_sound[*p] ||
-      !hangs_on_geometry)  // otherwise an error in the geometry, reported before, is the cause
+  // If the geometry has an error, that was reported, and may be the cause.
+  if (is_sound[*p] || !hangs_on_geometry)
     diagnostics_.error(
         m.place,
         m.path + ": " + formats::in_quotes(geometry.names.name) + " has no " + formats::in_quotes(name),

@@ -13,8 +13,8 @@ struct HoldEntry {
   std::vector<std::string> on;
   std::string name;
   std::uint8_t axes = kAllAxes;
-  std::optional<std::array<double, 9>>
-      frame;  // axes of the hold, if not those of the world: keys `along`, `plane`
+  // Axes of the hold if it is not along those of the world: keys `along`, `plane`.
+  std::optional<std::array<double, 9>> frame;
   std::vector<std::array<double, 3>> at;  // points of a line; empty: at the initial positions
 };
 

@@ -59,8 +59,8 @@ struct Analysis {
   double work = 0;     // budget of the search, in the unit of framework/balance/work.hpp
   std::string solver;  // the plugin that solves for equilibria, or for steps in time
   Values solver_parameters;
-  std::map<std::string, Values>
-      given;  // parameters that the scene sets, by component, such as "newton/newton"
+  // Parameters that the scene sets, by component, such as "newton/newton".
+  std::map<std::string, Values> given;
   Limits limits;
   TangentChoice tangent = TangentChoice::exact;
 };

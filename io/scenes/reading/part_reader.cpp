@@ -106,8 +106,8 @@ void PartReader::read_part(const std::string& name, formats::TableReader& table,
     geometry = place ? read_body(table, place) : read_geometry(*type, name, table);
     read_extra_data(*type, geometry, table);
   } else {
-    for (const auto& key : table.keys())
-      table.raw(key);  // without a type it is unknown which keys are allowed
+    // Without a type it is unknown which keys are allowed.
+    for (const auto& key : table.keys()) table.raw(key);
   }
   geometry.names.name = name;
   geometry.names.place = table.place();

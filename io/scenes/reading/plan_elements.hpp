@@ -52,8 +52,8 @@ class PlanElements {
   formats::Diagnostics& diagnostics_;
   std::vector<Made> made_;
   std::optional<formats::Value> contact_;  // `[elements.contact]`, a table
-  std::map<std::string, formats::Value> exceptions_,
-      exceptions_of_pairs_;  // tables `[elements.NAME]` by NAME
+  // Tables `[elements.NAME]` by NAME.
+  std::map<std::string, formats::Value> exceptions_, exceptions_of_pairs_;
 };
 
 }  // namespace netloft::scenes
