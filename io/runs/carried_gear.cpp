@@ -10,8 +10,8 @@ namespace netloft::runs {
 
 namespace {
 
-using Place = std::array<double, 2>;    // (u, v) of netting
-using Weights = std::array<double, 3>;  // of the corners of a triangle; they add up to one
+using Place = std::array<double, 2>;    // twine coordinates (u, v)
+using Weights = std::array<double, 3>;  // weights of the corners of a triangle; their sum is one
 
 /// The triangles of a panel in twine coordinates, with a grid of cells that lists the triangles near each.
 class Netting {

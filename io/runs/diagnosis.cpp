@@ -35,7 +35,7 @@ Point cross(const Point& a, const Point& b) {
 /// Least and largest tension in a part, and the tensions of its elements.
 struct Tensions {
   double least = std::numeric_limits<double>::infinity(), largest = -least;
-  std::vector<double> of_elements;  // least tension of each element [N]
+  std::vector<double> of_elements;  // tension of each element [N]; of two outputs the smaller one
 };
 
 /// Makes the diagnosis. Each member function `say_…` adds the sentences about one kind of fault.

@@ -15,7 +15,8 @@ struct Watch {
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const IterationRecord&)> on_iteration = {};
   KeptPoint* kept = nullptr;  // receives the best point found so far
-  std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};  // after every stage
+  // Called after every stage of a search.
+  std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};
   /// Called after every step in time; `run` names the motion, because a comparison of methods computes
   /// several.
   std::function<void(const StepRecord&, const std::string& run)> on_step = {};

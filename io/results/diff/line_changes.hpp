@@ -7,8 +7,8 @@ namespace netloft::results {
 
 /// A line that only one of two texts has.
 struct LineChange {
-  bool is_new = false;  // true: only the second text has it; false: only the first
-  int line = 0;         // its number in that text, from 1
+  bool is_new = false;  // true: a line of the second text only; false: of the first only
+  int line = 0;         // number of the line in its text, from 1
   std::string text;
 };
 

@@ -39,7 +39,7 @@ struct InputDifferences {
   // options that only one command line has, such as "--set water.current=[1,0,0]"
   std::set<std::string> options_before, options_after;
   std::vector<FileDifference> files;
-  std::vector<std::string> plugins;  // built differently, or present in one result only
+  std::vector<std::string> plugins;  // plugins built differently, or present in one result only
   bool other_program = false;
 
   bool none() const;
@@ -47,7 +47,7 @@ struct InputDifferences {
 
 struct ResultDiff {
   Result before, after;
-  std::vector<NumberDifference> numbers;  // by name, unchanged ones included
+  std::vector<NumberDifference> numbers;  // sorted by name; unchanged ones are included
   InputDifferences inputs;
   std::optional<NodeMove> move;  // absent: not compared
 

@@ -35,7 +35,7 @@ struct Material {
   scenes::BillItem item = {"", "", "", kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
   double length = kUnknown;  // unstretched length of all its ropes or twines in the whole gear [m]
   double area = kUnknown;    // twines: length times diameter; bodies: projected area [m2]
-  double mass = kUnknown;    // in air [kg]
+  double mass = kUnknown;    // mass in air [kg]
   double load = kUnknown;    // largest tension in a rope or twine, in the last state [N]
 
   /// The load as a fraction of the breaking load; NaN unless both are known.
@@ -54,13 +54,13 @@ struct Origins {
     std::string name, version, path, hash;
   };
   std::vector<Plugin> plugins;
-  std::string plan;  // as text: the forces that are evaluated, and why others are not
+  std::string plan;  // text about the forces that are evaluated, and why others are not
 };
 
 /// The names of a scene with a net plan.
 struct GearNames {
   int times = 1;                   // 2: one half was modelled
-  std::string headline, footrope;  // ropes
+  std::string headline, footrope;  // names of ropes
 };
 
 /// Other equilibria of the scene, found by restarts of the search from elsewhere.
@@ -68,8 +68,8 @@ struct FoundShapes {
   struct Other {
     // Energy [J]; largest distance of a node from its position in the solution [m].
     double energy = 0, distance = 0;
-    std::string furthest;  // name of that node
-    int times = 1;         // how often it was found
+    std::string furthest;  // name of the node with this distance
+    int times = 1;         // how often this equilibrium was found
   };
   int restarts = 0, times = 1;  // times: how often the solution was found
   int by_energy = 0;            // 1: the solution has the least energy; 0: it was found first
@@ -96,7 +96,7 @@ struct Stage {
 /// One accepted step of the solver: numbers at the point that it reached.
 struct Iteration {
   std::int64_t iteration = 0, factorisations = 0;
-  double residual = 0, load = 0, energy = 0, seconds = 0;  // [N], [N], [J], [s]
+  double residual = 0, load = 0, energy = 0, seconds = 0;  // units: [N], [N], [J], [s]
   std::string note;
 };
 
@@ -122,7 +122,7 @@ struct Motion {
   std::optional<StartBalance> start;
   std::optional<AchievedAccuracy> accuracy;  // empty: the length of steps was prescribed
   std::optional<NumericalLoss> loss;         // empty: energies were not recorded
-  std::map<std::string, double> energies;    // at the last output [J]
+  std::map<std::string, double> energies;    // energies at the last output [J]
 };
 
 /// The result of a run: the data for all its reports, pages and comparisons. make_result() or run_motion()
@@ -136,23 +136,23 @@ struct Result {
   Origins origins;
   std::string solver, strategy, factorisation;
   std::size_t nodes = 0, elements = 0, states = 1;
-  std::optional<GearNames> gear;     // only for a scene with a net plan
+  std::optional<GearNames> gear;     // empty: the scene has no net plan
   std::vector<NamedScalar> scalars;  // the numbers that the scene requests in [results]
-  std::vector<NamedScalar> figures;  // gear_figures.hpp
+  std::vector<NamedScalar> figures;  // figures of the gear (gear_figures.hpp)
   // The meshes from which mesh errors were found, or why there are no mesh errors; empty: not requested.
   std::string mesh_note;
   double node_error = NamedScalar::kUnknown;  // largest displacement of a node in one more Newton step [m]
-  std::vector<PartLoad> part_forces;          // by term, then by part
+  std::vector<PartLoad> part_forces;          // sorted by term, then by part
   std::vector<HoldForce> hold_forces;
   std::array<double, 3> balance{};  // sum of all forces on the gear, holds included [N]
   // Largest residual and largest load of a node [N].
   double residual = NamedScalar::kUnknown, largest_load = NamedScalar::kUnknown;
-  double energy = NamedScalar::kUnknown;  // sum over the forces that have an energy [J]
+  double energy = NamedScalar::kUnknown;  // energy of the forces that have one [J]
   std::optional<FoundShapes> shapes;      // empty: there was no search for other equilibria
   std::optional<Swing> swing;             // empty: no motion grows
   std::vector<Material> materials;
   std::int64_t unknowns = 0;
-  double work = 0;  // in the units of work.hpp
+  double work = 0;  // work in the units of framework/balance/work.hpp
   double reading_seconds = 0, setup_seconds = 0;
   Statistics statistics;
   std::vector<Stage> stages;          // in their order; also a single one

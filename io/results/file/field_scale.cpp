@@ -14,7 +14,7 @@ constexpr double kLeastOfLargest = 1e-4;
 // The middle range leaves out one of so many values at either end.
 constexpr std::size_t kBeyond = 50;
 constexpr std::size_t kSample = 20000;  // limit of values of one state from which the middle range is found
-constexpr double kTicks = 6;            // most ticks of a legend
+constexpr double kTicks = 6;            // largest number of ticks of a legend
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.
 double round_below(double most) {

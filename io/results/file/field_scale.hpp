@@ -14,7 +14,7 @@ namespace netloft::results {
 struct Scale {
   double lo = 0, hi = 1;
   bool is_logarithmic = false;
-  bool is_cut_below = false, is_cut_above = false;  // whether values exist below lo, above hi
+  bool is_cut_below = false, is_cut_above = false;  // whether some values are below lo, above hi
 
   /// The position of a value in the colour map, 0 at `lo` and 1 at `hi`, clamped to this range.
   double place(double value) const;

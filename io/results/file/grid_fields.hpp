@@ -38,11 +38,11 @@ class OutputFields {
 
  private:
   struct Source {
-    std::size_t family, output, field;  // an output of a family, and the field for it
+    std::size_t family, output, field;  // the output of a family that goes into a field
   };
   std::vector<formats::FieldSpec> specs_;
   std::vector<Source> sources_;
-  std::vector<std::vector<std::size_t>> cells_;  // by family: the cell of each element
+  std::vector<std::vector<std::size_t>> cells_;  // [family][element]: cell of the element
   std::size_t count_ = 0;                        // number of cells
 };
 /// A cell field with the coordinates (U, V) of a cell's corners on its own panel, in meshes; a node on a seam

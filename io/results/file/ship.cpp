@@ -14,8 +14,9 @@ namespace {
 using Point = std::array<double, 3>;
 
 // Blocks farther apart than the width of any trawler belong to two ships.
-constexpr double kWidestShip = 40;                // [m]
-constexpr double kNarrowestShip = 4, kBeam = 10;  // beams [m]: at least, of one ship; of each of two ships
+constexpr double kWidestShip = 40;  // width of a ship [m]
+// kNarrowestShip: least beam of one ship; kBeam: of each of two ships [m].
+constexpr double kNarrowestShip = 4, kBeam = 10;
 
 // Outlines of hull and house: pairs of the distance ahead of the stern, as a fraction of the length, and the
 // distance to starboard, as a fraction of half the beam.

@@ -16,10 +16,10 @@ namespace netloft::results {
 /// an old file lacks.
 struct StoredPart {
   std::string name, type;
-  double diameter = 0, bar = 0;        // diameter of twine, rope or float; length of a mesh bar [m]
-  std::array<double, 4> twine_axes{};  // a, b, c, d of u = a U + b V, v = c U + d V: twine coordinates u, v
-                                       // from panel coordinates U, V
-  scenes::SheetPlace sheet;            // place on the drawing of the net plan
+  double diameter = 0, bar = 0;  // diameter of twine, rope or float; length of a mesh bar [m]
+  // a, b, c, d: the twine coordinates are u = a U + b V, v = c U + d V, from the panel coordinates U, V.
+  std::array<double, 4> twine_axes{};
+  scenes::SheetPlace sheet;  // place on the drawing of the net plan
   // true: its elements on single nodes model contact, with a bed for example, and are not drawn
   bool is_contact = false;
 };
@@ -32,7 +32,7 @@ struct StoredMesh {
   std::vector<std::array<std::uint32_t, 2>> bars;
   std::vector<std::uint32_t> dots;
   std::vector<std::uint32_t> triangle_cells, bar_cells, dot_cells;
-  std::vector<std::uint32_t> cell_part;  // by cell
+  std::vector<std::uint32_t> cell_part;  // part of each cell
   // Panel coordinates U, V of the corners of each triangle; NaN where unknown.
   std::vector<std::array<double, 6>> corners;
   // The part of each node, and its number within that part.
@@ -46,7 +46,7 @@ inline constexpr std::size_t kCellKinds = 3;
 /// A field that can be drawn: one number per cell.
 struct StoredField {
   std::string name;
-  std::array<std::string, kCellKinds> units;  // by kind of cell
+  std::array<std::string, kCellKinds> units;  // one unit for each kind of cell
   std::string doc;
   // Whether the value is a total over a cell, such as a mass. Colours of such a field would show the size of
   // the cells.
@@ -68,9 +68,9 @@ struct StoredBed {
 /// A rigid body, such as an otter board. The field `rotation` at its origin gives its orientation.
 struct StoredBody {
   std::string name;
-  std::uint32_t origin = 0;  // node
+  std::uint32_t origin = 0;  // node at the origin
   bool is_to_port = false;
-  std::vector<std::array<double, 3>> outline;  // corners of its shape in body axes [m]
+  std::vector<std::array<double, 3>> outline;  // corners of the body in its own axes [m]
 };
 
 /// A quantity over time: one value for each output of a motion.

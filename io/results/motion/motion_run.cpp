@@ -382,13 +382,14 @@ class MotionRun {
   BoardWatch boards_;
   std::optional<OutputFields> fields_;
   formats::SeriesLayout layout_;
-  std::optional<std::vector<formats::SeriesColumn>> gear_columns_;  // known from the first output on
-  Response answer_;                                                 // at the time answered_at_ [s]
+  std::optional<std::vector<formats::SeriesColumn>> gear_columns_;  // empty before the first output
+  Response answer_;  // outputs and forces of elements at the time answered_at_ [s]
   std::optional<double> answered_at_;
   std::optional<MarchState> from_;
   std::optional<formats::SeriesJournal> journal_;
-  std::size_t outputs_ = 0, outputs_before_ = 0;  // outputs in the journal now, and before this run
-  std::vector<std::string> energies_;             // in the order of their columns
+  // Outputs in the journal, and those of them from before this run.
+  std::size_t outputs_ = 0, outputs_before_ = 0;
+  std::vector<std::string> energies_;  // names of the energies, in the order of their columns
   Result result_;
 };
 

@@ -10,7 +10,7 @@ namespace netloft::results {
 
 /// The result of a motion, and the record of the time integration that made it.
 struct MotionResult {
-  Result result;  // its path is NAME.hdf.part if the motion was interrupted
+  Result result;  // result.path is NAME.hdf.part if the motion was interrupted
   MarchResult march;
 };
 
@@ -18,12 +18,14 @@ struct MotionResult {
 struct MotionOptions {
   std::filesystem::path output;
   bool resume = false;                            // continue from NAME.hdf.part
-  std::optional<std::vector<double>> start = {};  // initial displacements; empty: those of the scene
-  std::string identity;  // of scene and changes; a run is resumed only if it is equal
+  std::optional<std::vector<double>> start = {};  // displacements at the start; empty: those of the scene
+  // Identifies the scene with its changes; a run is resumed only if this text is equal.
+  std::string identity;
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const StepRecord&)> on_step;
-  std::function<void(const std::string&)> warn;                   // reports a problem while the motion runs
-  std::function<void(const IterationRecord&)> on_iteration = {};  // called during the search for the start
+  std::function<void(const std::string&)> warn;  // reports a problem while the motion runs
+  // Called while the equilibrium at the start is searched.
+  std::function<void(const IterationRecord&)> on_iteration = {};
 };
 
 /// Integrates the motion of the scene in time as its analysis says, and writes every output into the file

@@ -91,7 +91,7 @@ std::string to_the_right(const std::string& text, std::size_t width) {
 void write(const FigureTable& table, Out out) {
   constexpr std::size_t kNarrow = 11, kWide = 20;
   bool is_wide = false;
-  std::size_t name = std::max<std::size_t>(24, letters(table.title)) - 2;  // letters of the first column
+  std::size_t name = std::max<std::size_t>(24, letters(table.title)) - 2;  // width of the first column
   for (const auto& row : table.rows) {
     name = std::max(name, letters(row.name));
     for (const auto& cell : row.cells) is_wide = is_wide || letters(cell) > kNarrow;

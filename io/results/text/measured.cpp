@@ -29,14 +29,15 @@ int decimals_of(double error) {
 double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
 
 std::string measured(double value, double error, const char* format) {
-  constexpr double kNothing = 1e-9;  // error relative to the number below which it is not shown
+  constexpr double kNothing = 1e-9;  // a smaller error relative to the number is not shown
   constexpr int kMostDecimals = 6;
   if (!std::isfinite(value)) return "-";
   if (!std::isfinite(error) || error <= kNothing * std::abs(value)) return plain_number(value, format);
   const int decimals = decimals_of(error);
   if (decimals > kMostDecimals) return plain_number(value, format) + fmt::format(" ± {:.1g}", error);
   const int shown = std::max(decimals, 0);
-  const double unit = std::pow(10, std::max(-decimals, 0));  // rounding unit for a large error: 6500 ± 1800
+  // Rounding unit if the error is large: 6500 ± 1800.
+  const double unit = std::pow(10, std::max(-decimals, 0));
   const auto rounded = [&](double number) { return shown > 0 ? number : unit * std::round(number / unit); };
   return plain_number(rounded(value), fmt::format("{{:.{}f}}", shown).c_str()) +
          fmt::format(" ± {:.{}f}", rounded(error), shown);

@@ -14,10 +14,10 @@ namespace netloft::scenes {
 struct TableNode {
   std::string name;
   formats::Place place;
-  std::array<double, 3> at{}, force{};  // [m], [N]
-  std::string hold;                     // axes along which it is held: "", "z", "xyz"
-  double mass = 0, buoyancy = 0;        // [kg]; buoyancy minus weight in water, instead of a mass [N]
-  double volume = 0, drag_area = 0;     // displaced water [m³]; drag coefficient times area [m²]
+  std::array<double, 3> at{}, force{};  // position [m], force [N]
+  std::string hold;                     // held axes: "", "z", "xyz"
+  double mass = 0, buoyancy = 0;        // [kg]; or instead the buoyancy minus the weight in water [N]
+  double volume = 0, drag_area = 0;     // of displaced water [m³]; drag coefficient times area [m²]
 };
 
 /// A rope: the bars of one name, in the order of their rows.
@@ -30,7 +30,7 @@ struct TableRope {
   formats::Place place;
   double diameter = 0, EA = 0, density = 0, EI = 0;  // [m], [N], [kg/m³], [N m²]
   std::optional<double> EA_compression;              // [N]
-  std::optional<double> normal, tangential;          // drag coefficients
+  std::optional<double> normal, tangential;          // coefficients of drag
   double bed = 0;  // stiffness of the seabed under the rope [N/m²]; 0: no seabed
   std::vector<Bar> bars;
 };

@@ -84,7 +84,7 @@ class TableScene {
   /// The stiffness of the bed under a node at which ropes meet, each with its own bed.
   struct BedUnder {
     double least = 0, most = 0;      // smallest and largest stiffness under these ropes [N/m²]
-    double product = 0, metres = 0;  // sums over half bars of stiffness times length, and of length
+    double product = 0, metres = 0;  // sums over half bars: of stiffness times length, of length
     bool is_of_two = false;          // whether ropes with different beds meet here
     void add(double stiffness, double length) {
       is_of_two = is_of_two || (stiffness > 0 && most > 0 && stiffness != most);

@@ -27,12 +27,13 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-constexpr double kMostParts = 1e5;    // limit of parts from one end of a panel to the other
+constexpr double kMostParts = 1e5;    // limit of parts along one side of a panel
 constexpr double kLongestSide = 100;  // mesh side [m]
 // Least distance of inner nodes from the border, as a fraction of the step, so that no triangle is flat.
 // FEMNET has some nodes at 0.24.
 constexpr double kNearest = 0.2;
-constexpr double kFlat = 1e-9;  // a triangle with less than this twofold area has no netting [meshes²]
+// A triangle whose area is less than half of this has no netting [meshes²].
+constexpr double kFlat = 1e-9;
 
 Triple between(const Triple& a, const Triple& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
@@ -389,7 +390,7 @@ class Divider {
   int errors_before_;
   GearLinks links_;
   std::map<std::size_t, std::uint32_t> node_of_point_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Line> lines_;  // by the nodes at their ends
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Line> lines_;  // by the two nodes at their ends
   MeshFile mesh_;
 };
 

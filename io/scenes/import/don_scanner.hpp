@@ -56,7 +56,7 @@ class DonScanner {
     column_ = to.column;
   }
 
-  formats::Place place() const;  // of the next character
+  formats::Place place() const;  // place of the next character
   formats::Place place_of_word() const { return word_place_; }
   void fail(const formats::Place& place, const std::string& message, const std::string& hint = {});
 

@@ -10,7 +10,7 @@ namespace netloft::scenes::femnet {
 /// initial length; linear in between.
 struct HauledBar {
   std::size_t bar = 0;     // index in the mesh file
-  std::size_t number = 0;  // its position along the cable, from 0
+  std::size_t number = 0;  // position of the bar along the cable, from 0
   std::vector<double> times, shares;
 };
 
@@ -23,7 +23,7 @@ struct HauledBar {
 /// are more than `kMostHauls` lengths to compute.
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
-inline constexpr double kMostHauls = 2e7;  // steps times bars: about a second of work
+inline constexpr double kMostHauls = 2e7;  // time steps times bars: about a second of work
 /// Tolerance of the lengths [m]: a tenth of what a drum hauls at 0.2 m/s in one time step of FEMNET.
 inline constexpr double kHauledWithin = 1e-4;
 

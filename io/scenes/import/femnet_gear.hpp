@@ -87,7 +87,7 @@ struct Drum {
   int cable = 0;                      // counted from 0
   double shortest = 0, longest = 0;   // limits of the length of a bar [m]
   std::vector<double> times, speeds;  // [s], [m/s]
-  std::vector<int> ends;              // from each time on: the end of the cable, 1 or 2, at the drum
+  std::vector<int> ends;              // from each time on: which end of the cable, 1 or 2, has the drum
 };
 
 /// The motion of the nodes of a type. Velocities are linear between the times, and zero after the last time.
@@ -106,7 +106,8 @@ struct Wanted {
 };
 
 struct Environment {
-  double direction = 0, speed = 0, depth = 0;                        // [degrees], [m/s], [m]
+  // Direction [degrees] and speed [m/s] of the current, depth [m].
+  double direction = 0, speed = 0, depth = 0;
   double wave_period = 0, wave_height = 0, wave_direction = 0;       // [s], [m], [degrees]
   double time_step = 0, record_step = 0, record_begin = 0, end = 0;  // times of the motion [s]
   double catch_volume = 0, catch_accuracy = 0, catch_coefficient = 0;
@@ -140,7 +141,7 @@ struct GearFile {
   std::vector<Drum> drums;
   std::vector<NodeMotion> motions;
   Environment environment;
-  double link_distance = 0;  // corners closer than this in the drawing are one point [m]
+  double link_distance = 0;  // corners closer than this in the drawing are the same point [m]
   int plane = 3;             // axis normal to the drawing
   std::vector<TypeBox> type_boxes;
   std::vector<Finding> of_mesher;  // keywords that have no effect if there is a mesh
@@ -157,7 +158,7 @@ struct MeshFile {
   struct Bar {
     std::array<std::uint32_t, 2> nodes{};
     std::array<double, 2> shares{};
-    int cable = 0;  // as in the file: k for cable k, -p for twines of panel p, from 1
+    int cable = 0;  // numbers of the file, from 1: k > 0 is cable k, -p the twines of panel p
   };
   struct Triangle {
     std::array<std::uint32_t, 3> nodes{};
@@ -167,7 +168,7 @@ struct MeshFile {
   std::vector<Node> nodes;
   std::vector<Bar> bars;
   std::vector<Triangle> triangles;
-  bool is_of_another_gear = false;  // whether rows refer to parts that the .don does not have
+  bool is_of_another_gear = false;  // true: rows name parts that the .don does not have
 };
 
 /// The features of FEMNET that a gear uses, as words for a table of many gears.

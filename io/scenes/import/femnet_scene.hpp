@@ -9,7 +9,7 @@ namespace netloft::scenes::femnet {
 struct Names {
   // Files that were read, "b1.don" and "b1.mdg"; `mesh` is empty if the import divided the gear.
   std::string gear, mesh;
-  std::string own_mesh;  // mesh file that is written beside the scene, "b1.mesh"
+  std::string own_mesh;  // mesh file that the import writes beside the scene, "b1.mesh"
 };
 
 /// The scene and the mesh made from a gear file and its mesh.

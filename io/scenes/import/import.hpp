@@ -23,7 +23,7 @@ struct ImportRequest {
   std::filesystem::path mesh;  // empty: GEAR.mdg beside the gear, if it exists and fits the gear
   std::string own_mesh;        // name of the mesh file that is written and that the scene uses
   bool divides = false;        // true: divide the gear anew, even if it has a mesh
-  bool moves = false;          // FEMNET only: whether the scene is a motion, with waves and drums
+  bool moves = false;          // true: the scene is a motion, with waves and drums (FEMNET only)
 };
 
 /// Reads a gear of FEMNET with its mesh. Errors, warnings and left-out features are added to `diagnostics`
@@ -41,7 +41,7 @@ struct FolderCheck {
   struct Gear {
     std::string name;
     bool is_read = false;
-    std::vector<std::string> lines;  // errors, or features left out
+    std::vector<std::string> lines;  // errors, or left-out features
     std::vector<std::string> features = {};
   };
   std::vector<Gear> gears;

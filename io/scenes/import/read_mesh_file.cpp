@@ -23,7 +23,7 @@ class MeshFileReader {
       : rows_(text, file), gear_(gear), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
 
   MeshFile read() {
-    for (int line = 0; line < 3; ++line) rows_.next_line();  // free text
+    for (int line = 0; line < 3; ++line) rows_.next_line();  // three lines of free text
     read_block("nodes", 7, [&](const auto& row) { read_node(row); });
     read_block("bars", 6, [&](const auto& row) { read_bar(row); });
     refuse_block("sliding cables");

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kMostMoordynErrors = 50;
 constexpr double kMostSegments = 1e5, kMostNodes = 1e6;
-constexpr double kSeaWater = 1025, kBedStiffness = 3e6;  // MoorDyn's own defaults
+constexpr double kSeaWater = 1025, kBedStiffness = 3e6;  // defaults of MoorDyn [kg/m³], [Pa/m]
 
 using Section = MoordynSection;
 
@@ -188,7 +188,7 @@ class MooringReader {
 
   void read_point(const Row& row) {
     if (!has_columns(row, 9, "number, attachment, X Y Z, mass, volume, CdA, Ca")) return;
-    const bool has_forces = row.size() >= 12;  // version 1
+    const bool has_forces = row.size() >= 12;  // columns of version 1
     TableNode n;
     n.name = "point-" + std::string(row[0].text);
     n.place = row[0].place;
@@ -399,14 +399,14 @@ class MooringReader {
   int errors_before_;
   MooringFile out_;
   Section section_ = Section::none, section_before_ = Section::none;
-  int names_ = 0;  // number of lines with names and units still to come
+  int names_ = 0;  // how many lines with names and units of columns are still to come
   std::size_t length_column_ = 4;
   std::map<std::string, LineType> line_types_;
   std::map<std::string, Body> bodies_;
   std::map<std::string, std::size_t> point_named_;
   std::vector<std::uint32_t> lower_;  // inner nodes of lines
-  std::vector<Wanted> wanted_;        // requested outputs
-  std::optional<double> depth_;       // [m]
+  std::vector<Wanted> wanted_;        // outputs that the file requests
+  std::optional<double> depth_;       // depth of the water [m]
   double bed_stiffness_ = kBedStiffness;
 };
 

@@ -26,7 +26,7 @@ class SceneDraft {
   const MeshFile& file;
   const Names& names;
   bool moves;
-  std::vector<HauledBar> hauled;  // bars that drums haul; only in a motion
+  std::vector<HauledBar> hauled;  // bars that drums haul; empty if the scene is at rest
   Imported out;
   SceneText body;
 

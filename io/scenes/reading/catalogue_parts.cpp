@@ -17,7 +17,7 @@ namespace {
 struct NamedPart {
   std::string name;  // name of the part in the scene
   formats::Table* part;
-  std::string key;  // the key that names it: twine, rope, float or board
+  std::string key;  // key of the table that names the catalogue part: twine, rope, float or board
   std::string path;
 
   formats::Value& said() const { return part->find(key)->value; }

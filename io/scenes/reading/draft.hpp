@@ -63,7 +63,7 @@ class Draft {
   std::vector<Geometry> geometries;            // in the order of out.scene.parts
   std::vector<const ElementType*> types;       // in the same order
   std::vector<bool> is_sound;                  // in the same order
-  std::map<std::string, Joiner::Ends> points;  // points with a name of their own, by this name
+  std::map<std::string, Joiner::Ends> points;  // points with a name without a dot, by this name
 
  private:
   std::optional<std::size_t> find_part(const Mention& m, const std::string& name);

@@ -69,7 +69,7 @@ BodyOfPlan GearParts::place_of(const gears::GearBody& body) const {
   const gears::Rope* warp = plan_.find_rope(gears::kWarp);
   if (!plan_.ship || !warp) return place;
   place.guess = [this, warp, side = place.side](double lowest) {
-    constexpr double kDepth = 0.3, kSpread = 0.09;  // usual for boards, as fractions of the warp length
+    constexpr double kDepth = 0.3, kSpread = 0.09;  // usual depth and spread of a board over the warp length
     const double L = warp->length, y = plan_.ship->block_gap / 2 + kSpread * L;
     const SeaBed& bed = draft_.out.scene.bed;
     const double reach = plan_.ship->block_height - kDepth * L;

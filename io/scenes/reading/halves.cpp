@@ -18,7 +18,7 @@ constexpr std::size_t kMostNames = 5;
 
 struct Beyond {
   std::uint32_t part;
-  double by;  // [m]
+  double by;  // distance beyond the plane [m]
   bool is_held;
 };
 
@@ -58,7 +58,7 @@ std::string list_names(const LoadedScene& loaded, const std::vector<Beyond>& par
 void add_pairs(const LoadedScene& loaded, std::span<const double> positions,
                std::vector<Crossing>& crossings) {
   for (const auto& [name, parts] : loaded.gear->pairs) {
-    std::array<const RigidBody*, 2> bodies{};  // to port, to starboard
+    std::array<const RigidBody*, 2> bodies{};  // the port body, the starboard body
     for (const auto part : parts)
       for (std::size_t b = 0; b < loaded.bodies.size(); ++b)
         if (loaded.bodies[b].part == part) bodies[loaded.bodies[b].side > 0] = &loaded.scene.bodies[b];

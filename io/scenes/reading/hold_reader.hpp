@@ -26,7 +26,7 @@ class HoldReader {
   formats::TableReader& root_;
   formats::Diagnostics& diagnostics_;
   Draft& draft_;
-  LoadedScene& out_;  // of the draft
+  LoadedScene& out_;  // the scene of the draft
   const GearSteps& gear_;
   std::vector<formats::TableReader> guides_;  // tables of moving holds
   OneSidedHolds one_sided_;

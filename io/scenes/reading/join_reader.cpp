@@ -41,7 +41,7 @@ void JoinReader::read_join(formats::TableReader& table, Joiner& joiner) {
 bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
                                formats::TableReader& table, bool together) {
   for (std::size_t s = 0; s < sets.size(); ++s) {
-    if (!draft_.is_sound[sets[s].part]) return false;  // its number of nodes may be wrong
+    if (!draft_.is_sound[sets[s].part]) return false;  // the number of nodes may be wrong
     if (!together && sets[s].own.size() != sets[0].own.size()) {
       table.error("points",
                   formats::in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +

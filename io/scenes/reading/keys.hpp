@@ -24,7 +24,7 @@ struct AnalysisKeys {
 
 /// The keys of `[water]`, except the current.
 struct WaterKeys : SceneWater {
-  double model_scale = 1;        // [1]
+  double model_scale = 1;        // size of the gear over that of the model [1]
   double model_twine_scale = 0;  // [1]; 0: the model is scaled by Froude's rule
 };
 
@@ -48,8 +48,8 @@ inline constexpr const char* kKnots = "knots";
 /// The keys of `[bed]`.
 struct BedKeys {
   double depth = 0, slope_x = 0, slope_y = 0;  // [m]
-  netloft_table relief{};                      // x, y, height
-  netloft_table bottom{};                      // x, y, stiffness, friction, ploughing
+  netloft_table relief{};                      // columns x, y, height
+  netloft_table bottom{};                      // columns x, y, stiffness, friction, ploughing
 };
 
 /// The keys of `[gear]`, except the table `finer`.
@@ -67,7 +67,7 @@ inline constexpr const char* kContact = "contact";
 /// the plan with the numbers of such a part; `type`: the default element type.
 struct GearElements {
   const char *kind, *key, *type, *doc;
-  std::uint32_t stencil;  // of its elements: node, bar or triangle
+  std::uint32_t stencil;  // shape of its elements: on a node, a bar or a triangle
 };
 std::span<const GearElements> gear_elements();
 

@@ -20,18 +20,18 @@ namespace netloft::scenes {
 struct PartGeometry {
   std::string name;
   formats::Place place;
-  std::vector<std::uint32_t> nodes;          // own number -> scene node
-  std::vector<int> cells;                    // bars of a rope, or cells across and along a panel; else empty
-  std::vector<std::array<double, 2>> panel;  // own number -> (U, V) [meshes]; empty if no panel
+  std::vector<std::uint32_t> nodes;  // own number -> scene node
+  std::vector<int> cells;  // number of bars of a rope; cells across and along a panel; empty for others
+  std::vector<std::array<double, 2>> panel;                // own number -> (U, V) [meshes]; empty if no panel
   std::map<std::string, std::vector<std::uint32_t>> sets;  // "fore" -> own numbers, in order along the edge
-  bool is_numbered = false;  // true: something in the scene names one of its nodes by number
+  bool is_numbered = false;  // true: something in the scene names a node of this part by number
 };
 
 /// The nodes and axes of a `[[hold]]`, whose reaction is reported under its name.
 struct Hold {
   std::string name;
   std::vector<std::uint32_t> nodes;  // of the scene
-  std::vector<std::uint8_t> axes;    // per node, the axes whose reactions belong to this hold
+  std::vector<std::uint8_t> axes;    // for each node, the axes whose reactions count for this hold
 };
 
 /// One line of `[results]`: a number that the scene requests, such as the lowest z of the net.
@@ -42,8 +42,8 @@ struct ResultRequest {
   std::string quantity;  // "z", "tension"
   std::string unit, doc;
   Source source = Source::position;
-  int axis = 0;                      // 0 to 2: x, y, z, and 3: length of the vector;
-                                     // of an attitude 0: heading, 1: heel, 2: trim
+  // 0 to 2: x, y, z, and 3: length of the vector; of an attitude 0: heading, 1: heel, 2: trim.
+  int axis = 0;
   std::uint32_t body = 0;            // index in Scene::bodies, for attitudes
   std::vector<std::uint32_t> nodes;  // of the scene
   std::uint32_t part = 0;            // index in Scene::parts, for outputs
@@ -52,7 +52,7 @@ struct ResultRequest {
 /// The table `[analysis]`: how the scene is solved.
 struct Analysis {
   AnalysisKind kind = AnalysisKind::statics;
-  bool settles = false;  // true: a damped motion finds the equilibrium, with an integrator
+  bool settles = false;  // true: `solver` is an integrator, whose damped motion finds the equilibrium
   Dynamics dynamics = {};
   std::string strategy;  // the plugin that decides how the equilibrium is found
   Values strategy_parameters;
@@ -68,8 +68,8 @@ struct Analysis {
 /// A row of the bill of materials of a gear; NaN marks a number that does not apply or is not given.
 struct BillItem {
   std::string kind;          // netting, rope, piece, body
-  std::string name;          // its name in the plan
-  std::string part_name;     // name in the catalogue; empty if the plan states the numbers
+  std::string name;          // name in the plan
+  std::string part_name;     // name in the catalogue; empty if the plan has numbers instead
   double number = 1;         // how many there are in the whole gear
   double length = 0;         // unstretched length of one rope [m]
   double diameter = 0;       // diameter of a twine, a rope or a piece [m]
@@ -89,29 +89,30 @@ struct SheetPlace {
 struct GearInScene {
   int times = 1;  // 2 if half a gear is modelled: sums over parts are doubled
   std::vector<std::uint32_t> panels, ropes, pieces;
-  std::map<std::string, std::uint32_t> points;  // "headrope.end", "top-wing.fore-outer": node of the scene
-  std::size_t nodes = 0;                        // requested number of nodes
-  double size = 0;                              // requested side of triangles [m]; 0: `nodes` counts instead
-  std::string headline, footrope;               // names of the ropes with these roles; empty: none
-  std::set<std::uint32_t> across;               // ropes that run from port over the middle to starboard
+  // Nodes of the scene, by names such as "headrope.end", "top-wing.fore-outer".
+  std::map<std::string, std::uint32_t> points;
+  std::size_t nodes = 0;           // requested number of nodes
+  double size = 0;                 // requested side of triangles [m]; 0: `nodes` counts instead
+  std::string headline, footrope;  // names of the ropes with these roles; empty: none
+  std::set<std::uint32_t> across;  // ropes that run from port over the middle to starboard
   std::map<std::string, std::vector<std::uint32_t>> roles;  // ropes by other roles, such as "bridle"
   /// Pairs of bodies by their name in the plan, as indices of parts. Half a gear has only the starboard body.
   std::map<std::string, std::vector<std::uint32_t>> pairs;
   double ship_speed = 0;       // speed over the ground [m/s]; 0 without a ship
   double ship_efficiency = 0;  // towing power over the heating power of the fuel; 0: unknown
   std::vector<BillItem> bill;
-  std::map<std::string, SheetPlace> sheet;  // by the name of the panel in the gear
+  std::map<std::string, SheetPlace> sheet;  // by the name of the panel
 };
 
 /// The strength of a part, from the net plan or the catalogue.
 struct Strength {
   double breaking_load = 0;  // of a rope, or of the twines of a bar [N]; NaN: not known
-  std::string material;      // name in the catalogue; empty if the scene states the load
+  std::string material;      // name in the catalogue; empty if the scene gives the load
 };
 
 /// Names and outline of a rigid body of Scene::bodies.
 struct BodyInScene {
-  std::uint32_t part = 0;                      // index in Scene::parts of the part that made it
+  std::uint32_t part = 0;                      // index in Scene::parts
   double side = 1;                             // 1 to starboard, -1 to port
   std::vector<std::string> points;             // names, in the order of RigidBody::points
   std::vector<std::array<double, 3>> outline;  // corners in body axes, for pictures [m]
@@ -126,8 +127,8 @@ struct LoadedScene {
   std::vector<ResultRequest> results;
   Analysis analysis;
   std::vector<formats::SourceFile> files;
-  std::optional<GearInScene> gear;            // only in a scene with a net plan
-  std::map<std::string, Strength> strengths;  // by part; only of parts whose strength is known
+  std::optional<GearInScene> gear;            // empty: the scene has no net plan
+  std::map<std::string, Strength> strengths;  // by part; a part of unknown strength is left out
 
   /// The place of a part in the file, for messages; line 0 if there is no such part.
   formats::Place place_of(const std::string& part) const {

@@ -201,7 +201,8 @@ bool MeshParts::has_failed() const {
 void MeshParts::connect(Joiner& joiner) const {
   using Ends = Joiner::Ends;
   std::map<std::pair<const formats::InputMesh*, std::uint32_t>, std::pair<std::size_t, std::uint32_t>> first;
-  std::map<std::pair<std::size_t, std::size_t>, std::pair<Ends, Ends>> common;  // by two parts
+  // Nodes in common, by the two parts.
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<Ends, Ends>> common;
   for (const auto& s : standing_)
     for (std::uint32_t own = 0; own < s.nodes.size(); ++own) {
       const auto [at, is_new] = first.try_emplace({s.mesh, s.nodes[own]}, s.part, own);

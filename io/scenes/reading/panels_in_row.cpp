@@ -56,7 +56,8 @@ class PanelsInRow {
   }
 
   std::vector<Panel> panels_;
-  std::map<std::uint32_t, std::map<std::size_t, double>> seams_;  // node -> panel -> its meshes to aft
+  // Node -> panel -> meshes from the node to the panel's aft edge.
+  std::map<std::uint32_t, std::map<std::size_t, double>> seams_;
 };
 
 }  // namespace

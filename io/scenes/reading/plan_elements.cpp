@@ -84,7 +84,7 @@ void PlanElements::read_exceptions(formats::TableReader& elements, const gears::
 
 PlanElements::Made PlanElements::read_elements(formats::TableReader& elements, const GearElements& of) const {
   formats::TableReader table = elements.table(of.kind, formats::Presence::optional);
-  for (const auto& key : table.keys()) table.raw(key);  // read with each part
+  for (const auto& key : table.keys()) table.raw(key);  // each part reads these keys later
   Made made{&of, {table.place(), formats::Table{}}, nullptr};
   if (const formats::Value* said = elements.raw(of.kind); said && said->as<formats::Table>())
     made.said = *said;

@@ -27,7 +27,7 @@ constexpr double kFastestHold = 20;  // [m/s]
 // people compare.
 constexpr double kCoarsestTolerance = 0.01;  // [1]
 // Catalogues round buoyancy, volume and mass by about 5 % each.
-constexpr double kRoundingOfFloats = 0.2;  // of the weight of the water displaced [1]
+constexpr double kRoundingOfFloats = 0.2;  // fraction of the weight of the displaced water [1]
 
 void check_water(const LoadedScene& loaded, formats::TableReader& root) {
   const double density = loaded.scene.water.density;

@@ -37,7 +37,7 @@ void ResultReader::read_result(const std::string& name, formats::TableReader& en
     request.nodes.resize(1);  // the name of a body means its origin
     request.body = static_cast<std::uint32_t>(out_.scene.body_at(request.nodes[0]).value_or(0));
   }
-  drop_repeats(request.nodes);  // a part joined to itself has repeated nodes
+  drop_repeats(request.nodes);  // a part that is joined to itself has nodes twice
   if (!understand(request, *draft_.types[set->part], entry)) return;
   if (request.nodes.empty() && draft_.is_sound[set->part] && request.source != ResultRequest::Source::output)
     draft_.refuse_rider(mention("", entry, "take"), request.of);

@@ -19,7 +19,7 @@ class ResultReader {
   formats::TableReader& root_;
   formats::Diagnostics& diagnostics_;
   Draft& draft_;
-  LoadedScene& out_;  // of the draft
+  LoadedScene& out_;  // the scene of the draft
 };
 
 }  // namespace netloft::scenes

@@ -81,7 +81,8 @@ void RiderReader::add_companions() {
     const ElementType& type = *draft_.types[p];
     for (const auto* rider : elements_.companions_of(type)) {
       Part companion = make_companion(out_.scene.parts[p], type, *rider);
-      if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;  // it has no elements
+      // A companion without elements.
+      if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;
       companions_.push_back(rider);
       out_.scene.parts.push_back(std::move(companion));
       out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}, {}});

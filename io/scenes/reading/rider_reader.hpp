@@ -34,7 +34,7 @@ class RiderReader {
   formats::Diagnostics& diagnostics_;
   const ElementChoice& elements_;
   Draft& draft_;
-  LoadedScene& out_;  // of the draft
+  LoadedScene& out_;  // the scene of the draft
   const GearSteps& gear_;
   std::vector<const ElementType*> companions_;
 };

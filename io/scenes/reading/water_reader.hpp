@@ -32,7 +32,7 @@ class WaterReader {
   formats::TableReader& root_;
   formats::Diagnostics& diagnostics_;
   const Draft& draft_;
-  LoadedScene& out_;  // of the draft
+  LoadedScene& out_;  // the scene of the draft
   const GearSteps& gear_;
   bool says_tow_ = false;
   SeaBottom bottom_;

@@ -13,9 +13,9 @@ class Dice {
   Dice(std::string_view name, std::uint64_t number);
 
   std::uint64_t next();
-  double uniform(double lo, double hi);                  // [lo, hi)
-  double log_uniform(double lo, double hi);              // both above zero
-  std::int64_t whole(std::int64_t lo, std::int64_t hi);  // both ends included
+  double uniform(double lo, double hi);                  // from lo to hi, which is excluded
+  double log_uniform(double lo, double hi);              // lo and hi are above zero
+  std::int64_t whole(std::int64_t lo, std::int64_t hi);  // from lo to hi, which are included
   std::size_t index(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
  private:

@@ -13,8 +13,9 @@ namespace netloft::studies {
 namespace {
 
 constexpr int kIterations = 30;  // limit of iterations from the previous equilibrium, before a new search
-constexpr double kStep = 0.1;    // step of differences over the prior deviation: large against the noise of
-                                 // solves, small enough that curvature does not matter
+// Step of differences over the prior deviation: large against the noise of solves, small enough that
+// curvature does not matter.
+constexpr double kStep = 0.1;
 
 double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
   const auto at = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == name; });

@@ -41,8 +41,8 @@ class SceneModel : public Model {
   Registry& registry_;
   runs::Watch watch_;
   OnSolve on_solve_;
-  std::vector<runs::CaseSource> sources_;  // by scene, without variables
-  std::vector<Solved> last_;               // by scene
+  std::vector<runs::CaseSource> sources_;  // source of each scene, without variables
+  std::vector<Solved> last_;               // last solution of each scene
   int solves_ = 0;
   std::string trouble_;
 };

@@ -23,7 +23,7 @@ struct ComparisonTask {
 struct OtherEquilibrium {
   double distance = 0;           // largest distance of a node [m]
   double energy_difference = 0;  // energy of the method's answer minus that of the reference [J]
-  bool has_energy = false;       // false: some forces have no energy
+  bool has_energy = false;       // false: not all forces have an energy
 };
 
 /// One method at every tolerance, with the reference that its errors are measured against.
@@ -41,12 +41,12 @@ struct Comparison {
   bool is_of_motions = false;
   std::string scene, mesh;  // "32 x 32 cells of net"
   std::size_t unknowns = 0;
-  double factorisation_seconds = 0;  // processor time of one numeric factorisation of the same tangent
+  double factorisation_seconds = 0;  // processor time of one factorisation of the tangent
   int repeats = 1;
   double size = 0;  // diagonal of the gear's bounding box [m]
   std::vector<MethodResult> methods;
   std::optional<Discretisation> discretisation;
-  bool is_interrupted = false;  // by the user: the remaining methods and steps are missing
+  bool is_interrupted = false;  // true: the user interrupted; some methods and steps are missing
 
   bool any_converged() const;
   bool any_failed() const;  // whether a plugin broke down in a trial

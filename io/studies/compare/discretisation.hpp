@@ -19,7 +19,7 @@ struct MeshResult {
 
 /// The error caused by dividing a gear into cells, without the error of the solver.
 struct Discretisation {
-  std::string part;  // the part whose cells are counted
+  std::string part;  // name of the part whose cells are counted
   std::vector<MeshResult> levels;
   double order = std::numeric_limits<double>::quiet_NaN();  // observed on the three finest meshes
   // Whether the observed orders agree. If not, errors are distances to the finest mesh, which itself has no

@@ -17,7 +17,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr std::int64_t kMostCells = 100000;  // along one direction, the same limit as in scenes
+constexpr std::int64_t kMostCells = 100000;  // limit along one direction, as for scenes
 constexpr std::int64_t kFewestWorthwhile = 2;
 
 // Least number of nodes of a coarser gear. For 10 gears, 8 % of all errors exceeded the error bars from

@@ -18,14 +18,14 @@ struct MeshLevel {
 struct MeshSize {
   std::int64_t count = 0;  // number of cells of the leading part, or of nodes of a gear
   double width = 0;        // mesh width in arbitrary units: 1/cells, 1/√nodes
-  std::string of;          // the counted items: "cells of net", "nodes of the gear"
-  bool is_similar = true;  // false: a gear, which is triangulated anew for every mesh
+  std::string of;          // what is counted: "cells of net", "nodes of the gear"
+  bool is_similar = true;  // false: the mesh of a gear, which is triangulated anew for each fineness
 };
 MeshSize count_mesh(const scenes::LoadedScene& loaded);
 
 /// The argument of `--cells`: "8,16,32" for all parts, or "net=8,16,32" for one part alone.
 struct CellList {
-  std::string part;                 // empty: all parts in proportion
+  std::string part;                 // empty: all parts, in proportion
   std::vector<std::int64_t> cells;  // increasing
 };
 

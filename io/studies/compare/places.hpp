@@ -12,7 +12,7 @@ namespace netloft::studies {
 /// A place on a gear that does not depend on the mesh: a part, and fractions of its width and its length.
 struct Spot {
   std::uint32_t part;
-  std::array<std::int64_t, 2> fraction;  // in units of 1e-9
+  std::array<std::int64_t, 2> fraction;  // fractions in units of 1e-9
   auto operator<=>(const Spot&) const = default;
 };
 

@@ -10,7 +10,7 @@ namespace netloft::studies {
 struct ReferenceAnswer {
   Method method;
   bool independent = true;  // true: its solver is of another plugin than the tested method
-  double tolerance = 0;     // the tolerance to which that solver converged
+  double tolerance = 0;     // tolerance to which this solver converged
   Stability stability = Stability::unknown;
   Polished answer;
   // For a motion: its path, and whether the loss factors of materials count in it. answer.uncertainty is then

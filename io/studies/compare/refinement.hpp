@@ -7,16 +7,16 @@ namespace netloft::studies {
 /// The numbers that a scene reports on successively finer meshes.
 struct Refinement {
   std::string scene;
-  std::vector<NumbersOnMesh> meshes;  // from the coarsest to the finest
+  std::vector<NumbersOnMesh> meshes;  // the coarsest first
   std::vector<std::string> missing;   // sentences about meshes without an answer
-  bool is_interrupted = false;        // by the user: the current mesh and the finer ones are missing
+  bool is_interrupted = false;        // true: the user interrupted; this mesh and finer ones are missing
 };
 
 /// One number on all meshes, and its limit.
 struct RefinedNumber {
   std::string name, unit;      // "results/lowest_z", "gear/mouth/area", as in result files
-  std::vector<double> values;  // one per mesh
-  Trend trend;                 // its error is that on the finest mesh
+  std::vector<double> values;  // one value for each mesh
+  Trend trend;                 // trend.error is the error on the finest mesh
 
   /// Whether the values differ by more than round-off.
   bool varies() const;

@@ -39,11 +39,12 @@ bool is_steady(std::span<const double> orders);
 
 /// The limit of f on a sequence of meshes, and the error of f on one of them.
 struct Trend {
-  double limit = std::numeric_limits<double>::quiet_NaN();  // f*
-  double order = std::numeric_limits<double>::quiet_NaN();  // observed; NaN: an order of one is assumed
-  bool steady = false;                                      // whether the observed order is credible
+  double limit = std::numeric_limits<double>::quiet_NaN();  // the limit f*
+  // Order of convergence; NaN: an order of one is assumed.
+  double order = std::numeric_limits<double>::quiet_NaN();
+  bool steady = false;    // whether `order` is credible
   bool diverges = false;  // true: values drift in one direction and do not converge
-  double error = std::numeric_limits<double>::quiet_NaN();  // e of the mesh `asked`, > 0
+  double error = std::numeric_limits<double>::quiet_NaN();  // error estimate e on the mesh `asked`, > 0
 };
 
 /// `values` of f belong to meshes of widths `h`, in the order of decreasing widths; the two or three finest

@@ -15,13 +15,13 @@ struct Trial {
   bool failed = false;  // true: its plugin broke down; `reason` has the error
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
-  std::string reason;     // a sentence
-  std::string of_motion;  // "finished", "lost", "out of time", "out of work" or "interrupted"; empty: it is
-                          // an equilibrium
+  std::string reason;  // a sentence
+  // "finished", "lost", "out of time", "out of work" or "interrupted"; empty: it is an equilibrium.
+  std::string of_motion;
   // Processor time of the solver without the final checks of the host, in the fastest repeat.
   double cpu_seconds = 0;
-  Statistics statistics;          // of the fastest repeat, too
-  double residual = 0, load = 0;  // recomputed at the answer [N]
+  Statistics statistics;          // statistics of the fastest repeat
+  double residual = 0, load = 0;  // largest residual and load of a node at the answer [N]
   // Estimated error: the largest displacement of a node in the next Newton step [m].
   double estimate = std::numeric_limits<double>::quiet_NaN();
   // Largest distance of a node from the reference; for a motion, over all outputs [m].

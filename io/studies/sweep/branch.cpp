@@ -17,7 +17,7 @@ using Values = std::vector<VariableValue>;
 // If a larger fraction than this of the change in a step remains after all halvings, it is a jump. A smooth
 // path leaves 2^-5, a jump all of it.
 constexpr double kLeftOfAJump = 0.25;
-constexpr double kElsewhere = 4;  // distance over the extrapolated change beyond which it is another branch
+constexpr double kElsewhere = 4;  // a larger distance over the extrapolated change means another branch
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 

@@ -114,9 +114,9 @@ class StudyInspection {
   runs::CaseSource scene_;
   Registry& registry_;
   formats::Diagnostics& diagnostics_;
-  std::map<std::string, formats::Place> places_;  // places of the keys
-  std::set<std::string> known_;                   // figures
-  std::set<std::size_t> counts_;                  // variables that are set in the scenes
+  std::map<std::string, formats::Place> places_;  // places of keys in the study file
+  std::set<std::string> known_;                   // names of figures that the scenes report
+  std::set<std::size_t> counts_;                  // variables whose values are set in the scenes
   std::set<std::string> blamed_;                  // keys with errors in the last scene
   CheckedScenes found_;
 };

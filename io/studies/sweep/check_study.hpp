@@ -7,7 +7,7 @@ namespace netloft::studies {
 
 /// Facts about the scenes of a study, found before the study is planned.
 struct CheckedScenes {
-  bool refused = false;                                    // a plugin is missing or was refused
+  bool refused = false;                                    // true: a plugin is missing or was rejected
   std::vector<std::pair<std::string, std::string>> files;  // path and hash of all files read
   std::vector<std::string> figures;                        // names of all figures that the scenes report
 };

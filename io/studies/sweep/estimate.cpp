@@ -22,14 +22,14 @@ namespace {
 // Limit of points, of which the nearest are used. Kriging of n points takes n³/3 operations, with 600 a tenth
 // of a second for each figure, and distant points add little information.
 constexpr std::size_t kMostFittedPoints = 600;
-constexpr double kSolveError = 1e-9;  // relative, in (1)
+constexpr double kSolveError = 1e-9;  // relative error of solves, the last term of (1)
 
 using Numbers = std::vector<double>;
 
 /// The known values of one figure in the selected rows: a row per point, coordinates scaled to [0, 1].
 struct Known {
   std::vector<Numbers> points;
-  std::vector<Numbers> samples;  // by point: one number, or one for every sample
+  std::vector<Numbers> samples;  // for each point: one number, or one for every sample
 };
 
 double squared_distance(const Numbers& a, const Numbers& b) {
@@ -354,10 +354,11 @@ class Estimator {
 
   const StudyTable& table_;
   const Site& site_;
-  std::vector<std::size_t> free_;     // columns
-  std::size_t listed_ = 0;            // number of listed variables, which come first in free_
-  Numbers lows_, extents_, place_;    // of the variables in free_; place_ is scaled to [0, 1]
-  std::vector<Interval> neighbours_;  // of the listed variables, scaled to [0, 1]
+  std::vector<std::size_t> free_;  // columns of the variables along which figures are interpolated
+  std::size_t listed_ = 0;         // number of listed variables, which come first in free_
+  // Least values, ranges and requested values of the variables in free_; place_ is scaled to [0, 1].
+  Numbers lows_, extents_, place_;
+  std::vector<Interval> neighbours_;  // values around the place, of listed variables, scaled to [0, 1]
   bool is_over_samples_ = false;
   std::vector<const StudyRow*> rows_;
   StudyEstimate result_;

@@ -19,8 +19,8 @@ struct VariedVariable {
 
 struct FigureIndices {
   std::string name, unit;
-  double mean = 0, deviation = 0;  // as all variables vary
-  double off = 0;          // root mean square error of the response at left-out points, over `deviation`
+  double mean = 0, deviation = 0;  // mean and deviation over the variables' space
+  double off = 0;          // root mean square error of the response at left-out points, over deviation
   std::size_t points = 0;  // number of points used
   std::vector<SobolIndex> variables;  // in the order of StudyIndices::variables
   std::string why_not;                // the reason if there are no indices

@@ -20,7 +20,7 @@ struct PointRecord {
   std::string start;   // "continued" from the point before, or "anew" by a search
   std::vector<std::string> events;  // folds and jumps between the point before and this one
   std::int64_t iterations = 0, factorisations = 0;
-  double work = 0;  // in the units of framework/balance/work.hpp
+  double work = 0;  // work in the units of framework/balance/work.hpp
   std::vector<StudyFigure> figures;
 };
 
@@ -32,7 +32,7 @@ struct ItemCost {
 
 /// The results of one item.
 struct ItemRecord {
-  std::string hash, program;  // hash of the item, version of Netloft
+  std::string hash, program;  // hash of the item's inputs; version of Netloft
   std::vector<PointRecord> points;
   ItemCost cost;
 };

@@ -161,7 +161,7 @@ class ScopeRun {
   MakeFactorisation make_;
   std::vector<Variable> variables_ = {variable_in_metres("depth", "bed.depth"),
                                       variable_in_metres("warp", "ship.warp.length")};
-  Branch shortest_;  // from depth to depth, at the shortest length
+  Branch shortest_;  // follows the shortest length from depth to depth
 };
 
 }  // namespace

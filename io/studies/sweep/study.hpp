@@ -11,24 +11,24 @@ namespace netloft::studies {
 
 /// One solve of a study.
 struct StudyPoint {
-  std::vector<std::string> set;       // "path=value": overrides of this point, after those of study and item
+  std::vector<std::string> set;       // "path=value"; applied after `set` of the study and of the item
   std::vector<VariableValue> values;  // values of the variables in the path
 };
 
 /// The unit of work: a path of points that are solved one after another, each from the previous one. Items
 /// are independent of one another.
 struct StudyItem {
-  std::size_t id = 0;                 // counts from 1
-  std::size_t sample = 0;             // counts from 1; 0: nothing is sampled
+  std::size_t id = 0;                 // number of the item, from 1
+  std::size_t sample = 0;             // number of the sample, from 1; 0: nothing is sampled
   std::vector<std::string> set;       // overrides for all its points
   std::vector<VariableValue> values;  // values of the variables outside the path
   std::vector<StudyPoint> points;
-  std::string hash;  // hash of all inputs that determine its results
+  std::string hash;  // hash of all inputs that determine the item's results
 };
 
 /// A variable of the study, which is a column of its table.
 struct StudyColumn {
-  Variable variable;  // its name, unit and keys
+  Variable variable;  // has the name, the unit and the keys
   bool is_number = true, is_in_path = false, is_sampled = false;
 };
 

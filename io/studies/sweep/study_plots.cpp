@@ -180,7 +180,7 @@ class Plotter {
   /// The points of one line.
   formats::PlotSeries series(const std::string& value, const std::string& label, std::size_t f) const {
     formats::PlotSeries series{label, {}};
-    std::map<double, std::vector<double>> samples;  // values of the samples by x
+    std::map<double, std::vector<double>> samples;  // values of the samples at each x
     for (const StudyRow* row : rows_)
       if (is_of_line(*row, value) && std::isfinite(row->figures[f]))
         samples[row->values[over_].number.value_or(NAN)].push_back(row->figures[f]);

@@ -12,7 +12,7 @@ struct PlotRequest {
   std::vector<std::string> figures;  // empty: all figures of the gear as a whole
   std::string over;  // variable on the axis; empty: the first one in the path, else the first number
   std::string by;    // variable with one line per value; empty: the next listed one
-  std::map<std::string, std::string> at;  // values of other listed variables, as the table has them
+  std::map<std::string, std::string> at;  // held values of other listed variables, as the table has them
 };
 
 /// The ends of bands over samples, as quantiles: nine tenths of the samples lie between them.

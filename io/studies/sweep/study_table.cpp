@@ -86,7 +86,7 @@ class Collector {
   const std::filesystem::path& folder_;
   StudyTable table_;
   std::map<std::string, std::size_t> places_;    // indices of figures
-  std::map<std::string, std::size_t> programs_;  // versions of the program, with the number of their items
+  std::map<std::string, std::size_t> programs_;  // number of items by version of the program
 };
 
 }  // namespace

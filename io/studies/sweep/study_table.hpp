@@ -10,14 +10,14 @@ struct StudyRow {
   // Items and points count from 1; sample 0: nothing was sampled
   std::size_t item = 0, sample = 0, point = 0;
   std::vector<VariableValue> values;  // values of the variables, by column
-  PointRecord record;                 // for a missing item: the status "missing"
-  std::vector<double> figures;        // in the order of StudyTable::figures; NaN: the point does not have it
+  PointRecord record;                 // of a missing item: a record with the status "missing"
+  std::vector<double> figures;        // by figure of the table; NaN: the point does not have it
 };
 
 /// All points of a study with their results, in the order of the manifest.
 struct StudyTable {
   std::vector<StudyColumn> columns;
-  std::vector<StudyFigure> figures;  // names and units
+  std::vector<StudyFigure> figures;  // their names and units; `value` is not used
   std::vector<StudyRow> rows;
   std::vector<std::string> sentences;  // about items that are missing, damaged, or of other versions
   std::size_t missing_items = 0;

@@ -10,13 +10,13 @@ namespace netloft::studies {
 
 /// One value of a variable.
 struct VariableValue {
-  std::string text;              // in the syntax of `--set`: "2.5 kn", "pe-braided-4mm", "[64, 64]"
+  std::string text;              // as for `--set`: "2.5 kn", "pe-braided-4mm", "[64, 64]"
   std::optional<double> number;  // in the unit of the variable; empty for names, switches and arrays
 };
 
 /// A key of a scene that a variable sets: key = offset + factor × variable, in the variable's unit.
 struct FollowingKey {
-  std::string path;  // in the syntax of `--set`: "tow.speed", "points.towing-point.at[2]"
+  std::string path;  // as for `--set`: "tow.speed", "points.towing-point.at[2]"
   double factor = 1, offset = 0;
   bool follows_as_it_is() const { return factor == 1 && offset == 0; }
 };
@@ -30,7 +30,7 @@ struct Interval {
 /// An input of a scene, or several inputs that change together, with its listed values or its interval.
 struct Variable {
   std::string name;      // name in tables, plots and messages
-  formats::Place place;  // place of its table in the file
+  formats::Place place;  // place of the variable's table in the file
   std::vector<FollowingKey> keys;
   std::string unit;                   // unit of its numbers as written, such as "kn"; empty: no unit
   std::vector<VariableValue> values;  // listed values in the order of the file; empty: there is an interval
