@@ -13,7 +13,8 @@ namespace {
 using Place = std::array<double, 2>;    // twine coordinates (u, v)
 using Weights = std::array<double, 3>;  // weights of the corners of a triangle; their sum is one
 
-/// The triangles of a panel in twine coordinates, with a grid of cells that lists the triangles near each.
+/// The triangles of a panel in the plane of its twine coordinates. A grid of cells lists the triangles near
+/// each cell.
 class Netting {
  public:
   explicit Netting(const Part& part)
@@ -31,7 +32,7 @@ class Netting {
     const double l2 = ((b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1])) / twice;
     return {1 - l1 - l2, l1, l2};
   }
-  /// The first triangle that contains the place; if none does, the triangle to which the place is nearest.
+  /// Returns the first triangle that contains the place, or else the nearest one.
   std::size_t triangle_at(const Place& p) const {
     for (const std::uint32_t t : cells_[cell(p)])
       if (depth(t, p) >= 0) return t;

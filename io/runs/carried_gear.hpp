@@ -6,15 +6,15 @@
 
 namespace netloft::runs {
 
-/// Moves the nodes of panel `to` to their places on the netting in the shape of panel `from`. The panels
-/// divide the same netting into different triangles; a place on it is a pair of twine coordinates (u, v). `x`
-/// holds the node positions of the scene of `from` [m]. The new position is interpolated in the triangle of
-/// `from` that contains the place, or extrapolated from the nearest triangle. `positions` are those of the
-/// scene of `to`.
+/// Gives the nodes of panel `to` the shape that panel `from` has. The panels are divisions of one piece of
+/// netting into different triangles, and a place on this netting is a pair of twine coordinates (u, v). Each
+/// node of `to` gets the position that its place has in `from`, whose scene has the node positions `x` [m]:
+/// interpolated in the triangle that contains the place, or extrapolated from the nearest triangle.
+/// `positions`, of the scene of `to`, are changed.
 void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
                  std::vector<double>& positions);
 
-/// Does the same for a rope, whose places are fractions of its unstretched length.
+/// Does the same for ropes; a place is a fraction of the unstretched length.
 void carry_rope(const Part& from, const std::vector<double>& x, const Part& to,
                 std::vector<double>& positions);
 

@@ -17,7 +17,7 @@ bool is_divided(const scenes::PartGeometry& part) { return !part.cells.empty(); 
 
 int half_of(int cells) { return (cells + 1) / 2; }
 
-/// Whether a part gets half its cells (see halved_cells).
+/// Whether a part gets half as many cells: it must have enough of them, and no node that is named by number.
 bool can_halve(const scenes::PartGeometry& part, Halved which) {
   if (part.is_numbered) return false;
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
@@ -88,7 +88,7 @@ class Shape {
     return a + b <= 1 ? mix({{{p00, 1 - a - b}, {p10, a}, {p01, b}}})
                       : mix({{{p11, a + b - 1}, {p10, 1 - b}, {p01, 1 - a}}});
   }
-  /// Interpolates in a cell of four triangles around its middle node: fore, aft, left and right.
+  /// Interpolates in a cell of four triangles around its middle node.
   Point in_crossed_cell(std::size_t i, std::size_t j, double a, double b) const {
     const auto p00 = corner(i, j), p10 = corner(i + 1, j), p01 = corner(i, j + 1), p11 = corner(i + 1, j + 1);
     const auto middle = corners_of(part_) + j * static_cast<std::size_t>(part_.cells[0]) + i;

@@ -21,8 +21,8 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// Fractions of the largest tension in the gear. Tension below kNone and compression below kCounts count as
-// none.
+// Thresholds, as fractions of the largest tension in the gear: a smaller tension than kNone and a smaller
+// compression than kCounts count as zero.
 constexpr double kNone = 1e-6, kCounts = 1e-3;
 // Neighbouring elements that turn by more than this are folded [rad].
 constexpr double kFolded = std::numbers::pi * 5 / 6;
@@ -116,7 +116,7 @@ class Diagnosis {
     }
   }
 
-  /// Counts neighbouring bars of a part that fold back.
+  /// Counts the places at which two neighbouring bars of a part fold back on each other.
   void count_folds_of_ropes(const ElementFamily& family, std::map<std::uint32_t, int>& folds) const {
     for (std::size_t e = 0; e + 1 < family.size(); ++e)
       if (family.part(e) == family.part(e + 1) && family.node(e, 1) == family.node(e + 1, 0)) {

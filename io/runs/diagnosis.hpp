@@ -13,8 +13,8 @@ namespace netloft::runs {
 ///   pressed       elements are in compression, and the gear may be balanced on them
 ///   folded        neighbouring elements of a part are turned back on one another
 ///   gone          the node that moved furthest, if it moved more than twice the size of the gear
-/// The element outputs named "tension" are the only source of forces, so that this works for parts of any
-/// plugin.
+/// Tensions come from those element outputs that are declared as tensions, so that this works for parts of
+/// any plugin.
 std::vector<std::string> diagnose(const Scene& scene, Assembler& assembler, const Solution& solution);
 
 }  // namespace netloft::runs

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kFromElsewhere = 100;  // limit of iterations from an initial guess of the user
 
-/// Reports the time allowed for a search to the caller, and when destroyed, that there is no limit any more.
+/// Tells the caller which processor time a search may take, and when destroyed, that there is no limit any
+/// more.
 class AllowedTime {
  public:
   AllowedTime(const Watch& watch, double seconds) : watch_(watch) { announce(seconds); }
@@ -31,7 +32,7 @@ class AllowedTime {
   const Watch& watch_;
 };
 
-/// Options of a search by the solver of the analysis.
+/// Options of a search with the solver that the scene names.
 SearchOptions search_options(PreparedScene& scene, const Limits& limits, const Watch& watch) {
   const scenes::Analysis& analysis = scene.loaded().analysis;
   SearchOptions options;
@@ -83,7 +84,8 @@ Solution find_equilibrium(PreparedScene& scene, const Watch& watch, const std::v
   return s;
 }
 
-// If the analysis lets a motion settle instead of calling a solver, the motion starts at rest from `u`.
+// If the scene finds its equilibrium by a damped motion instead of a solver, the motion starts at rest from
+// `u`.
 Solution continue_equilibrium(PreparedScene& scene, const std::vector<double>& u, int iterations,
                               const Watch& watch) {
   const scenes::Analysis& analysis = scene.loaded().analysis;

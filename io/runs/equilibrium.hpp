@@ -34,8 +34,8 @@ Solution find_start_of_motion(PreparedScene& scene, const Watch& watch);
 /// of the scene stays busy if a call of a plugin never returns.
 Solution assess_point(const PreparedScene& scene, std::span<const double> u, Assembler& assembler);
 
-/// The reason why the solver of the analysis cannot work on this scene, for example because it needs an
-/// energy; empty if it can.
+/// The reason why the solver that the scene names cannot work on it, for example because it needs an energy;
+/// empty if it can.
 std::optional<std::string> why_unfit(PreparedScene& scene);
 
 /// The attempts that the strategy will make, in their order, one line with a reason for each.

@@ -21,9 +21,10 @@ bool needs(const netloft_term& term, const std::string& parameter) {
   return std::find(names.begin(), names.end(), parameter) != names.end();
 }
 
-/// The reason why all terms (forces) that need the parameter are left out; empty if one of them is evaluated,
-/// or if none needs it. Two kinds of terms never give a reason: terms of the flow, because a parameter such
-/// as a diameter has other uses too, and damping, if the stability of an equilibrium is judged by its motion.
+/// The reason why none of the terms (forces) that need the parameter is evaluated; empty if one is evaluated,
+/// or if no term needs it. Empty also if a term depends on the flow, because its parameters, such as a
+/// diameter, have other uses, or if a term acts only in a motion, and a motion decides the stability of the
+/// equilibrium.
 std::string why_idle(const FamilyPlan& family, const std::string& parameter, bool motion_is_asked_for) {
   std::string reason;
   for (std::size_t t = 0; t < family.terms.size(); ++t) {

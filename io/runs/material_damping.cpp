@@ -17,7 +17,7 @@ namespace {
 // `rope.loss_frequency`, `rope.damping`.
 constexpr const char *kLoss = ".loss_factor", *kFrequency = ".loss_frequency", *kOwn = ".damping";
 
-/// Prefixes of the parameters of a part's elements that are loss factors: "rope".
+/// The tables of a part's element type that have a loss factor, such as "rope" for `rope.loss_factor`.
 std::vector<std::string> tables_with_loss(const Part& part, Registry& registry) {
   std::vector<std::string> tables;
   for (const auto& p : registry.element(part.type).parameters)
@@ -55,7 +55,7 @@ struct Losses {
   }
 };
 
-/// "0.1 of net and 3 more, 0.02 of warp, at 10 Hz"
+/// A list as text: "0.1 of net and 3 more, 0.02 of warp, at 10 Hz".
 std::string listed(const std::map<Losses, std::vector<std::string>>& parts) {
   std::string text;
   for (const auto& [loss, names] : parts) {

@@ -8,12 +8,12 @@
 
 namespace netloft::runs {
 
-/// Decides whether the loss factors of materials count: in a motion, and if the stability of an equilibrium
-/// is judged by the motion after a small disturbance. They do not count if the scene says `material_damping`
-/// = false, and not with integrators whose steps are bounded by stability, because the damping of stiff
-/// twines would make the steps far too short. Loss factors that do not count, and those of parts with a
-/// damping of their own, are removed from the scene. Returns a sentence for the plan of the scene; empty if
-/// no part has a loss factor.
+/// Decides whether the loss factors of materials count. They count in a motion, and if the stability of an
+/// equilibrium is judged by the motion after a small disturbance. They do not count if the scene says
+/// `material_damping` = false, or if the stability of the integrator bounds its steps, because the damping of
+/// stiff twines would make such steps far too short. Removes from the scene the loss factors that do not
+/// count, and those of parts that have another damping. Returns a sentence about the loss factors; empty if
+/// no part has one.
 std::string choose_material_damping(Scene& scene, const scenes::Analysis& analysis, Registry& registry);
 
 /// Removes the loss factors from a static scene whose forces have an energy: its stability follows from the

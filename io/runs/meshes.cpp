@@ -12,8 +12,8 @@ namespace {
 // The number of cells is an int, which can be halved no more often than this.
 constexpr unsigned kMostLevels = 32;
 
-/// Moves the free nodes of the coarse scene to where the finer scene has them at the start. Held nodes do not
-/// move. Returns false if the scenes do not have the same parts.
+/// Gives the free nodes of the coarse scene their initial positions, interpolated from those of the finer
+/// scene. Held nodes do not move. Returns false if the scenes do not have the same parts.
 bool start_like(const scenes::LoadedScene& finer, scenes::LoadedScene& coarse) {
   const auto positions = carried_over(finer, finer.scene.positions, coarse);
   if (!positions) return false;

@@ -81,7 +81,8 @@ void PreparedScene::plan_terms() {
     use_mean_forces(plan_, dynamics.integrator);
 }
 
-/// Plugins that neither the plan nor the methods of the analysis need.
+/// Plugins that this scene does not use: neither its elements nor its solver, integrator or strategy are
+/// theirs.
 std::vector<std::string> PreparedScene::unused() const {
   const scenes::Analysis& analysis = loaded_.analysis;
   std::vector<std::string> names = unused_plugins(plan_, registry_);

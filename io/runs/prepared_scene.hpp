@@ -19,7 +19,7 @@ class Meshes;
 
 /// A scene file, the changes to it, and the number of threads. Copies share the data read from the file.
 struct CaseSource {
-  /// `set`: "path=value", in the syntax of `--set`.
+  /// `set`: changes in the syntax of `--set`, "path=value".
   CaseSource(std::filesystem::path file, const std::vector<std::string>& set = {}, int thread_count = 1)
       : scene(std::move(file)), changes(formats::read_changes(set)), threads(thread_count) {}
 

@@ -11,7 +11,8 @@ namespace netloft::runs {
 /// that plugins read.
 class ChosenStepMethods {
  public:
-  /// Throws std::invalid_argument for parameters that a plugin rejects. A scene that was read has none.
+  /// Throws std::invalid_argument if a plugin rejects parameters; those of a scene were checked when it was
+  /// read.
   ChosenStepMethods(const scenes::Dynamics& dynamics, const std::string& solver, const Values& parameters,
                     Registry& registry);
 

@@ -9,7 +9,8 @@ namespace netloft::results {
 
 namespace {
 
-// Limit of the table's cells. If more lines differ, all of them are reported as changed.
+// Limit of table cells (lines of one text times lines of the other). If it is exceeded, all differing lines
+// count as changed.
 constexpr std::size_t kMostCells = 4'000'000;
 
 using Lines = std::vector<std::string>;
@@ -21,8 +22,8 @@ Lines split(const std::string& text) {
   return lines;
 }
 
-/// The lines [begin, a_end) of text `a` and [begin, b_end) of text `b` that remain when equal lines at both
-/// ends are removed.
+/// The middles of texts `a` and `b`: lines [begin, a_end) of `a` and [begin, b_end) of `b`. Equal lines at
+/// the beginning and at the end are left out.
 struct Middle {
   std::size_t begin = 0, a_end, b_end;
 
@@ -55,7 +56,7 @@ class CommonTails {
   std::vector<std::uint32_t> length_;
 };
 
-/// Collects changes with their line numbers.
+/// Collects removed and new lines with their numbers.
 struct Changes {
   const Lines &a, &b;
   const Middle& m;

@@ -12,9 +12,9 @@ struct LineChange {
   std::string text;
 };
 
-/// Returns the removed and the new lines, in the order of the texts. They are the lines outside a longest
-/// sequence of lines that both texts have in common (Wagner and Fischer, J. ACM 21, 1974). If very many lines
-/// differ, all lines from the first difference to the last count as changed.
+/// Returns the removed and the new lines, in the order of the texts. A longest common sequence of lines
+/// counts as unchanged (Wagner and Fischer, J. ACM 21, 1974). If very many lines differ, all lines from the
+/// first difference to the last count as changed.
 std::vector<LineChange> find_line_changes(const std::string& before, const std::string& after);
 
 }  // namespace netloft::results

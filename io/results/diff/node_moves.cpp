@@ -12,7 +12,7 @@ namespace {
 
 using Position = std::array<double, 3>;
 using Place = std::array<double, 2>;  // U, V [meshes]
-// A place counts as inside a triangle if its barycentric coordinates are not below minus this number.
+// A place counts as inside a triangle if none of its barycentric coordinates is below minus this number.
 constexpr double kInside = 1e-6;
 
 Position position_of(const std::vector<double>& points, std::uint32_t node) {

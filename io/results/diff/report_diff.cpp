@@ -47,14 +47,14 @@ std::string trimmed(const std::string& line) {
   return first == std::string::npos ? "" : line.substr(first);
 }
 
-/// The key of a line "key = value"; empty for other lines.
+/// Returns KEY of a line "KEY = value"; empty for other lines.
 std::string key_of(const std::string& line) {
   const auto equals = line.find('=');
   return equals == std::string::npos || equals == 0 ? "" : line.substr(0, equals);
 }
 
-/// Adds the new lines. If a removed line has the same key, the change is "key = before -> after". Comments do
-/// not count as changes.
+/// Adds new lines to `changes`. If a removed line has the key of a new one, the change is "key = before ->
+/// after". Lines with comments do not count.
 void add_line_changes(const std::vector<LineChange>& lines, std::vector<std::string>& changes) {
   const auto is_comment = [](const LineChange& line) {
     return trimmed(line.text).empty() || trimmed(line.text).starts_with("#");
@@ -114,7 +114,7 @@ std::string move_line(const std::optional<NodeMove>& move) {
   return text;
 }
 
-/// Whether a number describes the gear as a whole, and not one of its parts.
+/// Whether a number describes the gear as a whole. The others, about single parts, are left to the tables.
 bool is_figure(const std::string& name) {
   return name.starts_with("results/") || name.starts_with("gear/mouth/") ||
          name.starts_with("gear/ground/") || name.starts_with("gear/netting/") || name == "gear/drag/all/x" ||

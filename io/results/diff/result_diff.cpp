@@ -10,7 +10,7 @@ namespace netloft::results {
 
 namespace {
 
-// A difference below this fraction of the larger number is no change.
+// Two numbers are equal if they differ by less than this fraction of the larger one.
 constexpr double kRoundOff = 1e-12;
 
 struct ComparedNumber {
@@ -48,8 +48,8 @@ NumberDifference difference_of(const std::string& name, const NumberMap& before,
   return {name, a.unit.empty() ? b.unit : a.unit, a.value, b.value, a.error + b.error};
 }
 
-/// Sets the floor of every number to 1e-12 of the largest number with the same unit, because a force that is
-/// the small difference of large ones has their round-off.
+/// Sets the round-off (`floor`) of every number to 1e-12 of the largest number with the same unit, because a
+/// force may be a small difference of large forces.
 void set_floors(std::vector<NumberDifference>& numbers) {
   std::map<std::string, double> largest;
   for (const auto& d : numbers)

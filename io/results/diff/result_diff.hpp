@@ -9,7 +9,7 @@
 
 namespace netloft::results {
 
-/// One number in two results. If only one of them has it, the other value is unknown.
+/// One number in two results, `before` and `after`. If a result does not have it, its value is unknown.
 struct NumberDifference {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit;
@@ -36,7 +36,7 @@ struct FileDifference {
 
 /// The differences between the inputs of two results.
 struct InputDifferences {
-  // options that only one command line has, such as "--set water.current=[1,0,0]"
+  // Options that only one command line has, such as "--set water.current=[1,0,0]".
   std::set<std::string> options_before, options_after;
   std::vector<FileDifference> files;
   std::vector<std::string> plugins;  // plugins built differently, or present in one result only
@@ -54,8 +54,8 @@ struct ResultDiff {
   bool both_are_answers() const { return before.is_answer() && after.is_answer(); }
 };
 
-/// Compares numbers, inputs and node positions. Forces by part are compared only if neither result has
-/// figures of a gear, because those contain the forces.
+/// Compares numbers, inputs and node positions. Forces by part are compared only if no result has figures of
+/// a gear, which contain these forces.
 ResultDiff compare_results(Result before, Result after);
 
 }  // namespace netloft::results

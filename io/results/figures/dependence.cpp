@@ -37,7 +37,7 @@ struct Numbers {
   std::vector<NamedScalar> scalars, figures;
 };
 
-/// Empty if there are no positions, or if the forces cannot be evaluated at them.
+/// The numbers at the positions of `there`; empty if it has none, or if forces cannot be evaluated at them.
 std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there) {
   there.residual.assign(there.x.size(), 0.0);
   const Kinematics motion = at_rest(there);
@@ -75,8 +75,7 @@ void add_spread(const scenes::LoadedScene& loaded, Assembler& assembler, const S
 }
 
 // Step of the central differences: the largest nodal displacement along a growing motion, as a fraction of
-// the length of the gear. It is small enough for linear differences, large enough that round-off of a double
-// does not matter.
+// the length of the gear. It is so small that numbers change linearly, and large enough against round-off.
 constexpr double kSmallSwing = 1e-6;
 
 double length_of(std::span<const double> x) {
@@ -96,9 +95,9 @@ Solution swung(const Assembler& assembler, const Solution& s, const std::vector<
   return there;
 }
 
-/// Adds the change of every number along one mode in quadrature. An oscillating motion has two modes a
-/// quarter of a period apart, so that the sum is the amplitude. `way`: distance between the two displaced
-/// positions of the furthest node [m].
+/// Adds the change of every number along one mode to `per_swing`, as the root of the sum of squares. An
+/// oscillating motion has two modes, a quarter of a period apart; with both of them `per_swing` is the
+/// amplitude. `way`: distance between the two displaced positions of the furthest node [m].
 void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
                 double way, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {

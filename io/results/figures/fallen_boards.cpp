@@ -32,7 +32,7 @@ double side_of(const scenes::LoadedScene& loaded, std::uint32_t part) {
 }
 
 /// Outward force of water and ground on a board [N]: its component along the horizontal line from the other
-/// board of the pair to this one. In a half gear the other board is the mirror image.
+/// board of the pair to this one. In a half gear the other board is the mirror image of this one.
 double outward_force(const scenes::LoadedScene& loaded, const std::vector<std::uint32_t>& pair,
                      std::size_t which, const Values& value) {
   const auto name = [&](std::size_t k) { return loaded.scene.parts[pair[k]].name; };

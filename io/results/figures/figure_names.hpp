@@ -11,7 +11,7 @@ std::string spoken(std::string name);
 /// for "mouth/headline_height". Empty for other figures.
 std::string principal_name(const std::string& figure);
 
-/// Whether the figures include some of a net plan. The figures of rigid bodies come first and need no plan.
+/// Whether there are figures of a net plan, and not only those of rigid bodies, which come first.
 bool are_of_plan(const std::vector<NamedScalar>& figures);
 
 }  // namespace netloft::results

@@ -56,7 +56,7 @@ bool rides_on_bodies(const Scene& scene, const Part& part) {
   });
 }
 
-/// Whether elements of a part rest on some ground: they then have an output for the normal force.
+/// Whether elements of a part have contact with some ground: they then have an output for the normal force.
 bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
   return std::ranges::any_of(assembler.families(), [&](const auto& family) {
     const auto& outputs = family->type().outputs;

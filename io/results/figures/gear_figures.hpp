@@ -13,8 +13,9 @@ struct Figure {
   double value = 0;
 };
 
-/// Computes the figures of a gear. d is the unit vector of the current (aft, along x, in still water). P₀ …
-/// P_n is the closed curve of the nodes of the headline followed by those of the footrope in reverse order:
+/// Computes the figures of a gear, the numbers in which its designer thinks. d is the unit vector of the
+/// current (aft, along x, in still water). P₀ … P_n is the closed curve of the nodes of the headline followed
+/// by those of the footrope in reverse order:
 ///   S = ½ Σ P_i × P_{i+1},   mouth area = |d·S|              projected on the plane across the current (1)
 ///   opening = sin α = mesh width over stretched mesh         of taut twines, α half their angle       (2)
 ///   mean of (2) over the meshes of a panel

@@ -113,8 +113,8 @@ double fraction_on_ground(const GearView& gear, std::uint32_t rope,
   return on / all;
 }
 
-/// One stretch of the footrope, its port and its starboard side together: its length and the length on the
-/// ground [m], and the normal force of the ground [N].
+/// One stretch of the footrope, to port and to starboard together: its length, the length of it that is on
+/// the ground [m], and the normal force of the ground [N].
 struct OnGround {
   double length = 0, touching = 0, force = 0;
 };

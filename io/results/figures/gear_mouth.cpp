@@ -13,8 +13,8 @@ namespace netloft::results {
 
 namespace {
 
-/// Height of the seabed below a place [m]. If the scene has no seabed, a part with a bed of its own gives it;
-/// empty if none does.
+/// Height of the seabed at a place [m]: of the scene's seabed, or else of a part that has a bed in its own
+/// parameters; empty if there is none.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
@@ -34,7 +34,7 @@ void add_height(const GearView& gear, std::uint32_t headline, const std::uint32_
                        middle.z - gear.middle_of(*footrope).z});
 }
 
-/// Distance between the ends of a rope; for a half gear, between the rope's end and its mirror image.
+/// Distance between the ends of a rope. A half gear has one end, and the distance to its mirror image counts.
 double spread(const GearView& gear, std::uint32_t rope) {
   const Vector way = gear.at(gear.nodes_of(rope).back()) - gear.at(gear.nodes_of(rope).front());
   return gear.is_half() ? 2 * std::abs(way.y) : norm(way);

@@ -44,7 +44,7 @@ class GearView {
   std::vector<double> tensions(std::uint32_t part) const;
   /// A test whether a force is of a kind, such as PartForce::is_drag.
   using Kind = std::function<bool(const PartForce&)>;
-  /// Sum of the forces of a kind on a part as modelled [N].
+  /// Sum of the forces of a kind on a part [N]; of a half gear, on the modelled half.
   Vector force(const std::string& part, const Kind& is_of_kind) const;
   bool has_force(const std::string& part, const Kind& is_of_kind) const;
 
@@ -65,7 +65,7 @@ Vector whole_of(const Vector& modelled, double times);
 
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
-/// Uses the figures of add_body_figures.
+/// Must be called after add_body_figures(), whose figures it uses.
 void add_pair_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);

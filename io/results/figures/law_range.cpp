@@ -21,7 +21,7 @@ std::string parts_text(const Scene& scene, const std::vector<std::uint32_t>& par
   return text;
 }
 
-/// "0.13 to 0.32", "up to 1e+05", "from 200"; angles in degrees.
+/// A range as text: "0.13 to 0.32", "up to 1e+05", "from 200"; angles are in degrees.
 std::string range_text(const netloft_validity& range) {
   const bool is_angle = range.quantity == NETLOFT_ATTACK;
   const double unit = is_angle ? formats::in_radians(1) : 1;

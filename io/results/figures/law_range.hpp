@@ -7,7 +7,8 @@
 
 namespace netloft::results {
 
-/// "Reynolds number 330 to 1e+05, Choo and Casarella 1971", with the parameters it depends on.
+/// The range of validity of a law as text: "Reynolds number 330 to 1e+05, Choo and Casarella 1971", with the
+/// parameters on which it depends.
 std::string validity_text(const netloft_validity& range);
 
 /// Returns a sentence for every law (of drag, for example) that some elements use outside its range of

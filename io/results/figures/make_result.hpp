@@ -9,8 +9,8 @@ namespace netloft::results {
 /// The state of a scene at rest, with the low-order part of its positions if that is known.
 Kinematics at_rest(const Solution& solution);
 
-/// The figures of the gear at a response of its elements, without errors; empty without a net plan or rigid
-/// bodies.
+/// The figures of the gear, computed from a response of its elements, without errors; empty without a net
+/// plan or rigid bodies.
 std::vector<NamedScalar> find_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Response& answer);
 /// The numbers that the scene requests in its table [results].

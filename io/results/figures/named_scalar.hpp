@@ -21,7 +21,7 @@ struct NamedScalar {
   double per_swing = kUnknown;
 };
 
-/// Returns null if no number has this name.
+/// Finds a number by its name; null if there is none.
 const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const std::string& name);
 
 }  // namespace netloft::results

@@ -15,11 +15,11 @@ namespace netloft::results {
 
 namespace {
 
-// Limit of plausible strain. Gears of the library reach 0.11, and plans with a wrong number 0.6 and more. The
-// test panel of the trawl-gear paper, whose stiffness is that of no real material, reaches 0.56.
+// Limit of plausible strain. Gears of the library reach 0.11, plans with a wrong number 0.6 and more. A test
+// panel of the trawl-gear paper, with an unreal stiffness, reaches 0.56.
 constexpr double kMostStrain = 0.5;
 
-/// The largest value of each part over its outputs of one kind; 0 for parts whose elements have none.
+/// For each part, the largest value of its outputs of one kind; 0 if it has no such output.
 template <class IsOfKind>
 std::vector<double> largest_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                     const Response& answer, IsOfKind is_of_kind) {

@@ -32,7 +32,8 @@ struct BodyForce {
   PartForce of;
 };
 
-/// The outputs and forces of the elements of a scene at positions x, over all dofs.
+/// The outputs and forces of the elements of a scene at positions x, which are values of all degrees of
+/// freedom.
 struct Response {
   std::vector<double> x;
   FamilyOutputs outputs;

@@ -79,7 +79,7 @@ struct FoundShapes {
 /// The motion that grows out of a small disturbance of an unstable equilibrium, with or without oscillation.
 struct Swing {
   std::string furthest;  // the node that moves most
-  // Growth rate [1/s], 0: not known; angular frequency [rad/s], 0: no oscillation
+  // Growth rate [1/s]; 0 if it is not known. Angular frequency [rad/s]; 0 if nothing oscillates.
   double rate = 0, frequency = 0;
 };
 
@@ -100,13 +100,13 @@ struct Iteration {
   std::string note;
 };
 
-/// Energy that the time scheme removed or added during a run, although no force did (energy_judge.hpp).
+/// Energy that the time integration lost or created by its own error during a run (energy_judge.hpp).
 struct NumericalLoss {
   double lost = 0, given = 0;             // total over the run [J]
   double worst = 0, from = 0, until = 0;  // largest loss between two outputs [J], and their times [s]
   std::string node;                       // node whose velocity changed most between these outputs
-  /// Whether the loss exceeds a twentieth of the energy given. The path after that is not resolved, whatever
-  /// the accuracy setting.
+  /// Whether the loss exceeds a twentieth of the energy given. If so, no accuracy setting resolves the motion
+  /// after the loss.
   bool is_large() const { return std::abs(lost) > 0.05 * given; }
   bool is_created() const { return lost < 0; }
 };
@@ -126,8 +126,8 @@ struct Motion {
 };
 
 /// The result of a run: the data for all its reports, pages and comparisons. make_result() or run_motion()
-/// makes it, it is stored in a file (io/formats/hdf5/LAYOUT.md), and read_result() reads it from there.
-/// Positions and fields are in the file only (StoredShape).
+/// makes it; a file stores it (io/formats/hdf5/LAYOUT.md), and read_result() reads it. Positions and fields
+/// are in the file only (StoredShape).
 struct Result {
   std::string title, path;  // title: path of the scene; path: of the result file, empty: none yet
   std::string outcome, sentence, stability, at_fault;  // an empty outcome: the run has not ended

@@ -18,9 +18,9 @@ namespace netloft::results {
 
 namespace {
 
-// Positions are reported if they are beyond a limit by more than this [m]. In gears of the library, netting
-// without contact elements reaches up to 0.31 m below the bed. Faults are larger: a float on a line longer
-// than the water depth is 2 m in the air, and a wrong depth gives more.
+// A position is reported if it is beyond the surface or the bed by more than this [m]. In gears of the
+// library, netting without contact elements reaches up to 0.31 m below the bed. Mistakes are larger: a float
+// on a line longer than the water depth is 2 m in the air, and a wrong depth gives more.
 constexpr double kClearly = 0.5;
 
 /// The part that is furthest beyond a limit (surface or bed), and the number of parts beyond it.
@@ -37,7 +37,7 @@ struct Beyond {
       part = name;
     }
   }
-  /// "top-wing and 3 more parts lie"
+  /// The subject and verb of a sentence: "top-wing and 3 more parts lie".
   std::string who() const {
     return parts == 1 ? part + " lies"
                       : fmt::format("{} and {} more part{} lie", part, parts - 1, parts == 2 ? "" : "s");
@@ -187,7 +187,8 @@ class Whereabouts {
     return most;
   }
 
-  /// Whether all nodes of a part are nodes of the footrope, as those of a contact element on it are.
+  /// Whether all nodes of a part are nodes of the footrope, as they are for a part that models contact of the
+  /// footrope.
   bool stands_on_footrope(std::uint32_t p) const {
     if (!loaded_.gear) return false;
     for (const auto& rope : loaded_.scene.parts)

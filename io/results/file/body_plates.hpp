@@ -14,7 +14,7 @@ struct BodyPlate {
   std::vector<std::array<double, 3>> triangles{};  // three corners each, in world coordinates [m]
 };
 
-/// The outlines of all bodies that have both an outline and an element of their own.
+/// The shapes of all bodies that have an outline and an element at their origin.
 std::vector<BodyPlate> plates_of(const StoredShape& stored, std::size_t state);
 
 }  // namespace netloft::results

@@ -11,7 +11,7 @@ namespace {
 
 // A logarithmic scale begins at this fraction of its upper end, or above.
 constexpr double kLeastOfLargest = 1e-4;
-// The middle range leaves out one of so many values at either end.
+// At either end, the middle range leaves out one value in so many.
 constexpr std::size_t kBeyond = 50;
 constexpr std::size_t kSample = 20000;  // limit of values of one state from which the middle range is found
 constexpr double kTicks = 6;            // largest number of ticks of a legend
@@ -111,7 +111,7 @@ Scale FieldSpread::logarithmic(bool middle) const {
 
 FieldSpreads spreads_of(const StoredShape& stored, const std::string& field) {
   FieldSpreads spreads;
-  // Only the last state of a static solve counts: its earlier stages are not equilibria.
+  // For a static solve only the last state counts, because states of earlier stages are not equilibria.
   const std::size_t first = stored.stages.empty() ? 0 : stored.times.size() - 1;
   for (std::size_t state = first; state < stored.times.size(); ++state) {
     const auto values = stored.field(field, state);

@@ -31,10 +31,11 @@ class FieldSpread {
 
   /// Returns a linear scale of all values. With `middle`, the scale leaves out the largest and the smallest
   /// fiftieth of the values, because tensions at single corners of netting grow with every refinement and
-  /// would take up most colours. The scale begins at zero if less than half of it is then empty.
+  /// would take up most colours. If values are positive and begin in the lower half of the scale, it begins
+  /// at zero.
   Scale linear(bool middle) const;
-  /// Returns a logarithmic scale of the same values, over at most four decades; a linear one if no value is
-  /// positive.
+  /// Returns a logarithmic scale of the values that linear() would use, over at most four decades; a linear
+  /// one if no value is positive.
   Scale logarithmic(bool middle) const;
 
  private:
@@ -52,12 +53,12 @@ using FieldSpreads = std::array<FieldSpread, kCellKinds>;
 using FieldScales = std::array<std::optional<Scale>, kCellKinds>;
 
 FieldSpreads spreads_of(const StoredShape& stored, const std::string& field);
-/// A kind of cells without values has no scale.
+/// A kind of cells that has no values gets no scale.
 FieldScales scales_of(const FieldSpreads& spreads, bool is_logarithmic);
 
-/// Values at the corners of triangles: means over the triangles of the same part around the node. A field is
-/// constant within each triangle, but taut and slack triangles may alternate, and then only the mean is the
-/// load of the netting. NaN if the triangle itself has no value.
+/// Values at the corners of triangles: each is the mean over the triangles of the part that share the corner.
+/// A field is constant within a triangle, but taut and slack triangles may alternate, so that only means show
+/// the load of the netting. NaN if the triangle itself has no value.
 std::vector<std::array<double, 3>> values_at_corners(const StoredMesh& mesh,
                                                      const std::vector<double>& by_cell);
 

@@ -11,7 +11,7 @@
 
 namespace netloft::results {
 
-/// One number per cell.
+/// A field with one number per cell.
 struct CellField {
   formats::FieldSpec spec;
   std::vector<double> values;

@@ -4,7 +4,7 @@
 
 namespace netloft::results {
 
-/// Marks the absence of a number in a field or a table.
+/// Stands for a missing number in a field or a table.
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace netloft::results

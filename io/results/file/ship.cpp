@@ -15,17 +15,16 @@ using Point = std::array<double, 3>;
 
 // Blocks farther apart than the width of any trawler belong to two ships.
 constexpr double kWidestShip = 40;  // width of a ship [m]
-// kNarrowestShip: least beam of one ship; kBeam: of each of two ships [m].
+// Beams [m]: the least beam of a single ship, and the beam of each of two ships.
 constexpr double kNarrowestShip = 4, kBeam = 10;
 
-// Outlines of hull and house: pairs of the distance ahead of the stern, as a fraction of the length, and the
-// distance to starboard, as a fraction of half the beam.
+// Outlines of hull and house. A point is given by its distance ahead of the stern, over the length, and its
+// distance to starboard, over half the beam.
 const std::vector<std::array<double, 2>> kHull = {{0, 1},       {0.65, 1},  {0.87, 0.6}, {1, 0},
                                                   {0.87, -0.6}, {0.65, -1}, {0, -1}},
                                          kHouse = {{0.5, 0.7}, {0.7, 0.7}, {0.7, -0.7}, {0.5, -0.7}};
 
-/// The names of the warps, which have figures of their own; empty if there are no figures of towing by a
-/// ship.
+/// The names of the warps in a result; empty if no ship tows the gear.
 std::set<std::string> warps_of(const StoredShape& stored) {
   std::set<std::string> warps;
   bool has_ship = false;

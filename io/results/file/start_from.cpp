@@ -10,7 +10,7 @@ namespace netloft::results {
 
 namespace {
 
-/// For one part: the node for each node number within the part.
+/// For one part: maps the number of a node within the part to the node.
 using PartNumbers = std::map<std::uint32_t, std::uint32_t>;
 
 std::vector<PartNumbers> numbers_of(const StoredShape& stored) {
@@ -67,10 +67,10 @@ class Carrier {
   }
 
  private:
-  /// Which side of a part of the scene is taken from a part of the result. `all`: both have the same extent.
-  /// The others occur if the result is a half gear and the scene a whole one: `both` for a part in the
-  /// middle, of which the result has the starboard half; `starboard` and `port` for a part of a pair, of
-  /// which the result has the starboard one. Mirror images give the missing sides.
+  /// Which side of a part of the scene takes its positions from a part of the result. `all`: parts have the
+  /// same extent. The others are for a half gear as result and a whole gear as scene. `both`: a part in the
+  /// middle, whose starboard half the result has. `starboard`, `port`: a part of a pair, whose starboard part
+  /// the result has. Mirror images give the port side.
   enum class Side { all, both, starboard, port };
   struct Source {
     std::optional<std::uint32_t> part;
@@ -151,7 +151,7 @@ class Carrier {
     return whole;
   }
 
-  /// The bars of a rope in the result, with their present lengths there in place of unstretched ones.
+  /// The bars of a rope in the result, with their present lengths instead of unstretched ones.
   Part rope_of(std::uint32_t part) const {
     Part rope;
     std::vector<double>& lengths = rope.data[datum::kRestLength.name];
@@ -184,8 +184,8 @@ class Carrier {
     return panel;
   }
 
-  /// All nodes of a panel of the scene with their places, in the form of triangles that carry_panel()
-  /// expects; the last node is repeated to complete a triangle.
+  /// All nodes of a panel of the scene with their panel coordinates, as corners of triangles, which
+  /// carry_panel() expects; the last node is repeated to complete a triangle.
   static Part places_of(const scenes::PartGeometry& geometry) {
     Part panel;
     std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];

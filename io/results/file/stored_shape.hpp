@@ -20,7 +20,7 @@ struct StoredPart {
   // a, b, c, d: the twine coordinates are u = a U + b V, v = c U + d V, from the panel coordinates U, V.
   std::array<double, 4> twine_axes{};
   scenes::SheetPlace sheet;  // place on the drawing of the net plan
-  // true: its elements on single nodes model contact, with a bed for example, and are not drawn
+  // Whether the part models contact, with a bed for example. Its elements on single nodes are then not drawn.
   bool is_contact = false;
 };
 
@@ -60,7 +60,7 @@ struct StoredBed {
   double depth = 0, slope_x = 0, slope_y = 0;
   std::vector<double> relief_x = {}, relief_y = {}, relief = {};  // grid coordinates, heights at [x][y] [m]
 
-  /// z of the bed at a place. The relief is interpolated linearly, and constant beyond its edges.
+  /// Height z of the bed at a place. The relief is interpolated linearly, and constant beyond its edges.
   double height(double x, double y) const;
   bool is_plane() const { return relief.empty(); }
 };

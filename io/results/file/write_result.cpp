@@ -28,7 +28,7 @@ struct StateFields {
   std::vector<double> points;
 };
 
-/// The fields at positions x. An empty `residual` stands for an unknown one.
+/// The fields at positions x; `residual` is empty if it is not known.
 StateFields fields_at(const scenes::LoadedScene& loaded, const Assembler& assembler,
                       std::span<const double> x, std::span<const double> residual,
                       const FamilyOutputs& outputs) {
@@ -120,7 +120,7 @@ void write_forces(formats::Tree& tree, const Result& result) {
                    "sum of all forces on the gear, those of the holds included");
 }
 
-/// Ranks an outcome, higher is better; the outcomes are those of name_of().
+/// The rank of an outcome, higher is better; `outcome` is a name that name_of() gives.
 int rank_of(const std::string& outcome) {
   if (outcome == "converged" || outcome == "finished") return 2;
   return outcome == "unstable" ? 1 : 0;

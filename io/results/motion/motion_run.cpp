@@ -41,7 +41,7 @@ class LossWatch {
       compare({at.t, totals, v});
     before_ = {at.t, totals, v};
   }
-  /// Empty before the second output.
+  /// The energy lost so far; empty before the second output.
   std::optional<NumericalLoss> loss() const { return loss_; }
 
  private:
@@ -168,7 +168,7 @@ class MotionRun {
     ++outputs_;
   }
   void begin_journal() {
-    // The search for the start may have set lengths in the bill.
+    // The search for the equilibrium at the start may have set lengths in the bill of materials.
     result_.materials = find_bill(loaded_);
     const auto origins =
         formats::hdf5_image([&](formats::Tree& tree) { write_inputs(tree, loaded_, result_); });
@@ -295,8 +295,8 @@ class MotionRun {
     }
   }
 
-  /// Adds the figures of the gear. The first output decides which figures are columns of the series; a figure
-  /// that a later output lacks is NaN.
+  /// Adds the figures of the gear, as columns of a series that the first output determines; a figure that a
+  /// later output lacks is NaN.
   void add_gear(const Snapshot& at, const Response& answer, formats::SeriesState& state) {
     result_.figures = find_figures(loaded_, scene_.assembler(), answer);
     add_warp_figures(loaded_, scene_.assembler(), at, result_.figures);
@@ -387,7 +387,7 @@ class MotionRun {
   std::optional<double> answered_at_;
   std::optional<MarchState> from_;
   std::optional<formats::SeriesJournal> journal_;
-  // Outputs in the journal, and those of them from before this run.
+  // Number of outputs in the journal, and how many of them an earlier run wrote.
   std::size_t outputs_ = 0, outputs_before_ = 0;
   std::vector<std::string> energies_;  // names of the energies, in the order of their columns
   Result result_;

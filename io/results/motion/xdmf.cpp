@@ -41,7 +41,7 @@ SteppedArray array_at(const formats::Reader& reader, const std::string& path, co
           reader.place(path), columns, reader.integers(offsets_path)};
 }
 
-/// Returns scalar and vector fields; part numbers and panel coordinates are left out.
+/// Returns the fields of the file; part numbers and panel coordinates are left out.
 std::vector<SteppedArray> fields_of(const formats::Reader& reader, const std::string& file) {
   std::vector<SteppedArray> arrays;
   for (const auto& [group, center] : {std::pair{"PointData", "Node"}, {"CellData", "Cell"}}) {

@@ -56,8 +56,8 @@ double round_off_of(const std::vector<NamedScalar>& figures, const std::vector<C
   return kTableRoundOff * largest;
 }
 
-/// Adds a table with a row for every member that has figures in the columns; no table if it would have no
-/// rows.
+/// Adds a table with a row for every member that has figures for the columns. A table without rows is not
+/// added.
 void add_table(const std::vector<NamedScalar>& figures, const std::string& title,
                const std::vector<Column>& columns, std::vector<FigureTable>& tables) {
   std::vector<std::string> members;

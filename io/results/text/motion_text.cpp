@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How far from equilibrium the motion began; empty for a resumed run.
+/// Says how far from equilibrium the motion began; empty for a resumed run.
 std::string start_text(const Motion& m) {
   if (!m.start) return "";
   return fmt::format(

@@ -36,7 +36,7 @@ Json errors_json(const std::vector<NamedScalar>& scalars) {
   return errors;
 }
 
-/// The range of each number over all equilibria; null if only one was found.
+/// The range of each number over all equilibria; null if only one equilibrium was found.
 Json spread_json(const std::vector<NamedScalar>& scalars) {
   Json spread = nullptr;
   for (const auto& s : scalars)
@@ -97,7 +97,7 @@ Json stages_json(const std::vector<Stage>& all) {
   return stages;
 }
 
-/// Null if there was no search for other equilibria.
+/// Other equilibria; null if there was no search for them.
 Json shapes_json(const std::optional<FoundShapes>& shapes) {
   if (!shapes) return nullptr;
   Json others = Json::array();
@@ -112,7 +112,7 @@ Json shapes_json(const std::optional<FoundShapes>& shapes) {
           {"others", others}};
 }
 
-/// The forces on parts, without zeros.
+/// The forces on parts; zero forces are left out.
 Json part_forces_json(const std::vector<PartLoad>& all) {
   Json forces = Json::array();
   for (const auto& f : all)

@@ -13,8 +13,8 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-/// Adds a table with a row for every number whose member `known` is finite; of figures, only principal ones.
-/// No table if it would have no rows.
+/// Adds a table with a row for every number whose member `known` is finite; of figures, only the principal
+/// ones get a row. A table without rows is not added.
 template <class MakeCells>
 void add_dependence_table(const Result& result, double NamedScalar::*known, FigureTable table,
                           const MakeCells& cells, std::vector<FigureTable>& tables) {

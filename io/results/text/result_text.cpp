@@ -71,7 +71,7 @@ void materials_text(const std::vector<Material>& materials, Out out) {
                    cell(100 * m.utilisation(), "{:.0f} %"));
 }
 
-/// "coarse-to-fine, elements x 2"
+/// The name of a stage with its variant: "coarse-to-fine, elements x 2".
 std::string stage_name(const Stage& stage) {
   const std::string variant = text_of(stage.variant);
   return stage.name + (variant.empty() ? "" : ", " + variant);

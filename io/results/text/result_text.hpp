@@ -6,7 +6,7 @@
 
 namespace netloft::results {
 
-/// The report of a result as text for people, for a new result and for one read from a file.
+/// The report of a result as text, for people. The result may be new or read from a file.
 std::string result_text(const Result& result);
 /// One JSON object with all numbers and their errors; unknown values are null.
 std::string result_json(const Result& result);

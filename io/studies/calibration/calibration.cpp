@@ -7,7 +7,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// A model whose figures are in another order.
+/// A model with the figures of `model` in another order.
 class Reordered : public Model {
  public:
   Reordered(SceneModel& model, const std::vector<std::size_t>& order) : model_(model), order_(order) {}

@@ -4,7 +4,7 @@
 
 namespace netloft::studies {
 
-/// A calibration with its fit, or the reason why there is no fit.
+/// The result of a calibration: its fit, or the reason why there is no fit.
 struct Calibration {
   CalibrationFile file;
   std::vector<Measurement> measured;  // in the order of the file; each value in the unit of its figure

@@ -22,7 +22,7 @@ struct CalibrationVariable {
   Variable variable;
   Distribution distribution;
   std::vector<std::size_t> scenes;  // indices of the scenes in which it is set
-  /// True: one variable for all its scenes. False: it was given for a single scene.
+  /// True: one unknown for all scenes that have it. False: an unknown of a single scene.
   bool is_shared = true;
   double prior_mean() const;
   double prior_deviation() const;
@@ -38,7 +38,7 @@ struct MeasuredFigure {
   bool is_held_back = false;
 };
 
-/// A calibration file (CALIBRATION.md).
+/// The contents of a calibration file (io/studies/CALIBRATION.md).
 struct CalibrationFile {
   std::string name;         // name of the file without its extension
   double confidence = 0.9;  // probability that intervals and bands contain the true value

@@ -13,8 +13,8 @@ namespace netloft::studies {
 namespace {
 
 constexpr int kIterations = 30;  // limit of iterations from the previous equilibrium, before a new search
-// Step of differences over the prior deviation: large against the noise of solves, small enough that
-// curvature does not matter.
+// The step of finite differences over the prior deviation of the parameter. It is large against the noise of
+// solves, and so small that curvature does not matter.
 constexpr double kStep = 0.1;
 
 double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
@@ -37,7 +37,7 @@ struct SceneModel::Solved {
 
 namespace {
 
-/// "path=value" for the variables of a scene.
+/// Changes "path=value" that set the variables of a scene to `parameters`.
 std::vector<std::string> values_of(const CalibrationFile& file, std::size_t scene,
                                    const std::vector<double>& parameters) {
   std::vector<std::string> words;

@@ -14,8 +14,8 @@ namespace netloft::studies {
 
 namespace {
 
-// Two answers, polished to the round-off floor, are the same equilibrium if the distance of no node between
-// them exceeds kSame times the size of the gear, or kDoubt times the sum of their uncertainties.
+// Two answers, improved by polish(), are different equilibria if some node is farther apart than both kSame
+// times the size of the gear and kDoubt times the sum of the uncertainties of the answers.
 constexpr double kSame = 1e-6, kDoubt = 10;
 
 double diagonal_of(const Scene& scene) {
@@ -114,8 +114,8 @@ class Comparing {
     return result;
   }
 
-  /// Compares the method's answer at its tightest tolerance with the reference; empty if both are the same
-  /// equilibrium.
+  /// Compares the method's answer at the tightest tolerance to which it converged with the reference. Empty
+  /// if they are the same equilibrium, or if no trial converged.
   std::optional<OtherEquilibrium> find_other_equilibrium(const MethodResult& result) {
     const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),
                                    [](const Trial& t) { return t.converged(); });

@@ -15,7 +15,7 @@ struct ComparisonTask {
   int repeats = 3;                 // runs of every trial, of which the cheapest counts
   std::string reference;  // solver or integrator that computes references; empty: another than the tested one
   std::optional<CellList> cells;  // meshes for the discretisation error
-  // Integrators among the methods whose plugins are not installed, and a sentence about each.
+  // Integrators to compare whose plugins are not installed, each with a sentence that says so.
   std::map<std::string, std::string> absent;
 };
 
@@ -52,7 +52,7 @@ struct Comparison {
   bool any_failed() const;  // whether a plugin broke down in a trial
 };
 
-/// Runs all trials. The caller must have opened the scene with every method before, to report its errors.
+/// Runs all trials. The caller must have opened the scene with every method before, and reported its errors.
 /// Throws std::runtime_error if a scene still has errors, std::invalid_argument if its parts cannot be
 /// divided into `task.cells`.
 Comparison compare(const runs::CaseSource& source, Registry& registry, const ComparisonTask& task,

@@ -28,14 +28,13 @@ struct Discretisation {
 };
 
 /// Solves the scene on every mesh, and extrapolates the position of each node from the two finest meshes. The
-/// order of convergence is observed on the nodes that the three finest meshes have in common. It uses mean
-/// distances over these nodes, because corners alone converge more slowly.
+/// order of convergence is observed on the nodes that the three finest meshes have in common. Mean distances
+/// over these nodes are used, because corners converge more slowly than the rest.
 Discretisation find_discretisation_error(const runs::CaseSource& source, Registry& registry,
                                          const Method& method, const std::string& part,
                                          const std::vector<MeshLevel>& levels, const runs::Watch& watch);
 
-/// Computes errors and orders of `result` from the positions of the nodes on meshes with increasing numbers
-/// of cells. find_discretisation_error calls it with the solved levels.
+/// Sets the errors and orders in `result`, from the positions of nodes on its meshes, the coarsest first.
 void judge_meshes(const std::vector<Places>& places, Discretisation& result);
 
 }  // namespace netloft::studies

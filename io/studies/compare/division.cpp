@@ -63,7 +63,7 @@ bool divides(const scenes::PartGeometry& part, Factor factor) {
   return std::all_of(part.cells.begin(), part.cells.end(), [&](int cells) { return factor.divides(cells); });
 }
 
-/// The parts that a factor applies to: all of them, or the one named `only`.
+/// The parts that are divided into cells: all of them, or the one named `only`.
 std::vector<const scenes::PartGeometry*> divided_parts(const scenes::LoadedScene& loaded,
                                                        const std::string& only) {
   std::vector<const scenes::PartGeometry*> parts;
@@ -110,7 +110,7 @@ bool names_a_divided_node(const std::string& text, const Names& parts) {
   return dot != std::string::npos && parts.contains(text.substr(0, dot));
 }
 
-/// Calls visit(text, place) for every text below `value`.
+/// Calls visit(text, place) for every text in a value of TOML and in the arrays and tables below it.
 template <class Visit>
 void for_texts(const formats::Value& value, const Visit& visit) {
   if (const auto* text = value.as<std::string>()) visit(*text, value.place);

@@ -23,13 +23,14 @@ struct MeshSize {
 };
 MeshSize count_mesh(const scenes::LoadedScene& loaded);
 
-/// The argument of `--cells`: "8,16,32" for all parts, or "net=8,16,32" for one part alone.
+/// The argument of `--cells`: "8,16,32", or "net=8,16,32" to divide that part alone.
 struct CellList {
   std::string part;                 // empty: all parts, in proportion
   std::vector<std::int64_t> cells;  // increasing
 };
 
-/// Throws std::invalid_argument with a sentence if `text` is not a list of cells.
+/// Reads the argument of `--cells`. Throws std::invalid_argument with a sentence if it is not a list of
+/// cells.
 CellList read_cell_list(const std::string& text);
 
 /// The part whose number of cells names a mesh: the first panel, or the first rope if there is no panel.
@@ -45,10 +46,10 @@ std::vector<MeshLevel> mesh_levels(const scenes::LoadedScene& loaded, const Cell
 /// Throws std::invalid_argument like mesh_levels(), and if the scene has no gear.
 std::vector<MeshLevel> gear_levels(const scenes::LoadedScene& loaded, const std::vector<std::int64_t>& nodes);
 
-/// Two meshes, or one, to compare with that of the scene for an estimate of its mesh error. The first choice
-/// is a quarter and a half of its cells, which cost little; if they do not fit, half and twice its cells, or
-/// else twice its cells alone. For a gear: half and twice its nodes, or twice and four times its nodes if
-/// half would be too few for a useful solve. Throws std::invalid_argument like mesh_levels().
+/// The meshes to compare with that of the scene for an estimate of its mesh error. The first choice is a
+/// quarter and a half of its cells, which cost little; the second, half and twice its cells; the last, twice
+/// its cells alone. For a gear: half and twice its nodes, or twice and four times its nodes if half would be
+/// too few for a useful solve. Throws std::invalid_argument like mesh_levels().
 std::vector<MeshLevel> levels_around(const scenes::LoadedScene& loaded);
 
 }  // namespace netloft::studies

@@ -7,10 +7,10 @@
 
 namespace netloft::studies {
 
-/// Solves the scene on other meshes, and sets the mesh errors of the numbers in `result`, the answer on the
-/// scene's own mesh, by (4) and (5) of richardson.hpp. Adds a note on the meshes used and on numbers that do
-/// not converge, or the reason why there are no errors. Every mesh is solved as the scene says, from its own
-/// initial guess. `own` and `solution` are the scene and its answer on its own mesh.
+/// Estimates the mesh errors of the numbers in `result` by (4) and (5) of richardson.hpp. `own`, `solution`
+/// and `result` are the scene on its own mesh, its solution, and the result of that; it is then solved on the
+/// meshes `levels`, each from its own initial guess. Adds a note on the meshes used and on numbers that do
+/// not converge, or the reason why there are no errors.
 void find_mesh_errors(const runs::CaseSource& source, Registry& registry, runs::PreparedScene& own,
                       const Solution& solution, const std::vector<MeshLevel>& levels,
                       const runs::Watch& watch, results::Result& result);

@@ -11,8 +11,8 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-/// Converts a fraction to units of 1e-9. Equal fractions may differ by round-off; the offset keeps quotients
-/// of small integers away from the boundary between two units, so that they get the same number.
+/// Converts a fraction to units of 1e-9. The offset keeps quotients of small integers away from the boundary
+/// between two units, so that fractions that differ by round-off get the same number.
 std::int64_t in_units(double fraction) {
   return static_cast<std::int64_t>(std::floor(fraction * 1e9 + 0.317));
 }
@@ -34,7 +34,7 @@ std::array<double, 2> size_of(const scenes::PartGeometry& part) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]); }
 
-/// Calls visit(spot, position in a, position in b) for every spot in both a and b.
+/// Calls visit(spot, position in a, position in b) for every spot that is in `a` and in `b`.
 template <class Visit>
 void for_common(const Places& a, const Places& b, const Visit& visit) {
   for (const auto& [spot, place] : a)

@@ -16,20 +16,20 @@ struct Spot {
   auto operator<=>(const Spot&) const = default;
 };
 
-/// Positions of the nodes of a gear [m], by spot. A spot is in two meshes of one gear if both have a node
-/// there.
+/// The positions of the nodes of one mesh of a gear [m], by spot. Nodes of two meshes coincide if they have
+/// the same spot.
 using Places = std::map<Spot, std::array<double, 3>>;
 
 /// The spots of the nodes of a scene; `positions` has all node positions, 3 per node [m].
 Places places_of(const scenes::LoadedScene& loaded, std::span<const double> positions);
 
-/// Largest distance over the common spots [m]; NaN if there are none.
+/// Largest distance between `a` and `b` over the spots that both have [m]; NaN if there are none.
 double largest_distance(const Places& a, const Places& b);
 
-/// √(mean of squared distances) over the spots that `a`, `b` and `among` share.
+/// The root mean square distance between `a` and `b` [m], over the spots that `a`, `b` and `among` have.
 double mean_distance(const Places& a, const Places& b, const Places& among);
 
-/// a + w (a − b) at the spots that `a`, `b` and `among` share.
+/// The extrapolation a + w (a − b) at the spots that `a`, `b` and `among` have.
 Places extrapolate(const Places& a, const Places& b, double w, const Places& among);
 
 }  // namespace netloft::studies

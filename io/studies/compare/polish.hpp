@@ -9,14 +9,14 @@ struct Polished {
   std::vector<double> x, u, residuals;  // x, u, residuals: as in Solution
   double residual = 0, load = 0;        // largest residual and load of a node at x [N]
   double energy = 0;                    // [J]
-  /// The accuracy of x [m]: the largest displacement of a node in the last step, the first one that did not
-  /// lower the residual, or the rounding unit of x if that is larger.
+  /// The accuracy of x [m]: the largest displacement of a node in the first step that did not lower the
+  /// residual, or the rounding unit of x if that is larger.
   double uncertainty = std::numeric_limits<double>::quiet_NaN();
   bool evaluated = false;  // false: forces cannot be evaluated at the answer
 };
 
-/// Takes Newton steps from displacements `u` for as long as they lower the largest nodal residual. The steps
-/// improve the accuracy only: the solver that found `u` has decided which equilibrium it is. `fresh` is a
+/// Takes Newton steps from displacements `u`, the answer of a solver, as long as they lower the largest nodal
+/// residual. They stay at the equilibrium that the solver chose, and only improve its accuracy. `fresh` is a
 /// prepared scene that has not been solved yet.
 Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u);
 

@@ -19,9 +19,9 @@ struct ReferenceAnswer {
   bool is_damped = true;
 };
 
-/// The solvers that may compute a reference for `method`, in the order in which to try them. Those of its own
-/// plugin come last, so that a method is compared with itself only if there is no other. `available` lists
-/// the installed plugins; if `wanted` is not empty, it is the only candidate.
+/// The solvers that may compute a reference for `method`, in the order in which to try them. Solvers of the
+/// method's own plugin come last, so that a method is compared with itself only if no other solver is
+/// installed. `available` lists the installed plugins; if `wanted` is not empty, it is the only candidate.
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted);
 
@@ -36,7 +36,7 @@ class ReferenceAnswers {
                    const runs::Watch& watch)
       : source_(source), registry_(registry), wanted_(std::move(wanted)), watch_(watch) {}
 
-  /// Empty if none of the solvers converges.
+  /// The reference for a method; empty if no solver converges.
   std::optional<ReferenceAnswer> find_for(const Method& method);
 
  private:

@@ -20,7 +20,8 @@ class ReferencePaths {
         tightest_(tightest),
         watch_(watch) {}
 
-  /// Empty if the motion fails with every integrator.
+  /// The reference for a method; empty if the motion fails with every integrator. `is_damped`: whether the
+  /// method counts the damping of materials.
   std::optional<ReferenceAnswer> find_for(const Method& method, bool is_damped);
 
  private:

@@ -8,11 +8,11 @@ namespace netloft::studies {
 /// The comparison as text: a table.
 std::string comparison_text(const Comparison& c);
 
-/// One row per trial and per mesh, for spreadsheets; the first line names the columns. Solver errors and
-/// discretisation errors are rows of different kinds. Unknown values are empty.
+/// The comparison as CSV: a row for each trial and for each mesh, after a line with the names of the columns.
+/// Solver errors and discretisation errors are in rows of different kinds. Unknown values are empty.
 std::string comparison_csv(const Comparison& c);
 
-/// One JSON object; unknown values are null.
+/// The comparison as one JSON object; unknown values are null.
 std::string comparison_json(const Comparison& c);
 
 /// The work-precision diagram: work over error, with a line per method from its loosest tolerance to its

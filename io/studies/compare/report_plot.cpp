@@ -10,7 +10,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// Errors below this cannot be distinguished from zero.
+/// The rounding unit of positions [m]: smaller errors are zero.
 double floor_of(const Comparison& c) { return std::numeric_limits<double>::epsilon() * c.size; }
 
 /// Adds a point. If several tolerances lead to the same error, they share the point with the least work.
@@ -26,7 +26,8 @@ std::string with_times_signs(std::string text) {
   return text;
 }
 
-/// " (lost at 1e-01, 1e-02)": lists the tolerances at which a motion did not end, since these have no points.
+/// Lists the tolerances at which a motion did not end, because these have no points: " (lost at 1e-01,
+/// 1e-02)".
 std::string lost_at(const MethodResult& m) {
   std::string text;
   for (const Trial& t : m.trials)

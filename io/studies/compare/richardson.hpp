@@ -13,8 +13,8 @@ namespace netloft::studies {
 ///   e = 1.25 |f − f*|                                      where similar meshes converge     (4)
 ///   e = 2 max(|f − f*|, |f − f* by p = 1 from f₃ and f₁|, |f − f_k|)    elsewhere         (5)
 /// f is a number computed on a mesh of width h (in any unit), f* its limit for h → 0, p the order of
-/// convergence; f₁, f₂, f₃ are its values on three meshes, f₁ on the finest. e estimates the error of f, the
-/// value on the mesh in question. (4) holds for similar meshes, of which each divides the cells of another
+/// convergence; f₁, f₂, f₃ are its values on three meshes, f₁ on the finest. e estimates the error of f on
+/// the mesh of which it is asked. (4) holds for similar meshes, of which each divides the cells of another
 /// evenly. Gears of netting are triangulated anew for each mesh, and the scatter between such meshes makes
 /// observed orders unreliable. For them (5) takes the largest of three differences: from the limit (3), if p
 /// is credible; from a limit with p = 1 between the outer meshes, because gears usually converge with first

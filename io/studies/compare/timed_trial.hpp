@@ -46,7 +46,7 @@ struct Trial {
 struct Method {
   std::string specification;  // "newton:method=classic", "strategy auto", "integrator newmark"
 
-  /// "solver", "strategy" or "integrator": also the key of the scene's analysis that chooses the method.
+  /// "solver", "strategy" or "integrator". The scene's table [analysis] has a key of this name.
   std::string kind() const;
   /// The specification without the keyword.
   std::string name() const;
@@ -55,8 +55,8 @@ struct Method {
 /// Returns `source` with this method and tolerance.
 runs::CaseSource source_for(const runs::CaseSource& source, const Method& method, double tolerance);
 
-/// Solves the scene `repeats` times from its initial guess, reading it anew each time. With an integrator,
-/// computes its motion instead, within the work budget of the analysis.
+/// Solves the scene `repeats` times from its initial guess, and reads it anew each time. If the method is an
+/// integrator, computes the motion of the scene instead, within the work budget of the analysis.
 Trial run_trial(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
                 int repeats, const runs::Watch& watch);
 

@@ -21,8 +21,8 @@ constexpr double kElsewhere = 4;  // a larger distance over the extrapolated cha
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
-/// The length of the step from `last` to `next` over that from `before` to `last`; empty if the three points
-/// are not on one line, along which one variable changes.
+/// The ratio of two successive steps, from `last` to `next` and from `before` to `last`; empty if they change
+/// different variables, or more than one.
 std::optional<double> way_on(const Values& before, const Values& last, const Values& next) {
   std::optional<double> ratio;
   for (std::size_t v = 0; v < next.size(); ++v) {
@@ -34,7 +34,7 @@ std::optional<double> way_on(const Values& before, const Values& last, const Val
   return ratio;
 }
 
-/// Whether there are points between a and b: all values that differ are numbers.
+/// Whether points between `a` and `b` exist: the values that differ must be numbers.
 bool can_be_halved(const Values& a, const Values& b) {
   for (std::size_t v = 0; v < a.size(); ++v)
     if (a[v].text != b[v].text && !(a[v].number && b[v].number)) return false;
@@ -121,8 +121,8 @@ Branch::Way Branch::known_places(const Values& values) {
   return tangent_way(trail_.back(), values);
 }
 
-/// Returns a point on the tangent, a little before `from` when seen towards `to`, and then `from`; only
-/// `from` if there is no tangent.
+/// Returns `from` and, before it, a point on the tangent a little away from `to`; only `from` if there is no
+/// tangent.
 Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   Way way{{0, from}};
   if (!can_be_halved(from.values, to)) return way;

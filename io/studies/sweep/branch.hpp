@@ -58,8 +58,8 @@ class Branch {
   Branch(std::vector<Variable> variables, OpenCase open, const runs::Watch& watch, BranchOptions options = {})
       : variables_(std::move(variables)), open_(std::move(open)), watch_(watch), options_(options) {}
 
-  /// Finds the equilibrium of `scene`, which is prepared with these values. If it is stable, the branch
-  /// continues from it; otherwise a new search finds the equilibrium at the next point.
+  /// Finds the equilibrium of `scene`, which is prepared with these values, by following the branch. If it is
+  /// stable, the branch continues from it; otherwise a new search finds the equilibrium at the next point.
   Reached reach(std::shared_ptr<runs::PreparedScene> scene, const std::vector<VariableValue>& values);
 
  private:

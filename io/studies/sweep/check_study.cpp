@@ -19,7 +19,7 @@ std::vector<VariableValue> tried(const Variable& variable) {
   return {variable.value_of(variable.interval->low), variable.value_of(variable.interval->high)};
 }
 
-/// "gear.nodes" of "gear.nodes=500".
+/// The path of a change "path=value".
 std::string path_of(const std::string& word) { return word.substr(0, word.find('=')); }
 
 /// Opens the scene with one set of values after another, and collects errors.
@@ -72,7 +72,8 @@ class StudyInspection {
     return state == runs::PreparedScene::State::ready;
   }
 
-  /// Leaves out the variables that caused errors in the last scene. False if no variable did.
+  /// From now on leaves out the variables that caused errors in the last scene. Returns false if no variable
+  /// did.
   bool leave_out_blamed() {
     const auto is_blamed = [&](std::size_t v) {
       const auto& keys = file_.variables[v].variable.keys;

@@ -14,9 +14,9 @@ struct CheckedScenes {
 
 /// Reads the scene once with every value of every variable (both ends of the interval for a sampled
 /// variable), while the other variables have their first value. Errors are reported in the study file, at the
-/// variable that causes them or at its key `scene`. Figures that the scene does not report are errors, too. A
-/// variable is left out if it was read with errors, or after it made a scene unreadable and this was
-/// reported, so that further errors are found.
+/// variable that causes them or at the key `scene`. A figure of the study that the scene does not report is
+/// an error, too. Variables with errors are left out, so that further errors are found: those that could not
+/// be read, and those that made a scene unreadable, once this is reported.
 CheckedScenes check_scenes(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
                            formats::Diagnostics& diagnostics);
 

@@ -19,14 +19,14 @@ namespace netloft::studies {
 
 namespace {
 
-// Limit of points, of which the nearest are used. Kriging of n points takes n³/3 operations, with 600 a tenth
-// of a second for each figure, and distant points add little information.
+// Limit of points: only the nearest are used. Kriging of n points takes n³/3 operations, with 600 a tenth of
+// a second for each figure, and distant points add little information.
 constexpr std::size_t kMostFittedPoints = 600;
 constexpr double kSolveError = 1e-9;  // relative error of solves, the last term of (1)
 
 using Numbers = std::vector<double>;
 
-/// The known values of one figure in the selected rows: a row per point, coordinates scaled to [0, 1].
+/// The values of one figure in the selected rows of the table, by point; coordinates are scaled to [0, 1].
 struct Known {
   std::vector<Numbers> points;
   std::vector<Numbers> samples;  // for each point: one number, or one for every sample
@@ -108,8 +108,8 @@ class NumberEstimate {
     return group;
   }
 
-  /// The largest error of the estimate without a group, among its points nearest to the place. As many points
-  /// count as a cell between listed values has corners.
+  /// The largest error of the estimates that are made without a group of points, at the points of the group
+  /// nearest to the place. As many of them count as a cell between listed values has corners.
   double error_without(const Group& group) const {
     const Numbers residuals = kriging_.residuals_without(group);
     std::vector<std::size_t> order(group.size());
@@ -148,8 +148,8 @@ class Estimator {
   }
 
  private:
-  /// Finds the free variables, along which figures are interpolated: the requested value of a listed one is
-  /// between its values. Sampled variables come last.
+  /// Finds the free variables, along which figures are interpolated: the requested value of a listed variable
+  /// is between its listed values. Sampled variables come last.
   void find_free() {
     for (const bool sampled : {false, true})
       for (std::size_t v = 0; v < site_.size(); ++v)

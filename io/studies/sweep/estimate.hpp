@@ -60,8 +60,8 @@ struct StudyEstimate {
 /// estimated at the place, y_d ± e_d, with the correlation lengths of the medians at all points. The median
 /// and the ends of the band are quantiles Q of these estimates; their error is
 ///   max(Q(y + e) − Q(y), Q(y) − Q(y − e))                                                         (2)
-/// the largest that errors of the samples within e_d can cause. A sample with fewer than three points along a
-/// variable is left out.
+/// This is the largest error that errors of the samples within e_d can cause. A sample with fewer than three
+/// points along a variable is left out.
 ///
 /// If the request has a fault, it is reported to `diagnostics`, and there is no result: unknown or missing
 /// variables, wrong units, places outside the values of a variable or between its only two. Throws StudyError
@@ -69,8 +69,8 @@ struct StudyEstimate {
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
                                       formats::Diagnostics& diagnostics);
 
-/// Indices in the table of the `wanted` figures; if none are named, of all except those of single parts.
-/// Reports unknown names to `diagnostics`.
+/// The indices of the `wanted` figures in the table; if none are named, of all figures except those of single
+/// parts. Reports unknown names to `diagnostics`.
 std::vector<std::size_t> choose_figures(const StudyTable& table, const std::vector<std::string>& wanted,
                                         formats::Diagnostics& diagnostics);
 

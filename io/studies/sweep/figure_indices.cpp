@@ -18,8 +18,8 @@ namespace netloft::studies {
 
 namespace {
 
-// Limit of points. The cost is one correlation per point and sample, and with more points the distance
-// between the study's values causes most of the error.
+// Limit of points, of which the cost is one correlation per point and sample. With more points, most of the
+// error comes from the distance between the values of the study.
 constexpr std::size_t kMostTablePoints = 500;
 constexpr std::size_t kMostGroups = 10;  // limit of groups of samples, each of which is left out in turn
 constexpr std::size_t kHullPoints = 128;
@@ -242,7 +242,7 @@ class Analysis {
                        [&](double level) { return is_same_number(level, *site_[v]->number); });
   }
 
-  /// Refuses tables in which listed values change together, so that no variable varies by itself.
+  /// Reports an error if listed values change together, row by row, so that no variable varies by itself.
   void refuse_lists() {
     std::set<Numbers> together;
     std::size_t product = 1;
@@ -298,7 +298,8 @@ class Analysis {
     return figure;
   }
 
-  /// The points with this figure, at most kMostTablePoints of them, chosen at random.
+  /// The points that have the figure; if they are more than kMostTablePoints, so many of them, chosen at
+  /// random.
   KnownFigures known_of(std::size_t f) const {
     std::map<Numbers, std::pair<double, std::size_t>> all;
     for (const StudyRow* row : rows_)

@@ -36,8 +36,8 @@ struct StudyIndices {
 };
 
 /// Computes Sobol's indices (sobol_indices.hpp): the fraction of a figure's variance that each variable of a
-/// table causes. The figure is taken as a function of the variables that kriging interpolates between the
-/// points, the response. Variables are independent: listed ones are uniform from the first to the last value,
+/// table causes. A figure is taken as a function of the variables, the response, which kriging interpolates
+/// between the points. Variables are independent: listed ones are uniform from the first to the last value,
 /// sampled ones are distributed as their samples. The error of an index S is the root of the sum of squares
 /// of two parts: the error of the sample, and that of the response,
 ///   2 ((k − 1)/k Σ_g (S_g − S)²)^½ + Σ_v max_l |S_l − S|                                    (1)

@@ -6,7 +6,7 @@
 
 namespace netloft::studies {
 
-/// A file of a study that cannot be used; what() is a sentence for the user.
+/// Thrown if a file of a study cannot be used; what() is a sentence for the user.
 class StudyError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -31,7 +31,7 @@ std::vector<Variable> variables_of_path(const Study& study) {
   return variables;
 }
 
-/// Solves one item.
+/// Solves the points of one item.
 class PathRun {
  public:
   PathRun(const Study& study, const StudyItem& item, const PathContext& context)

@@ -127,7 +127,7 @@ class StudyReader {
     }
   }
 
-  /// Reads the path. Without the key, all variables with listed numbers are in the path.
+  /// Reads the key `path`. Without it, all variables with listed numbers are in the path.
   void read_path() {
     if (!root_.has("path")) {
       for (DesignVariable& v : study_.variables) v.is_in_path = !v.is_sampled() && v.variable.is_number();
@@ -149,7 +149,8 @@ class StudyReader {
       found->is_in_path = true;
       ordered.push_back(*found);
     }
-    // Variables in the path go last, in the order of the path, because the last ones vary fastest.
+    // Variables in the path are put last, in the order of the path, because the last variables change
+    // fastest.
     std::erase_if(study_.variables, [](const auto& v) { return v.is_in_path; });
     study_.variables.insert(study_.variables.end(), ordered.begin(), ordered.end());
   }

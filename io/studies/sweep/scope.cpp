@@ -68,8 +68,8 @@ bool is_within(const ScopeRequest& request, const ScopePoint& p) {
   return request.heel.contains(p.heel) && (!request.spread || request.spread->contains(p.spread));
 }
 
-/// On the way from a, which is in the band, to b: the fraction at which the value leaves the band; 1 if it
-/// does not.
+/// For a value that changes from a, within the band, to b: the fraction of the change at which it leaves the
+/// band; 1 if it does not.
 double leaves_at(const Interval& band, double a, double b) {
   if (band.contains(b)) return 1;
   return !std::isfinite(b) ? 0 : ((b > a ? band.high : band.low) - a) / (b - a);
@@ -83,8 +83,9 @@ double end_between(const ScopeRequest& request, const ScopePoint& in, const Scop
   return in.warp + t * (out.warp - in.warp);
 }
 
-/// Solves all depths. At every depth the length increases from the shortest one. Equilibria at the shortest
-/// length follow from depth to depth, so that a fold at larger lengths does not affect the next depth.
+/// Solves all depths. At every depth the length increases from the shortest one. The equilibrium at the
+/// shortest length is followed from depth to depth, so that a fold at larger lengths does not affect the next
+/// depth.
 class ScopeRun {
  public:
   ScopeRun(const runs::CaseSource& source, Registry& registry, const ScopeRequest& request,
@@ -124,7 +125,7 @@ class ScopeRun {
     return std::make_shared<runs::PreparedScene>(std::move(source), registry_, make_);
   }
 
-  /// Null if the scene cannot be read with these values.
+  /// Opens the scene with these values; null if it cannot be read.
   std::shared_ptr<runs::PreparedScene> open(const std::vector<VariableValue>& values) const {
     auto scene = make_case(values);
     return scene->prepare() == runs::PreparedScene::State::ready ? scene : nullptr;

@@ -56,7 +56,7 @@ SobolIndices indices_of(const TripleOfValues& values) {
   return indices;
 }
 
-/// A mean over replicates, and twice its deviation.
+/// The mean of a number over the replicates, and twice the standard deviation of this mean.
 WithError mean_over(const std::vector<SobolIndices>& all,
                     const std::function<double(const SobolIndices&)>& take) {
   Numbers numbers;

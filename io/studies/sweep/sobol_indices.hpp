@@ -33,11 +33,11 @@ using UnitFunction = std::function<double(const std::vector<double>&)>;
 /// with variable i from b. The sums are over the N points:
 ///   S_i = 1/N Σ f(b) (f(c_i) − f(a)) / V                                                    (1)
 ///   T_i = 1/(2N) Σ (f(a) − f(c_i))² / V                                                     (2)
-/// V is the variance of f over both samples; in (1) the mean of f is subtracted. (1): A. Saltelli et al.,
-/// Computer Physics Communications 181, 2010; (2): M. J. W. Jansen, Computer Physics Communications 117,
-/// 1999. The indices are means over replicates, whose sequences differ by a random digital shift; the errors
-/// are twice the deviation of these means. The points are the same in every call. A constant function has the
-/// indices zero.
+/// V is the variance of f over all points a and b; in (1) the mean of f is subtracted. (1): A. Saltelli et
+/// al., Computer Physics Communications 181, 2010; (2): M. J. W. Jansen, Computer Physics Communications 117,
+/// 1999. The indices are means over several replicates, whose sequences differ by a random digital shift; the
+/// errors are twice the standard deviation of these means. The points are the same in every call. A constant
+/// function has the indices zero.
 SobolIndices sobol_indices(const UnitFunction& f, std::size_t variables, const SobolSample& sample = {});
 
 }  // namespace netloft::studies

@@ -57,8 +57,8 @@ std::vector<Combined> combine_grid(const Chosen& of_items, const Chosen& of_path
   return all;
 }
 
-/// Combines variables whose lists of values go together row by row, in the order of the file. Rows with equal
-/// values outside the path are points of one item.
+/// Combines the listed values of variables row by row: the first of each, the second of each, and so on. Rows
+/// with equal values outside the path are points of one item.
 std::vector<Combined> combine_list(const Chosen& of_items, const Chosen& of_path) {
   const Chosen& any = of_items.empty() ? of_path : of_items;
   std::vector<Combined> all;

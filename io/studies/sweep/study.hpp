@@ -9,7 +9,7 @@
 
 namespace netloft::studies {
 
-/// One solve of a study.
+/// A point of a study: values of the variables at which the scene is solved.
 struct StudyPoint {
   std::vector<std::string> set;       // "path=value"; applied after `set` of the study and of the item
   std::vector<VariableValue> values;  // values of the variables in the path
@@ -56,9 +56,9 @@ inline constexpr double kMostPoints = 1e7;
 double count_points(const StudyFile& file);
 
 /// Combines the values of the variables of a study file. There is one item for each sample and each
-/// combination of listed values outside the path, in the order of the file, samples fastest. The points of an
-/// item go through the values in the path to and fro, so that from one point to the next only one variable
-/// changes, by one value. `files` are the files of the scene.
+/// combination of listed values outside the path, in the order of the file, samples changing fastest. The
+/// points of an item are the combinations of values in the path, in such an order that from one point to the
+/// next only one variable changes, to a neighbouring value. `files` are the files of the scene.
 Study make_study(const StudyFile& file, const std::string& scene,
                  std::vector<std::pair<std::string, std::string>> files);
 

@@ -7,7 +7,7 @@ namespace netloft::studies {
 
 /// One row of the table: a point and its results.
 struct StudyRow {
-  // Items and points count from 1; sample 0: nothing was sampled
+  // Numbers of the item, of its sample and of the point, from 1; sample 0: nothing was sampled.
   std::size_t item = 0, sample = 0, point = 0;
   std::vector<VariableValue> values;  // values of the variables, by column
   PointRecord record;                 // of a missing item: a record with the status "missing"

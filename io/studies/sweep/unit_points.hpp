@@ -9,7 +9,7 @@ namespace netloft::studies {
 /// The method that distributes samples in the space of their variables.
 enum class Sampling { latin_hypercube, sobol };
 
-/// Number of dimensions for which Sobol's sequence has direction numbers.
+/// The largest number of dimensions for which Sobol's sequence has direction numbers.
 inline constexpr std::size_t kMostSobolVariables = 3667;
 
 /// Returns `count` points in the open unit cube with so many `dimensions`, the same ones on every machine.

@@ -39,9 +39,9 @@ struct Variable {
   /// Whether numbers between its values are valid: it has an interval, or all listed values are numbers.
   bool is_number() const;
   VariableValue value_of(double number) const;
-  /// "path=value" for every key, in the syntax of `--set`.
+  /// The changes "path=value" for every key, in the syntax of `--set`.
   std::vector<std::string> overrides(const VariableValue& value) const;
-  /// The same overrides as changes of a scene.
+  /// The overrides as changes of a scene.
   std::vector<formats::Change> changes(const VariableValue& value) const {
     return formats::read_changes(overrides(value));
   }
