@@ -20,7 +20,7 @@ struct TableNode {
   double volume = 0, drag_area = 0;     // of displaced water [m³]; drag coefficient times area [m²]
 };
 
-/// A rope: the bars of one name, in the order of their rows.
+/// A rope: all bars with the same rope name, in the order of their rows.
 struct TableRope {
   struct Bar {
     std::array<std::uint32_t, 2> nodes{};
@@ -49,12 +49,12 @@ struct BarTable {
   double density = 1025, gravity = kStandardGravity, depth = 0;
 };
 
-/// Reads a table (TABLE.md). Errors name `file`, the number of the source, and line and column; after an
-/// error the result contains whatever could be read.
+/// Reads a table (TABLE.md). Errors are reported at their line and column; `file` is the number of the text
+/// among the sources of `diagnostics`. After an error the result contains whatever could be read.
 BarTable read_bar_table(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
-/// The text of a scene that is made from a table, and the mesh of its parts. `head`: lines of the comment at
-/// the beginning of the scene.
+/// A scene that is made from a table, and the mesh of its parts. `head`: lines of the comment at the
+/// beginning of the scene.
 struct BarTableScene {
   std::string scene;
   formats::InputMesh mesh;

@@ -9,8 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Writes the scene of a table of nodes and bars. The member functions write its parts, in the order of the
-/// file.
+/// Writes the scene that a table of nodes and bars describes. The member functions are the steps, in the
+/// order of execution.
 class TableScene {
  public:
   TableScene(const BarTable& table, const std::string& mesh_name) : table_(table), mesh_name_(mesh_name) {}
@@ -81,7 +81,7 @@ class TableScene {
     return sets;
   }
 
-  /// The stiffness of the bed under a node at which ropes meet, each with its own bed.
+  /// The stiffness of the bed under a node, at which ropes with beds of different stiffness may meet.
   struct BedUnder {
     double least = 0, most = 0;      // smallest and largest stiffness under these ropes [N/m²]
     double product = 0, metres = 0;  // sums over half bars: of stiffness times length, of length
@@ -97,8 +97,9 @@ class TableScene {
     double stiffness() const { return least == most ? most : product / metres; }
   };
 
-  /// Writes a bed part for each stiffness, on all ropes with this bed. If ropes with different beds meet at a
-  /// node, it would rest on both beds; beds are then written for sets of nodes instead.
+  /// Writes the parts that model the bed: one for each stiffness, on all ropes with this stiffness. If ropes
+  /// with different ones meet at a node, parts are on sets of nodes instead, so that the node does not rest
+  /// on two beds.
   void write_beds() {
     std::vector<BedUnder> under(table_.nodes.size());
     std::map<double, std::vector<std::string>> on;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Divides a gear without a mesh into elements. As in FEMNET, the nodes of a panel are the knots of a coarser
-// net, whose mesh side is the meshing step. Nodes agree with those of FEMNET. Triangles may differ where both
-// diagonals of a square between nodes are equally good.
+// Divides a gear without a mesh into elements. The nodes of a panel are the knots of a coarser net, whose
+// mesh side is the meshing step; they agree with those of FEMNET. Triangles may differ where both diagonals
+// of a square between nodes are equally good.
 //   u = U + V,  v = V − U                 a panel in mesh sides along its twines                      (1)
 //   parts of a side = max(|Δu|, |Δv|) l₀/step, rounded, at least one                                  (2)
 //   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
@@ -77,7 +77,7 @@ class PanelPlane {
     return !(u * v < 2 * most_nodes && std::max(u, v) < kMostParts);
   }
 
-  /// The inner nodes (3). Here U and V of `low` and `high` hold u and v.
+  /// The inner nodes (3). extent() gives u and v as U and V of `low` and `high`.
   std::vector<Meshes> inside(const std::vector<gears::PlanePoint>& border) const {
     const auto [low, high] = extent();
     const gears::BorderSides sides(border, kNearest * panel_.step);
@@ -93,7 +93,7 @@ class PanelPlane {
  private:
   static constexpr double kOpen = std::numbers::sqrt3;
 
-  /// The smallest and the largest u and v, in U and V.
+  /// The smallest u and v, as U and V of the first, and the largest, of the second.
   std::pair<Meshes, Meshes> extent() const {
     Meshes low{1e300, 1e300}, high{-1e300, -1e300};
     for (const auto& c : panel_.corners) {
@@ -111,8 +111,8 @@ double twice_area(const Meshes& a, const Meshes& b, const Meshes& c) {
   return (b.U - a.U) * (c.V - a.V) - (b.V - a.V) * (c.U - a.U);
 }
 
-/// The initial shape of a panel, from the drawing: its corners are triangulated, and positions of inner nodes
-/// are interpolated in each triangle.
+/// The initial shape of a panel, as it is drawn: the corners are triangulated, and positions of inner nodes
+/// are interpolated in these triangles.
 class DrawnPanel {
  public:
   /// `corners` must be counter-clockwise.
@@ -169,7 +169,8 @@ class Divider {
     diagnostics_.error(place, message, hint);
   }
 
-  /// All panels and cables: first those that the file lists in its meshing order, then the others.
+  /// All panels and cables in the order in which they are divided: first those in the meshing order of the
+  /// file, then the rest.
   std::vector<LinkPoint> order() const {
     std::vector<LinkPoint> all;
     std::vector<bool> has_panel(gear_.panels.size()), has_cable(gear_.cables.size());
@@ -214,7 +215,7 @@ class Divider {
     return known->second;
   }
 
-  /// The nodes from `a` to `b`, including both: those of an existing line between them, or of a new line.
+  /// The nodes from `a` to `b`, with both ends: those of the line that exists between them, or of a new line.
   std::vector<std::uint32_t> line(std::uint32_t a, std::uint32_t b, const Triple& from, const Triple& to,
                                   double parts, int type, const formats::Place& place) {
     const auto [known, is_new] = lines_.try_emplace(std::minmax({a, b}));

@@ -31,7 +31,7 @@ class DonScanner {
   std::optional<double> try_real(bool whole = false);
   /// The text between two # signs after the next colon.
   std::string text_in_hashes(const char* what);
-  /// Moves to the end of the line with the next word.
+  /// Moves to the end of the line in which the next word is.
   void skip_worded_line();
   /// Returns the last word before the next colon and moves behind this colon; does not move if another kind
   /// of word follows.
@@ -44,7 +44,7 @@ class DonScanner {
   /// Whether exactly one blank or end of line follows, and then a word.
   bool has_one_separator() const;
 
-  /// The present position, to return to.
+  /// A position in the text, to which go_back() returns.
   struct Mark {
     std::size_t at;
     int line, column;

@@ -10,8 +10,8 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Thins out a sampled curve: it drops samples as long as the straight lines between the kept ones stay
-/// within kHauledWithin of all samples.
+/// Thins out a sampled curve: a sample is dropped if the straight line between the samples kept before and
+/// after it stays within kHauledWithin of all samples in between.
 class Curve {
  public:
   explicit Curve(double first) : time_(0), value_(first), times_{0}, values_{first} {}
@@ -73,7 +73,7 @@ Hauled cable_of(const GearFile& gear, const MeshFile& file, int cable) {
   return out;
 }
 
-/// Index of the interval of a drum's times that contains `time`; nothing outside of them.
+/// The interval of a drum's times that contains `time`, by its index; nothing if `time` is outside of them.
 std::optional<std::size_t> interval_at(const Drum& drum, double time) {
   for (std::size_t i = 0; i + 1 < drum.times.size(); ++i)
     if (time >= drum.times[i] && time <= drum.times[i + 1] && drum.times[i + 1] > drum.times[i]) return i;

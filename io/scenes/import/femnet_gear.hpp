@@ -10,7 +10,7 @@
 
 namespace netloft::scenes::femnet {
 
-/// Gravity in FEMNET [m/s²]: its results for the same files use this value.
+/// Gravity in FEMNET [m/s²], as its results for the files of this importer show.
 inline constexpr double kGravity = 9.81;
 
 using Triple = std::array<double, 3>;
@@ -30,10 +30,10 @@ struct Panel {
          friction = 0;  // `side` is half a mesh [m]; `friction` is a fraction of cd
   double step = 0;      // requested side of elements [m]
   int inner_type = 0, mesh_type = 0;
-  // Set by keywords of the tail:
+  // The next members are set by keywords in the tail of the file.
   double knot_size = 0, EI = 0, neutral_angle = 0;
-  // Keyword netting2ropes: the panel is modelled by bars instead of triangles. In a row, `bars` bars replace
-  // `twines` mesh sides, and each bar stands for `twines` parallel twines. 0: triangles.
+  // Keyword netting2ropes: the panel is modelled by bars instead of triangles. Along the netting, `bars` bars
+  // replace `twines` mesh sides; each bar also stands for `twines` parallel twines. 0: triangles.
   double twines = 0, bars = 0;
 };
 
@@ -171,11 +171,12 @@ struct MeshFile {
   bool is_of_another_gear = false;  // true: rows name parts that the .don does not have
 };
 
-/// The features of FEMNET that a gear uses, as words for a table of many gears.
+/// The features of FEMNET that a gear uses, as words for a table that compares many gears.
 std::vector<std::string> features_of(const GearFile& gear);
 
-/// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings name `file`, the number of the source,
-/// and line and column; after an error the result contains whatever could be read.
+/// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are reported at their line and column;
+/// `file` is the number of the text among the sources of `diagnostics`. After an error the result contains
+/// whatever could be read.
 GearFile read_gear(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
 /// Reads the .mdg of a gear. A row that names a node type, cable or panel that the gear lacks is an error.
@@ -184,8 +185,8 @@ MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear,
 
 /// Divides a gear without a mesh: panels into triangles on a lattice of their meshing step, as in FEMNET, and
 /// cables into bars; linked corners and ends become one node. Panels with netting2ropes, for which FEMNET
-/// uses bars, are divided into triangles, too. Errors refer to the place of the panel, cable or link; a gear
-/// with more than `most_nodes` nodes is an error.
+/// uses bars, are divided into triangles, too. Errors are reported at the panel, cable or link. More than
+/// `most_nodes` nodes are an error.
 MeshFile divide_gear(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes = 1e6);
 
 }  // namespace netloft::scenes::femnet

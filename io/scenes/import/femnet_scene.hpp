@@ -19,8 +19,7 @@ struct Imported {
   std::vector<Finding> findings;  // findings of the gear, and features that the scene lacks
 };
 
-/// The kind of analysis. FEMNET has a solver for the equilibrium and one for the motion, both with the same
-/// file.
+/// The kind of analysis. FEMNET finds the equilibrium and the motion of the same file by two solvers.
 enum class Sought { rest, motion };
 
 /// Converts a gear and its mesh. Numbers that a scene does not accept are errors at their place in the gear

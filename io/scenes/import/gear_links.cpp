@@ -57,8 +57,8 @@ void GearLinks::connect(std::size_t a, std::size_t b) {
   leader_[high] = low;
 }
 
-/// Connects points that are closer than the link distance. Because they are sorted by x, only neighbours have
-/// to be compared.
+/// Connects points that are closer than the link distance. Points are sorted by x, so that only near ones
+/// have to be compared.
 void GearLinks::connect_near() {
   const double reach = gear_.link_distance;
   std::vector<std::size_t> order(drawn_.size());

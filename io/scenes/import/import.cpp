@@ -60,8 +60,9 @@ struct FoundMesh {
   std::string name;  // name of the file; empty if the import divided the gear
 };
 
-/// Divides the gear into elements. Requested outputs that name nodes are dropped, because the file numbers
-/// the nodes of another mesh. Panels with netting2ropes get triangles, because only FEMNET places their bars.
+/// Divides the gear into elements, although it may have a mesh. Requested outputs that name nodes are
+/// dropped, because their numbers are those of FEMNET's mesh. Panels with netting2ropes get triangles,
+/// because only FEMNET places their bars.
 FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagnostics& diagnostics) {
   using femnet::Finding, femnet::Wanted;
   gear.findings.push_back(

@@ -30,10 +30,10 @@ struct ImportRequest {
 /// with their places; after an error the texts are empty.
 ImportedGear import_femnet(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
-/// Reads a table of nodes and bars (TABLE.md), with the same handling of errors.
+/// Reads a table of nodes and bars (TABLE.md). Errors are handled as in import_femnet().
 ImportedGear import_table(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
-/// Reads a mooring of MoorDyn, with the same handling of errors.
+/// Reads a mooring of MoorDyn. Errors are handled as in import_femnet().
 ImportedGear import_moordyn(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
 /// The result of importing all gears of a folder and its subfolders.

@@ -12,8 +12,8 @@ std::string fault_of_waves(const Environment& e);
 /// The key `waves` of [water]: Airy waves, as in FEMNET's first wave model.
 std::string waves_text(const Environment& e);
 
-/// How much higher the crests of second-order waves are than those of linear ones [m], with the amplitude a,
-/// the wave number k and the depth h:
+/// How much higher the crests of second-order waves are than those of linear ones [m], for waves with the
+/// amplitude a and the wave number k in water of the depth h:
 ///   a² k (3 − tanh² k h)/(4 tanh³ k h)
 double rise_of_second_order(const Environment& e);
 

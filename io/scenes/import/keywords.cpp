@@ -157,8 +157,8 @@ class KeywordReader {
   void wave_model() { gear_.environment.wave_model = in_.next_integer("an argument of wave_model"); }
   void link() { gear_.link_distance = number(); }
 
-  /// Reads the arguments 13 x1 x2 y1 y2 z1 z2 type, a box. Other codes than 13 mean half-spaces, which only
-  /// FEMNET's mesher uses.
+  /// Reads the arguments of a box: the code 13, x1 x2 y1 y2 z1 z2, type. Other codes mean half-spaces, which
+  /// only FEMNET's mesher uses.
   void type_box() {
     const int code = in_.next_integer("a code of type_noeud_XYZ_SUPINF");
     if (code != 13 || gear_.plane != 3) return leave_to_mesher();
@@ -246,8 +246,9 @@ class KeywordReader {
   }
 
   /// Adds n spheres (floats) of diameter D and net buoyancy F to a cable of length L, as if they were part of
-  /// it. The cable, of diameter d, density ρ and drag coefficient C, gets the values with a prime; V is the
-  /// volume of a sphere, m its mass, V_c the volume of the cable:
+  /// it. d is its diameter, ρ its density, C its drag coefficient; the prime marks the values that replace
+  /// them. V is the volume of a sphere, m its mass, V_c the volume of the cable, g gravity, ρ_w the density
+  /// of water:
   ///   V = π D³/6,  m = V ρ_w − F/g,  V_c = L π d²/4
   ///   ρ′ = (V_c ρ + n m)/(V_c + n V),  d′ = √(4 (V_c + n V)/(π L)),  C′ = (0.6 n π D²/4 + C L d)/(L d′)
   void smear_floats(Cable& c, double length) {
@@ -313,8 +314,8 @@ class KeywordReader {
     if (Cable* c = cable()) c->constant_tension = number();
   }
 
-  /// Sets the force on nodes of a type to that of a foil of area S in the current c: q (c_d, c_l, c_z) along,
-  /// across and upward, with q = ρ S c²/2.
+  /// Sets the force on nodes of a type to that of a foil of area S in the current c: q c_d along the current,
+  /// q c_l across and q c_z upward, with q = ρ S c²/2 and the density ρ of the water.
   void foil() {
     NodeType* type = one_of(gear_.types, "type");
     const double S = number(), cd = number(), cl = number(), cz = number();

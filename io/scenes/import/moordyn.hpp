@@ -16,8 +16,9 @@ struct MooringFile {
 };
 
 /// Reads an input file of MoorDyn, version 1 or 2 (https://moordyn.readthedocs.io, "Input Files";
-/// BSD-3-Clause): points, and lines with one bar per segment. Errors name `file`, the number of the source,
-/// and line and column; after an error the result contains whatever could be read.
+/// BSD-3-Clause): points, and lines with one bar per segment. Errors are reported at their line and column;
+/// `file` is the number of the text among the sources of `diagnostics`. After an error the result contains
+/// whatever could be read.
 MooringFile read_moordyn(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::scenes

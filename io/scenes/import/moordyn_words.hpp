@@ -22,14 +22,14 @@ enum class MoordynSection {
   other
 };
 
-/// The section that begins with this title, which is in capitals.
+/// The section that begins with `title`, which is in capitals.
 MoordynSection section_named(const std::string& title);
 
 /// The effect that an option has in MoorDyn, for options that a scene cannot represent; nothing for other
 /// options. `name` is in capitals.
 std::optional<std::string> meaning_of_option(const std::string& name);
 
-/// Whether an option, in capitals, selects waves or currents.
+/// Whether an option selects waves or currents; `name` is in capitals.
 bool is_option_of_water(const std::string& name);
 
 /// An end of a line, whose tension an output of MoorDyn names: FairTen3 and Line3TenB mean the end of line 3,

@@ -125,8 +125,8 @@ class MooringReader {
   }
 
   /// Reads a line with names of columns. In version 1 of the format the length of a line comes before its
-  /// ends; only the name of the column tells the versions apart. In version 1 a number of rows ("2 NTypes")
-  /// may come before the names.
+  /// ends; only the name of this column tells version 1 from version 2. In version 1 a number of rows ("2
+  /// NTypes") may come before the names.
   void read_names(const Row& row) {
     if (names_ == 2 && formats::integer_in(row[0].text)) return;
     --names_;
@@ -173,8 +173,8 @@ class MooringReader {
       error(row[0].place, "there is a line type " + shown(row[0]) + " already");
   }
 
-  /// Reads a body. Only points on bodies that do not move are imported; other bodies would have to become
-  /// rigid bodies.
+  /// Reads a body of MoorDyn. Points on bodies that do not move are imported; moving bodies are not, because
+  /// they would have to become rigid bodies.
   void read_body(const Row& row) {
     if (!has_columns(row, 8, "number, attachment, X0 Y0 Z0, r0 p0 y0")) return;
     Body body{{}, in_capitals(row[1].text)};

@@ -39,7 +39,7 @@ class SceneDraft {
   /// Whether the gear is towed: water and bed pass it with the same velocity, and the mesh has nodes that
   /// rest on the bed.
   bool is_towed() const;
-  /// Direction in which the water flows [rad].
+  /// The direction in which the water flows [rad], not wrapped.
   double flow_angle() const;
   /// The direction in which the water flows, between -180 and 180 degrees [rad].
   double heading() const;
@@ -86,7 +86,7 @@ void write_clamps(SceneDraft& to);
 void write_loads(SceneDraft& to);
 void write_catch(SceneDraft& to);
 void write_holds(SceneDraft& to);
-/// Holds one node of every connected piece of the gear that the file does not hold.
+/// Writes a hold for one node of every connected piece of the gear that the file does not hold.
 void hold_what_is_loose(SceneDraft& to);
 /// Writes the results that the file requests.
 void write_results(SceneDraft& to);

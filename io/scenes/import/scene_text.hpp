@@ -8,12 +8,12 @@ namespace netloft::scenes {
 /// Replaces every byte that is not ASCII by a question mark, because its encoding is unknown.
 std::string in_ascii(const std::string& text);
 
-/// Writes "\"text\""; the text must not contain quotes.
+/// Returns the text in quotes; it must not contain quotes.
 std::string quoted(const std::string& text);
-/// Writes "[\"a\", \"b\"]".
+/// Returns an array of texts: ["a", "b"].
 std::string quoted_list(const std::vector<std::string>& texts);
 
-/// Writes the added pairs as "{ a = 1, b = 2 }".
+/// An inline table of TOML, of the added pairs: { a = 1, b = 2 }.
 class InlineTable {
  public:
   InlineTable& add(const char* key, double value);

@@ -56,8 +56,7 @@ double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& ba
   return side;
 }
 
-/// Writes a part by which bars that end in a plane of symmetry have a bending moment against their mirror
-/// images.
+/// Writes a part with bending elements between bars that end in a plane of symmetry and their mirror images.
 void write_mirrors(SceneDraft& to, const Cable& c, std::size_t number) {
   const formats::MeshRegion* region = to.out.mesh.find(cable_name(number));
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -120,7 +120,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
   return a;
 }
 
-/// Calls `read`. If that finds no usable plugin, reports this at `key` and sets `refused`.
+/// Calls `read`. If this finds no usable plugin, reports it at `key` and sets `refused`.
 template <class Read>
 void read_component(formats::TableReader& table, const char* key, bool& refused, const Read& read) {
   try {
@@ -169,8 +169,8 @@ void check_named_by(const StrategyType& strategy, const Values& values, formats:
   }
 }
 
-/// Checks these names in the tables of all strategies, because it is not known yet which of them another
-/// strategy will call.
+/// Checks the names of solvers and strategies in the tables of all strategies, because any strategy may be
+/// called by another one.
 void check_names(formats::TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
   for (const auto& [type, values] : a.given)
     for (const auto& strategy : registry.plugin(table_of_component(type).plugin).strategies)

@@ -21,15 +21,15 @@ const netloft_parameter& bottom_key() {
                                [](const auto& key) { return key.name == std::string_view(kBottom); });
 }
 
-/// Index of a column of `[bed] bottom` by its name; none if there is no such column.
+/// The index of a column of `[bed] bottom`; none if there is no column with this name.
 std::optional<std::size_t> column_named(const char* name) {
   for (std::size_t k = 0; bottom_key().columns[k]; ++k)
     if (!std::strcmp(bottom_key().columns[k], name)) return k;
   return {};
 }
 
-/// Reports factors below zero or above kMostFactor as errors, and a stiffness factor of zero, with which the
-/// bed would carry nothing.
+/// Reports factors below zero and above kMostFactor as errors, and a zero as factor of stiffness, because
+/// such a bed bears nothing.
 void check_factors(const Samples& rows, formats::TableReader& bottom) {
   for (std::size_t k = 2; bottom_key().columns[k]; ++k) {
     const std::string_view name = bottom_key().columns[k];

@@ -6,9 +6,9 @@
 
 namespace netloft::scenes {
 
-/// The material of the bed, which differs from place to place: `[bed] bottom` has rows of x, y and factors on
-/// parameters of the elements that rest on the bed. Element types with a grid parameter named `bottom`
-/// receive the factors for which this grid has columns.
+/// The material of the bed, where it differs from place to place: the table `[bed] bottom` has rows of x, y
+/// and factors on parameters of the elements that rest on the bed. An element type that has a parameter
+/// `bottom`, a grid over x and y, receives the factors for the columns of its grid.
 class SeaBottom {
  public:
   SeaBottom() = default;

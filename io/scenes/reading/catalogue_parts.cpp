@@ -112,8 +112,8 @@ std::vector<NamedPolar> find_polars(formats::Value& scene) {
   return polars;
 }
 
-/// A table of those of `columns` that the polar has; nothing if it lacks the second one, which has the first
-/// values.
+/// A table of those `columns` that the polar has. The first column is the angle; nothing if the second one,
+/// with the first coefficients, is missing.
 std::optional<formats::Value> columns_of(const gears::CataloguePart& polar,
                                          const std::vector<const char*>& columns, formats::Place place) {
   formats::Table table;

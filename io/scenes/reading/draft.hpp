@@ -42,12 +42,12 @@ class Draft {
   void announce_rider(const std::string& name) { riders_.insert(name); }
   void add_rider(Part part, formats::Place place, const ElementType* type, bool is_sound);
 
-  /// The nodes that a name means ("net", "net.fore", "net.node-17"), by their numbers within one part. Empty
-  /// if there are none, which is reported at the mention.
+  /// Finds the nodes that a name means ("net", "net.fore", "net.node-17"), by their numbers within one part.
+  /// If there are none, reports this at the mention and returns nothing.
   std::optional<Joiner::Ends> find_set(const Mention& m);
   /// Does the same as find_set(), but the name of a rider is an error, because a rider has no nodes.
   std::optional<Joiner::Ends> find_nodes(const Mention& m);
-  /// The scene's numbers of the nodes `ends`; nodes must be numbered.
+  /// Converts numbers within a part to numbers of the scene, in which nodes must be numbered already.
   std::vector<std::uint32_t> scene_nodes(const Joiner::Ends& ends) const;
   void refuse_rider(const Mention& m, const std::string& name);
   std::optional<std::size_t> part_number(const std::string& name) const;

@@ -85,8 +85,8 @@ std::vector<Course::Point> read_columns(formats::TableReader& table, const char*
 }
 
 /// Limits the slope of a cubic at a point, so that the curve stays between neighbouring points (F. N. Fritsch
-/// and R. E. Carlson, SIAM J. Numer. Anal. 17, 1980): the slope is at most three times the smaller of the
-/// secants before and after the point, and zero at an extremum and beside a level piece.
+/// and R. E. Carlson, SIAM J. Numer. Anal. 17, 1980): its size is at most three times that of the flatter one
+/// of the secants before and after the point, and zero if their signs differ or one of them is level.
 double limited(double slope, double before, double after) {
   if (!(before * after > 0)) return 0;
   const double most = 3 * std::min(std::abs(before), std::abs(after));
@@ -94,7 +94,7 @@ double limited(double slope, double before, double after) {
 }
 
 /// A smooth motion through the displacements d at the times t: cubic in between. The velocity at a point is
-/// the mean slope to its two neighbours, limited as above, and zero at the first and last point.
+/// the mean slope to its two neighbours, limited by limited(), and zero at the first and last point.
 Course through(const std::vector<double>& t, const std::vector<Course::Point>& d) {
   Course course;
   for (std::size_t i = 0; i < t.size(); ++i) {

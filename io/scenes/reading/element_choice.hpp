@@ -8,8 +8,8 @@
 
 namespace netloft::scenes {
 
-/// Reports at `key` why the registry has no usable component of a name. The first line of `what` is the
-/// message; its other lines, the places that were searched, become the hint.
+/// Reports at `key` why the registry has no usable plugin for the value of this key. The first line of `what`
+/// is the message; further lines, the places that were searched, become the hint.
 void report_refusal(formats::TableReader& table, const char* key, const std::string& what);
 
 /// Reads a text that must not be empty; reports an empty one.
@@ -26,8 +26,8 @@ class ElementChoice {
   /// The element type of this name. Null if there is none, which is reported at the key `type`. Null without
   /// a report if the name is empty.
   const ElementType* find(const std::string& name, formats::TableReader& table) const;
-  /// The companions of an element type: element types of the same plugin that are added to every part of this
-  /// type, on its elements, such as bending on the bars of a rope.
+  /// The companions of an element type: element types of its plugin that the program adds to every part of
+  /// this type, on the elements of the part. For example, bending is added to the bars of a rope.
   std::vector<const ElementType*> companions_of(const ElementType& type) const;
   /// Reads the parameters of a part, including those of its companions, and its laws, such as a law of drag.
   void read(const ElementType& type, formats::TableReader& table, Part& part) const;

@@ -29,8 +29,8 @@ Values read_gear_keys(formats::TableReader& table, bool knots) {
   return read_parameters(keys, table);
 }
 
-/// Reports `nodes` together with `size` as an error, because each sets the fineness of the mesh, and a number
-/// of nodes out of range.
+/// Reports `nodes` together with `size` as an error, because each of them sets the fineness of the mesh.
+/// Reports a number of nodes that is out of range.
 void check_fineness(const GearKeys& keys, formats::TableReader& table) {
   if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
     table.error("size", "stands beside nodes, and either says how fine the mesh is",

@@ -10,7 +10,7 @@
 
 namespace netloft::scenes {
 
-/// The gear of a net plan as it is modelled, whole or as a half, and the fineness of its mesh.
+/// The gear of a net plan as it is modelled, whole or one half of it, and the fineness of its mesh.
 struct GearModel {
   gears::Gear gear;
   gears::Fineness fineness;

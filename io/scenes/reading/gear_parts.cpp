@@ -246,7 +246,7 @@ std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
   return nodes;
 }
 
-/// Stores the roles that the plan gives its ropes. Ropes of `gear` are in the order of those of gear_.
+/// Stores the roles that the plan gives its ropes in `gear`.
 void GearParts::name_lines(GearInScene& gear) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::Rope& rope = *gear_.ropes[r].rope;
@@ -290,8 +290,8 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
 
 namespace {
 
-/// Divides the number of pieces of a contact by `shoes`, the number of points on which one board rests, so
-/// that each gets the same number whether one or both boards are modelled.
+/// Sets the number of pieces at each contact point of a board, so that it does not depend on whether one
+/// board or both are modelled. `shoes`: number of contact points of one board.
 void count_on_one_side(formats::Table& contact, double shoes) {
   if (contact.find("each")) return;
   double pieces = 1;
@@ -371,9 +371,9 @@ void GearParts::hold_blocks() {
   draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
 }
 
-/// Prepares warps on winches. For a warp with a given tension, the search for the equilibrium finds its
-/// length (a Setting). In a motion, a winch follows the winch program of the plan, or holds the tension if
-/// there is none. A warp starts at its block.
+/// Prepares warps on winches, each of which starts at its block. If a warp has a given tension, the search
+/// for the equilibrium finds its length (Setting). In a motion, a winch follows the winch program of the
+/// plan; without a program it holds the tension.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::GearRope& rope = gear_.ropes[r];

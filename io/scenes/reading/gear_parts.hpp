@@ -53,7 +53,8 @@ class GearParts : public GearSteps {
                 const std::vector<std::uint32_t>& nodes);
   /// The initial guess for the position of a body.
   BodyOfPlan place_of(const gears::GearBody& body) const;
-  /// Makes the ends of ropes at a body its points. `part` is the index of the part that is the body.
+  /// Connects the ropes that end at a body: its points become their ends. `part` is the index of the body's
+  /// part.
   void tie(const gears::GearBody& body, std::size_t part);
   void add_parts();
   void hold_middle();

@@ -24,27 +24,27 @@ class GearSteps {
   virtual bool has_name(const std::string&) const { return false; }
   /// Reads `[parts]` and `[bodies]`, and adds the panels and ropes of the plan.
   virtual void read_parts(PartReader& parts);
-  /// Whether a `[[join]]` belongs to the plan, because it is a seam between panels, and does not join parts
-  /// of the scene.
+  /// Whether a `[[join]]` is a seam between panels of the plan. Other ones join parts of the scene.
   virtual bool is_seam(formats::TableReader&) const { return false; }
   /// Joins the nodes that panels and ropes share.
   virtual void join(Joiner&) const {}
   /// Adds floats and weights once the nodes of the scene are numbered.
   virtual void add_pieces() {}
-  /// If the scene has `[elements.contact]`: tables like those of `[parts]` for the contact parts, which keep
-  /// the gear on the bed. There is one for each rope and body of the plan that touches the bed, except those
-  /// whose nodes are all in `carried`, the nodes that a contact part written in the scene already has.
+  /// The contact parts that keep the gear on the bed, as tables like those of `[parts]`; none without
+  /// `[elements.contact]`. There is one for each rope and body of the plan that touches the bed, unless all
+  /// its nodes are in `carried`, the nodes of contact parts that the scene file has itself.
   virtual std::vector<std::pair<std::string, formats::Value>> contacts(const std::set<std::uint32_t>&) const {
     return {};
   }
-  /// Whether a towed gear would sink into the bed, because its footrope has no contact part. `carried` as
-  /// above.
+  /// Whether a towed gear would sink into the bed, because not all of its footrope has contact. `carried`:
+  /// nodes with contact.
   virtual bool sinks_into_bed(const std::set<std::uint32_t>&) const { return false; }
   /// Holds the plane of symmetry of half a gear, and the blocks of the ship.
   virtual void add_holds() {}
   /// Fits the initial shape to the positions of held nodes.
   virtual void follow_holds() {}
-  /// Refuses motions of the ship and of winches, which have no effect in a static analysis.
+  /// Reports motions of the ship and of winches as errors; only called for a static analysis, where they have
+  /// no effect.
   virtual void refuse_motions() const {}
   /// Completes the winches of the plan once the analysis is known.
   virtual void complete_winches(Registry&) const {}

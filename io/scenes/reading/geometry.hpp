@@ -77,9 +77,9 @@ Geometry read_line(formats::TableReader& part);
 /// bar_length [m], and to_aft, the meshes from each corner to the aft edge. Netting of another orientation,
 /// such as square meshes, differs only in u and v (io/gears/plan/twine_coordinates.hpp). A tube runs from the
 /// point `from` to the point `to`, with `radius` at the fore edge and `radius_aft` at the aft edge. Its left
-/// and right edges lie on one line on top (towards +x for an upright tube). From the left edge to the right
-/// one, nodes run clockwise for an observer who looks aft, so that the corners of triangles are
-/// counter-clockwise seen from outside.
+/// and right edges meet on top (towards +x for an upright tube). From the left edge to the right one, nodes
+/// run clockwise for an observer who looks aft; the corners of triangles are then counter-clockwise seen from
+/// outside.
 Geometry read_panel(formats::TableReader& part);
 
 /// Reads a rectangle of diamond netting, divided into bars along its twines, from the keys of read_panel(). A

@@ -11,8 +11,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Nodes beyond the plane by less than this fraction of the gear's breadth do not count. Solutions to the
-// usual tolerance were up to 5e-10 beyond, crossed gears 0.1.
+// Nodes beyond the plane by less than this fraction of the gear's breadth do not count. Converged solutions
+// were beyond it by up to 5e-10 of the breadth, crossed gears by 0.1.
 constexpr double kRounding = 1e-6;
 constexpr std::size_t kMostNames = 5;
 
@@ -43,7 +43,7 @@ std::vector<Beyond> find_beyond(const LoadedScene& loaded, std::span<const doubl
   return all;
 }
 
-/// "a", "a and b", "a, b and 7 more".
+/// Names in a sentence: "a", "a and b", "a, b and 7 more".
 std::string list_names(const LoadedScene& loaded, const std::vector<Beyond>& parts) {
   const std::size_t named = parts.size() > kMostNames ? kMostNames - 1 : parts.size();
   std::string names;

@@ -151,8 +151,8 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
   return held;
 }
 
-/// Whether a node can be held along axes of the world. The bits of `held` refer to the node's own axes if it
-/// has some; only if all three are set do they mean the same for both.
+/// Whether a node can be held along axes of the world. If it has axes of its own, the bits of `held` refer to
+/// these, and mean the same for the world only if all three are set.
 bool Holder::holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const {
   return axes == kAllAxes || scene_.held[node] == kAllAxes || !scene_.frames.contains(node);
 }

@@ -13,7 +13,7 @@ struct HoldEntry {
   std::vector<std::string> on;
   std::string name;
   std::uint8_t axes = kAllAxes;
-  // Axes of the hold if it is not along those of the world: keys `along`, `plane`.
+  // Axes of the hold if the keys `along` or `plane` are used; else those of the world.
   std::optional<std::array<double, 9>> frame;
   std::vector<std::array<double, 3>> at;  // points of a line; empty: at the initial positions
 };
@@ -27,9 +27,9 @@ class Holder {
  public:
   explicit Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {}
 
-  /// Holds `nodes` of the scene, given in the order of their set (an edge, for example). If an earlier entry
-  /// already holds a node along an axis, the reaction along it belongs to the earlier hold only, so that all
-  /// reactions add up to the total on the gear.
+  /// Holds `nodes` of the scene, in the order of their set (an edge, for example). If an earlier entry
+  /// already holds a node along an axis, that entry keeps the reaction, so that the reactions of all entries
+  /// add up to the total on the gear.
   Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:

@@ -40,8 +40,7 @@ class Joiner {
       }
   }
 
-  /// All nodes of all sets become one node at their mean position. Netting is gathered in a point in this
-  /// way.
+  /// All nodes of all sets become one node at their mean position, for example where netting is gathered.
   void gather(const std::vector<Ends>& sets) {
     std::vector<std::uint32_t> nodes;
     for (const auto& set : sets)
@@ -69,7 +68,7 @@ class Joiner {
     return std::nullopt;
   }
 
-  /// Numbers the nodes that remain, and fills positions, labels and `held` of the scene.
+  /// Numbers the nodes that remain after joins, and fills positions, labels and `held` of the scene.
   void number(Scene& scene) {
     number_.assign(leader_.size(), 0);
     std::uint32_t node = 0;

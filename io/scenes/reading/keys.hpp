@@ -63,16 +63,16 @@ struct GearKeys {
 /// The name of the contact elements as a kind of parts; a scene has them only with `[elements.contact]`.
 inline constexpr const char* kContact = "contact";
 
-/// A kind of parts of a net plan, the table `[elements.KIND]` that chooses its elements. `key`: the table of
-/// the plan with the numbers of such a part; `type`: the default element type.
+/// A kind of parts of a net plan, such as ropes. The table `[elements.KIND]` of a scene chooses its elements.
+/// `key`: the table in the plan with the numbers of such a part; `type`: the default element type.
 struct GearElements {
   const char *kind, *key, *type, *doc;
   std::uint32_t stencil;  // shape of its elements: on a node, a bar or a triangle
 };
 std::span<const GearElements> gear_elements();
 
-/// The keys of those tables of a scene that no plugin defines, in the same form as plugins give theirs. The
-/// reader, the checks, the command `describe` and the schema all use these tables.
+/// The keys of tables of a scene that are not the keys of a plugin, in the form in which plugins give theirs.
+/// The reader, the checks, the command `describe` and the schema all use these tables.
 std::span<const netloft_parameter> water_keys();
 std::span<const netloft_parameter> wave_keys();
 std::span<const netloft_parameter> tow_keys();

@@ -42,7 +42,7 @@ struct ResultRequest {
   std::string quantity;  // "z", "tension"
   std::string unit, doc;
   Source source = Source::position;
-  // 0 to 2: x, y, z, and 3: length of the vector; of an attitude 0: heading, 1: heel, 2: trim.
+  // 0, 1, 2: x, y, z; 3: length of the vector. For an attitude 0: heading, 1: heel, 2: trim.
   int axis = 0;
   std::uint32_t body = 0;            // index in Scene::bodies, for attitudes
   std::vector<std::uint32_t> nodes;  // of the scene

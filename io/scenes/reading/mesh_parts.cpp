@@ -146,7 +146,7 @@ Geometry MeshParts::read(const ElementType& type, const std::string& name, std::
     standing_.push_back({part, mesh, OwnNodes(*mesh, *region).nodes});
     add_nodes(*mesh, *region, OwnNodes(*mesh, *region), out);
   }
-  // Without a region, the other keys are still checked.
+  // If the region is missing, the other keys are still checked.
   const formats::MeshRegion& stands_on = region ? *region : none;
   if (layout == Layout::panel_in_triangles) read_triangles(stands_on, table, out);
   if (layout == Layout::panel_in_bars) read_twines(stands_on, table, out);

@@ -22,15 +22,15 @@ class MeshParts {
   /// Reads the region of a mesh that the part names; `part` is the index of the part in the scene. The
   /// element type decides which region is needed: triangles, with the data u, v, bar_length and to_aft
   /// (meshes to the largest V of the region); bars, with the data rest_length, and with the sets start, end
-  /// and middle if they form one line; or bars along twines, with the data rest_length and parallel. Of each
-  /// set of nodes in the mesh the part gets those in its region.
+  /// and middle if they form one line; or bars along twines, with the data rest_length and parallel. The part
+  /// gets the sets of nodes of the mesh, as far as they are in its region.
   Geometry read(const ElementType& type, const std::string& name, std::size_t part,
                 formats::TableReader& table);
 
   /// Joins the nodes of a mesh that several parts use.
   void connect(Joiner& joiner) const;
 
-  /// Whether a mesh could not be read; the number of nodes of its parts is then unknown.
+  /// Whether some mesh could not be read. The number of nodes of its parts is then unknown.
   bool has_failed() const;
 
   /// The files that were read.

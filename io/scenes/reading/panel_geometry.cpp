@@ -55,8 +55,9 @@ SurfacePoint through_corners(std::vector<Point> corner) {
 
 Vec3<double> vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// The surface of a tube around the line c(t) from one point to another, with the radius r(t): c(t) + r(t)
-/// (cos 2πs e₁ + sin 2πs e₂), with e₁ × e₂ the direction of the line; e₁ points upwards as far as possible.
+/// The surface of a tube: c(t) + r(t) (cos 2πs e₁ + sin 2πs e₂). c(t) runs from one point to another, r(t) is
+/// the radius, e₁ and e₂ are unit vectors across, with e₁ × e₂ along the tube and e₁ as far upwards as
+/// possible.
 SurfacePoint round_an_axis(const Point& from, const Point& to, double radius, double radius_aft) {
   const Vec3<double> way = vector(to) - vector(from), a = (1 / norm(way)) * way;
   const Vec3<double> up = std::abs(a.z) > 0.999 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 0, 1};
@@ -134,8 +135,8 @@ double slant(const Panel& p, double across, double along) { return p.along * acr
 
 bool is_square(double slant) { return std::abs(slant - 1) < 1e-9; }
 
-/// The numbers of cells, nearest to those of a panel, with which cells are square in meshes, such as "[36,
-/// 36]"; empty if there are none.
+/// The numbers of cells across and along that make cells square in meshes and are nearest to those of the
+/// panel, such as "[36, 36]"; empty if there are none.
 std::string nearest_square_cells(const Panel& p) {
   double best = std::numeric_limits<double>::infinity();
   std::string cells;

@@ -100,7 +100,7 @@ netloft::Value read_value(const netloft_parameter& p, formats::TableReader& from
   }
 }
 
-/// Whether one of the parameters in a group, which are named "group.…", is required.
+/// Whether a group of parameters, "group.…", has a required one.
 bool group_is_required(std::span<const netloft_parameter> table, const std::string& group) {
   for (const auto& p : table)
     if (std::string_view(p.name).starts_with(group + ".") && (p.flags & NETLOFT_REQUIRED)) return true;

@@ -25,8 +25,8 @@ class PartReader {
   /// Reads `[bodies]`. A rigid body is a part with one element of its `type`; elements of other parts may be
   /// on its points.
   void read_bodies();
-  /// Reads a body of the net plan. `name_in_plan` differs from `name` for a body of a pair. Returns the index
-  /// of its part; nothing after an error.
+  /// Reads a body of the net plan. For a body of a pair, `name` has the side ("port-door") and `name_in_plan`
+  /// has not ("door"). Returns the index of its part; nothing after an error.
   std::optional<std::size_t> read_body_of_plan(const std::string& name, const std::string& name_in_plan,
                                                const BodyOfPlan* place);
   /// The names and tables of riders.
@@ -52,8 +52,8 @@ class PartReader {
   std::vector<std::pair<std::string, formats::TableReader>> riders_;
 };
 
-/// Reads the element type of a part. Reports a missing type. The part may have been created by mistake, by a
-/// misspelt `--set`; if another part has a similar name, the hint names it.
+/// Reads the element type of a part. If it is missing, a misspelt `--set` may have created the part; the hint
+/// of the error then names a part with a similar name.
 std::string read_type_name(const Draft& draft, const std::string& name, formats::TableReader& table);
 
 }  // namespace netloft::scenes

@@ -21,10 +21,10 @@ formats::Value only_contact(formats::Value said);
 /// Whether a rope lies on the bed when the gear is towed over it; its role in the plan decides.
 bool rests_on_bed(const gears::Rope& rope);
 
-/// The points of a body on which it rests: those of "door.toe" and "door.heel" that it has.
+/// The points on which a body rests, "door.toe" and "door.heel", as far as it has them.
 std::vector<std::string> shoes_of(const gears::PlanBody& body);
 
-/// Half the diameter of the largest piece (float or bobbin) strung along a rope [m]; 0 if there is none.
+/// Half the diameter of the largest piece (such as a roller) strung along a rope [m]; 0 if there is none.
 double radius_along(const gears::NetPlan& plan, const std::string& rope);
 
 }  // namespace netloft::scenes

@@ -42,7 +42,7 @@ PlanElements::PlanElements(const gears::NetPlan& plan, const gears::Gear& gear,
   read_exceptions(elements, gear);
 }
 
-/// Whether a name means something with contact elements: a rope or a body that rests on the bed, or the kind
+/// Whether `[elements.NAME]` may have keys about contact: NAME is a rope or a body that rests on the bed, or
 /// "contact" itself.
 bool PlanElements::touches_bed(const std::string& name) const {
   if (!contact_) return false;

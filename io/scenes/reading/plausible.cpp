@@ -13,7 +13,7 @@ namespace netloft::scenes {
 
 namespace {
 
-// Fresh water has 1000 kg/m3, the Dead Sea 1240 kg/m3; 0 is air.
+// Fresh water has 1000 kg/m3, the Dead Sea 1240 kg/m3. A density of 0, for air, is allowed, too.
 constexpr double kLightestWater = 900, kHeaviestWater = 1250;  // [kg/m3]
 // The diameter of a chain is that of the wire of its links; a cylinder of this diameter has 25 000 to 28 000
 // kg/m3 (chains of the library). Footropes of the library whose density includes rollers or chain loops have
@@ -26,7 +26,7 @@ constexpr double kFastestHold = 20;  // [m/s]
 // A residual of 1 % of the largest load changes results by more than the differences between gears that
 // people compare.
 constexpr double kCoarsestTolerance = 0.01;  // [1]
-// Catalogues round buoyancy, volume and mass by about 5 % each.
+// Tolerance for the buoyancy of floats: catalogues round buoyancy, volume and mass by about 5 % each.
 constexpr double kRoundingOfFloats = 0.2;  // fraction of the weight of the displaced water [1]
 
 void check_water(const LoadedScene& loaded, formats::TableReader& root) {

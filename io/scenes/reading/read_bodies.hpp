@@ -22,8 +22,8 @@ Geometry read_body(formats::TableReader& table, const BodyOfPlan* plan = nullptr
 /// Makes the rigid bodies of a scene, whose nodes must be numbered. Faults are reported at their places.
 void add_bodies(Draft& draft, formats::Diagnostics& diagnostics);
 
-/// Moves the points of bodies to where the bodies have them, after an initial position or a hold has placed
-/// the origins.
+/// Moves the points of bodies to their positions on the bodies, once the initial positions and holds have
+/// placed the origins.
 void place_points(Scene& scene);
 
 /// The body of which a node is a point (not the origin); null if there is none.

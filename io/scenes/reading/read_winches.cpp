@@ -9,8 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// The rope of the plan that has a given tension or a winch program; null if there is none. All warps are one
-/// rope of the plan, with copies.
+/// The rope of the plan that has a given tension or a winch program; null if there is none. The plan has one
+/// rope for all warps.
 const gears::Rope* find_warp(const gears::NetPlan& plan) {
   const auto is_run = [](const gears::Rope& rope) { return rope.tension || !rope.winch.empty(); };
   const auto warp = std::ranges::find_if(plan.ropes, is_run);

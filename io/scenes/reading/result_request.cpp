@@ -17,7 +17,7 @@ namespace {
 
 const std::vector<std::string> kHow = {"min", "max", "mean", "sum", "range"};
 
-/// A quantity of nodes that a result may take.
+/// A quantity of nodes that `take` may name.
 struct NodeQuantity {
   const char *name, *unit, *doc;
   ResultRequest::Source source;
@@ -92,8 +92,8 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A hint for a wrong `take`. It covers words such as "minimum z", quantities of elements such as "tension"
-/// asked of an edge, and misspelt names such as "min heigth".
+/// A hint for a wrong `take`: a word such as "minimum z", a quantity of elements such as "tension" for an
+/// edge, or a misspelt name such as "min heigth".
 std::string take_hint(const ResultRequest& request, const ElementType& type, bool whole) {
   const auto names = quantity_names(whole ? &type : nullptr);
   if (has_name(quantity_names(&type), request.quantity))

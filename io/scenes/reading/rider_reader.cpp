@@ -19,7 +19,7 @@ bool rests_on_bed(const ElementType& type) {
          });
 }
 
-/// Removes parameters of a part that only its companions use; they have copies.
+/// Removes those parameters of a part that only its companions have; the companions have copies of them.
 void keep_own_parameters(Part& part, const ElementType& type) {
   std::erase_if(part.parameters, [&](const auto& given) {
     return std::none_of(type.parameters.begin(), type.parameters.end(),
@@ -66,7 +66,7 @@ void RiderReader::read_contacts() {
         "rest on it");
 }
 
-/// The nodes of all parts of the scene that are contact with a bed.
+/// The nodes of all contact parts of the scene, which rest on a bed.
 std::set<std::uint32_t> RiderReader::carried_by_beds() const {
   std::set<std::uint32_t> nodes;
   for (std::size_t p = 0; p < draft_.types.size(); ++p)
@@ -81,7 +81,7 @@ void RiderReader::add_companions() {
     const ElementType& type = *draft_.types[p];
     for (const auto* rider : elements_.companions_of(type)) {
       Part companion = make_companion(out_.scene.parts[p], type, *rider);
-      // A companion without elements.
+      // A companion without elements is not added.
       if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;
       companions_.push_back(rider);
       out_.scene.parts.push_back(std::move(companion));

@@ -29,7 +29,7 @@ void check_symmetric_parameters(const Draft& draft, const std::string& cure,
   }
 }
 
-/// Reports a gear that has crossed its plane of symmetry, or boards that have crossed, at the start. This is
+/// Reports half a gear that is beyond its plane of symmetry at the start, and boards that have crossed. It is
 /// an error if a node beyond the plane is held, and else a warning, because free nodes can return.
 void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) {
   for (const auto& crossing : find_crossings(out, out.scene.positions)) {
@@ -49,8 +49,9 @@ void check_held(const LoadedScene& out, const std::vector<const ElementType*>& t
     diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
-/// Warns of friction that does not suit the ground. The friction of towed parts points aft only if the ground
-/// moves past them; if it does not, a part has no friction unless its elements have one that sticks.
+/// Warns of friction that does not suit the ground: one that acts only if the ground moves past the gear,
+/// where it does not; and one that sticks, where water flows without a tow, because a towed gear is probably
+/// meant.
 void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {
@@ -73,7 +74,7 @@ void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagn
   }
 }
 
-/// Reports elements that need the bed of the scene as errors if there is none.
+/// Reports an error for elements that need the bed of the scene, if there is none.
 void check_bed(const Draft& draft, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p)

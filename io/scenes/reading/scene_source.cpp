@@ -165,7 +165,8 @@ class SceneSource::Memory {
   }
 
  private:
-  /// The tables of the document with the changes applied. Places refer to sources of `diagnostics`.
+  /// The tables of the document, with the changes applied. Their places refer to the sources of
+  /// `diagnostics`.
   formats::Value changed(const std::vector<formats::Change>& changes, formats::Diagnostics& diagnostics) {
     if (!document_) document_ = formats::Document::load(file_, {}, said_);
     formats::Value root = document_->root();

@@ -21,7 +21,8 @@ namespace netloft::scenes {
 struct TautiModel {
   double lengths = 1, twines = 1;  // λ, λ'
 
-  /// The viscosity at which full-size netting has the Reynolds number (3), divided by that of the tank.
+  /// The viscosity with which netting of the full scale has the Reynolds number (3), over the viscosity in
+  /// the tank.
   double viscosity_of_netting() const;
   /// Replaces the ropes and floats of a scene by those of the model, scaled up to the size of the gear. The
   /// viscosity of the scene's water must be that of viscosity_of_netting().

@@ -47,7 +47,7 @@ class AiryWaves : public WaterField {
     bool is_stretched = true;
   };
 
-  /// Waves are carried along by the tow and the drift of `current`.
+  /// `sea` moves along with the tow and the drift of `current`.
   AiryWaves(Sea sea, double gravity, Current current);
   WaterMotion at(const std::array<double, 3>& place, double time) const override;
   double height(const std::array<double, 3>& place, double time) const;

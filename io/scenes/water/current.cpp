@@ -31,7 +31,7 @@ bool ascend(const std::vector<double>& t, formats::TableReader& table) {
   return true;
 }
 
-/// Reads columns over time instead of height: a current that is the same at all heights.
+/// Reads a current that is the same at all heights, as columns over time.
 Current read_drift(formats::TableReader table) {
   Current current;
   const auto t = table.reals("t", kTimes);
