@@ -195,7 +195,7 @@ class RiderMaker {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
   std::vector<double> carried_;
-  std::vector<PanelBelow> panels_;      // if it stands on whole parts
+  std::vector<PanelBelow> panels_;      // panels whose elements the rider copies
   std::vector<std::size_t> ropes_;      // indices of the ropes, for elements on pairs of bars
   std::vector<std::uint32_t> corners_;  // nodes of one element, named in `on`
 };

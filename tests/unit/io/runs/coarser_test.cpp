@@ -61,8 +61,8 @@ TEST(HalvedCells, LeaveAGearOfWhichANodeIsCalledByItsNumber) {
     EXPECT_TRUE(halved_cells(opened(kGear, {numbered})->loaded(), Halved::all).empty()) << numbered;
 }
 
-// An answer carried to a finer mesh keeps its energy but for the few triangles that lie across a coarse
-// diagonal, where two twines become one straight mean, which is never longer.
+// The energy of an interpolated answer is that of the coarse mesh, except for the few fine triangles that a
+// coarse diagonal divides. In those, two twines become one straight mean, which is never longer.
 TEST(CarriedOver, StretchesNothingThatWasNotStretched) {
   auto coarse = opened(kPanel, {"parts.net.cells=[8,8]", "analysis.solver=newton"});
   auto fine = opened(kPanel, {"parts.net.cells=[16,16]"});
@@ -98,7 +98,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CarriedOverItself,
                            return name;
                          });
 
-// On a flat sketch positions are linear in the shares of the way, which every division of cells reproduces.
+// A panel that is drawn flat has positions that are linear across and along it, so that interpolation is
+// exact for every division into cells.
 class CrossedCells : public testing::TestWithParam<const char*> {};
 
 TEST_P(CrossedCells, AreCarriedToFinerOnes) {
@@ -128,8 +129,8 @@ TEST(CoarserMeshes, LeaveOddNumbersWhereHalfOfThemDoesNotFit) {
   EXPECT_EQ(nodes_of(finest.loaded().scene) - nodes_of(*coarse), std::size_t{17 * 17 - 9 * 9});
 }
 
-// 7 → 4 cells: no node but those of the edges is in both, on a flat sketch positions are linear in the
-// shares.
+// From 7 to 4 cells only nodes on the edges coincide. On a panel that is drawn flat, interpolation is exact
+// nevertheless.
 TEST(CoarserMeshes, OfOddNumbersCarryAFlatSketch) {
   const CaseSource source{
       test::source_folder() + "/gear-library/scenes/" + kPanel, {"parts.net.cells=[7,7]"}, 1};
@@ -151,7 +152,7 @@ TEST(CoarserMeshes, LeadToACrossedTubeBetweenTwoRings) {
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
 }
 
-// The answer of a panel whose twines bear no compression is one: it must not depend on the way to it.
+// Without stiffness in compression the panel has only one equilibrium, which coarser meshes must not change.
 TEST(CoarserMeshes, LeadToTheAnswerThatIsFoundWithoutThem) {
   const std::vector<std::string> same{"parts.net.cells=[32,32]", "parts.net.twine.EA_compression=1"};
   auto with = same, without = same;

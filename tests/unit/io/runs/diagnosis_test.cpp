@@ -30,7 +30,8 @@ bool has_sign(const Solution& s, const char* words) {
 
 constexpr const char* kFloat = "tests/stability/scenes/float-on-rope.toml";
 
-// A float straight below what holds it, on a rod: in balance, and pressed with all of its buoyancy.
+// A float straight below its hold, on a rope that acts as a rod: the equilibrium has the whole buoyancy as
+// compression.
 TEST(Diagnosis, NamesWhatStandsByCompression) {
   const auto turned_over = [](scenes::LoadedScene& loaded) {
     for (std::size_t d = 2; d < loaded.scene.positions.size(); d += 3)
@@ -44,15 +45,14 @@ TEST(Diagnosis, NamesWhatStandsByCompression) {
   EXPECT_TRUE(has_sign(s, "rope bears compression in 10 of 10 elements"));
 }
 
-// The rope of 150 m between two points 148 m apart is slack before anything has moved: no iteration is
-// allowed.
+// The rope of 150 m between two points 148 m apart is slack at the start; no iteration is allowed.
 TEST(Diagnosis, NamesWhatIsSlack) {
   const Solution s = solution_of(kFloat, {"analysis.solver=newton", "analysis.max_iterations=0"});
   EXPECT_EQ(s.status, SolveStatus::not_converged);
   EXPECT_TRUE(has_sign(s, "rope is slack: nothing pulls at it"));
 }
 
-// There and back again, at the eleventh node of 67 bars.
+// The rope of 67 bars turns back at its eleventh node.
 TEST(Diagnosis, CountsFolds) {
   const auto folded = [](scenes::LoadedScene& loaded) {
     auto& x = loaded.scene.positions;

@@ -14,16 +14,18 @@
 namespace netloft::runs {
 namespace {
 
-// z of the middle [m]; a quarter of a metre off it is a binary number, too, and so the displacement back
-// exact
+// z of the middle node if the bars are straight [m]. Adding 0.25 m is exact in binary numbers, and so is the
+// displacement back.
 constexpr double kStraight = -10;
 
-/// z of the middle of pressed-bars.toml, sketched at `sketch`, from where `start` says or from the sketch
-/// [m].
+/// z of the middle node of pressed-bars.toml in equilibrium [m]. Its initial position is `sketch`, and the
+/// search begins at `start`, or there if that is empty.
 double middle(double sketch, std::optional<double> start, const std::vector<std::string>& settings) {
   const std::string file = "tests/unit/io/runs/pressed-bars.toml";
   PreparedScene one({test::source_folder() + "/" + file, settings, 1}, test::shipped_plugins());
-  const auto z_of = [](std::vector<double>& x) -> double& { return x.at(5); };  // of node 1 of three
+  const auto z_of = [](std::vector<double>& x) -> double& {
+    return x.at(5);
+  };  // the middle one of three nodes
   EXPECT_EQ(one.prepare([&](scenes::LoadedScene& loaded) { z_of(loaded.scene.positions) = sketch; }),
             PreparedScene::State::ready);
   std::vector<double> x = one.assembler().node_positions(one.assembler().start());
@@ -35,7 +37,8 @@ double middle(double sketch, std::optional<double> start, const std::vector<std:
   return z_of(end);
 }
 
-// From an unstable equilibrium that a user names the search goes on there, and not from the sketch.
+// If the user names an unstable equilibrium as start, the search continues from there, and not from the
+// initial positions.
 TEST(EquilibriumNearAPoint, LeavesAnUnstableEquilibriumWhereverTheSceneIsSketched) {
   const double rise = std::sqrt(1.05 * 1.05 - 1);
   const std::vector<std::string> by{"analysis.strategy=auto"};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loss factors of materials: one mass on one rope, whose swings fall by exp(-π η) each at 10 Hz.
+// Loss factors of materials: a mass on a rope, each of whose swings is exp(-π η) times the one before at 10
+// Hz.
 #include "io/runs/march.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
@@ -14,13 +15,13 @@
 namespace netloft::runs {
 namespace {
 
-// A weight of 10 kg on a rope of 10 m, let go at the rope's own length.
+// A weight of 10 kg on a rope of 10 m, released at the unstretched length of the rope.
 const std::string kBounce = test::source_folder() + "/io/program/templates/integrator/my_integrator.toml";
 
-constexpr double kGravity =
-    100;  // [m/s²], so that strains are large against the one at which damping sets in
+// Gravity [m/s²]: strains are then large against the one at which damping sets in.
+constexpr double kGravity = 100;
 
-/// `more` on a rope that swings at f [Hz].
+/// The changes that make the weight oscillate at f [Hz], and `more`.
 std::vector<std::string> bounce(double f, const std::vector<std::string>& more) {
   const double omega = 2 * std::numbers::pi * f;
   std::vector<std::string> all = {"analysis.integrator=newmark",
@@ -35,7 +36,8 @@ std::vector<std::string> bounce(double f, const std::vector<std::string>& more) 
   return all;
 }
 
-/// Mean logarithmic decrement of its swings, after the first one, which begins slack.
+/// The mean logarithmic decrement of the oscillation, without the first swing, which begins with a slack
+/// rope.
 double decrement(double f, const std::vector<std::string>& more) {
   const double omega = 2 * std::numbers::pi * f, sag = kGravity / (omega * omega);
   PreparedScene one({kBounce, bounce(f, more), 1}, test::shipped_plugins());

@@ -13,12 +13,12 @@
 namespace netloft::runs {
 namespace {
 
-// A weight of 10 kg on a rope with EA/l = 1000 N/m, let go at the rope's own length.
+// A weight of 10 kg on a rope with EA/l = 1000 N/m, released at the unstretched length of the rope.
 const std::string kRayleighBounce =
     test::source_folder() + "/io/program/templates/integrator/my_integrator.toml";
 constexpr double kOmega = 10, kSag = 9.80665 / (kOmega * kOmega);  // [rad/s], [m]
 
-/// How far it has sunk after a time [m].
+/// How far the weight has sunk after a time [m].
 double sunk(double alpha, double beta, double t, const std::string& more = "analysis.dense=false") {
   PreparedScene one(
       {kRayleighBounce,

@@ -8,7 +8,7 @@
 namespace netloft::results::test {
 namespace {
 
-/// Two boards 20 m apart, or the one to starboard alone.
+/// A gear with two boards 20 m apart, or with the starboard one alone.
 class Pair {
  public:
   explicit Pair(bool is_whole) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Figures of gears against closed forms, on scenes whose parts are said to have come from a net plan.
+// Compares figures of gears with closed forms. The scenes have no net plan, but their parts are declared as
+// those of one.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,7 +13,8 @@
 namespace netloft::results {
 namespace {
 
-/// Headline and footrope, straight across from y0 to 3 m, 4 m apart, of three bars that are not at halves.
+/// A scene with a headline at z = -10 m and a footrope at z = -14 m, straight from y = y0 to 3 m. With three
+/// bars, no node is in the middle.
 std::string mouth(const std::string& y0, const std::string& length, const std::string& water,
                   const std::string& more = "") {
   const std::string rope = "type = \"rope/bar\"\ncells = 3\nlength = " + length +
@@ -68,7 +70,8 @@ TEST(GearMouth, IsLeftOutWhereThereIsNone) {
   EXPECT_NEAR(value(upper, "mouth/upper_wing_spread"), 6, kExact);
 }
 
-/// 10 by 10 meshes of 0.2 m, a flat rectangle 1.2 m by 1.6 m: taut bars of 0.1 m, meshes 3 : 4 : 5.
+/// A flat rectangle of 10 by 10 meshes, 1.2 m by 1.6 m. Bars of 0.1 m are just taut: half a mesh is 0.06 m
+/// wide and 0.08 m long.
 const std::string kNetting = R"(
 [water]
 density = 1000
@@ -94,7 +97,7 @@ TEST(GearNetting, IsAsOpenAndAsLargeAsItIsSpread) {
   EXPECT_NEAR(value(gear, "panels/wall/filtered_area"), 1.2 * 1.6, 1e-12);
 }
 
-// A mesh across and a mesh along hold two knots, each with two bars: 400 bars of 0.1 m in 10 by 10 meshes.
+// 10 by 10 meshes have 2 knots each, with 2 bars per knot: 400 bars of 0.1 m.
 TEST(GearNetting, HasTheTwineThatIsCounted) {
   const auto gear = HandMade(written(kNetting), {{"wall"}, {}, {}}).at_start();
   const double length = 400 * 0.1, section = std::numbers::pi / 4 * 0.002 * 0.002;
@@ -105,7 +108,8 @@ TEST(GearNetting, HasTheTwineThatIsCounted) {
 }
 
 TEST(GearNetting, FiltersWhatItTurnsToTheCurrent) {
-  const std::string at60 = "water.current=[0.5, 0.8660254037844386, 0]";  // 60 degrees off its normal
+  // A current at 60 degrees from the normal of the netting.
+  const std::string at60 = "water.current=[0.5, 0.8660254037844386, 0]";
   const auto gear = HandMade(written(kNetting), {{"wall"}, {}, {}}, {at60}).at_start();
   EXPECT_NEAR(value(gear, "panels/wall/filtered_area"), 1.2 * 1.6 / 2, 1e-12);
   EXPECT_NEAR(value(gear, "panels/wall/area"), 1.2 * 1.6, 1e-12);
@@ -148,14 +152,15 @@ float = { buoyancy = -30 }
   EXPECT_NEAR(value(gear, "ropes/headline/mass"), std::numbers::pi / 4 * 0.02 * 0.02 * 6 * 2000, 1e-12);
 }
 
-// The footrope's bars are 2 m; its first two nodes are pushed into the bed: half of its bars' ends.
+// Of three bars of 2 m, two nodes are in the bed: three of six bar ends touch, which is half.
 TEST(GearGround, IsTouchedByAShareOfTheFootrope) {
   const std::string bed =
       "[parts.bed]\ntype = \"seabed/plane\"\non = \"footrope\"\n"
       "seabed = { depth = 14, slope_y = -0.01, stiffness = 1e4, softness = 1e-6 }\n";
   const auto gear = HandMade(written(mouth("-3", "6", "", bed)), kRopes).at_start();
   EXPECT_NEAR(value(gear, "ground/footrope_fraction"), 0.5, kExact);
-  // Nodes at y = -3 and -1 carry 1 m and 2 m and are 3 cm and 1 cm deep, less half of what is soft.
+  // The nodes at y = -3 and -1 represent 1 m and 2 m of rope, and are 3 cm and 1 cm deep, less half of
+  // `softness`.
   const double n_z = 1 / std::hypot(1, 0.01), depths = (0.03 + 2 * 0.01) * n_z - 3 * 0.5e-6;
   EXPECT_NEAR(value(gear, "ground/force"), 1e4 * depths, 1e-8);
 }
@@ -178,7 +183,7 @@ TEST(GearRopes, OfACatenaryEndWithItsTension) {
 const std::vector<std::string> kPanels = {"upper1", "upper2", "upper3", "upper4",
                                           "lower1", "lower2", "lower3", "lower4"};
 
-/// The small trawl, half or whole.
+/// The figures of the small trawl, modelled as a half or whole.
 HandMade small_trawl(const std::string& model) {
   HandMade::Parts parts{kPanels, {"headline", "footrope", "starboard-upper-bridle"}, {"floats", "weights"}};
   parts.times = model == "whole" ? 1 : 2;
@@ -186,15 +191,16 @@ HandMade small_trawl(const std::string& model) {
           parts};
 }
 
-/// Whether a figure is the same for both models. Sums over the port bridles, which the half model lacks, and
-/// forces across the gear are not.
+/// Whether a figure must be equal for the half and the whole model. Not equal are sums over the port bridles,
+/// which the half model lacks, and forces across the gear.
 bool is_comparable(const std::string& name) {
   for (const char* other : {"bridle", "/y", "others", "headline/tension_start", "footrope/tension_start"})
     if (name.find(other) != std::string::npos) return false;
   return name.find("drag/") == std::string::npos && name.find("weight_in_water/") == std::string::npos;
 }
 
-// The half model mirrored is the whole model, so the figures differ by the solver's tolerance alone.
+// The whole model is the half model and its mirror image, so that figures differ only by the tolerance of the
+// solver.
 TEST(GearFigures, OfAHalfAreThoseOfTheWhole) {
   const auto half = small_trawl("half").solved().figures, whole = small_trawl("whole").solved().figures;
   int compared = 0;
@@ -239,7 +245,7 @@ TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
                   .empty());
 }
 
-// Tensions of members are in balance over a part; its loads are what else acts on it.
+// Tensions of a part's elements add up to zero; only loads on the part are reported.
 TEST(PartForces, AreLoadsAndNotTheTensionsOfMembers) {
   runs::PreparedScene taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1},
                            netloft::test::shipped_plugins());

@@ -13,10 +13,10 @@
 
 namespace netloft::results {
 
-/// An ordinary scene whose parts are said to have come from a net plan.
+/// A scene without a net plan, whose parts are declared as those of one.
 class HandMade {
  public:
-  /// Parts by name; `gear` of the scene is filled from them.
+  /// Names of the parts that become `gear` of the scene.
   struct Parts {
     std::vector<std::string> panels, ropes, pieces;
     std::string headline = "headline", footrope = "footrope";
@@ -33,7 +33,7 @@ class HandMade {
 
   const scenes::LoadedScene& loaded() { return scene_.loaded(); }
 
-  /// Figures at the positions of the sketch.
+  /// Figures at the initial positions.
   std::vector<NamedScalar> at_start() {
     Assembler& assembler = scene_.assembler();
     return find_figures(loaded(), assembler, ask_elements(loaded().scene, assembler, assembler.start()));

@@ -14,7 +14,7 @@ netloft_validity range_of(std::uint32_t quantity, double lo, double hi) {
   return v;
 }
 
-/// Five parts on which one law acts.
+/// A scene with five parts, and one law that acts on all of them.
 struct Gear {
   Gear() {
     for (const char* name : {"wing", "body", "belly", "bag", "tail"}) {

@@ -6,7 +6,7 @@
 namespace netloft::results::test {
 namespace {
 
-// Middles at 0.5, 2 and 4 m.
+// The middles of the bars are at 0.5, 2 and 4 m.
 const RopeTensions kRope{"rope", {10, 40, 20}, {1, 2, 2}};
 
 TEST(RopeTensions, AreLinearBetweenTheMiddlesOfBars) {

@@ -18,11 +18,11 @@ TEST(HullOfAShip, IsAheadOfItsBlocksAndAsWideAsItsBeam) {
       lo[k] = std::min(lo[k], corner[k]), hi[k] = std::max(hi[k], corner[k]);
   EXPECT_EQ(hi[0], 3);
   EXPECT_EQ((std::array{lo[1], hi[1]}), (std::array{-2.0, 6.0}));
-  EXPECT_LT(lo[2], 0);  // its keel is in the water
+  EXPECT_LT(lo[2], 0);  // the keel is in the water
 }
 
 TEST(HullOfAShip, HasNoHoleInItsSides) {
-  // Every side of a triangle of a closed surface belongs to two of them.
+  // In a closed surface every side of a triangle belongs to two triangles.
   const auto corners = triangles_of({{0, 0, 2}, 6});
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto &a = corners[i], &b = corners[i % 3 == 2 ? i - 2 : i + 1];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tables of nodes and bars: what becomes of them, and what is said of wrong ones.
+// Tables of nodes and bars: the scenes made of them, and the messages about wrong ones.
 #include "io/scenes/import/bar_table.hpp"
 #include "io/scenes/import/csv_rows.hpp"
 #include "tests/folders.hpp"
@@ -44,7 +44,7 @@ TEST(BarTable, IsReadCellByCell) {
   EXPECT_EQ(read.table.ropes[0].bars.size(), 2u);
   EXPECT_EQ(read.table.ropes[0].normal, 1.2);
   EXPECT_FALSE(read.table.ropes[1].normal.has_value());
-  EXPECT_EQ(read.table.ropes[1].bars[0].length, 4);  // from node to node
+  EXPECT_EQ(read.table.ropes[1].bars[0].length, 4);  // the distance of the nodes
 }
 
 TEST(BarTable, IsTheSameWithOtherSeparatorsLineEndsAndUnits) {
@@ -148,7 +148,7 @@ TEST(CsvRows, TakesQuotesBlanksAndLines) {
   EXPECT_TRUE(rows.next().empty());
 }
 
-/// The page has every column with its unit.
+/// TABLE.md has every column with its unit.
 TEST(BarTable, IsDescribedOnItsPage) {
   std::ifstream in(test::source_folder() + "/io/scenes/import/TABLE.md");
   std::ostringstream page;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every kind of record that files of FEMNET have: a change of it changes the scene, or is said; what changes
-// nothing in FEMNET, either, is named. Nothing is lost in silence.
+// For every kind of record in files of FEMNET: a change of the record changes the scene or is reported.
+// Records that have no effect in FEMNET, either, are listed. No record is ignored silently.
 #include "tests/unit/io/scenes/import/samples.hpp"
 
 namespace netloft::scenes::femnet {
@@ -9,15 +9,15 @@ namespace {
 
 enum class Fate { carried, said, idle };
 
-/// A change of a record; what is refused makes no scene, which is a change. `in_motion` if it acts in motion
-/// alone.
+/// A change of a record. If the importer rejects the file, that counts as a change of the scene. `in_motion`:
+/// it acts in a motion only.
 struct Record {
   const char *name, *old, *fresh;
   Fate fate;
   bool in_motion = false;
 };
 
-/// The gear of the tests with wanted numbers, a bed and waves.
+/// The gear of the tests, with requested outputs, a bed and waves.
 std::string base() {
   std::string gear = sample("03_node_force_symmetry.don");
   gear = changed(gear, "Stiffness (N/m): 0", "Stiffness (N/m): 900");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gears without a mesh: what is sewn shares its nodes, and all netting is there.
+// Divides gears without a mesh: parts that are sewn together share nodes, and no netting is lost.
 #include "io/scenes/import/import.hpp"
 #include "tests/unit/io/scenes/import/samples.hpp"
 
@@ -32,13 +32,13 @@ double twine_sides(const MeshFile& mesh) {
   double sum = 0;
   for (const auto& t : mesh.triangles) {
     const auto at = [&](std::size_t i) { return t.UV[i]; };
-    // u = U + V, v = V − U: twice the area in mesh sides is four times the area in meshes
+    // By u = U + V and v = V − U, twice the area in mesh sides is four times the area in meshes.
     sum += 2 * ((at(2) - at(0)) * (at(5) - at(1)) - (at(4) - at(0)) * (at(3) - at(1)));
   }
   return sum;
 }
 
-/// A panel of these corners (U, V), as it is drawn in metres.
+/// A panel with these corners (U, V), drawn at the same numbers in metres.
 Panel panel_of(const std::vector<std::array<double, 2>>& corners, double step) {
   Panel p;
   p.side = 0.5, p.step = step, p.inner_type = 1;
@@ -114,8 +114,7 @@ TEST(DividedGear, FillsPolygonsOfAnyNumberOfCorners) {
         ASSERT_EQ(gear.read.diagnostics.errors(), 0) << gear.read.diagnostics.render(false);
         EXPECT_NEAR(twine_sides(gear.mesh), 4 * polygon.area, 1e-9 * polygon.area);
         for (const auto& t : gear.mesh.triangles)
-          for (std::size_t k = 0; k < 3;
-               ++k) {  // the drawing is (U, V), so every node is drawn where it belongs
+          for (std::size_t k = 0; k < 3; ++k) {  // positions equal (U, V), as in the drawing
             EXPECT_NEAR(gear.mesh.nodes[t.nodes[k]].at[0], t.UV[2 * k], 1e-9);
             EXPECT_NEAR(gear.mesh.nodes[t.nodes[k]].at[1], t.UV[2 * k + 1], 1e-9);
           }
@@ -154,7 +153,7 @@ TEST(DividedGear, SewsPanelsWhereCornersLieNearOneAnother) {
   EXPECT_EQ(sewn.mesh.nodes.size() + 3, apart);
 }
 
-/// A tube: two sides of one panel between the same two links.
+/// Two sides of one panel between the same two links make a tube.
 TEST(DividedGear, SewsAPanelToItself) {
   GearFile gear = gear_of({panel_of({{0, 0}, {20, 0}, {20, 10}, {0, 10}}, 1)});
   gear.links = {{{true, 0, 0}, {true, 0, 1}}, {{true, 0, 3}, {true, 0, 2}}};
@@ -213,7 +212,7 @@ TEST(DividedGear, AnswersWhatCannotBeDividedWithItsPlace) {
   }
 }
 
-/// Files in a folder of their own.
+/// Writes files into a folder of its own.
 class GearInFolder : public testing::Test {
  protected:
   GearInFolder() { std::filesystem::create_directories(folder_); }
@@ -246,7 +245,7 @@ TEST_F(GearInFolder, IsDividedWhereItsMeshIsOlder) {
   EXPECT_NE(gear.scene.find("older than the gear, g.mdg:16:"), std::string::npos) << gear.scene;
   EXPECT_EQ(gear.nodes, 3u);
 
-  formats::Diagnostics of_named;  // a mesh that was asked for is used or refused
+  formats::Diagnostics of_named;  // a mesh that the user names is used or an error
   import_femnet({path, folder_ / "g.mdg", "g.mesh"}, of_named);
   EXPECT_EQ(of_named.errors(), 1);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Drums: lengths of bars as FEMNET prints them, and parts that have them.
+// Drums change the lengths of bars as in FEMNET's output, and parts of the scene have these lengths.
 #include "tests/unit/io/scenes/import/samples.hpp"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ double at(const HauledBar& bar, double time) {
   return bar.shares[after - 1] + part * (bar.shares[after] - bar.shares[after - 1]);
 }
 
-/// rest_lengths_m of 09_hauling.expected.json; at 10 s, which is not among its times, the last record less a
-/// step.
+/// Lengths from rest_lengths_m of 09_hauling.expected.json. It has none at 10 s; the last one, less one time
+/// step of hauling, stands for it.
 TEST(Drums, LeaveTheLengthsThatFemnetPrints) {
   const ImportedSample gear(kGear, kMesh);
   const auto hauled = haul(gear.read.gear, gear.mesh);
@@ -38,8 +38,7 @@ TEST(Drums, LeaveTheLengthsThatFemnetPrints) {
   }
 }
 
-/// At -0.4 m/s from 1 s on: 0.4 m a second onto the bar at the other end, which grows to 2.3 m, and then the
-/// next.
+/// From 1 s on the drum pays out 0.4 m/s. The bar at the far end grows to 2.3 m, and then the next bar.
 TEST(Drums, PayOutAtTheOtherEnd) {
   const std::string paid =
       changed(changed(kGear, "0 2 8 12", "0 1 1.01 9"), "0 0.4 0.4 -0.4", "0 0 -0.4 -0.4");

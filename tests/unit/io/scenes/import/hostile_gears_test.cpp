@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Broken files: each is answered with an error at its place, without a crash and without much memory.
+// Broken files: each gives an error with a place, without a crash and without much memory.
 #include "tests/unit/io/scenes/import/samples.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 const std::string kHostileGear = sample("03_node_force_symmetry.don"),
                   kHostileMesh = sample("03_node_force_symmetry.mdg");
 
-/// End of the first part; notes follow behind it, which may be cut off.
+/// The end of the first part of the file. Behind it are notes, which may be cut off.
 std::size_t end_of_values(const std::string& gear) { return gear.find("Speed display: 0"); }
 
 class CutGear : public testing::TestWithParam<int> {};
@@ -132,8 +132,8 @@ TEST(StaleMesh, IsRefusedWithItsRow) {
   EXPECT_NE(refused("2 2 3 0 1 -1").find("cable -1 does not exist"), std::string::npos);
 }
 
-/// Characters changed, dropped and doubled at random, the same ones each time: nothing crashes, and what is
-/// imported is a mesh that can be read again.
+/// Characters are changed, dropped and doubled at random, with a fixed seed. Nothing crashes, and a file that
+/// is imported gives a mesh that can be read again.
 TEST(MutatedGears, DoNotCrash) {
   std::mt19937 random(20240607);
   const std::string letters = "0123456789.-+eE:# \n\tinputxyz\xC3";

@@ -31,7 +31,7 @@ TEST(FemnetScene, MakesOneBarOfSeveralTwines) {
   EXPECT_TRUE(gear.holds("type = \"lumped/net\""));
   const formats::MeshRegion& region = *gear.imported.mesh.find("panel-1");
   EXPECT_EQ(region.kind, formats::RegionKind::twines);
-  EXPECT_EQ(region.numbers[0], 5);  // five mesh sides, one bar
+  EXPECT_EQ(region.numbers[0], 5);  // one bar for five mesh sides
   EXPECT_EQ(region.numbers[1], 5);
 }
 
@@ -44,7 +44,7 @@ TEST(FemnetScene, HasNoDragOfNettingWhereTheFileWantsNone) {
 TEST(FemnetScene, ClampsCablesThatMeet) {
   const auto gear = imported("07_bending_rest_angle");
   EXPECT_TRUE(gear.holds("[parts.clamp-1]\ntype = \"rope/clamp\"\non = [\"cable-1\", \"cable-2\"]"));
-  EXPECT_TRUE(gear.holds("EI = 60, angle = 1.047197551196597"));  // the weaker one; 60 degrees
+  EXPECT_TRUE(gear.holds("EI = 60, angle = 1.047197551196597"));  // the smaller EI; 60 degrees
 }
 
 TEST(FemnetScene, HoldsWhatNothingHolds) {
@@ -112,7 +112,7 @@ TEST(FemnetMotion, LeavesOutWavesThatAreNotLinear) {
       moving_sample(changed(kWavy, "Depth (m): 100", "Depth (m): 1.5")).holds("waves: they would break"));
 }
 
-/// a²k(3 − t²)/(4t³), a = 1 m, in 100 m of water: k = 0.04044 1/m, t = 0.99939.
+/// a² k (3 − t²)/(4 t³) with t = tanh k h: a = 1 m and h = 100 m give k = 0.04044 1/m and t = 0.99939.
 TEST(FemnetMotion, SaysHowMuchWavesOfHigherOrderAreHigher) {
   EXPECT_TRUE(
       moving_sample(kWavy + "\ninput wave_model 2\n").holds("their crests would rise by 0.0202 m more"))

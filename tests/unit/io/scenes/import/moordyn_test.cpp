@@ -87,7 +87,7 @@ TEST(MoorDyn, IsReadAsPointsAndLines) {
   EXPECT_EQ(table.nodes[1].mass, 200);
   EXPECT_EQ(table.nodes[1].volume, 3);
   EXPECT_EQ(table.nodes[1].drag_area, 1.5);
-  EXPECT_EQ(table.nodes[2].at, (std::array<double, 3>{8, 0, -4}));  // on its body
+  EXPECT_EQ(table.nodes[2].at, (std::array<double, 3>{8, 0, -4}));  // at the position on the body
   ASSERT_EQ(table.ropes.size(), 3u);
   const TableRope& line = table.ropes[0];
   EXPECT_EQ(line.bars.size(), 20u);
@@ -114,7 +114,7 @@ TEST(MoorDyn, IsReadInItsFirstVersion) {
   EXPECT_EQ(table.ropes[0].EI, 0);
   EXPECT_EQ(table.ropes[0].bars.front().nodes[0], 1u);
   EXPECT_DOUBLE_EQ(table.ropes[0].bars[0].length, 36);
-  EXPECT_EQ(table.ropes[0].bed, 0);  // no depth, no bed
+  EXPECT_EQ(table.ropes[0].bed, 0);  // there is no bed without a depth
   EXPECT_EQ(table.nodes[2].mass, 7);
   EXPECT_EQ(table.nodes[2].force[1], 5);
 }
@@ -141,7 +141,7 @@ TEST(MoorDyn, SaysWhatItLeavesOut) {
   EXPECT_EQ(left_out, 5);  // with the time step and the tension at a free point
 }
 
-/// What is left out, as "line: text".
+/// The left-out features, as "line: text".
 std::vector<std::string> left_out_of(const std::string& text) {
   const ReadMooring read(text);
   EXPECT_EQ(read.diagnostics.errors(), 0) << read.said();
@@ -210,7 +210,7 @@ TEST(MoorDyn, LaysEveryNodeOnOneBedWhereLinesOfTwoTypesMeet) {
     if (set.name.starts_with("on-bed-"))
       for (const auto node : set.nodes) ++beds[node];
   for (std::size_t n = 0; n < beds.size(); ++n) EXPECT_EQ(beds[n], 1) << n;
-  // At point 2 meet bars of 12.5 m and 42.5 m of chain and of 13 m of rope.
+  // At point 2, bars of 12.5 m and 42.5 m of chain meet a bar of 13 m of rope.
   const double at_joint = 2e6 * (0.1 * (12.5 + 42.5) + 0.2 * 13) / (12.5 + 42.5 + 13);
   for (const std::string& k :
        {std::string("2e+05"), fmt::format("{}", at_joint).substr(0, 8), std::string("4e+05")})

@@ -45,7 +45,7 @@ TEST(FemnetGear, KeepsNumbersOfPanelsInSinglePrecision) {
   EXPECT_EQ(p.corners.size(), 4u);
   EXPECT_EQ(p.corners[2].U, 12);
   EXPECT_EQ(p.corners[2].V, -8);
-  EXPECT_EQ(read.gear.cables[0].diameter, 0.012);  // double
+  EXPECT_EQ(read.gear.cables[0].diameter, 0.012);  // not rounded to single precision
 }
 
 TEST(FemnetGear, TakesValuesBehindColonsWhateverTheWordsAndLines) {
@@ -152,7 +152,8 @@ TEST(FemnetKeywords, ThatAreNotKnownAreSaid) {
   EXPECT_EQ(read.gear.findings[1].kind, Finding::Kind::left_out);
 }
 
-/// Computed by hand: volumes of rope and spheres, their masses, and the frontal areas.
+/// The expected values are computed by hand from the volumes of rope and spheres, their masses, and the
+/// frontal areas.
 TEST(FemnetKeywords, SmearSpheresOnACable) {
   const double pi = std::numbers::pi, rope = 10 * pi * 0.02 * 0.02 / 4, sphere = pi * 0.1 * 0.1 * 0.1 / 6;
   const ReadGear read(with_tail("input sphere_element 1 6 0.1 3.5"));

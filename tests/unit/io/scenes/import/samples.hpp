@@ -20,14 +20,14 @@ inline std::string sample(const std::string& name) {
   return text.str();
 }
 
-/// `text` with the first `old` replaced; an old one that is not there is a mistake in the test.
+/// The text with the first `old` replaced. The test fails if there is no `old`.
 inline std::string changed(std::string text, const std::string& old, const std::string& fresh) {
   const auto at = text.find(old);
   EXPECT_NE(at, std::string::npos) << old;
   return at == std::string::npos ? text : text.replace(at, old.size(), fresh);
 }
 
-/// A gear that was read, with what was said of it.
+/// A gear that was read, with the messages about it.
 struct ReadGear {
   explicit ReadGear(const std::string& text)
       : gear(read_gear(text, diagnostics.add_source("gear.don", text), diagnostics)) {}
@@ -38,7 +38,7 @@ struct ReadGear {
   GearFile gear;
 };
 
-/// The same with its mesh, as a scene.
+/// A gear with its mesh, converted to a scene.
 struct ImportedSample {
   ImportedSample(const std::string& gear_text, const std::string& mesh_text, Sought sought = Sought::rest)
       : read(gear_text) {

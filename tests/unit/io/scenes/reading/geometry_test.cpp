@@ -11,7 +11,7 @@ namespace {
 using formats::test::Input;
 using Nodes = std::vector<std::uint32_t>;
 
-/// 4 x 3 meshes in 2 x 2 cells, a unit square seen from above.
+/// The keys of a panel of 4 x 3 meshes in 2 x 2 cells, drawn as a horizontal unit square.
 constexpr const char* kPanel =
     "panel = { across = 4, along = 3, bar = 0.1 }\ncells = [2, 2]\n"
     "sketch = [[0, 0, 0], [2, 0, 0], [2, 0, -4], [0, 0, -4]]\n";
@@ -95,7 +95,7 @@ TEST(CrossedPanel, HasTheEdgesOfThePanelThatAlternates) {
   EXPECT_EQ(panel(crossed()).names.sets, panel().names.sets);
 }
 
-/// From the aft edge, on which the last corner lies, not the last node.
+/// Meshes are counted from the aft edge; with crossed cells the last node is a centre and not on it.
 TEST(CrossedPanel, CountsMeshesToTheAftEdge) {
   const Geometry g = panel(crossed());
   const auto& to_aft = g.data.at("to_aft");
@@ -127,7 +127,8 @@ TEST(Panel, GivesPanelCoordinatesInMeshes) {
   EXPECT_EQ(UV[8], (std::array<double, 2>{4, 3}));
 }
 
-/// The paper's section 2.2: a mesh across is one bar along u and one back along v; u = U + V, v = V - U.
+/// A mesh across is one bar along u and one back along v: u = U + V, v = V - U (section 2.2 of the trawl-gear
+/// paper).
 TEST(Panel, CountsTwineCoordinatesInBars) {
   const Geometry g = panel();
   const auto &u = g.data.at("u"), &v = g.data.at("v");
@@ -147,7 +148,8 @@ std::string netting(const std::string& word) {
          "\" }\ncells = [2, 2]\nsketch = [[0, 0, 0], [2, 0, 0], [2, 0, -4], [0, 0, -4]]\n";
 }
 
-/// Knots in it, and bars of each direction: half of |d| of every triangle.
+/// The number of knots of a panel, which is also the number of bars of each direction: half of |d| over all
+/// triangles, with d twice the area in twine coordinates.
 double knots(const Geometry& g) {
   const auto &u = g.data.at("u"), &v = g.data.at("v");
   double sum = 0;
@@ -228,8 +230,8 @@ TEST(Tube, BeginsOnTopAndTurnsClockwiseForOneWhoLooksAft) {
   near(0, 1, 2, 3.5);  // top of the fore ring
   near(2, 1, 1.5, 3);  // looking along x, y is to the left: a quarter turn clockwise leads to -y
   near(4, 1, 2, 2.5);
-  near(8, 1, 2, 3.5);  // the right edge lies where the left one does
-  near(9, 3, 2, 4);    // half way: radius 1
+  near(8, 1, 2, 3.5);  // the right edge coincides with the left one
+  near(9, 3, 2, 4);    // half way aft the radius is 1
   near(18, 5, 2, 4.5);
 }
 
@@ -240,8 +242,9 @@ TEST(Tube, ShowsItsTrianglesCounterClockwiseToTheOutside) {
       const auto n = triangle(g, t);
       std::array<std::array<double, 3>, 3> x{at(g, n[0]), at(g, n[1]), at(g, n[2])};
       const auto first = at(g, 0), opposite = at(g, 4);
-      double outwards =
-          0;  // normal . way from the axis at the fore edge; what is along the axis adds nothing
+      // The normal times the way from the axis at the fore edge; the part of the way along the axis adds
+      // nothing.
+      double outwards = 0;
       for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
         const double normal =
@@ -273,7 +276,7 @@ TEST(Panel, CountsMeshesToItsAftEdge) {
     EXPECT_EQ(g.data.at("to_aft")[i], 3 - g.names.panel[g.elements[i]][1]);
 }
 
-/// 4 x 6 meshes in 2 x 3 cells of 2 x 2 meshes.
+/// The keys of a panel of 4 x 6 meshes in 2 x 3 cells, each of 2 x 2 meshes.
 constexpr const char* kSquarePanel =
     "panel = { across = 4, along = 6, bar = 0.1 }\ncells = [2, 3]\n"
     "sketch = [[0, 0, 0], [2, 0, 0], [2, 0, -6], [0, 0, -6]]\n";
@@ -315,7 +318,7 @@ TEST(PanelInBars, SpansTrianglesBetweenItsBarsThatFaceAsThoseOfAPanelDo) {
     EXPECT_DOUBLE_EQ(to_aft[i], 6 - g.names.panel[g.faces.nodes[i]][1]);
 }
 
-/// All twines of a panel [m].
+/// The total length of twine of a panel in bars [m].
 double twine_in_bars(const Geometry& g) {
   double sum = 0;
   for (std::size_t e = 0; e < g.elements.size() / 2; ++e)
@@ -338,7 +341,7 @@ TEST(PanelInBars, HasTheTwineOfTheTrianglesAtAnyCells) {
   for (const char* cells : {"[2, 3]", "[4, 6]", "[8, 12]", "[10, 15]"}) {
     std::string scene = text;
     scene.replace(scene.find("[2, 3]"), 6, cells);
-    EXPECT_NEAR(twine_in_bars(panel_in_bars(scene)), 4 * 24 * 0.1, 1e-12) << cells;  // four bars a mesh
+    EXPECT_NEAR(twine_in_bars(panel_in_bars(scene)), 4 * 24 * 0.1, 1e-12) << cells;  // four bars per mesh
     EXPECT_NEAR(twine_in_triangles(panel(scene)), 4 * 24 * 0.1, 1e-12) << cells;
   }
 }
@@ -369,7 +372,7 @@ TEST(PanelInBars, RefusesCellsWhoseBarsWouldCrossTwinesAndNamesTheNearestThatFit
   const std::string oblong = complaint_about("across = 100, along = 150", "[24, 48]");
   EXPECT_NE(oblong.find(":2:9: "), std::string::npos) << oblong;
   EXPECT_NE(oblong.find("makes cells of 4.16667 x 3.125 meshes"), std::string::npos) << oblong;
-  EXPECT_NE(oblong.find("cells = [30, 45]"), std::string::npos) << oblong;  // 6.7 away; [32, 48] 8
+  EXPECT_NE(oblong.find("cells = [30, 45]"), std::string::npos) << oblong;  // 6.7 away; [32, 48] is 8 away
   const std::string hopeless = complaint_about("across = 1, along = 0.123456789", "[2, 2]");
   EXPECT_NE(hopeless.find("no cells fit this panel"), std::string::npos) << hopeless;
 }

@@ -8,7 +8,7 @@ namespace {
 
 using formats::test::Input;
 
-/// Five nodes of a rope at x = 0 … 4.
+/// A rope with five nodes at x = 0 … 4.
 class Holding : public ::testing::Test {
  protected:
   Holding() {

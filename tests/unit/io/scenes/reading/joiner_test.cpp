@@ -8,7 +8,7 @@ namespace {
 
 using Nodes = std::vector<std::uint32_t>;
 
-/// A rope of n nodes at x = first, first + 1, …
+/// A rope with n nodes at x = first, first + 1, …
 Geometry rope(std::uint32_t n, double first) {
   Geometry g;
   for (std::uint32_t i = 0; i < n; ++i) {

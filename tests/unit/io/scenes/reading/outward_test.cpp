@@ -6,7 +6,7 @@
 namespace netloft::scenes {
 namespace {
 
-/// A bag of two triangles over one another: the corners of the upper one are counter-clockwise seen from
+/// A bag of two triangles, one above the other. The corners of the upper one are counter-clockwise seen from
 /// above.
 const std::vector<double> kBag{0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, -1, 1, 0, -1, 0, 1, -1};
 

@@ -8,7 +8,7 @@ namespace {
 
 using Meshes = std::vector<double>;
 
-/// One triangle of each panel, which names its nodes and its own meshes to the aft edge.
+/// One triangle of each panel: its nodes, and the meshes from its corners to the aft edge of the panel.
 Meshes counted(const std::vector<std::uint32_t>& nodes, const Meshes& to_aft) {
   Part rider;
   rider.nodes = nodes;

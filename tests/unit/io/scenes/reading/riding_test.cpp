@@ -6,7 +6,7 @@
 namespace netloft::scenes {
 namespace {
 
-/// Three nodes with a bar of 2 m between the first two and one of 4 m between the last two.
+/// A rope with three nodes: the first bar is 2 m long, the second 4 m.
 std::vector<double> carried_by_two_bars(const std::vector<double>& parallel) {
   Scene scene;
   scene.positions.assign(9, 0.0);

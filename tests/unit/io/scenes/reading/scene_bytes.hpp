@@ -7,7 +7,8 @@
 
 namespace netloft::scenes {
 
-/// Everything a loaded scene holds, as bytes. A struct that gets another member no longer compiles here.
+/// All data of a loaded scene as bytes. If a struct gets another member, this does not compile until the
+/// member is added.
 class SceneBytes {
  public:
   explicit SceneBytes(const LoadedScene& loaded) { put(loaded); }

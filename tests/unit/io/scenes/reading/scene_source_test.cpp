@@ -15,7 +15,7 @@ namespace {
 
 using Changes = std::vector<formats::Change>;
 
-/// What an instance is, and what is said of it.
+/// The data of an instance, and the messages about it.
 struct Instance {
   std::string bytes, messages;
   bool refused = false;
@@ -32,7 +32,7 @@ Instance instance_of(const SceneSource& source, const Changes& changes) {
   return one;
 }
 
-/// Collects "path=value" for all numbers of a document, each a little other than it is.
+/// Collects "path=value" for all numbers of a document, each with a slightly changed value.
 class OtherNumbers {
  public:
   explicit OtherNumbers(const std::filesystem::path& file) {
@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Any, LibraryScene, testing::ValuesIn(library_scenes()),
   return name;
 });
 
-// Each of these changes what one kept result was made from.
+// Each change concerns an input of one of the stored results.
 TEST(SceneSource, KeepsNoResultWhoseInputHasChanged) {
   const std::string file = path_of("83-112-at-sea-66m.toml");
   const SceneSource source(file);

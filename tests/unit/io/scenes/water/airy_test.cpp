@@ -17,7 +17,7 @@ AiryWaves waves_in(double depth, bool is_stretched = false, Current current = {}
 }
 
 class InDepths : public testing::TestWithParam<double> {};
-// k d of 10, 1.4 and 0.4: deep water, in between, all but shallow.
+// k d is 10, 1.4 and 0.4: deep water, intermediate depth, and nearly shallow water.
 INSTANTIATE_TEST_SUITE_P(Airy, InDepths, testing::Values(160.0, 20.0, 2.5));
 
 TEST_P(InDepths, DispersionHoldsToRounding) {
@@ -27,7 +27,7 @@ TEST_P(InDepths, DispersionHoldsToRounding) {
   }
 }
 
-/// Dean and Dalrymple 1991, section 3.4, written out as there.
+/// The formulas of Dean and Dalrymple 1991, section 3.4, as they are printed there.
 TEST_P(InDepths, KinematicsAreThoseOfTheBook) {
   const double d = GetParam(), k = wave_number(kOmega, kGravity, d);
   for (const double z : {-0.05 * d, -0.5 * d, -d})
@@ -66,8 +66,8 @@ TEST_P(InDepths, AreTheSameAfterAThousandPeriods) {
   }
 }
 
-/// Wheeler 1970: under a crest the surface has what linear theory has at z = 0, and the bed what it has
-/// there.
+/// By Wheeler 1970, the surface under a crest has the velocity that linear theory gives at z = 0, and the bed
+/// has that which it gives at the bed.
 TEST(Airy, StretchingBringsTheSurfaceToZero) {
   const AiryWaves stretched = waves_in(20, true), linear = waves_in(20, false);
   const double crest = stretched.height({3, 0, 0}, 0.5);
@@ -78,16 +78,17 @@ TEST(Airy, StretchingBringsTheSurfaceToZero) {
 
 TEST(Airy, TravelIntoTheirDirection) {
   const AiryWaves waves({{{kAmplitude, kOmega, 0}}, kPi / 3, 20, 0, false}, kGravity, {});
-  const double k = wave_number(kOmega, kGravity, 20), way = kOmega / k * 1.5;  // of a crest in 1.5 s
+  const double k = wave_number(kOmega, kGravity, 20), way = kOmega / k * 1.5;  // way of a crest in 1.5 s
   EXPECT_NEAR(waves.height({way * std::cos(kPi / 3), way * std::sin(kPi / 3), 0}, 1.5), kAmplitude, 1e-14);
   const auto v = waves.at({0, 0, -1}, 0).velocity;
   EXPECT_NEAR(v[1] / v[0], std::tan(kPi / 3), 1e-12);
 }
 
-/// A gear towed into the waves meets them sooner: ω + k U (Dean and Dalrymple 1991, section 3.4.6).
+/// A gear that is towed with speed U against the waves meets them with the frequency ω + k U (Dean and
+/// Dalrymple 1991, section 3.4.6).
 TEST(Airy, AreMetByATowedGearAtTheirPeriodOfEncounter) {
   Current aft;
-  aft.tow = {-2, 0, 0};  // the gear goes to +x, as the waves do: from behind
+  aft.tow = {-2, 0, 0};  // the gear goes to +x as the waves do, so that U = -2 m/s
   const double k = wave_number(kOmega, kGravity, 20), period = 2 * kPi / (kOmega - 2 * k);
   const AiryWaves waves = waves_in(20, true, aft);
   EXPECT_NEAR(waves.height({3, 0, 0}, 0.4 + period), waves.height({3, 0, 0}, 0.4), 1e-13);
@@ -102,7 +103,7 @@ TEST(Airy, DriftCarriesThemByWhatItHasGone) {
   EXPECT_NEAR(current.carried(4)[0], 0.8, 1e-14);
 }
 
-/// However a current is said that is the same everywhere, waves are carried by it.
+/// A current that is the same everywhere carries waves along, in whatever form it is given.
 TEST(Airy, AreCarriedByEveryWayOfSayingACurrent) {
   const std::array<double, 3> v{0.7, 0.2, 0};
   const std::vector<Current> ways = {{.samples = {{0, v}}},

@@ -29,7 +29,8 @@ TEST(Jonswap, IsTheSameToTheBitForASeedAndAnotherForAnother) {
   EXPECT_NE(a[0].phase, c[0].phase);
 }
 
-/// SplitMix64, run by hand from the name and the number of the seed: what every machine has to draw.
+/// The test runs SplitMix64 itself, from the name and the number of the seed: every machine has to draw these
+/// numbers.
 TEST(Jonswap, DrawsWhatTheGeneratorSays) {
   std::uint64_t state = 14695981039346656037ull;
   for (const char c : {'w', 'a', 'v', 'e', 's'})
@@ -47,7 +48,7 @@ TEST(Jonswap, DrawsWhatTheGeneratorSays) {
   }
 }
 
-/// Half of the energy of the spectrum is below this frequency, by Simpson's rule on (1) itself.
+/// Half of the energy of the spectrum is below the frequency `median`, found by Simpson's rule from (1).
 TEST(Jonswap, HasItsEnergyWhereTheSpectrumHasIt) {
   double sum = 0, all = 0, median = 0;
   const double h = 1e-4;
@@ -64,7 +65,7 @@ TEST(Jonswap, HasItsEnergyWhereTheSpectrumHasIt) {
   EXPECT_GE(above, median - 1e-3);
 }
 
-/// DNV-RP-C205 (2010), section 3.5.5: the peak of γ = 3.3 holds 3.3 times the energy of γ = 1 there.
+/// At the peak, a spectrum with γ = 3.3 is 3.3 times that with γ = 1 (DNV-RP-C205, 2010, section 3.5.5).
 TEST(Jonswap, PeaksByItsPeakedness) {
   EXPECT_NEAR(Jonswap::shape(1, 3.3) / Jonswap::shape(1, 1), 3.3, 1e-12);
   EXPECT_NEAR(Jonswap::shape(2, 3.3) / Jonswap::shape(2, 1), 1, 1e-12);

@@ -6,7 +6,7 @@
 namespace netloft::studies {
 namespace {
 
-/// One scene with two variables, fitted to one row, with another one held back.
+/// A calibration of one scene with two variables, fitted to one measurement; another one is held back.
 Calibration done(double correlation) {
   Calibration c;
   c.file.name = "study", c.file.scenes = {{"slow", "slow.toml", {}, {}}};

@@ -23,7 +23,7 @@ bool contains(const std::string& text, const std::string& piece) {
   return text.find(piece) != std::string::npos;
 }
 
-/// A scene of parts with these cells, whose file says `text`.
+/// A scene whose parts have these cells, and whose file contains `text`.
 scenes::LoadedScene scene_of(const std::vector<std::pair<std::string, std::vector<int>>>& parts,
                              const std::string& text = "") {
   scenes::LoadedScene loaded;

@@ -8,7 +8,7 @@
 namespace netloft::studies {
 namespace {
 
-/// A rope along x in n bars, its nodes at (s, f(s), 0).
+/// A rope along x in n bars, with nodes at (s, f(s), 0).
 template <class F>
 scenes::LoadedScene rope(int n, const F& f) {
   scenes::LoadedScene loaded;
@@ -48,7 +48,7 @@ std::size_t common(const Places& a, const Places& b) {
 
 TEST(Places, OfTwoMeshesMeetWhereNodesCoincide) {
   EXPECT_EQ(common(places(panel(4)), places(panel(8))), 25u);
-  EXPECT_EQ(common(places(panel(6)), places(panel(9))), 16u);  // thirds: 4 x 4
+  EXPECT_EQ(common(places(panel(6)), places(panel(9))), 16u);  // they share the thirds, 4 x 4 nodes
   EXPECT_EQ(common(places(panel(1000)), places(panel(1000))), 1001u * 1001u);
   EXPECT_EQ(largest_distance(places(panel(6)), places(panel(9))), 0);
 }
@@ -65,7 +65,7 @@ TEST(Places, AreAsFarApartAsTheirFarthestNode) {
   EXPECT_DOUBLE_EQ(largest_distance(places(rope(4, flat)), places(rope(8, bump))), 0.3);
 }
 
-/// A mesh whose nodes are h² sin πs away from their limit.
+/// The position of a node at s on a mesh of width h, which is h² sin πs away from its limit.
 double second_order(double s, double h) { return std::sin(3 * s) + h * h * std::sin(M_PI * s); }
 
 Discretisation judged(const std::vector<int>& cells, double (*f)(double, double)) {
@@ -86,7 +86,7 @@ TEST(Discretisation, FindsOrderAndErrorOfEveryMesh) {
   EXPECT_NEAR(d.order, 2, 1e-9);
   for (const auto& level : d.levels) {
     const double n = static_cast<double>(level.cells);
-    EXPECT_NEAR(level.error, 1 / (n * n), 1e-9) << n;  // largest in the middle, a node of all of them
+    EXPECT_NEAR(level.error, 1 / (n * n), 1e-9) << n;  // largest in the middle, which is a node of all meshes
   }
   EXPECT_TRUE(std::isnan(d.levels[1].order));
   EXPECT_NEAR(d.levels[2].order, 2, 1e-9);

@@ -8,7 +8,7 @@
 namespace netloft::studies {
 namespace {
 
-/// f* + C hᵖ on some meshes.
+/// Values f* + C hᵖ on meshes of the widths h.
 std::vector<double> samples(double limit, double C, double p, const std::vector<double>& h) {
   std::vector<double> f;
   for (const double width : h) f.push_back(limit + C * std::pow(width, p));
@@ -24,7 +24,7 @@ TEST(Richardson, ObservesTheOrderOfAPowerLaw) {
 }
 
 TEST(Richardson, KnowsNoOrderWhereNothingConverges) {
-  EXPECT_TRUE(std::isnan(observed_order(1, 1, 4, 2, 1)));  // differences do not fall
+  EXPECT_TRUE(std::isnan(observed_order(1, 1, 4, 2, 1)));  // equal differences do not converge
   EXPECT_TRUE(std::isnan(observed_order(1, 2, 4, 2, 1)));
   EXPECT_TRUE(std::isnan(observed_order(0, 0, 4, 2, 1)));
   EXPECT_TRUE(std::isnan(observed_order(1, 0, 4, 2, 1)));
@@ -42,8 +42,8 @@ TEST(Richardson, FindsTheLimitOfAPowerLaw) {
   }
 }
 
-// 12.4, 10.85, 10.3: to the limit 2.4, 0.85, 0.3; to 9.6, that of first order, 2.8, 1.25, 0.7; to each other
-// at most 2.1, 1.55, 2.1.
+// The values are 12.4, 10.85, 10.3. Their differences from the limit 10 are 2.4, 0.85, 0.3; from the limit of
+// first order 9.6 they are 2.8, 1.25, 0.7; from the other values at most 2.1, 1.55, 2.1.
 TEST(Richardson, BoundsTheErrorByTheLargestThatItMayBe) {
   const std::vector<double> h{4, 2, 1};
   const auto f = samples(10, 0.3, 1.5, h);
@@ -81,9 +81,9 @@ TEST(Richardson, HasNoLimitWhereLevelsTurnRound) {
 }
 
 TEST(Richardson, DoesNotBelieveAnOrderThatNoElementHas) {
-  EXPECT_FALSE(find_trend({1.0, 2.0, 2.001}, {4, 2, 1}, 2).steady);  // lg₂ 1000 ≈ 10
+  EXPECT_FALSE(find_trend({1.0, 2.0, 2.001}, {4, 2, 1}, 2).steady);  // observed order log₂ 1000 ≈ 10
   EXPECT_FALSE(find_trend(samples(1, 1, 3, {4, 2, 1}), {4, 2, 1}, 2).steady);
-  EXPECT_FALSE(find_trend({1.0, 2.0, 2.95}, {4, 2, 1}, 2).steady);  // lg₂ (1/0.95) ≈ 0.07
+  EXPECT_FALSE(find_trend({1.0, 2.0, 2.95}, {4, 2, 1}, 2).steady);  // observed order log₂ (1/0.95) ≈ 0.07
   EXPECT_FALSE(find_trend(samples(1, 1, 0.4, {4, 2, 1}), {4, 2, 1}, 2).steady);
 }
 

@@ -8,7 +8,7 @@
 namespace netloft::studies {
 namespace {
 
-/// A headrope of 4 m in `bars` bars, whose tension grows towards its end like 1/√distance there.
+/// A headrope of 4 m in `bars` bars, whose tension grows towards its end like 1/√(distance from the end).
 NumbersOnMesh mesh_of(int bars) {
   NumbersOnMesh mesh;
   mesh.mesh = {bars, 1.0 / bars, "bars"};
@@ -28,7 +28,8 @@ TEST(RopeEnds, AreFiguresOfTensions) {
 TEST(RopeEnds, GiveTheTensionInsideAtOnePlaceOfAllMeshes) {
   const std::vector<NumbersOnMesh> meshes{mesh_of(8), mesh_of(16), mesh_of(32)};
   const std::string text = divergence_text("ropes/headrope/tension_starboard", meshes, 2);
-  // 100/√1 at 1 m from the end, where the lines between middles of bars come from above
+  // At 1 m from the end the tension is 100/√1. Straight lines between the middles of bars approach it from
+  // above.
   EXPECT_NE(
       text.find(
           "does not converge with the mesh; 1 m from that end, two bars of the coarsest mesh, it is 100"),

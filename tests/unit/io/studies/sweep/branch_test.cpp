@@ -12,10 +12,11 @@
 namespace netloft::studies {
 namespace {
 
-/// Two bars lean against one another, 2 b wide and h high at rest, and are loaded on top (R. von Mises 1923):
+/// Two bars lean against each other, 2 b wide and h high without load, with a load at the top (R. von Mises
+/// 1923):
 ///   f(z) = 2 EA (1/l₀ − 1/l) z,   l = (b² + z²)^½                                         (1)
-/// is the load upwards that is in balance at the height z. Pressed down, they snap through at the fold of
-/// (1),
+/// f is the upward load in equilibrium at the height z. Under a downward load the bars snap through at the
+/// fold of (1), where
 ///   l³ = b² l₀                                                                            (2)
 constexpr const char* kTruss = R"([water]
 density = 0
@@ -37,7 +38,7 @@ axes = "y"
 [results]
 z = { of = "truss.middle", take = "z" }
 )";
-/// A wire of steel that a force keeps taut.
+/// A steel wire that a force keeps taut.
 constexpr const char* kWire = R"([water]
 density = 0
 [parts.wire]
@@ -74,7 +75,7 @@ class BranchTest : public formats::test::Scratch {
     EXPECT_EQ(one->prepare(), runs::PreparedScene::State::ready) << one->diagnostics().render(false);
     return one;
   }
-  /// Follows the loads; heights at all of them.
+  /// Follows the equilibrium over the loads, and returns the height at each of them.
   std::vector<double> follow(const std::vector<double>& loads) {
     const runs::Watch watch;
     Branch branch(
@@ -122,7 +123,7 @@ TEST_F(BranchTest, EndsAtAFoldWhichIsFoundBetweenTheValuesThatEncloseIt) {
     EXPECT_LT(std::stod(found[3]), load_of_fold());
   }
 }
-// dz/df by (1): 1/f', f' = 2 EA (1/l₀ − 1/l + z²/l³).
+// By (1) the tangent dz/df is 1/f' with f' = 2 EA (1/l₀ − 1/l + z²/l³).
 TEST_F(BranchTest, HasTheTangentOfTheClosedForm) {
   constexpr double kLittle = -1e-5;  // [N]
   const auto here = opened({variable_.value_of(-10)}), near = opened({variable_.value_of(-10 + kLittle)});
@@ -136,9 +137,9 @@ TEST_F(BranchTest, HasTheTangentOfTheClosedForm) {
                   (1 / kL0 - 1 / l + z * z / (l * l * l)),
               1, 1e-5);
 }
-// A longer wire between the same ends is slack, and nothing holds what is slack: without the tangent, which
-// moves its end out, steps are halved until the wire stays taut, and each of them takes ten times as many
-// factorisations.
+// A longer wire between the old positions of its ends is slack, and nothing holds it. The tangent moves the
+// end out with the length. Without it, steps would be halved until the wire stays taut, with ten times as
+// many factorisations.
 TEST_F(BranchTest, LeadsAlongTheTangentWhereTheNextPointIsOnNoLine) {
   write("s.toml", kWire);
   variable_.name = "length", variable_.unit = "", variable_.keys = {{"parts.wire.length", 1, 0}};

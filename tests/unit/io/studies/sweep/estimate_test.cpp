@@ -15,7 +15,7 @@ namespace {
 
 using Function = std::function<double(double speed, double depth, double friction)>;
 
-/// Smooth over both, as a headline height is: from 3 to 13.
+/// A smooth function of speed and depth, as a headline height is, from 3 to 13.
 double height(double speed, double depth, double friction = 0) {
   return 24 / (speed * std::sqrt(speed)) + 2 * std::sin(depth / 40) + friction * speed;
 }
@@ -32,7 +32,7 @@ StudyColumn gears() {
   return c;
 }
 
-/// A table of 2 to 4 kn and 50 to 150 m, and as many samples of a friction from 0 to 1.
+/// A table over speeds from 2 to 4 kn, depths from 50 to 150 m, and samples of a friction from 0 to 1.
 class TableOfAGear {
  public:
   explicit TableOfAGear(const Function& f, std::size_t speeds = 5, std::size_t depths = 8,
@@ -91,11 +91,11 @@ TEST(Estimates, AreAFunctionOfTwoVariablesWithinTheirErrors) {
     for (double depth = 51; depth < 150; depth += 9, ++all) {
       const WithError found = height_at(table, speed, depth);
       within += std::abs(found.value - height(speed, depth)) <= found.error;
-      EXPECT_LT(found.error, 0.25) << speed << " " << depth;  // of 10
+      EXPECT_LT(found.error, 0.25) << speed << " " << depth;  // heights differ by 10
     }
   EXPECT_EQ(within, all);
 }
-// A fold in the middle of the table, such as where a gear comes off the ground.
+// The function has a kink in the middle of the table, as figures have where a gear comes off the ground.
 TEST(Estimates, HaveLargeErrorsWhereFiguresBend) {
   const StudyTable table =
       TableOfAGear([](double speed, double, double) { return std::abs(speed - 3.2); }).table;
@@ -104,7 +104,7 @@ TEST(Estimates, HaveLargeErrorsWhereFiguresBend) {
     const WithError found = height_at(table, speed, 77);
     within += std::abs(found.value - std::abs(speed - 3.2)) <= found.error;
   }
-  EXPECT_GE(within, 0.95 * all);  // 2 s
+  EXPECT_GE(within, 0.95 * all);  // an error of 2 s holds in 95 % of all cases
   EXPECT_GT(height_at(table, 3.2, 77).error, 0.05);
 }
 TEST(Estimates, AtAPointOfTheStudyAreItsFigure) {
@@ -142,7 +142,7 @@ TEST(Estimates, OverDrawsAreMedianAndBand) {
   EXPECT_LT(figure.value.error, 0.3);
   EXPECT_GT(figure.high->value - figure.low->value, 2);
 }
-// Most samples fall off a step, some stay above it: what is fitted to medians swings over the step and beyond
+// Most samples fall at a step, and some stay above it. A fit to the medians would swing at the step, beyond
 // the ends of a band that is fitted by itself.
 TEST(Estimates, HaveTheirMedianWithinTheirBandWhateverDrawsDo) {
   const auto step = [](double speed, double, double friction) {
@@ -209,7 +209,7 @@ TEST(Estimates, OfAPointWithoutEquilibriumAreRefused) {
 }
 TEST(Estimates, SayOfFoldsBesideThem) {
   StudyTable table = TableOfAGear(height).table;
-  table.rows[10].record.events = {"a fold"};  // 2.5 kn and 79 m
+  table.rows[10].record.events = {"a fold"};  // the row of 2.5 kn and 79 m
   EXPECT_EQ(estimated(table, {"speed=2.7 kn,depth=75 m"}).events,
             (std::vector<std::string>{"item 1, point 11: a fold"}));
   EXPECT_TRUE(estimated(table, {"speed=3.7 kn,depth=75 m"}).events.empty());

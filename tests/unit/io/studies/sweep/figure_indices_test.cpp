@@ -15,7 +15,7 @@ namespace {
 using Numbers = std::vector<double>;
 constexpr double kPi = 3.141592653589793;
 
-/// Variables from low to high; levels of 0 are sampled.
+/// A variable from `low` to `high`; one without levels is sampled.
 struct Axis {
   const char *name, *unit;
   double low, high;
@@ -71,7 +71,7 @@ std::string refused_table(const StudyTable& table, const IndicesRequest& request
 const std::vector<Axis> kSpeedAndDepth{{"speed", "kn", 2, 4, 5}, {"depth", "m", 50, 150, 6}};
 double headline(const Numbers& x) { return 3 * x[0] + 0.02 * x[1]; }
 
-// The closed forms of sobol_indices_test.cpp, of a response to 300 samples.
+// Ishigami's function, with the closed forms of sobol_indices_test.cpp, and a response to 300 samples of it.
 TEST(StudyIndices, OfDrawsIsThatOfIshigamisFunctionWithinItsErrors) {
   const std::vector<Axis> axes{{"a", "", -kPi, kPi}, {"b", "", -kPi, kPi}, {"c", "", -kPi, kPi}};
   const StudyTable table = table_of(axes, 300, [](const Numbers& x) {
@@ -87,7 +87,8 @@ TEST(StudyIndices, OfDrawsIsThatOfIshigamisFunctionWithinItsErrors) {
   }
   EXPECT_LT(figure.off, 0.3);
 }
-// Over a range of 2 kn and one of 100 m the slopes are 6 and 2: 0.9 and 0.1.
+// The function changes by 6 over the range of speed and by 2 over that of depth, so that the indices are 0.9
+// and 0.1.
 TEST(StudyIndices, OfAGridIsThatOfALinearFunction) {
   const FigureIndices figure = found(table_of(kSpeedAndDepth, 0, headline)).figures.at(0);
   EXPECT_NEAR(figure.variables[0].first.value, 0.9, 0.005);
@@ -96,7 +97,7 @@ TEST(StudyIndices, OfAGridIsThatOfALinearFunction) {
   EXPECT_NEAR(figure.deviation, std::sqrt(40.0 / 12), 0.01);
   EXPECT_LT(figure.off, 1e-4);
 }
-// Speed, depth and a sampled friction of no effect on the height.
+// The variables are speed, depth and a sampled friction, which has no effect on the height.
 TEST(StudyIndices, IsOfListedAndDrawnVariablesTogether) {
   std::vector<Axis> axes = kSpeedAndDepth;
   axes.push_back({"friction", "", 0.4, 0.5});
@@ -107,7 +108,7 @@ TEST(StudyIndices, IsOfListedAndDrawnVariablesTogether) {
   EXPECT_NEAR(figure.variables[0].first.value, 0.9, figure.variables[0].first.error + 0.005);
   EXPECT_NEAR(figure.variables[2].total.value, 0, 0.005);
 }
-// Held variables have no index; the grid and the values between its points belong to the same function.
+// A held variable has no index. It may be held at a value of the grid, or between two of them.
 TEST(StudyIndices, IsOfTheVariablesThatAreNotHeld) {
   const StudyTable table = table_of(kSpeedAndDepth, 0, headline);
   for (const char* at : {"speed=2.5 kn", "speed=2.7 kn"}) {

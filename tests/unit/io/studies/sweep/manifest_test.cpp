@@ -20,7 +20,7 @@ class ManifestTest : public formats::test::Scratch {
     file.variables = {mass, twine, speed};
     return make_study(file, "../scene.toml", {{"../scene.toml", "fnv1a64:0123"}});
   }
-  /// The message on a manifest of this text.
+  /// The message of the error when this text is read as a manifest.
   std::string refusal(const std::string& text) {
     try {
       read_manifest(write("m.jsonl", text));
@@ -43,7 +43,7 @@ TEST_F(ManifestTest, IsRefusedWhereItIsDamaged) {
   EXPECT_NE(refusal(text.substr(0, last_line + 1)).find("not complete"), std::string::npos);
   std::string changed = text;
   changed.replace(changed.rfind("0.1 kn"), 6, "0.2 kn");
-  EXPECT_EQ(refusal(changed), "");  // a value that is only shown
+  EXPECT_EQ(refusal(changed), "");  // the text of a value is for display only
   changed = text;
   changed.replace(changed.rfind("key.speed=2 kn"), 14, "key.speed=3 kn");
   EXPECT_NE(refusal(changed).find(":5: the manifest is damaged (an item does not match its hash)"),
@@ -57,7 +57,7 @@ TEST_F(ManifestTest, SurvivesNonsense) {
   for (std::size_t at = 0; at < text.size(); at += 7) {
     std::string changed = text;
     changed[at] = static_cast<char>(changed[at] ^ 0x15);
-    refusal(changed);  // whatever it says, it returns
+    refusal(changed);  // it may fail, but it must return
   }
 }
 

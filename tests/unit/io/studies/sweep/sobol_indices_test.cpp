@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kSobolPi = 3.141592653589793;
 
-/// T. Ishigami, T. Homma, First International Symposium on Uncertainty Modeling and Analysis, 1990, with a =
-/// 7 and b = 0.1 over −π to π. With V₁ = (1 + b π⁴/5)²/2, V₂ = a²/8, V₁₃ = 8 b² π⁸/225 and V their sum,
+/// The function of T. Ishigami, T. Homma, First International Symposium on Uncertainty Modeling and Analysis,
+/// 1990, with a = 7 and b = 0.1 over −π to π. With V₁ = (1 + b π⁴/5)²/2, V₂ = a²/8, V₁₃ = 8 b² π⁸/225 and V
+/// their sum,
 ///   S = (V₁, V₂, 0)/V,   T = (V₁ + V₁₃, V₂, V₁₃)/V                                          (1)
 double ishigami(const std::vector<double>& u) {
   const auto x = [&](std::size_t i) { return kSobolPi * (2 * u[i] - 1); };
@@ -32,7 +33,7 @@ TEST(SobolIndices, AreThoseOfIshigamisFunction) {
     EXPECT_LT(total.error, 0.02) << i;
   }
 }
-// S_i = T_i = a_i²/Σ a².
+// For the linear function Σ a_i x_i, S_i = T_i = a_i²/Σ a².
 TEST(SobolIndices, OfALinearFunctionAreSquaresOfItsSlopes) {
   const SobolIndices found = sobol_indices([](const auto& u) { return 5 + u[0] - 2 * u[1] + 3 * u[2]; }, 3);
   const double expected[] = {1.0 / 14, 4.0 / 14, 9.0 / 14};

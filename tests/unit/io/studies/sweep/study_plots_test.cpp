@@ -12,7 +12,8 @@ StudyColumn column(const std::string& name, bool sampled) {
   return c;
 }
 
-/// A height over two speeds, four samples of a friction; at the second speed one sample has no equilibrium.
+/// A table of a height over two speeds and four samples of a friction; at the second speed one sample has no
+/// equilibrium.
 StudyTable table_of_heights() {
   StudyTable table;
   table.columns = {column("speed", false), column("friction", true)};
@@ -37,7 +38,7 @@ TEST(StudyPlots, HaveTheMedianOfTheDrawsThatAreFoundAndAHollowMarkerWhereOthersA
   ASSERT_EQ(points.size(), 2u);
   EXPECT_NEAR(points[0].y, 2.25, 1e-12);
   EXPECT_FALSE(points[0].is_hollow);
-  EXPECT_NEAR(points[1].y, 3.2, 1e-12);  // of three
+  EXPECT_NEAR(points[1].y, 3.2, 1e-12);  // the median of three samples
   EXPECT_TRUE(points[1].is_hollow);
   EXPECT_FALSE(plots[0].hollow.empty());
 }

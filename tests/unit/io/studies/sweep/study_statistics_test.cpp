@@ -9,7 +9,7 @@
 namespace netloft::studies {
 namespace {
 
-// R: quantile(c(7, 1, 3, 10), c(0, .05, .25, .5, .9, 1)) is 1.0 1.3 2.5 5.0 9.1 10.0
+// In R, quantile(c(7, 1, 3, 10), c(0, .05, .25, .5, .9, 1)) gives 1.0 1.3 2.5 5.0 9.1 10.0.
 TEST(Statistics, HaveTheQuantilesOfR) {
   const std::vector<double> sample{7, 1, 3, 10};
   const double expected[][2] = {{0, 1}, {0.05, 1.3}, {0.25, 2.5}, {0.5, 5}, {0.9, 9.1}, {1, 10}};

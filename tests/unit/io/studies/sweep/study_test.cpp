@@ -72,7 +72,7 @@ TEST(StudyDesign, HasAnItemForEveryDrawAndEveryValueOutsideThePath) {
   EXPECT_EQ(study.point_count(), count_points(file));
   EXPECT_EQ(study.items[6].sample, 2u);
   EXPECT_EQ(study.items[6].id, 7u);
-  // Both gears get the same samples, so that they can be compared sample by sample.
+  // The gears in a study get the same samples, so that they can be compared sample by sample.
   EXPECT_EQ(study.items[1].values[1].text, study.items[6].values[1].text);
   EXPECT_EQ(study.values_of(study.items[6], study.items[6].points[2]).size(), 3u);
 }

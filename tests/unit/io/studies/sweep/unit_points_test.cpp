@@ -10,7 +10,8 @@
 namespace netloft::studies {
 namespace {
 
-/// How many of equally many intervals of a dimension hold a point.
+/// The number of intervals with a point, if a dimension is divided into as many equal intervals as there are
+/// points.
 std::size_t intervals_hit(const std::vector<std::vector<double>>& points, std::size_t dimension) {
   std::set<std::size_t> hit;
   for (const auto& p : points)
@@ -44,7 +45,8 @@ TEST(UnitPoints, DependOnTheSeedAlone) {
     EXPECT_NE(unit_points(sampling, 20, 3, 1), unit_points(sampling, 20, 3, 2));
   }
 }
-// More samples leave those of a Sobol design as they are: what has been computed can be used again.
+// The samples of a smaller Sobol design are the first of a larger one, so that computed results can be used
+// again.
 TEST(UnitPoints, OfSobolsSequenceStayWhenThereAreMore) {
   auto more = unit_points(Sampling::sobol, 64, 5, 9);
   more.resize(20);
@@ -55,7 +57,8 @@ TEST(UnitPoints, LieInsideTheCube) {
     for (const auto& p : unit_points(sampling, 1000, 2, 5))
       for (const double x : p) EXPECT_TRUE(x > 0 && x < 1);
 }
-// With p uniform the integral of the product of 4|x - 1/2| is 1; Sobol's error falls almost as 1/n.
+// The integral of the product of 4|x - 1/2| over the unit cube is 1. The error of a mean over Sobol's points
+// falls almost as 1/n.
 TEST(UnitPoints, OfSobolsSequenceIntegrateBetterThanChance) {
   double sum = 0;
   const auto points = unit_points(Sampling::sobol, 4096, 5, 1);
@@ -64,7 +67,7 @@ TEST(UnitPoints, OfSobolsSequenceIntegrateBetterThanChance) {
     for (const double x : p) product *= std::abs(4 * x - 2);
     sum += product;
   }
-  EXPECT_NEAR(sum / 4096, 1, 0.01);  // at random its standard deviation is 0.028: sqrt((4/3)^5 - 1)/64
+  EXPECT_NEAR(sum / 4096, 1, 0.01);  // random points: standard deviation sqrt((4/3)^5 - 1)/64 = 0.028
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST(Distribution, IsUniformInTheLogarithm) {
   EXPECT_NEAR(quantile(d, {1, 100}, 0.5), 10, 1e-12);
   EXPECT_NEAR(quantile(d, {1, 100}, 0.25), std::sqrt(10.0), 1e-12);
 }
-// Quantiles of the standard normal distribution: Abramowitz and Stegun, table 26.1.
+// Expected quantiles of the standard normal distribution are from Abramowitz and Stegun, table 26.1.
 TEST(Distribution, IsNormal) {
   const Distribution d{Kind::normal, 5, 2};
   const Interval wide{-1000, 1000};
@@ -32,7 +32,7 @@ TEST(Distribution, CutsTheNormalDistributionOffAtBothEnds) {
   const Interval cut{-1, 2};
   EXPECT_NEAR(quantile(d, cut, 1e-12), -1, 1e-9);
   EXPECT_NEAR(quantile(d, cut, 1 - 1e-12), 2, 1e-9);
-  // F(0) = 0.5, F(-1) = 0.158655254, F(2) = 0.977249868 (the same table)
+  // F(0) = 0.5, F(-1) = 0.158655254, F(2) = 0.977249868 (Abramowitz and Stegun, table 26.1).
   EXPECT_NEAR(quantile(d, cut, (0.5 - 0.158655254) / (0.977249868 - 0.158655254)), 0, 1e-8);
 }
 TEST(Distribution, NeverLeavesItsInterval) {
