@@ -17,8 +17,8 @@ struct CellField {
   std::vector<double> values;
 };
 
-/// The mesh of a scene for ParaView: a cell for each element that is drawn (between nodes of its own part, on
-/// a single node, or on a rigid body).
+/// The mesh of a scene for ParaView. Its cells are the elements on single nodes and on rigid bodies, and
+/// those between nodes of their own part; elements on other parts, such as bending on ropes, are not drawn.
 formats::Mesh make_mesh(const scenes::LoadedScene& loaded, const Assembler& assembler);
 /// A point field with the rotation vector of each rigid body at its origin, and NaN at other nodes; empty if
 /// the scene has no bodies.

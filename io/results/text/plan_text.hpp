@@ -17,7 +17,7 @@ struct PlanExtras {
   double memory = 0, factor_memory = 0, stability_memory = 0;
 };
 
-/// The forces that each family of elements evaluates, and why the others are off.
+/// The forces that each family (elements of one type) evaluates, and why the others are off.
 std::string plan_text(const ScenePlan& plan, const PlanExtras& extras);
 std::string plan_json(const Scene& scene, const ScenePlan& plan, const PlanExtras& extras);
 

@@ -16,7 +16,7 @@ struct Names {
 struct Imported {
   std::string scene;
   formats::InputMesh mesh;
-  std::vector<Finding> findings;  // findings of the gear, and features that the scene lacks
+  std::vector<Finding> findings;  // features of the gear that the import changes or leaves out
 };
 
 /// The kind of analysis. FEMNET finds the equilibrium and the motion of the same file by two solvers.

@@ -73,8 +73,9 @@ class GearParts : public GearSteps {
   gears::Gear gear_;
   std::optional<PlanElements> elements_;       // empty until `[elements]` is read
   std::shared_ptr<gears::Division> division_;  // null after an error
-  std::vector<gears::KnownCoordinate> known_;  // known coordinates of points of bodies
-  std::vector<double> start_;                  // initial positions, 3 per node of the gear
+  // Coordinates that the points of bodies fix, for the initial shape.
+  std::vector<gears::KnownCoordinate> known_;
+  std::vector<double> start_;  // initial positions, 3 per node of the gear
   /// For each node of the gear: the parts that have this node, each with the number of the node within the
   /// part. The first part determines its position.
   std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;

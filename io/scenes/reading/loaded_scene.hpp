@@ -30,7 +30,7 @@ struct PartGeometry {
 /// The nodes and axes of a `[[hold]]`, whose reaction is reported under its name.
 struct Hold {
   std::string name;
-  std::vector<std::uint32_t> nodes;  // of the scene
+  std::vector<std::uint32_t> nodes;  // numbers of nodes in the scene
   std::vector<std::uint8_t> axes;    // for each node, the axes whose reactions count for this hold
 };
 
@@ -45,7 +45,7 @@ struct ResultRequest {
   // 0, 1, 2: x, y, z; 3: length of the vector. For an attitude 0: heading, 1: heel, 2: trim.
   int axis = 0;
   std::uint32_t body = 0;            // index in Scene::bodies, for attitudes
-  std::vector<std::uint32_t> nodes;  // of the scene
+  std::vector<std::uint32_t> nodes;  // numbers of nodes in the scene
   std::uint32_t part = 0;            // index in Scene::parts, for outputs
 };
 
