@@ -27,11 +27,11 @@ int open_beside(const fs::path& path, const fs::path& beside) {
     struct stat named {
     }, opened{};
     if (lstat(beside.c_str(), &named) == 0 && (!S_ISREG(named.st_mode) || named.st_nlink > 1))
-      unlink(beside.c_str());  // a link or a pipe is not written to
+      unlink(beside.c_str());  // replaces a link or a pipe instead of writing to it
     const int fd = open(beside.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0) fail(path, errno);
     while (flock(fd, LOCK_EX) != 0 && errno == EINTR)
-      continue;  // file systems without locks, such as some network ones, do not wait
+      continue;  // in a file system without locks, such as some network ones, flock() fails at once
     const bool is_still_there = stat(beside.c_str(), &named) == 0 && fstat(fd, &opened) == 0 &&
                                 named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
     if (is_still_there && ftruncate(fd, 0) == 0) return fd;

@@ -30,8 +30,8 @@ void write_columns(Tree& tree, const std::vector<SeriesColumn>& columns, const R
     tree.write_reals(kRoot + "/series/" + columns[k].name, rows.column(k), columns[k].unit, columns[k].doc);
 }
 
-/// The cells in the notation of XDMF for cells of several kinds: type, number of nodes unless the type
-/// implies it, nodes.
+/// The cells in the notation of XDMF for cells of several kinds. Each cell has its type, the number of its
+/// nodes unless the type implies it, and its nodes.
 std::vector<std::int64_t> mixed_cells(const Mesh& mesh) {
   constexpr std::int64_t kPolyvertex = 1, kPolyline = 2, kXdmfTriangle = 4;
   std::vector<std::int64_t> mixed;

@@ -17,7 +17,7 @@ namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
 
-// The first byte is not a text character, and the line ends reveal a transfer that converts them.
+// The first byte is not a text character. The line ends reveal a file transfer that converts line ends.
 constexpr std::string_view kMagic = "\x89NLJ\r\n\x1a\n";
 constexpr std::uint32_t kFormat = 2;  // in format 1, every output has all fields
 constexpr std::size_t kHead = 16, kTail = 4;

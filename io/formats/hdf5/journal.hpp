@@ -44,7 +44,7 @@ class Journal {
   const std::string& damage() const { return damage_; }
   /// The name under which the first append() after damage keeps the old file.
   std::filesystem::path path_of_damaged() const { return path_.string() + "~"; }
-  /// The content of a record, compared with its checksum.
+  /// Reads the content of a record and compares it with its checksum.
   std::string content(const Record& record) const;
 
   /// Appends a record. If the system fails to write it, throws FileError and removes the incomplete record.

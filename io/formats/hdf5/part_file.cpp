@@ -42,7 +42,7 @@ void keep_as_backup(const fs::path& path) {
       unlink(link_path.c_str());
       throw FileError("cannot keep " + path.string() + " as " + backup.string() + ": " + reason);
     }
-    unlink(link_path.c_str());  // rename() leaves it when both names already meant the same file
+    unlink(link_path.c_str());  // rename() leaves this link if both names already meant the same file
     return;
   }
   if (errno == ENOENT) return;  // no earlier result

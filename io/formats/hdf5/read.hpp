@@ -51,7 +51,8 @@ class Reader {
 
   /// The times of the stored states in ascending order.
   std::vector<double> times() const;
-  /// The points, 3n [m], or a field, of a stored state with index `step` in times().
+  /// The points, 3n [m], of the stored state with index `step` in times(); field() returns a field of this
+  /// state.
   std::vector<double> points(std::size_t step) const;
   std::vector<double> field(Location location, const std::string& name, std::size_t step) const;
 

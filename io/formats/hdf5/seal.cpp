@@ -147,8 +147,8 @@ struct Search {
   std::vector<SealedRange> ranges;
 };
 
-/// Adds the byte ranges of a dataset, or of all datasets in a group, with this name. The visitor of HDF5
-/// would follow the whole path of every object.
+/// Adds the byte ranges of the object `name`: of a dataset, or of all datasets in a group. H5Ovisit() is not
+/// used, because it would follow the whole path of every object.
 herr_t add_ranges(hid_t group, const char* name, const H5L_info_t* link, void* data) {
   if (link->type != H5L_TYPE_HARD) return 0;
   Search& search = *static_cast<Search*>(data);

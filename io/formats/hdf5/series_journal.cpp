@@ -190,7 +190,7 @@ SeriesState SeriesJournal::stored_state(std::size_t i) const {
   const std::string content = journal_->content(outputs_.at(i));
   return with_context("cannot read " + path().string(), [&] {
     ByteReader from(content);
-    from.text();  // the checkpoint
+    from.text();  // skips the checkpoint
     SeriesState state;
     state.time = from.real();
     state.points = from.reals();

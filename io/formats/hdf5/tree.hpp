@@ -16,7 +16,7 @@ namespace netloft::formats {
 ///
 /// Paths are absolute; missing groups on the path are created. An existing dataset is replaced. Every dataset
 /// has the attributes `unit` (numbers only; "1" if dimensionless) and `doc`, each omitted if empty. Text is
-/// UTF-8. Other bytes, and texts with NUL, are stored as an array of uint8 with the attribute `content` =
+/// UTF-8. Texts with other bytes or with NUL are stored as an array of uint8 with the attribute `content` =
 /// "bytes"; Reader::text() reads both.
 class Tree {
  public:

@@ -183,10 +183,10 @@ void VtkHdf::add_static_array(hid_t group, const StaticField& field, std::size_t
   put_labels(dataset, spec.unit, spec.doc);
 }
 
-/// The first row of the slot of every state.
+/// For each state, the first row of the slot that holds it.
 std::vector<std::int64_t> VtkHdf::offsets_of(const SlotArray& array) const {
   std::vector<std::int64_t> rows;
-  std::size_t own = 0;  // number of states with a slot, up to this one
+  std::size_t own = 0;  // number of states up to this one that have a slot of their own
   for (std::size_t i = 0; i < states_; ++i) {
     own += array.has(i);
     rows.push_back(static_cast<std::int64_t>(array.rows * array.slot_of(own - 1)));
@@ -201,8 +201,8 @@ void VtkHdf::write_step_column(const std::string& path, std::span<const std::int
               by_topology ? 2 : 1);
 }
 
-/// Writes the steps. Every step has the same single part with the same topology; only the offsets into points
-/// and fields change.
+/// Writes the steps. The grid has a single part, whose topology is the same in every step; only the offsets
+/// into points and fields change.
 void VtkHdf::write_steps(std::span<const StaticField> fixed) {
   steps_ = make_group(root_, "Steps");
   const auto count = static_cast<std::int64_t>(states_);

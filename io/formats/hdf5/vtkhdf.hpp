@@ -56,13 +56,13 @@ class VtkHdf {
          std::size_t states, std::span<const std::vector<bool>> stored = {});
 
   std::size_t n_states() const { return times_.size(); }
-  /// Adds a state. `points` 3n [m]; `fields` in the order of `changing`, empty if they have no slot.
+  /// Adds a state. `points` 3n [m]; `fields` in the order of `changing`, a field without a slot is empty.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
   /// Writes the states that are still in memory.
   void write_blocks();
-  /// The same, and writes the times. Throws std::invalid_argument unless the announced number of states was
-  /// written.
+  /// Calls write_blocks() and writes the times. Throws std::invalid_argument unless as many states were
+  /// written as announced.
   void finish();
 
  private:

@@ -46,7 +46,7 @@ struct InputMesh {
   const MeshRegion* find(const std::string& region) const;
 };
 
-/// A fault of one element, which is found without looking at others.
+/// A fault of one element that can be found without looking at other elements.
 struct ElementFault {
   bool is_of_nodes;  // whether the fault is in the nodes; otherwise in the numbers
   const char* message;
@@ -73,8 +73,8 @@ InputMesh read_obj(std::string_view text, int file, Diagnostics& diagnostics);
 std::string obj_text(const InputMesh& mesh, const std::string& source);
 
 /// Reads a VTK legacy file in ASCII with an unstructured grid of triangles, lines and vertices. Arrays on
-/// cells have the numbers: `region`, `panel_corners` (6 per triangle), `shares` and `twines` (2 per line).
-/// The array of strings `region_names` has the names of regions.
+/// cells contain the numbers of elements: `region`, `panel_corners` (6 per triangle), `shares` and `twines`
+/// (2 per line). The array of strings `region_names` has the names of regions.
 InputMesh read_vtk(std::string_view text, int file, Diagnostics& diagnostics);
 std::string vtk_text(const InputMesh& mesh, const std::string& source);
 

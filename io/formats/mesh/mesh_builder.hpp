@@ -26,13 +26,13 @@ class MeshBuilder {
   double real(std::string_view word, const Place& place);
   void add_coordinate(double x, const Place& place);
 
-  /// The region of a name and kind. If a region of another kind has the name, the name of the kind is
-  /// appended. Letters that are not allowed in names become dashes.
+  /// The region of a name and kind. If a region of another kind already has this name, the name of the kind
+  /// is appended to `name`. Letters that are not allowed in names become dashes.
   MeshRegion& region(const std::string& name, RegionKind kind);
   MeshSet& set(const std::string& name);
 
-  /// Adds one element. Bars without numbers get fractions of the rope in finish(), by the distances of their
-  /// nodes.
+  /// Adds one element. If bars have no numbers, finish() computes their fractions of the rope from the
+  /// distances of their nodes.
   void add_element(MeshRegion& region, const std::uint32_t* nodes, const double* numbers, const Place& place);
 
   InputMesh finish(const Place& end);

@@ -29,7 +29,7 @@ class VtkReader {
 
   InputMesh read() {
     rows_.next_line();
-    rows_.next_line();  // version and title
+    rows_.next_line();  // these two lines are the version and the title
     const Word form = next();
     if (in_capitals(form.text) != "ASCII")
       fail(form.place, "only VTK files in ASCII are read", "save it as ASCII, legacy");
@@ -137,7 +137,7 @@ class VtkReader {
     for (std::size_t i = 0; i < offsets && goes_on(); ++i)
       ends.push_back(next_count(nodes, "nodes before a cell"));
     next();
-    next();  // skip the word CONNECTIVITY and the type
+    next();  // these calls skip the word CONNECTIVITY and the type
     for (std::size_t c = 0; c + 1 < ends.size() && goes_on(); ++c) {
       cells_.nodes.emplace_back();
       if (ends[c + 1] < ends[c]) return fail(place_of_cells_, "the offsets of cells do not grow");
@@ -207,7 +207,7 @@ class VtkReader {
       const Word word = next();
       if (word.text.empty()) return fail(word.place, "the file ends within the array " + in_quotes(name));
       array.values.push_back(
-          number_in(word.text).value_or(0));  // elements without a value, such as nan, get 0
+          number_in(word.text).value_or(0));  // a word that is no number, such as nan, counts as 0
     }
     if (is_on_cells_) cells_.arrays[name] = std::move(array);
   }

@@ -30,7 +30,7 @@ struct VtkCells {
   std::string region_of(std::size_t cell, const char* otherwise) const;
 };
 
-/// Adds cells to a mesh that has their nodes already. `place` is the place of all cells, for errors.
+/// Adds cells to a mesh that has their nodes already. Errors of any cell are reported at `place`.
 void add_vtk_cells(const VtkCells& cells, const Place& place, MeshBuilder& builder);
 
 }  // namespace netloft::formats

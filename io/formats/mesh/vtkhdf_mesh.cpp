@@ -51,7 +51,7 @@ class VtkHdfMesh {
                         " pieces, and one of a single piece is read");
   }
 
-  /// The points of the last state; array() does the same for an array on cells.
+  /// The points of the last state; array() returns an array on cells, also of the last state.
   std::vector<double> points() const {
     return is_transient_ ? reader_.points(states_ - 1) : reader_.reals(kGridGroup + "/Points");
   }

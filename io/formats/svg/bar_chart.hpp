@@ -5,7 +5,7 @@
 
 namespace netloft::formats {
 
-/// A chart of groups of rows. Each row has a bar of each kind, which begins at zero, and a whisker for its
+/// A chart of groups of rows. Each row has one bar per kind; a bar begins at zero and has a whisker for its
 /// error.
 struct BarChart {
   struct Bar {

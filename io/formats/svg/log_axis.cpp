@@ -9,7 +9,8 @@ namespace netloft::formats {
 
 namespace {
 
-// Relative difference up to which an end of the axis counts as equal to a value: powers of ten are rounded.
+// Relative difference up to which an end of the axis counts as equal to a value, because computed powers of
+// ten have round-off.
 constexpr double kDecadeRounding = 1e-9;
 // Markers keep at least this factor away from the frame.
 constexpr double kMarginFactor = 1.15;
@@ -20,7 +21,7 @@ double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
 int decade_below(double value) { return static_cast<int>(std::floor(std::log10(value) + kDecadeRounding)); }
 
 /// The largest number n 10^k with n from 1 to 9 that is not greater than `value`; round_up() returns the
-/// smallest that is not less.
+/// smallest such number that is not less than `value`.
 double round_down(double value) {
   const double decade = power_of_ten(decade_below(value));
   return std::floor(value / decade + kDecadeRounding) * decade;

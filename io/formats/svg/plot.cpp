@@ -108,8 +108,8 @@ class Drawing {
     picture_.text({middle, 15}, plot_.title, kText, kInk, Anchor::middle);
   }
 
-  /// Draws marks from left to right with labels beside the lines; of two close labels, the right one is
-  /// lower.
+  /// Draws marks from left to right with labels beside the lines. If two labels are close, the right one is
+  /// placed lower.
   void draw_marks() {
     std::vector<PlotMark> marks = plot_.marks;
     std::erase_if(marks, [&](const PlotMark& mark) { return !x_->has_place(mark.x); });

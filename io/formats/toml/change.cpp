@@ -18,7 +18,7 @@ std::string shape(const std::string& option) {
   return "write it as " + option + (option == "--set" ? " parts.net.cells=[64,64]" : " NAME=VALUE");
 }
 
-/// The position of the '=' that ends the path; quoted keys may contain another one.
+/// The position of the '=' that ends the path; quoted keys may contain another '='.
 std::size_t find_equals(const std::string& text) {
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

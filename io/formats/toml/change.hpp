@@ -25,7 +25,7 @@ struct Change {
   std::string text;              // "hold[0].at[2]=-19 m", for messages
   std::vector<PathStep> steps;
   Value value;              // its places are positions in `text`, without a file
-  std::string fault, hint;  // why the text is not valid, and the cure; empty if it is
+  std::string fault, hint;  // why the text is not valid, and the cure; both are empty if it is valid
   bool operator==(const Change&) const = default;
 };
 

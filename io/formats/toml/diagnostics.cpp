@@ -7,7 +7,7 @@ namespace netloft::formats {
 namespace {
 
 constexpr std::size_t kWindow = 100;     // characters shown of a long line
-constexpr std::size_t kBeforeSpot = 40;  // number of these before the marked place
+constexpr std::size_t kBeforeSpot = 40;  // characters that are shown before the marked place
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }

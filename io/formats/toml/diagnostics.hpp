@@ -33,7 +33,7 @@ class Diagnostics {
   enum class Source { file, command_line };
 
   /// Adds a source and returns its index. Messages are sorted by the order of sources: the root file comes
-  /// first. A command line is shown only by its name.
+  /// first. Messages show only the name of a command line, without the line and column.
   int add_source(std::string name, std::string text, Source kind = Source::file);
 
   void error(const Place& place, std::string message, std::string hint = {});

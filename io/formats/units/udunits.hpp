@@ -14,7 +14,7 @@ namespace netloft::formats {
 struct Unit {
   Dimension dimension;
   double scale = 1;
-  double offset = 0;  // degC, degF
+  double offset = 0;  // nonzero for degC and degF
 };
 
 /// The UDUNITS-2 database, with words of fishing and shipping that it lacks or defines differently.
@@ -31,8 +31,8 @@ class UnitSystem {
   /// (known_words.hpp); if UDUNITS2_XML_PATH is set, it reads that database immediately.
   static const UnitSystem& shared();
 
-  /// A sentence about the error if the database could not be read; empty if it could, or has not been needed
-  /// yet.
+  /// A sentence about the error if the database could not be read; empty if it was read, or has not been
+  /// needed yet.
   const std::string& trouble() const { return trouble_; }
 
   /// The unit of one word with its prefix, such as "mm". Nothing if UDUNITS does not know it, or if it is a
