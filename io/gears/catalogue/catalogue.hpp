@@ -74,7 +74,7 @@ class KeptCatalogue {
  private:
   std::vector<std::filesystem::path> folders_;
   formats::Diagnostics said_;  // messages of the loading
-  int first_file_ = 0;         // index of its first file in the `diagnostics` of the last call
+  int first_file_ = 0;         // index of the catalogue's first file in the `diagnostics` of the last call
   std::shared_ptr<const Catalogue> catalogue_;
 };
 

@@ -18,7 +18,7 @@ namespace netloft::gears {
 namespace {
 
 constexpr double kWidth = 1100, kTallest = 1500, kMargin = 60, kLeftMargin = 130, kLineHeight = 16;
-constexpr double kWordsWidth = 100;  // width of a panel that can hold its text
+constexpr double kWordsWidth = 100;  // least width of a panel that can hold its text
 constexpr double kSmall = 10, kNormal = 12, kTitle = 16;
 constexpr const char *kInk = "#222", *kPale = "#777", *kRope = "#0b5fa5";
 
@@ -171,8 +171,8 @@ class Draughtsman {
     if (placed.is_mirrored == (placed.panel->stands == Standing::pair)) draw_words(placed);
   }
 
-  /// Puts a label beside the middle of an edge; if the panel becomes wider going aft, above the middle,
-  /// because the edge then runs below it.
+  /// Puts a label beside the middle of an edge. If the panel becomes wider towards aft, the label is above
+  /// the middle, because the edge then runs below it.
   void draw_edge_label(const PlacedPanel& placed, const OutlineEdge& edge) {
     if (edge.kind != EdgeKind::outer && edge.kind != EdgeKind::inner) return;
     const formats::PicturePoint from = place(placed, edge.from), to = place(placed, edge.to),
@@ -240,8 +240,8 @@ class Draughtsman {
     return box;
   }
 
-  /// Draws a scale of a round number of metres, about an eighth of the sheet; across, it refers to half of
-  /// the stretched width.
+  /// Draws a scale of a round number of metres, about an eighth of the sheet. Across the gear, its length
+  /// means half of the stretched width.
   void draw_scale() {
     const double wanted = kWidth / 8 / scale_.per_metre, power = std::pow(10, std::floor(std::log10(wanted)));
     const double metres = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;

@@ -8,7 +8,7 @@ namespace netloft::gears {
 
 /// Draws a plan as an SVG picture in the manner of ISO 3169. Panels are drawn to the scale of stretched
 /// length and half the stretched width, with mesh counts, cuttings, mesh size and twine. Edges that are hung
-/// on ropes are thick and labelled with the length of rope. A list of ropes, floats and seams and a scale
+/// on ropes are thick and labelled with the length of rope. A list of ropes, floats and seams, and a scale,
 /// follow below.
 std::string draw_plan(const NetPlan& plan);
 

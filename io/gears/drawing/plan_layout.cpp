@@ -27,7 +27,8 @@ PanelPoint middle_of(const EdgeSet& set) {
   return {set.is_across_middle() ? 0 : (left + right) / 2, set.edges.front().from.y};
 }
 
-/// The two edges of a seam that align two panels: the aft edge of one and a fore edge of the other.
+/// The two edges of a seam that align two panels: the aft edge of one panel and a fore edge of the other
+/// panel.
 struct Seam {
   EdgeSet aft, fore;
 };

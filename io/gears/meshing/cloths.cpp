@@ -9,7 +9,7 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kDrawnHalfAngle = std::numbers::pi / 6;  // of bars to the aft direction, netting half open
+constexpr double kDrawnHalfAngle = std::numbers::pi / 6;  // angle between bars and the aft direction
 
 PanelPoint between(PanelPoint a, PanelPoint b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
@@ -46,7 +46,8 @@ class Cutter {
     name_corners();
   }
 
-  /// Adds the half of a middle panel on the side of `sign`, including the middle line between the halves.
+  /// Adds the half of a middle panel on the side of `sign` (1: starboard, -1: port), including the middle
+  /// line between the halves.
   void add_half(std::size_t p, double sign) {
     begin(p, sign < 0, sign);
     std::vector<ClothSide> ring;

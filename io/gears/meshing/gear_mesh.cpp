@@ -90,9 +90,9 @@ class Divider {
   }
 
   /// Finds, for each cloth, whether triangles that are counter-clockwise in the cloth are also
-  /// counter-clockwise seen from outside the net. If this is the same for two cloths, they run along their
-  /// common seam in opposite directions. The first panel is assumed to be the upper one; on its starboard
-  /// side, seen from above, the turn from outwards to aft is clockwise.
+  /// counter-clockwise seen from outside the net. If this is the same for two cloths that are sewn together,
+  /// their borders run along the seam in opposite directions. The first panel is assumed to be the upper one;
+  /// on its starboard side, seen from above, the turn from outwards to aft is clockwise.
   void find_senses() {
     std::vector<std::vector<std::pair<std::size_t, bool>>> users(lines_.lines.size());
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
@@ -169,7 +169,7 @@ class Divider {
 
   using PlaneSide = std::array<std::uint32_t, 2>;
 
-  /// The sides of triangles that have an end on the border but do not lie along it, each once.
+  /// The triangle sides that have an end on the border but do not lie along the border; each is listed once.
   std::vector<PlaneSide> inner_sides(std::size_t c) const {
     const auto n = static_cast<std::uint32_t>(borders_[c].nodes.size());
     std::set<PlaneSide> sides;
@@ -195,7 +195,7 @@ class Divider {
 
   /// Separates triangle sides of different cloths that are not sewn together but coincide, because they
   /// connect the same two nodes of the gear. This happens near sharp corners and where seams end in a point.
-  /// Each such side gets its own node in its middle. Returns whether there were any.
+  /// Each such side gets its own node in its middle. Returns whether there were such sides.
   bool part_doubled_sides() {
     std::map<std::pair<Tag, Tag>, int> times;
     for (const auto& nodes : line_nodes_)

@@ -55,8 +55,8 @@ struct GearMesh {
   MeshQuality quality;
 };
 
-/// Called while a gear is divided, with the name of the panel or step that begins and the number of nodes so
-/// far.
+/// A function that is called while a gear is divided, with the name of the panel or step that begins and the
+/// number of nodes so far.
 using OnMeshing = std::function<void(const std::string& step, std::size_t nodes)>;
 
 /// Divides every panel into triangles, in coordinates counted in meshes (section 2.2 of the trawl-gear

@@ -36,8 +36,8 @@ bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef
   return (a == b && is_lateral(a)) != (comes_back(one) != comes_back(other));
 }
 
-/// Meshes outwards, counted from the middle of a panel across the middle, and from the start of the inner
-/// side of other panels.
+/// Meshes outwards. In a panel across the middle they count from the middle, in other panels from the start
+/// of the inner side.
 double outwards(const GearPanel& panel, double U) {
   return panel.panel->stands == Standing::middle ? std::abs(U) : U;
 }
@@ -121,7 +121,7 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
         const auto from = panel.nodes[i], to = panel.nodes[j];
         aft.push_back({from, to, deep * (panel.meshes[j][1] - panel.meshes[i][1]), 1});  // (1)
         if (sense_[p] < 0 && (closed_[from] || closed_[to]))
-          continue;  // the panel on the other side gives their position
+          continue;  // the panel that is sewn to this one gives their position
         around.push_back({from, to,
                           sense_[p] * wide *
                               (outwards(gear.panels[p], panel.meshes[j][0]) -

@@ -9,7 +9,7 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kRounding = 0.02;  // with less excess over its edges, a rope has no free part
+constexpr double kRounding = 0.02;  // a rope that exceeds its edges by a smaller fraction has no free part
 constexpr double kLikely = 0.1;     // score of an edge in its usual direction; ends that meet score 1
 
 bool crosses(const Gear& gear, const GearRope& rope) {
@@ -133,8 +133,9 @@ class Rigger {
     }
   }
 
-  /// 1 if an edge runs in its usual direction along a rope, else 0. For a rope across the middle, this is
-  /// forward to starboard and aft to port; for other ropes it is outwards or aft.
+  /// 1 if an edge runs in its usual direction along a rope, else 0. Along a rope across the middle, edges
+  /// usually run forward on the starboard side and aft on the port side; along other ropes, they run outwards
+  /// or aft.
   double likelihood(const GearRope& rope, const Row& row) const {
     const ClothSide& side = borders_.cloths.sides[row[0].side];
     const bool is_port = borders_.cloths.cloths[side.cloth].is_port;
@@ -163,7 +164,7 @@ class Rigger {
 
   /// A place before, between or after the hung edges of a rope, where a part of the rope may be free.
   struct Gap {
-    std::size_t before = 0;  // index of the stretch after it
+    std::size_t before = 0;  // index of the stretch after the gap
     std::size_t from = 0, to = 0;
     double weight = 1;
   };

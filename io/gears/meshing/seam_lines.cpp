@@ -153,8 +153,8 @@ class LineMaker {
   }
 
   /// The coarsest size of the bars of a rope [m]; 0 for ropes other than warps. The direction of a warp
-  /// changes by some tenths of a radian along its length; 32 bars give its tension to a thousandth, whatever
-  /// the size of elements in the netting.
+  /// changes by some tenths of a radian along its length; 32 bars give the tension of the warp to a
+  /// thousandth, whatever the size of elements in the netting.
   static double coarsest(const GearRope& rope) {
     constexpr double kBarsOfWarps = 32;
     return rope.rope->role == kWarp ? rope.length / kBarsOfWarps : 0;

@@ -20,7 +20,7 @@ struct Line {
   std::vector<double> fractions;  // fractions of its length at its inner nodes, increasing in (0, 1)
 };
 
-/// A line, and whether its user (a side or a rope) runs along it in its own direction.
+/// A line, and whether the side or rope that uses it runs in the direction of the line.
 struct Run {
   std::size_t line = 0;
   bool is_forward = true;

@@ -128,8 +128,9 @@ class Sewer {
     });
   }
 
-  /// Reverses side panels in a row round the net so that they run inwards if their outer side is sewn to the
-  /// panel before them. The walk starts at the first panel across the middle and goes in both directions.
+  /// In a row round the net, reverses the edges of every side panel whose outer side is sewn to the panel
+  /// before it; these edges then run inwards. The walk starts at the first panel across the middle and goes
+  /// in both directions.
   void turn_side_panels(Row& row) const {
     const auto first = std::find_if(row.begin(), row.end(),
                                     [&](const auto& s) { return panel_of(s).stands == Standing::middle; });

@@ -99,8 +99,9 @@ class Shaper {
     }
   }
 
-  /// Shifts the whole netting aft and vertically, to the known coordinates of its nodes; without any, so that
-  /// ropes from known points reach it and its lowest point is as deep as the lowest known point.
+  /// Shifts the whole netting aft and vertically, to the known coordinates of its nodes. If its nodes have
+  /// none, ropes from known points then reach the netting, and its lowest point is as deep as the lowest
+  /// known point.
   void stand_as_a_whole() {
     const double aft = shift_along(0, true);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node)

@@ -29,16 +29,16 @@ struct KnownCoordinate {
 ///   a_j − a_i = cos β m (V_j − V_i)              metres aft                        (1)
 ///   s_j − s_i = ± sin β m (|U_j| − |U_i|)        metres of girth from the top      (2)
 /// m [m] mesh size, β half angle of the meshes of a trawl at work; U, V [meshes] across and deep. A walk over
-/// the seams gives the sign in (2): it changes at seams of outer to outer or inner to inner sides, as from
-/// top to bottom. S(a), half the girth, is s on the lower middle line.
+/// the seams gives the sign in (2): the sign changes at seams of outer to outer or inner to inner sides, as
+/// from top to bottom. S(a), half the girth, is s on the lower middle line.
 ///   φ = π s/S,  y = ± w sin φ,  z = h cos φ,  h = k w                              (3)
 /// (3) puts the netting on rings of half width w and height h, k = 0.4: half an ellipse with the arc length S
 /// on each side. At an end that is closed by a seam, z = 0.
 ///
-/// The netting is then shifted to known coordinates of its nodes; without any, ropes to known points become
-/// straight, and its lowest point as deep as the lowest known point. Known coordinates, including sketches of
-/// panels, then get their values; other nodes follow by displacements that are harmonic on the net. Ropes
-/// beside the netting are straight.
+/// The netting is then shifted to known coordinates of its nodes. If its nodes have none, it is shifted so
+/// that ropes to known points become straight and its lowest point is as deep as the lowest known point.
+/// Known coordinates, including sketches of panels, then get their values; other nodes follow by
+/// displacements that are harmonic on the net. Ropes beside the netting are straight.
 ///
 /// The fields, their factorised matrix and the last few shapes are stored for reuse.
 class StartShapes {

@@ -177,7 +177,8 @@ class Filler {
     return twice_area(mesh_.points[a], mesh_.points[b], mesh_.points[c]) / 2;
   }
 
-  /// If two sides of a triangle lie on the border, divides their corner between it and its neighbour.
+  /// If two sides of a triangle lie on the border, divides the corner between these sides, so that part of it
+  /// belongs to a neighbour of the triangle.
   void open_corners() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {

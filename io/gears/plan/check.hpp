@@ -10,7 +10,7 @@ struct CheckLimits {
   double closing_meshes = 1;    // difference of cuttings and aft count [meshes] that the seams may hide
   double closing_error = 0.05;  // relative difference of cuttings and aft count, above which it is an error
   double joining_meshes = 2;    // difference of edges sewn mesh to mesh [meshes]
-  double joining = 0.02;        // relative difference of these edges; a warning needs both differences
+  double joining = 0.02;        // relative difference of such edges; a warning needs both differences
   double joining_error = 0.10;  // above this the plan must state a take-up ratio
   double stretching = 0.02;     // relative excess of a rope over the straight twines that are hung on it
   double bunching = 0.2;        // hanging ratio below which meshes are bunched

@@ -139,7 +139,8 @@ class CornerReader {
     side.push_back(std::move(cut));
   }
 
-  /// Sign of a cut: the panel becomes wider where its outer side goes outwards, or its inner side inwards.
+  /// 1 for the outer side, because the panel becomes wider where this side goes outwards; -1 for the inner
+  /// side.
   double side_sign(const std::vector<Cut>& side) const { return &side == &panel_.outer ? 1 : -1; }
 
   /// Removes the middle line of a middle panel. Its corners enclose one half, of which this line is no edge.
