@@ -11,7 +11,7 @@ namespace netloft::pictures {
 
 namespace {
 
-// Least distance of twines [pixels]; closer ones are thinned to every second, fourth …
+// Least distance of twines [pixels]. If twines are closer, only every second, fourth … is drawn.
 constexpr double kCloseness = 5;
 constexpr double kLeastTwine = 0.5;  // least half width [pixels]
 constexpr double kLeastRope = 1.3;
@@ -42,7 +42,8 @@ struct Plane {
 };
 
 /// The fraction of a pixel that is covered by twines at whole numbers of `u`; `slope` is the change of u per
-/// pixel. If twines are too close, only every second, fourth … is drawn; those omitted next fade out.
+/// pixel. If twines are too close, only every second, fourth … is drawn; the twines that will be omitted next
+/// fade out.
 double twine_cover(double u, double slope, double half_width) {
   const double per_pixel = std::max(slope, 1e-9), level = std::max(0.0, std::log2(per_pixel * kCloseness));
   const double spacing = std::exp2(std::floor(level)), n = std::round(u / spacing);
@@ -231,7 +232,7 @@ class GearPainter {
 
   struct Solid {
     Colour colour;
-    double behind;                // distance by which it is moved away from the eye [m]
+    double behind;                // distance by which the triangle is moved away from the eye [m]
     std::optional<double> light;  // brightness; if empty, it depends on the orientation of the triangle
   };
 
@@ -244,7 +245,8 @@ class GearPainter {
     });
   }
 
-  /// The coordinates along both twine directions as functions on the picture; empty if these are unknown.
+  /// The coordinates along both twine directions as functions on the picture; empty if the coordinates are
+  /// unknown.
   std::vector<Plane> twines_of(std::size_t t, const std::array<Point3, 3>& p) const {
     const auto& axes = part(mesh_.triangle_cells[t]).twine_axes;
     const auto& uv = mesh_.corners[t];

@@ -32,7 +32,7 @@ struct GearShape {
   }
   /// The colour of a rigid body.
   Colour colour_of_plate(const results::BodyPlate& plate) const;
-  /// Whether single nodes in contact with the bed are shown; they are if no other cell has the field.
+  /// Whether the picture shows single nodes in contact with the bed: only if no other cell has the field.
   bool shows_contacts() const;
 
  private:
@@ -49,15 +49,15 @@ struct Colouring {
 /// Throws std::invalid_argument with a sentence for a field that the result does not have.
 GearShape shape_of(const results::StoredShape& stored, std::size_t state, const Colouring& colouring);
 
-/// The parts that a picture is sized for: netting only; also boards and other bodies; also bridles, warps and
-/// ship.
+/// The parts that a picture is sized for: the netting; the netting, boards and other bodies; or all parts,
+/// with bridles, warps and ship.
 enum class Framing { netting, boards, all };
 
 /// The framing "netting", "boards" or "all"; empty for other names.
 std::optional<Framing> framing_called(const std::string& name);
 
-/// The points that must fit in the picture, mirrored ones of a half model included; all points if there is no
-/// netting.
+/// The points that must fit in the picture, including mirrored points of a half model. If there is no
+/// netting, all points must fit.
 std::vector<Point3> extent_of(const GearShape& shape, Framing framing);
 
 }  // namespace netloft::pictures

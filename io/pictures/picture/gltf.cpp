@@ -98,7 +98,7 @@ class GltfWriter {
     };
     group(shape_.stored->result.is_half() ? "starboard" : "gear", 1);
     if (shape_.stored->result.is_half()) add_mirrored(children.size(), nodes, halves);
-    // rotates z up to y up
+    // rotates the z axis, which points up, onto the y axis of glTF
     nodes.push_back({{"name", shape_.stored->result.title},
                      {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}},
                      {"children", halves}});

@@ -9,8 +9,8 @@ namespace netloft::pictures {
 /// The bytes of a PNG file (ISO/IEC 15948) with eight bits per colour.
 std::string png(const Image& image);
 
-/// A PNG file with at most 256 colours (palette.hpp). It is a third as large for pictures of nets, in which
-/// neighbouring pixels always differ.
+/// A PNG file with at most 256 colours (palette.hpp). For pictures of nets, in which neighbouring pixels
+/// always differ, it is a third as large as that of png().
 std::string small_png(const Image& image);
 
 }  // namespace netloft::pictures

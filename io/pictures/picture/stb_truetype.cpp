@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Compiles the library, which consists of a header only. No other file does.
+// Compiles the library stb_truetype, which consists of a header. Only this file compiles it.
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_truetype.h>

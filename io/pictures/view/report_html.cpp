@@ -42,7 +42,7 @@ class HtmlTable {
     return *this;
   }
   HtmlTable& text(const std::string& text) {
-    constexpr std::size_t kName = 60;  // letters: longer texts may break anywhere, names between words
+    constexpr std::size_t kName = 60;  // most letters of a name; longer texts may break anywhere
     html_ += (text.size() > kName ? "<td class=\"long\">" : "<td>") + in_html(text) + "</td>";
     return *this;
   }

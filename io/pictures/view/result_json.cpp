@@ -204,7 +204,8 @@ Json catch_json(const results::StoredShape& stored) {
   return {{"triangles", packed(body.triangles)}, {"rim", packed(flat(body.rim))}};
 }
 
-/// An end of a dimension line: its node, and whether this is mirrored; null for the bed below the other end.
+/// An end of a dimension line: its node, and whether the mirror image of the node is meant; null for an end
+/// on the bed below the other end.
 Json end_json(const results::DimensionEnd& end) {
   if (end.where == results::DimensionEnd::Where::bed) return nullptr;
   return {{"node", end.node}, {"mirrored", end.where == results::DimensionEnd::Where::mirrored}};
