@@ -121,8 +121,9 @@ class Inspection {
   }
 
  private:
-  /// Marks integrators whose plugin is not installed, so that their row gives this reason. A name that is
-  /// similar to that of a plugin remains an error, and so does a comparison without any installed integrator.
+  /// Marks integrators whose plugin is not installed, so that their rows in the table state this reason. A
+  /// name that is similar to that of a plugin remains an error, and so does a comparison without any
+  /// installed integrator.
   void set_absent(studies::ComparisonTask& task) {
     const std::vector<std::string> there = registry_.available();
     for (const studies::Method& method : task.methods) {

@@ -56,7 +56,7 @@ void keep_stages(const Assembler& assembler, std::vector<results::StageShape>& s
   };
 }
 
-/// One run, and its best point so far in case a plugin call never returns.
+/// One run. It keeps the best point found so far, in case a plugin call never returns.
 class EquilibriumRun {
  public:
   EquilibriumRun(const RunOptions& options, Session& session, results::RunContext& context)

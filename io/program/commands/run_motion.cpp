@@ -37,7 +37,7 @@ std::optional<std::vector<double>> start_of_motion(const RunOptions& options, ru
   return read_start(file.string(), "analysis.start", scene);
 }
 
-/// The exit code: a path that is less accurate than required counts as not converged.
+/// The exit code: a motion that is less accurate than required counts as not converged.
 int exit_code(const MarchResult& march) {
   if (march.status == MarchStatus::interrupted) return kInterrupted;
   return march.status == MarchStatus::finished && !march.accuracy.is_missed() ? kDone : kNotConverged;
@@ -61,7 +61,7 @@ int run_motion(const RunOptions& options, Session& session, results::RunContext&
   Terminal& terminal = session.terminal();
   const std::string output = output_file(options, loaded), part = output + ".part";
   Watchdog watchdog([&](const Overdue& overdue) { return end_early(terminal, part, overdue); });
-  // Twice, because the search for the start may take as long as the motion
+  // Allows the time twice, because the search for the start may take as long as the motion.
   watchdog.allow(2 * loaded.analysis.limits.seconds);
   if (options.resume && !std::filesystem::exists(part))
     throw UsageError{"--resume: there is no " + part + " to go on from"};

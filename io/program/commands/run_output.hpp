@@ -18,7 +18,7 @@ std::string output_file(const RunOptions& options, const scenes::LoadedScene& lo
 void protect_outputs(const RunOptions& options, const std::string& part);
 
 /// Returns the final path of a result: that of `file`, or another path beside it if a better result already
-/// exists there. In the second case, reports both on the terminal.
+/// exists there. In the second case, reports both paths on the terminal.
 std::string name_by_outcome(const formats::ResultFile& file, const Solution& solution, Terminal& terminal);
 
 /// Prints the same text as `netloft report` for this result.

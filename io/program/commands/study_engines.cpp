@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A sentence about the number of items in each task: where it comes from.
+/// A sentence that explains the number of items in each task.
 
 std::string why_chunk(const StudySubmitOptions& o, std::size_t chunk, double seconds) {
   if (o.chunk > 0) return fmt::format("--chunk asks for {} in each task", count_of(chunk, "item"));

@@ -22,7 +22,7 @@ fs::path folder_for(const StudyPlanOptions& o) {
   return fs::path(o.output.empty() ? fs::path(o.file).stem().string() + ".study" : o.output);
 }
 
-/// A path relative to the folder of the study, so that both can be moved together.
+/// A path relative to the folder of the study, so that the folder and the file can be moved together.
 std::string seen_from(const fs::path& folder, const fs::path& path) {
   const fs::path from = fs::weakly_canonical(fs::absolute(folder)),
                  to = fs::weakly_canonical(fs::absolute(path));

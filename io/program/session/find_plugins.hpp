@@ -7,7 +7,8 @@ namespace netloft::program {
 
 /// Adds folders of plugins in the order of search: --plugins, NETLOFT_PLUGINS, the installed folder.
 void find_plugins(const PluginOptions& options, Registry& registry);
-/// Adds these folders; with --scene-plugins, the folder of the scene comes after those of --plugins.
+/// Adds the folders of find_plugins(); with --scene-plugins, the folder of the scene comes after those of
+/// --plugins.
 void find_scene_plugins(const SceneOptions& options, Registry& registry);
 
 }  // namespace netloft::program

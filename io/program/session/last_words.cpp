@@ -119,7 +119,7 @@ std::uintptr_t stack_pointer(void* context) {
 }
 bool used_up_its_stack(int signal, const siginfo_t* info, void* context) {
   constexpr std::uintptr_t kNear = std::uintptr_t{1}
-                                   << 16;  // a call or a push beyond the stack is nearer to it than this
+                                   << 16;  // an overflow touches memory this near to the stack pointer
   const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr), top = stack_pointer(context);
   return signal == SIGSEGV && at + kNear > top && at < top + kNear;
 }

@@ -22,7 +22,8 @@ namespace {
 constexpr double kLook = 0.1;  // [s] between two inspections
 // [s] that a plugin call may take after the time is over; factorisations of the host do not count
 constexpr double kGrace = 2;
-// Calls of the host that a method may still make; built-in solvers check at least ten times as often.
+// Calls of the host that a method may still make after the time is over. Built-in solvers check the time at
+// least ten times within as many calls.
 constexpr std::uint64_t kCallbacks = 1000;
 constexpr unsigned kLastAct = 10;  // [s] for writing the results
 constexpr double kPark = 5;        // [s] for a thread to reach the boundary of plugins

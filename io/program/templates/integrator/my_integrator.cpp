@@ -7,8 +7,8 @@
 ///   F(t + h, u₁, v₁, a₁) = 0                                               (3)
 /// F is the residual of the equation of motion. With a₁ and v₁ from (1) and (2), (3) is a problem in u₁. The
 /// rule is stable at any h. If δ = 0, it is of second order and keeps the energy of a linear oscillation;
-/// otherwise it is of first order, and oscillations too fast for h decay. Error of one step: h² (|β − 1/6| +
-/// δ) (a₁ − a).
+/// otherwise it is of first order, and oscillations that are too fast for h decay. Error of one step: h² (|β
+/// − 1/6| + δ) (a₁ − a).
 struct MyIntegrator {
   struct Parameters {
     double damping = 0;  // δ

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs a scene with a known solution: a spring of 100 N/m pulled by 1 N. Its solver converges only from 1/20
-// of the solution or more, or if the spring has 0.1 N/m at most. This file takes the place of the host.
+// Runs a scene with a known solution: a spring of 100 N/m pulled by 1 N. Its solver converges only from an
+// initial guess of at least 1/20 of the solution, or if the spring has at most 0.1 N/m. This file takes the
+// place of the host.
 #include "my_strategy.cpp"
 
 #include <cmath>
@@ -40,7 +41,7 @@ int main() {
   s.answer = take_answer;
   netloft::Search search(s);
   MyStrategy::run(MyStrategy::Parameters{.softest = 1e-3, .factor = 10}, search);
-  const double by_hand = 0.01;  // 1 N over 100 N/m; at once, then 0.1, 1, 10 and 100 N/m
+  const double by_hand = 0.01;  // 1 N over 100 N/m; solved at once, then at 0.1, 1, 10, 100 N/m
   std::printf("ends at %g m after %d stages; by hand %g m after 5\n", answer, stages, by_hand);
   return std::fabs(answer - by_hand) < 1e-12 && stages == 5 ? 0 : 1;
 }
