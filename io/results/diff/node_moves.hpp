@@ -14,8 +14,8 @@ struct NodeMove {
   std::string part;
   std::uint32_t number = 0;                 // number of the node within its part, in the result before
   std::array<double, 3> before{}, after{};  // [m]
-  std::size_t compared = 0;                 // how many nodes of the earlier result the later one has, too
-  std::size_t nodes = 0;                    // number of nodes of the earlier result
+  std::size_t compared = 0;  // how many nodes of the earlier result also exist in the later result
+  std::size_t nodes = 0;     // number of nodes of the earlier result
 };
 
 /// Compares the last states of two results. If a part has equally many nodes in both results, its nodes are

@@ -114,7 +114,7 @@ std::string move_line(const std::optional<NodeMove>& move) {
   return text;
 }
 
-/// Whether a number describes the gear as a whole. The others, about single parts, are left to the tables.
+/// Whether a number describes the gear as a whole. Numbers about single parts are left to the tables.
 bool is_figure(const std::string& name) {
   return name.starts_with("results/") || name.starts_with("gear/mouth/") ||
          name.starts_with("gear/ground/") || name.starts_with("gear/netting/") || name == "gear/drag/all/x" ||

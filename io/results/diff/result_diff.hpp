@@ -54,8 +54,8 @@ struct ResultDiff {
   bool both_are_answers() const { return before.is_answer() && after.is_answer(); }
 };
 
-/// Compares numbers, inputs and node positions. Forces by part are compared only if no result has figures of
-/// a gear, which contain these forces.
+/// Compares numbers, inputs and node positions. Forces by part are compared only if neither result has
+/// figures of a gear, which contain these forces.
 ResultDiff compare_results(Result before, Result after);
 
 }  // namespace netloft::results

@@ -37,7 +37,8 @@ struct Numbers {
   std::vector<NamedScalar> scalars, figures;
 };
 
-/// The numbers at the positions of `there`; empty if it has none, or if forces cannot be evaluated at them.
+/// The numbers at the positions of the solution `there`; empty if it has no positions, or if forces cannot be
+/// evaluated at them.
 std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there) {
   there.residual.assign(there.x.size(), 0.0);
   const Kinematics motion = at_rest(there);
@@ -97,7 +98,7 @@ Solution swung(const Assembler& assembler, const Solution& s, const std::vector<
 
 /// Adds the change of every number along one mode to `per_swing`, as the root of the sum of squares. An
 /// oscillating motion has two modes, a quarter of a period apart; with both of them `per_swing` is the
-/// amplitude. `way`: distance between the two displaced positions of the furthest node [m].
+/// amplitude. `way`: distance between the two displaced positions of the node that moves most [m].
 void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
                 double way, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {
@@ -113,7 +114,7 @@ void add_swing(const scenes::LoadedScene& loaded, Assembler& assembler, const So
   const bool grows = s.stability == Stability::swinging || s.stability == Stability::unstable;
   if (!grows || s.growing.mode.size() != s.u.size()) return;
   const double length = kSmallSwing * length_of(s.x);
-  double way = 0;  // distance between the two displaced positions of the furthest node, in the first mode [m]
+  double way = 0;  // distance between the displaced positions of the node that moves most, first mode [m]
   for (const auto* along : {&s.growing.mode, &s.growing.mode_later}) {
     if (along->size() != s.u.size()) continue;
     const Solution one = swung(assembler, s, *along, length), other = swung(assembler, s, *along, -length);

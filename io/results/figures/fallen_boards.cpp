@@ -72,7 +72,7 @@ std::vector<FallenBoard> find_fallen_boards(const scenes::LoadedScene& loaded,
   for (const auto& [name, parts] : loaded.gear->pairs)
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const std::string& board = loaded.scene.parts[parts[k]].name;
-      // A weight or a float has no such figure.
+      // Bodies that are weights or floats do not have this figure.
       if (!find_scalar(figures, "bodies/" + board + "/outward")) continue;
       std::string sentence =
           trouble_of(board, value("bodies/" + board + "/heel"), outward_force(loaded, parts, k, value));

@@ -20,7 +20,7 @@ struct Figure {
 ///   opening = sin α = mesh width over stretched mesh         of taut twines, α half their angle       (2)
 ///   mean of (2) over the meshes of a panel
 ///   area = Σ A_e,   filtered area = Σ A_e |d·n_e|            triangles e of netting, normals n_e       (3)
-///   fraction on the ground = Σ ½ l_b t_b / Σ l_b           bars b of the footrope, t_b touching ends  (4)
+///   fraction on the ground = Σ ½ l_b t_b / Σ l_b           bars b of the footrope with t_b ends on it  (4)
 /// (2) is the horizontal hanging ratio of the deformed meshes: 0 closed, 0.71 square, 1 stretched across. (3)
 /// is the area that filters water; a flow line that passes through two walls of netting counts twice. Forces
 /// are those on the gear: `drag` is the total force of the water, including its push on a catch. Weight in

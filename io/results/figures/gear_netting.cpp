@@ -12,7 +12,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Sums over the modelled netting, which may be half of it.
+/// Sums over the modelled netting, which may be half of the net.
 struct Amount {
   double area = 0, filtered = 0, twine_area = 0, mass = 0;
   bool is_spread = false;  // true: it has triangles, so that the areas are known

@@ -40,7 +40,7 @@ class GearView {
   /// One output of all elements of a part, in their order; empty if the elements have no output with this
   /// name and unit.
   std::vector<double> output(std::uint32_t part, const KnownOutput& known) const;
-  /// The first output of each element that is a tension [N].
+  /// For each element of the part, its first output that is a tension [N].
   std::vector<double> tensions(std::uint32_t part) const;
   /// A test whether a force is of a kind, such as PartForce::is_drag.
   using Kind = std::function<bool(const PartForce&)>;
@@ -60,12 +60,13 @@ class GearView {
   const Response& answer_;
 };
 
-/// The force on the whole gear, computed from the force on the modelled half (`times` = 2) or whole (1).
+/// The force on the whole gear, computed from the force on the modelled half (`times` = 2) or on the modelled
+/// whole gear (`times` = 1).
 Vector whole_of(const Vector& modelled, double times);
 
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
-/// Must be called after add_body_figures(), whose figures it uses.
+/// Adds figures of pairs of bodies. It uses figures of add_body_figures(), which must be called first.
 void add_pair_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);

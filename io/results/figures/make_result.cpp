@@ -37,7 +37,8 @@ void add(const std::array<double, 3>& force, std::array<double, 3>& sum) {
 }
 
 /// The force of every term on every part, zeros included, sorted by term and then in the order of the parts.
-/// A companion, a part with the name of another one that adds further elements to it, counts with that one.
+/// A companion is a part that adds further elements to another part and has its name; the force on the
+/// companion counts as a force on that part.
 std::vector<PartLoad> find_part_loads(const Scene& scene, const std::vector<PartForce>& forces) {
   std::map<std::string, std::map<std::string, std::array<double, 3>>> sums;  // by term, then by part
   for (const auto& f : forces) add(f.force, sums[f.term][f.part]);

@@ -50,8 +50,8 @@ double largest_of(const std::map<std::string, double>& twine_tensions, const std
   return largest;
 }
 
-/// The value of the parameter `name` in whatever table the element has it, for example `board.mass`; NaN if
-/// there is none.
+/// The value of the parameter `name` in any table of parameters, for example `board.mass`; NaN if there is
+/// none.
 double number_called(const Part& part, const std::string& name) {
   for (const auto& [parameter, value] : part.parameters)
     if (parameter.ends_with("." + name)) return number_or(NamedScalar::kUnknown, part.parameters, parameter);

@@ -16,8 +16,8 @@ struct NamedScalar {
   double mesh_order = kUnknown;    // observed order of convergence
   // Range over all equilibria that were found, if there were several.
   double least = kUnknown, largest = kUnknown;
-  // At an unstable equilibrium: change of the value along the motion that grows, per metre by which the
-  // furthest node moves.
+  // At an unstable equilibrium: change of the value along the motion that grows, per metre of the largest
+  // displacement of a node.
   double per_swing = kUnknown;
 };
 

@@ -70,8 +70,8 @@ class Whereabouts {
     return at[2] - loaded_.scene.bed.at(at[0], at[1])[0];
   }
 
-  /// Parts whose drag or buoyancy would act above the surface, too, because their elements do not know it.
-  /// Warps are left out.
+  /// Parts whose drag or buoyancy would act above the surface, too, because their elements do not know where
+  /// the surface is. Warps are left out.
   std::set<std::string> feel_water_anywhere() const {
     std::set<std::string> feel, know_surface;
     for (const auto& f : answer_.forces) {

@@ -11,9 +11,9 @@ namespace {
 
 // A logarithmic scale begins at this fraction of its upper end, or above.
 constexpr double kLeastOfLargest = 1e-4;
-// At either end, the middle range leaves out one value in so many.
+// The middle range leaves out one in this number of values at either end.
 constexpr std::size_t kBeyond = 50;
-constexpr std::size_t kSample = 20000;  // limit of values of one state from which the middle range is found
+constexpr std::size_t kSample = 20000;  // most values of one state from which the middle range is found
 constexpr double kTicks = 6;            // largest number of ticks of a legend
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.

@@ -31,8 +31,8 @@ class FieldSpread {
 
   /// Returns a linear scale of all values. With `middle`, the scale leaves out the largest and the smallest
   /// fiftieth of the values, because tensions at single corners of netting grow with every refinement and
-  /// would take up most colours. If values are positive and begin in the lower half of the scale, it begins
-  /// at zero.
+  /// would take up most colours. If values are positive and begin in the lower half of the scale, the scale
+  /// begins at zero.
   Scale linear(bool middle) const;
   /// Returns a logarithmic scale of the values that linear() would use, over at most four decades; a linear
   /// one if no value is positive.

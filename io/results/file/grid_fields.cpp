@@ -23,7 +23,7 @@ bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
 using PanelPoint = std::array<double, 2>;  // U, V [meshes]
 
 /// The panel coordinates of each node of a panel. A node on a seam that closes the panel to a tube has two
-/// pairs.
+/// pairs of coordinates.
 class PanelPlaces {
  public:
   explicit PanelPlaces(const scenes::PartGeometry& part) {
@@ -43,8 +43,8 @@ class PanelPlaces {
     }
     return best;
   }
-  /// The coordinates of the first of `nodes` that has only one pair. nearest() then chooses the pair of every
-  /// other node that is on the same side of the seam.
+  /// The coordinates of the first of `nodes` that has only one pair. With these coordinates as `near`,
+  /// nearest() chooses the pair of every other node on the same side of the seam.
   PanelPoint anchor(std::span<const std::uint32_t> nodes) const {
     for (const auto node : nodes)
       if (places_.count(node) == 1) return places_.find(node)->second;

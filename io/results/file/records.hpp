@@ -59,8 +59,8 @@ class RecordWriter {
     else
       tree_.write_reals(kRoot + at, gathered<double>(rows, member), unit, doc);
   }
-  /// Writes a part of the result if it is there. A reader finds it there if the dataset, group or attribute
-  /// `at` exists.
+  /// Writes a part of the result if the result has it. The reader expects this part if the dataset, group or
+  /// attribute `at` exists.
   template <class Part, class Visit>
   void sometimes(const std::string&, const std::optional<Part>& part, const Visit& visit) {
     if (part) visit(*part);

@@ -33,7 +33,7 @@ void write_inputs(formats::Tree& tree, const scenes::LoadedScene& loaded, const 
 void write_ending(formats::Tree& tree, const Result& result);
 
 /// The path under which a result with this outcome is written: `wanted`, or NAME.not-converged.hdf beside it
-/// if the result that is there has a better outcome, so that a worse one never replaces it.
+/// if the result that is there has a better outcome, so that a worse result never replaces a better one.
 std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome);
 
 /// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md) and closes it as

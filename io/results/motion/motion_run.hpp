@@ -30,8 +30,8 @@ struct MotionOptions {
 
 /// Integrates the motion of the scene in time as its analysis says, and writes every output into the file
 /// NAME.hdf.part: shapes and fields, the named results and the energy budget as series, and the state from
-/// which to resume. When the motion has ended, makes the result file of it; an interrupted motion keeps the
-/// .part. Throws FileError.
+/// which to resume. When the motion has ended, makes the result file from the .part; an interrupted motion
+/// keeps the .part. Throws FileError.
 MotionResult run_motion(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options);
 
 }  // namespace netloft::results

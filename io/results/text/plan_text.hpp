@@ -6,7 +6,8 @@
 
 namespace netloft::results {
 
-/// Facts about the solve that are printed with the plan of a scene, the list of forces that are evaluated.
+/// Facts about the solve that are printed with the plan of a scene. The plan lists the forces that are
+/// evaluated.
 struct PlanExtras {
   std::string solver, factorisation;
   std::size_t matrix_entries = 0;
