@@ -14,7 +14,7 @@ namespace netloft::runs {
 void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
                  std::vector<double>& positions);
 
-/// Does the same for ropes; a place is a fraction of the unstretched length.
+/// Does the same as carry_panel(), but for ropes; a place is a fraction of the unstretched length.
 void carry_rope(const Part& from, const std::vector<double>& x, const Part& to,
                 std::vector<double>& positions);
 

@@ -21,8 +21,8 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// Thresholds, as fractions of the largest tension in the gear: a smaller tension than kNone and a smaller
-// compression than kCounts count as zero.
+// Thresholds, as fractions of the largest tension in the gear: tensions below kNone and compressions below
+// kCounts count as zero.
 constexpr double kNone = 1e-6, kCounts = 1e-3;
 // Neighbouring elements that turn by more than this are folded [rad].
 constexpr double kFolded = std::numbers::pi * 5 / 6;
@@ -35,7 +35,7 @@ Point cross(const Point& a, const Point& b) {
 /// Least and largest tension in a part, and the tensions of its elements.
 struct Tensions {
   double least = std::numeric_limits<double>::infinity(), largest = -least;
-  std::vector<double> of_elements;  // tension of each element [N]; of two outputs the smaller one
+  std::vector<double> of_elements;  // tension of each element [N]; the smaller one if an element has two
 };
 
 /// Makes the diagnosis. Each member function `say_…` adds the sentences about one kind of fault.

@@ -52,7 +52,7 @@ StrategyUse strategy_of(PreparedScene& scene) {
   return {&scene.registry().strategy(analysis.strategy), analysis.strategy_parameters};
 }
 
-/// Rejects equilibria of a half gear, one side of the plane of symmetry, that has crossed this plane: the
+/// Rejects equilibria of a half gear (one side of the plane of symmetry) that has crossed this plane: the
 /// whole gear has no such equilibrium. Nodes that the user holds beyond the plane do not count.
 void reject_crossed_halves(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   if (!is_stationary(s) || !loaded.gear || loaded.gear->times != 2) return;

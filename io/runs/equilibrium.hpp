@@ -20,9 +20,9 @@ Solution find_equilibrium(PreparedScene& scene, const Watch& watch = {},
 Solution continue_equilibrium(PreparedScene& scene, const std::vector<double>& u, int iterations,
                               const Watch& watch = {});
 
-/// Searches near `u` by continue_equilibrium. If it ends at an unstable equilibrium, find_equilibrium
-/// continues from there; if that fails too, or if no equilibrium was found, find_equilibrium starts from the
-/// initial positions.
+/// Searches near `u` by continue_equilibrium. If this search ends at an unstable equilibrium,
+/// find_equilibrium continues from there; if that fails too, or if the first search found no equilibrium,
+/// find_equilibrium starts from the initial positions.
 Solution find_equilibrium_near(PreparedScene& scene, const std::vector<double>& u, const Watch& watch = {});
 
 /// Finds the equilibrium from which a motion starts. It uses the forces, tangent, tolerance and solver of a
@@ -30,12 +30,12 @@ Solution find_equilibrium_near(PreparedScene& scene, const std::vector<double>& 
 /// result are valid for the motion, because both analyses number the unknowns in the same way.
 Solution find_start_of_motion(PreparedScene& scene, const Watch& watch);
 
-/// Assesses displacements `u` at which a search was broken off. The caller gives an assembler, because that
-/// of the scene stays busy if a call of a plugin never returns.
+/// Assesses displacements `u` at which a search was broken off. The caller gives an assembler, because the
+/// assembler of the scene stays busy if a call of a plugin never returns.
 Solution assess_point(const PreparedScene& scene, std::span<const double> u, Assembler& assembler);
 
-/// The reason why the solver that the scene names cannot work on it, for example because it needs an energy;
-/// empty if it can.
+/// The reason why the solver that the scene names cannot solve this scene, for example because the solver
+/// needs an energy; empty if it can.
 std::optional<std::string> why_unfit(PreparedScene& scene);
 
 /// The attempts that the strategy will make, in their order, one line with a reason for each.

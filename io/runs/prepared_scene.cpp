@@ -81,8 +81,7 @@ void PreparedScene::plan_terms() {
     use_mean_forces(plan_, dynamics.integrator);
 }
 
-/// Plugins that this scene does not use: neither its elements nor its solver, integrator or strategy are
-/// theirs.
+/// Plugins that provide neither elements of this scene nor its solver, integrator or strategy.
 std::vector<std::string> PreparedScene::unused() const {
   const scenes::Analysis& analysis = loaded_.analysis;
   std::vector<std::string> names = unused_plugins(plan_, registry_);

@@ -11,8 +11,8 @@ namespace netloft::runs {
 /// that plugins read.
 class ChosenStepMethods {
  public:
-  /// Throws std::invalid_argument if a plugin rejects parameters; those of a scene were checked when it was
-  /// read.
+  /// Throws std::invalid_argument if a plugin rejects parameters; the parameters of a scene were checked when
+  /// the scene was read.
   ChosenStepMethods(const scenes::Dynamics& dynamics, const std::string& solver, const Values& parameters,
                     Registry& registry);
 

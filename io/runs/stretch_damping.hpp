@@ -6,11 +6,10 @@
 namespace netloft::runs {
 
 /// Adds the stiffness-proportional part of Rayleigh damping, C = β K, to all elements that have an axial
-/// stiffness EA and a damping η of their stretch (tension per strain rate). Parameters are recognised by
-/// their roles:
+/// stiffness EA and a damping η of their stretch (tension per strain rate). Unless the scene gives η, it is
 ///   η = β EA                                                                               (1)
-/// unless the scene gives η. The damping acts along the stretch only, so that rigid motions are not damped,
-/// as they would be by β K, because K contains the tension. β [s]
+/// with β [s]. Parameters are recognised by their roles. The damping acts along the stretch only, so that
+/// rigid motions are not damped; β K would damp them, because K contains the tension.
 void damp_stretch(Scene& scene, Registry& registry, double beta);
 
 }  // namespace netloft::runs
