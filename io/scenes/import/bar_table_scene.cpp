@@ -98,8 +98,8 @@ class TableScene {
   };
 
   /// Writes the parts that model the bed: one for each stiffness, on all ropes with this stiffness. If ropes
-  /// with different ones meet at a node, parts are on sets of nodes instead, so that the node does not rest
-  /// on two beds.
+  /// with different stiffnesses of the bed meet at a node, parts are on sets of nodes instead, so that the
+  /// node does not rest on two beds.
   void write_beds() {
     std::vector<BedUnder> under(table_.nodes.size());
     std::map<double, std::vector<std::string>> on;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Divides a gear without a mesh into elements. The nodes of a panel are the knots of a coarser net, whose
-// mesh side is the meshing step; they agree with those of FEMNET. Triangles may differ where both diagonals
-// of a square between nodes are equally good.
+// mesh side is the meshing step; the nodes agree with those of FEMNET. Triangles may differ from those of
+// FEMNET where both diagonals of a square between nodes are equally good.
 //   u = U + V,  v = V − U                 a panel in mesh sides along its twines                      (1)
 //   parts of a side = max(|Δu|, |Δv|) l₀/step, rounded, at least one                                  (2)
 //   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
@@ -77,7 +77,7 @@ class PanelPlane {
     return !(u * v < 2 * most_nodes && std::max(u, v) < kMostParts);
   }
 
-  /// The inner nodes (3). extent() gives u and v as U and V of `low` and `high`.
+  /// The inner nodes (3). `low` and `high` have u and v in their members U and V.
   std::vector<Meshes> inside(const std::vector<gears::PlanePoint>& border) const {
     const auto [low, high] = extent();
     const gears::BorderSides sides(border, kNearest * panel_.step);
@@ -93,7 +93,7 @@ class PanelPlane {
  private:
   static constexpr double kOpen = std::numbers::sqrt3;
 
-  /// The smallest u and v, as U and V of the first, and the largest, of the second.
+  /// The least u and v (first) and the greatest u and v (second), in the members U and V.
   std::pair<Meshes, Meshes> extent() const {
     Meshes low{1e300, 1e300}, high{-1e300, -1e300};
     for (const auto& c : panel_.corners) {
@@ -122,7 +122,8 @@ class DrawnPanel {
     triangles_ = gears::connect_points(border, {}).triangles;
   }
 
-  /// The position at a point of the panel, interpolated in the triangle that contains it or is nearest.
+  /// The position at a point of the panel, interpolated in the triangle that contains the point or is nearest
+  /// to it.
   Triple at(const Meshes& m) const {
     double best = -1e300;
     Triple place{};

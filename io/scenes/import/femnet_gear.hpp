@@ -111,7 +111,7 @@ struct Environment {
   double wave_period = 0, wave_height = 0, wave_direction = 0;       // [s], [m], [degrees]
   double time_step = 0, record_step = 0, record_begin = 0, end = 0;  // times of the motion [s]
   double catch_volume = 0, catch_accuracy = 0, catch_coefficient = 0;
-  double bed_friction = 0, bed_stiffness = 0;  // stiffness of the bed and of other limits to nodes [N/m]
+  double bed_friction = 0, bed_stiffness = 0;  // stiffness of the bed and of other limits of positions [N/m]
   double tolerance = 0;                        // [N]
   double water_density = 1025;
   bool bed_moves = false;

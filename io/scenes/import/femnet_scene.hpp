@@ -53,8 +53,8 @@ struct TwineBar {
   double length, sides, EA, EA_compression;
 };
 
-/// A node that the scene has to hold along some axes, because the file does not hold the connected piece of
-/// gear around it along them.
+/// A node that the scene has to hold along some axes, because the file does not hold the piece of gear to
+/// which the node belongs along these axes.
 struct Loose {
   std::uint32_t node;
   std::array<bool, 3> axes;

@@ -246,9 +246,9 @@ class KeywordReader {
   }
 
   /// Adds n spheres (floats) of diameter D and net buoyancy F to a cable of length L, as if they were part of
-  /// it. d is its diameter, ρ its density, C its drag coefficient; the prime marks the values that replace
-  /// them. V is the volume of a sphere, m its mass, V_c the volume of the cable, g gravity, ρ_w the density
-  /// of water:
+  /// it. d is the diameter of the cable, ρ its density, C its drag coefficient; a prime marks the new values.
+  /// V is the volume of a sphere, m its mass, V_c the volume of the cable, g gravity, ρ_w the density of
+  /// water:
   ///   V = π D³/6,  m = V ρ_w − F/g,  V_c = L π d²/4
   ///   ρ′ = (V_c ρ + n m)/(V_c + n V),  d′ = √(4 (V_c + n V)/(π L)),  C′ = (0.6 n π D²/4 + C L d)/(L d′)
   void smear_floats(Cable& c, double length) {

@@ -12,7 +12,7 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Rounds to single precision, because FEMNET stores the numbers of panels in it.
+/// Rounds to single precision, in which FEMNET stores the numbers of panels.
 double in_single(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 /// Reads one gear file. The member functions are the steps, in the order of execution.

@@ -105,7 +105,7 @@ class MeshFileReader {
     error(place, message, hint);
   }
 
-  /// Reads the number of a node type, cable or panel. An error if the gear does not have it.
+  /// Reads the number of a node type, cable or panel. Reports an error if the gear does not have it.
   int index_of_gear(const formats::Word& word, std::int64_t lo, std::size_t hi, const char* what) {
     const int errors_before = diagnostics_.errors(), value = index(word, lo, hi, what);
     if (diagnostics_.errors() > errors_before && formats::integer_in(word.text))

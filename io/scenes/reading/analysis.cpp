@@ -33,8 +33,8 @@ const Values& parameters_of(const Type& component, formats::TableReader& analysi
   return given->second;
 }
 
-/// Reads the settings if `solver` names an integrator: a motion then finds the equilibrium by dying out, so
-/// that mass damping is on by default.
+/// Reads the settings if `solver` names an integrator. A damped motion that comes to rest then finds the
+/// equilibrium, so that mass damping is on by default.
 void read_settling(formats::TableReader& table, Registry& registry, Analysis& a) {
   a.dynamics.integrator = a.solver;
   const IntegratorType& type = registry.integrator(a.solver);
@@ -47,7 +47,7 @@ void read_settling(formats::TableReader& table, Registry& registry, Analysis& a)
 }
 
 /// Reports keys of motions in a static analysis as errors, because kind = "dynamic" may have been forgotten.
-/// If the scene states its `kind`, they may stay.
+/// If the scene states its `kind`, these keys are allowed.
 void pass_over_time(formats::TableReader& table) {
   bool is_refused = table.has("kind");  // kind = "static" is stated
   for (const auto& key : dynamics_keys())
@@ -93,8 +93,8 @@ void read_strategy(formats::TableReader& table, Registry& registry, const Values
   a.strategy_parameters = parameters_of(strategy, table, a);
 }
 
-/// Clears the strategy, and warns if the scene names one: a motion that finds the equilibrium by dying out
-/// needs no strategy.
+/// Clears the strategy, and warns if the scene names one: a damped motion that comes to rest at the
+/// equilibrium needs no strategy.
 void pass_over_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   if (values.contains("strategy")) {
     registry.strategy(a.strategy);
@@ -120,7 +120,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
   return a;
 }
 
-/// Calls `read`. If this finds no usable plugin, reports it at `key` and sets `refused`.
+/// Calls `read`. If `read` finds no usable plugin, reports this at `key` and sets `refused`.
 template <class Read>
 void read_component(formats::TableReader& table, const char* key, bool& refused, const Read& read) {
   try {

@@ -58,8 +58,9 @@ void check_height(const Bed& bed, const Scene& scene, formats::Diagnostics& diag
         "the bed pushes at what cannot move");
 }
 
-/// Reports two beds on the same node as an error, because both would push at it. `is_first`: `a` is the first
-/// bed, from which the report measures heights; a warning says if bed `b` is another plane.
+/// Reports two beds on the same node as an error, because both would push at it. `is_first`: whether `a` is
+/// the first bed of the scene, from which the report measures heights; if so, and if `b` is another plane,
+/// warns.
 void check_pair(const Bed& a, const Bed& b, bool is_first, formats::Diagnostics& diagnostics) {
   const std::set<std::uint32_t> carried(a.part->nodes.begin(), a.part->nodes.end());
   const bool shares = std::any_of(b.part->nodes.begin(), b.part->nodes.end(),

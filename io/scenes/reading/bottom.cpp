@@ -28,8 +28,8 @@ std::optional<std::size_t> column_named(const char* name) {
   return {};
 }
 
-/// Reports factors below zero and above kMostFactor as errors, and a zero as factor of stiffness, because
-/// such a bed bears nothing.
+/// Reports factors below zero or above kMostFactor as errors. A zero as factor of stiffness is also an error,
+/// because such a bed bears nothing.
 void check_factors(const Samples& rows, formats::TableReader& bottom) {
   for (std::size_t k = 2; bottom_key().columns[k]; ++k) {
     const std::string_view name = bottom_key().columns[k];

@@ -112,8 +112,8 @@ std::vector<NamedPolar> find_polars(formats::Value& scene) {
   return polars;
 }
 
-/// A table of those `columns` that the polar has. The first column is the angle; nothing if the second one,
-/// with the first coefficients, is missing.
+/// A table of those `columns` that the polar has. The first column is the angle. Returns nothing if the
+/// second column, which has the first coefficients, is missing.
 std::optional<formats::Value> columns_of(const gears::CataloguePart& polar,
                                          const std::vector<const char*>& columns, formats::Place place) {
   formats::Table table;

@@ -65,7 +65,7 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   }
   if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
   const bool hangs_on_geometry = geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
-  // An error in the geometry may be the cause, and is reported already.
+  // An error in the geometry of the part may be why the name is missing; that error is reported already.
   if (is_sound[*p] || !hangs_on_geometry)
     diagnostics_.error(
         m.place,

@@ -18,7 +18,7 @@ struct Dynamics {
   MarchSettings march = {};
   bool material_damping = true;  // whether loss factors of parts are used
   double stiffness_damping = 0;  // β of Rayleigh damping α M + β K [s]; α is march.mass_damping
-  // Whether it starts from the equilibrium. If not, it starts at rest from start_file or the initial
+  // Whether the motion starts from the equilibrium. If not, it starts at rest from start_file or the initial
   // positions.
   bool from_equilibrium = false;
   std::filesystem::path start_file = {};  // a result file; relative to the scene unless absolute

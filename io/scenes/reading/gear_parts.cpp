@@ -216,7 +216,7 @@ void GearParts::put_pieces(const gears::GearPieces& pieces) {
 }
 
 /// The nodes to which floats or weights are attached. Adds to `carried` the length of rope or edge [m] that
-/// each of them represents.
+/// each of these nodes represents.
 std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
                                                std::vector<double>& carried) const {
   std::vector<std::uint32_t> nodes;
@@ -290,8 +290,8 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
 
 namespace {
 
-/// Sets the number of pieces at each contact point of a board, so that it does not depend on whether one
-/// board or both are modelled. `shoes`: number of contact points of one board.
+/// Sets the number of pieces at each contact point of a board, so that this number does not depend on whether
+/// one board or both are modelled. `shoes`: number of contact points of one board.
 void count_on_one_side(formats::Table& contact, double shoes) {
   if (contact.find("each")) return;
   double pieces = 1;

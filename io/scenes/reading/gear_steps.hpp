@@ -24,7 +24,7 @@ class GearSteps {
   virtual bool has_name(const std::string&) const { return false; }
   /// Reads `[parts]` and `[bodies]`, and adds the panels and ropes of the plan.
   virtual void read_parts(PartReader& parts);
-  /// Whether a `[[join]]` is a seam between panels of the plan. Other ones join parts of the scene.
+  /// Whether a `[[join]]` is a seam between panels of the plan. Other joins connect parts of the scene.
   virtual bool is_seam(formats::TableReader&) const { return false; }
   /// Joins the nodes that panels and ropes share.
   virtual void join(Joiner&) const {}

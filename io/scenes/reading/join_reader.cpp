@@ -60,8 +60,8 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
   return true;
 }
 
-/// Reports the first join that makes two nodes of an element one, as an error. To find it, makes all joins
-/// again, one by one.
+/// Reports, as an error, the first join that merges two nodes of an element. To find this join, makes all
+/// joins again, one by one.
 void JoinReader::check_joins(Joiner& joiner) const {
   if (!joiner.find_collapse(nodes_per_element(draft_.types))) return;
   Joiner again(draft_.geometries);

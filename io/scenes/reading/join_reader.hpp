@@ -19,7 +19,7 @@ class JoinReader {
   struct Join {
     std::vector<Joiner::Ends> sets;
     Mention at;
-    bool together;  // true: all nodes become one; false: node i of every set becomes one
+    bool together;  // true: all nodes become one node; false: nodes i of all sets become one node
     void make(Joiner& joiner) const { together ? joiner.gather(sets) : joiner.join(sets); }
   };
 

@@ -51,7 +51,7 @@ class Joiner {
     gathered_.push_back(std::move(nodes));
   }
 
-  /// An element two of whose nodes have become one by join(), so that it has no size.
+  /// An element of which join() has merged two nodes, so that it has no size.
   struct Collapse {
     std::size_t part, element;
   };

@@ -24,7 +24,7 @@ struct PartGeometry {
   std::vector<int> cells;  // number of bars of a rope; cells across and along a panel; empty for others
   std::vector<std::array<double, 2>> panel;                // own number -> (U, V) [meshes]; empty if no panel
   std::map<std::string, std::vector<std::uint32_t>> sets;  // "fore" -> own numbers, in order along the edge
-  bool is_numbered = false;  // true: a hold, a join or a rider names a node of this part by number
+  bool is_numbered = false;  // true: a hold, a join or an `on` names a node of this part by number
 };
 
 /// The nodes and axes of a `[[hold]]`, whose reaction is reported under its name.

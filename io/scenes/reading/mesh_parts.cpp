@@ -170,7 +170,7 @@ const formats::InputMesh* MeshParts::find_mesh(formats::TableReader& table) {
   }
   const int file = diagnostics_.add_source(name, *text);
   const int errors_before = diagnostics_.errors();
-  const bool is_binary = text->find('\0') != std::string::npos;  // results store only text files
+  const bool is_binary = text->find('\0') != std::string::npos;  // results store no binary files
   files_.push_back({name, is_binary ? "" : *text, formats::fnv1a64(*text)});
   auto mesh = std::make_unique<formats::InputMesh>(
       formats::is_hdf5(*text) ? formats::read_vtkhdf(folder_ / name, file, diagnostics_)

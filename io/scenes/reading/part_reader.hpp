@@ -25,8 +25,8 @@ class PartReader {
   /// Reads `[bodies]`. A rigid body is a part with one element of its `type`; elements of other parts may be
   /// on its points.
   void read_bodies();
-  /// Reads a body of the net plan. For a body of a pair, `name` has the side ("port-door") and `name_in_plan`
-  /// has not ("door"). Returns the index of its part; nothing after an error.
+  /// Reads a body of the net plan. For a body of a pair, `name` includes the side ("port-door"),
+  /// `name_in_plan` does not ("door"). Returns the index of its part; nothing after an error.
   std::optional<std::size_t> read_body_of_plan(const std::string& name, const std::string& name_in_plan,
                                                const BodyOfPlan* place);
   /// The names and tables of riders.

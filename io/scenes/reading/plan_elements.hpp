@@ -52,8 +52,8 @@ class PlanElements {
   formats::Diagnostics& diagnostics_;
   std::vector<Made> made_;
   std::optional<formats::Value> contact_;  // `[elements.contact]`, a table
-  // The tables `[elements.NAME]` by part of the gear. The second is for tables in which NAME is that of a
-  // pair.
+  // The tables `[elements.NAME]` by part of the gear. The second map has the tables in which NAME is the name
+  // of a pair.
   std::map<std::string, formats::Value> exceptions_, exceptions_of_pairs_;
 };
 

@@ -19,9 +19,9 @@ constexpr double kLightestWater = 900, kHeaviestWater = 1250;  // [kg/m3]
 // kg/m3 (chains of the library). Footropes of the library whose density includes rollers or chain loops have
 // up to 30 000 kg/m3.
 constexpr double kHeaviestChain = 28000, kDensest = 50000;  // [kg/m3]
-// 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
+// This speed is 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
 constexpr double kFastestTow = 10;  // [m/s]
-// 39 kn. A ship in a heavy sea moves its blocks by less than 5 m/s.
+// This speed is 39 kn. A ship in a heavy sea moves its blocks by less than 5 m/s.
 constexpr double kFastestHold = 20;  // [m/s]
 // A residual of 1 % of the largest load changes results by more than the differences between gears that
 // people compare.

@@ -49,9 +49,9 @@ void check_held(const LoadedScene& out, const std::vector<const ElementType*>& t
     diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
-/// Warns of friction that does not suit the ground: one that acts only if the ground moves past the gear,
-/// where it does not; and one that sticks, where water flows without a tow, because a towed gear is probably
-/// meant.
+/// Warns of friction that does not suit the ground. One kind acts only if the ground moves past the gear; it
+/// does not suit a ground at rest. The other kind sticks; it does not suit a flow without a tow, which
+/// probably means a towed gear.
 void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {

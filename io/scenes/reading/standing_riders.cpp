@@ -13,7 +13,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Makes the elements of one rider. The member functions are the steps, in the order of execution.
+/// Makes the elements of one rider, a part on other parts. The member functions are the steps, in the order
+/// of execution.
 class RiderMaker {
  public:
   RiderMaker(const ElementType& type, formats::TableReader& table, Draft& draft, Part& rider)
@@ -158,8 +159,8 @@ class RiderMaker {
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   }
 
-  /// Copies the elements of a part if they have the shape (stencil) of the rider's, or else the triangles
-  /// between the bars of a panel. Returns false if neither is possible.
+  /// Copies the elements of a part if they have the shape (stencil) of the rider's elements, or else the
+  /// triangles between the bars of a panel. Returns false if neither is possible.
   bool add_elements(std::size_t part) {
     panels_.push_back({rider_.nodes.size(), is_of_plan(part)});
     if (draft_.types[part]->element.stencil == type_.element.stencil)
