@@ -14,8 +14,9 @@ namespace netloft::studies {
 
 namespace {
 
-// Two answers, improved by polish(), are different equilibria if some node is farther apart than both kSame
-// times the size of the gear and kDoubt times the sum of the uncertainties of the answers.
+// Two answers, improved by polish(), are different equilibria if they place some node farther apart than
+// kSame times the size of the gear, and also farther apart than kDoubt times the sum of the uncertainties of
+// the answers.
 constexpr double kSame = 1e-6, kDoubt = 10;
 
 double diagonal_of(const Scene& scene) {
@@ -115,7 +116,7 @@ class Comparing {
   }
 
   /// Compares the method's answer at the tightest tolerance to which it converged with the reference. Empty
-  /// if they are the same equilibrium, or if no trial converged.
+  /// if both are the same equilibrium, or if no trial of the method converged.
   std::optional<OtherEquilibrium> find_other_equilibrium(const MethodResult& result) {
     const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),
                                    [](const Trial& t) { return t.converged(); });

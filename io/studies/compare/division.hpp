@@ -46,10 +46,11 @@ std::vector<MeshLevel> mesh_levels(const scenes::LoadedScene& loaded, const Cell
 /// Throws std::invalid_argument like mesh_levels(), and if the scene has no gear.
 std::vector<MeshLevel> gear_levels(const scenes::LoadedScene& loaded, const std::vector<std::int64_t>& nodes);
 
-/// The meshes to compare with that of the scene for an estimate of its mesh error. The first choice is a
-/// quarter and a half of its cells, which cost little; the second, half and twice its cells; the last, twice
-/// its cells alone. For a gear: half and twice its nodes, or twice and four times its nodes if half would be
-/// too few for a useful solve. Throws std::invalid_argument like mesh_levels().
+/// The meshes to compare with that of the scene for an estimate of its mesh error. The first choice is meshes
+/// with a quarter and with half of the scene's cells, which cost little; the second choice, meshes with half
+/// and with twice the cells; the last choice, one mesh with twice the cells. For a gear: half and twice its
+/// nodes, or twice and four times its nodes if half would be too few for a useful solve. Throws
+/// std::invalid_argument like mesh_levels().
 std::vector<MeshLevel> levels_around(const scenes::LoadedScene& loaded);
 
 }  // namespace netloft::studies

@@ -13,7 +13,7 @@ namespace netloft::studies {
 namespace {
 
 /// Sets the mesh errors of the numbers `judged` on mesh `own`. Adds a sentence to the note for every tension
-/// at a rope end that has no limit.
+/// at a rope end that has no limit under refinement.
 void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, NumberGroup numbers,
            std::vector<results::NamedScalar>& judged, std::string& note) {
   for (auto& scalar : judged) {

@@ -7,10 +7,10 @@
 
 namespace netloft::studies {
 
-/// Estimates the mesh errors of the numbers in `result` by (4) and (5) of richardson.hpp. `own`, `solution`
-/// and `result` are the scene on its own mesh, its solution, and the result of that; it is then solved on the
-/// meshes `levels`, each from its own initial guess. Adds a note on the meshes used and on numbers that do
-/// not converge, or the reason why there are no errors.
+/// Estimates the mesh errors of the numbers in `result` by (4) and (5) of richardson.hpp. `own` is the scene
+/// on its own mesh, `solution` its solution, and `result` the result of this solution. The scene is then
+/// solved on each of the meshes `levels`, from the initial guess of this mesh. Adds a note on the meshes used
+/// and on numbers that do not converge, or the reason why there are no errors.
 void find_mesh_errors(const runs::CaseSource& source, Registry& registry, runs::PreparedScene& own,
                       const Solution& solution, const std::vector<MeshLevel>& levels,
                       const runs::Watch& watch, results::Result& result);

@@ -44,8 +44,8 @@ Polished next(StaticProblem& problem, const Polished& from) {
 
 Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u) {
   StaticProblem problem(fresh.assembler(), make_factorisation, {});
-  // Displacements start at zero from the rounded positions, which keeps digits that displacements from the
-  // initial positions lose. This is possible only without bodies, whose rotations are no displacements.
+  // Displacements are measured from the rounded positions, so that they keep digits that displacements from
+  // the initial positions lose. This is possible only without bodies, whose rotations are no displacements.
   const bool counts_from_there = !fresh.assembler().has_bodies();
   Polished best;
   best.u = u;

@@ -49,8 +49,8 @@ struct Trend {
 };
 
 /// `values` of f belong to meshes of widths `h`, in the order of decreasing widths; the two or three finest
-/// are used, and the error is found for the one with index `asked`. Two meshes give no order, and an order of
-/// one is assumed. Meshes without steady convergence give no limit. `similar`: whether the meshes are
+/// are used, and the error is found for the mesh with index `asked`. Two meshes give no order, and an order
+/// of one is assumed. Meshes without steady convergence give no limit. `similar`: whether the meshes are
 /// similar, as (4) requires.
 Trend find_trend(const std::vector<double>& values, const std::vector<double>& h, std::size_t asked,
                  bool similar = false);

@@ -14,8 +14,8 @@ namespace {
 
 using Values = std::vector<VariableValue>;
 
-// If a larger fraction than this of the change in a step remains after all halvings, it is a jump. A smooth
-// path leaves 2^-5, a jump all of it.
+// If more than this fraction of the change in a step remains after all halvings, the change is a jump. A
+// smooth path leaves 2^-5 of the change, a jump leaves all of it.
 constexpr double kLeftOfAJump = 0.25;
 constexpr double kElsewhere = 4;  // a larger distance over the extrapolated change means another branch
 
@@ -162,7 +162,7 @@ bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Value
   return false;
 }
 
-/// Extrapolates positions to `at`, linearly from the last two places; if there is only one, returns its
+/// Extrapolates positions to `at`, linearly from the last two places; if there is only one place, returns its
 /// positions. A parabola through three places predicted worse on the trawl 83-112 at sea with 300 nodes,
 /// because slack twines and the bed make kinks.
 std::vector<double> Branch::led_on(const Way& way, double at) {

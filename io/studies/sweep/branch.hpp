@@ -25,13 +25,14 @@ struct Reached {
 struct BranchOptions {
   int iterations = 12;  // limit of iterations of a step; after that it is halved
   int halvings = 5;     // limit of halvings of a step; after that the branch has ended
-  // The fraction of a step over which residuals are differenced for a tangent. With a larger one the bed,
-  // which yields by millimetres, makes the tangent wrong; a smaller one loses digits to rounding. On four
-  // gears 2^-16 to 2^-20 need the fewest factorisations, and the trawl 83-112 at sea needs two to five times
-  // as many with 2^-12 and 2^-28.
+  // The fraction of a step over which residuals are differenced for a tangent. With a larger fraction the
+  // bed, which yields by millimetres, makes the tangent wrong; a smaller fraction loses digits to rounding.
+  // On four gears 2^-16 to 2^-20 need the fewest factorisations, and the trawl 83-112 at sea needs two to
+  // five times as many with 2^-12 and 2^-28.
   double little = 0x1p-20;
-  // If there are no two places to extrapolate from, a step with more iterations than this may have jumped to
-  // another branch, and is checked. Steps of the trawl 83-112 with 600 and 1000 nodes took 1 to 4.
+  // With fewer than two places nothing can be extrapolated. A step with more iterations than this may then
+  // have jumped to another branch, and is checked. Steps of the trawl 83-112 with 600 and 1000 nodes took 1
+  // to 4.
   int few_iterations = 4;
   // A move below this fraction of the gear's size is not reported as a fold or jump, for example that of a
   // twine that becomes slack.

@@ -16,7 +16,7 @@ struct CheckedScenes {
 /// variable), while the other variables have their first value. Errors are reported in the study file, at the
 /// variable that causes them or at the key `scene`. A figure of the study that the scene does not report is
 /// an error, too. Variables with errors are left out, so that further errors are found: those that could not
-/// be read, and those that made a scene unreadable, once this is reported.
+/// be read, and those that made a scene unreadable, once the error is reported.
 CheckedScenes check_scenes(const StudyFile& file, const std::filesystem::path& folder, Registry& registry,
                            formats::Diagnostics& diagnostics);
 

@@ -19,8 +19,8 @@ namespace netloft::studies {
 
 namespace {
 
-// Limit of points: only the nearest are used. Kriging of n points takes n³/3 operations, with 600 a tenth of
-// a second for each figure, and distant points add little information.
+// Limit of points: only the nearest points are used. Kriging of n points takes n³/3 operations, a tenth of a
+// second for each figure with 600 points, and distant points add little information.
 constexpr std::size_t kMostFittedPoints = 600;
 constexpr double kSolveError = 1e-9;  // relative error of solves, the last term of (1)
 
@@ -108,8 +108,8 @@ class NumberEstimate {
     return group;
   }
 
-  /// The largest error of the estimates that are made without a group of points, at the points of the group
-  /// nearest to the place. As many of them count as a cell between listed values has corners.
+  /// The largest error of estimates that are made without a group of points, at those points of the group
+  /// that are nearest to the place. Their number is that of the corners of a cell between listed values.
   double error_without(const Group& group) const {
     const Numbers residuals = kriging_.residuals_without(group);
     std::vector<std::size_t> order(group.size());

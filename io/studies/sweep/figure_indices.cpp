@@ -18,8 +18,8 @@ namespace netloft::studies {
 
 namespace {
 
-// Limit of points, of which the cost is one correlation per point and sample. With more points, most of the
-// error comes from the distance between the values of the study.
+// Limit of points: each point costs one correlation per sample. With more points, most of the error comes
+// from the distance between the values of the study.
 constexpr std::size_t kMostTablePoints = 500;
 constexpr std::size_t kMostGroups = 10;  // limit of groups of samples, each of which is left out in turn
 constexpr std::size_t kHullPoints = 128;
@@ -298,8 +298,8 @@ class Analysis {
     return figure;
   }
 
-  /// The points that have the figure; if they are more than kMostTablePoints, so many of them, chosen at
-  /// random.
+  /// The points that have the figure; if there are more than kMostTablePoints, only that number of points,
+  /// chosen at random.
   KnownFigures known_of(std::size_t f) const {
     std::map<Numbers, std::pair<double, std::size_t>> all;
     for (const StudyRow* row : rows_)
