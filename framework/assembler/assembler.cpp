@@ -13,8 +13,8 @@ namespace netloft {
 
 namespace {
 
-/// Whether a family can be left out: it rides on the elements of another one (such as bending on bars), and
-/// all its terms are off.
+/// Whether a family (all elements of one type) can be left out: its elements, such as bending, only add to
+/// elements of another type, such as bars, and all terms of the family are off.
 bool is_idle(const Scene& scene, const FamilyPlan& family) {
   return scene.parts[family.parts[0]].companion &&
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });

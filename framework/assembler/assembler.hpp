@@ -44,8 +44,8 @@ class Assembler : public Placement {
 
   /// Lets every element store what it remembers of positions x (for instance, where it sticks to the ground),
   /// as the last accepted step. An evaluation uses these memories and does not change them. The constructor
-  /// stores those of the start. Returns false and changes nothing if an element could not be evaluated: see
-  /// fault().
+  /// stores the memories of the initial positions. Returns false and changes nothing if an element could not
+  /// be evaluated: see fault().
   bool remember(std::span<const double> x, const Kinematics& motion = {});
   /// The memories of all elements in one array, to save and restore them.
   std::vector<double> memory() const;

@@ -239,8 +239,8 @@ void Bodies::hand_on_masses(std::span<const double> x, std::span<double> blocks,
 
 bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                      std::span<double> a) const {
-  constexpr double kLongest =
-      4.71238898038469;  // ¾ of a turn: half-way from half a turn to a whole turn, where T is singular
+  // ¾ of a turn is half-way from half a turn to a whole turn, at which a spin determines no rate of ψ.
+  constexpr double kLongest = 4.71238898038469;
   bool some = false;
   for (const Body& body : bodies_) {
     const auto is_free = [&](std::size_t place) { return place < static_cast<std::size_t>(unknowns_); };
@@ -257,7 +257,8 @@ bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::sp
       const auto second = a.empty() ? Vec3<double>{} : read(a, body.rotation, body.arm);
       const auto new_rate = rate_of_spin(shorter, spin_of(psi, rate));
       put(v, new_rate);
-      // The angular acceleration α is linear in ψ̈: its part from the rates alone is subtracted first.
+      // The angular acceleration α is linear in ψ̈. The part of α that depends on the rates alone is
+      // subtracted first.
       put(a, rate_of_spin(shorter, spin_rate_of(psi, rate, second) - spin_rate_of(shorter, new_rate, {})));
     }
     put(u, shorter - (1 / body.arm) * read(start, body.rotation));

@@ -19,8 +19,8 @@ struct BodyMatrices {
 };
 
 /// Nodes that rigid bodies carry. Elements treat a carried node like any other; its forces and matrix values
-/// are passed on to its body. ψ is the rotation vector of the body, ℓ its arm, q = ℓψ the unknowns of the
-/// rotation, and r a node in the body's own axes:
+/// are passed on to its body. ψ is the rotation vector of the body, ℓ a length (the arm of the body), q = ℓψ
+/// the unknowns of the rotation, and r the position of a node in the body's own axes:
 ///   x = X + R(ψ) r,   ẋ = Ẋ + G q̇,   ẍ = Ẍ + G q̈ + Ġ q̇,   G = ∂x/∂q                                     (1)
 ///   f_X += f,   f_q += Gᵀ f                                                                             (2)
 ///   K ← [I G]ᵀ K [I G],   K_qq += cu Σ_i f_i ∂²x_i/∂q²    (the geometric term)                          (3)
@@ -50,9 +50,9 @@ class Bodies {
   /// null.
   void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
                const BodyMatrices& matrices, bool exact);
-  /// Replaces the rotation block A of each body by tr(A) I, which is an upper bound of A (5), in a metric
-  /// that has been passed on by (3). The reason: A is singular if all points of the body are on one line,
-  /// because nothing resists a rotation about that line.
+  /// In the values of a metric (a positive semi-definite matrix), to which (3) has been applied, replaces the
+  /// rotation block A of each body by tr(A) I, an upper bound of A (5). The reason: A is singular if all
+  /// points of the body are on one line, because nothing resists a rotation about that line.
   ///   tr(A) I ≥ A                                                                           (5)
   void resist_turning(double* metric) const;
   /// Adds the mass blocks of carried nodes to those of their bodies by (3). `between` has one block per body,
@@ -71,7 +71,8 @@ class Bodies {
   struct Body {
     Place origin, rotation;
     double arm;
-    std::size_t rotation_block;  // index of the diagonal block of its rotation; kNoBlock if it cannot turn
+    std::size_t
+        rotation_block;  // index of the diagonal block of the rotation; kNoBlock if the body cannot turn
   };
   struct Point {
     std::uint32_t node;
@@ -108,9 +109,10 @@ class Bodies {
   std::vector<Body> bodies_;
   std::vector<std::array<std::uint32_t, 2>> pairs_;
   std::vector<Point> points_;
-  std::vector<Slopes> slopes_;  // of the points
+  std::vector<Slopes> slopes_;  // one per point
   std::vector<Product> products_;
-  // For each scene node: itself, or origin and rotation of its body.
+  // For each node of the scene: the node itself, or the origin and the rotation of the body that carries the
+  // node.
   std::vector<std::vector<Target>> targets_;
 };
 

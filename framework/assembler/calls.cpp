@@ -19,7 +19,7 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
     }
 }
 
-/// Adds the convex part of each lane's tangent (stored in the scratch rows) to the packed `triangle`.
+/// Adds the convex part of the tangent of each element (stored in the scratch rows) to the packed `triangle`.
 void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums& sums, double* triangle) {
   for (std::size_t lane = 0; lane < count; ++lane) {
     for (std::size_t r = 0; r < n; ++r)
@@ -35,8 +35,8 @@ void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums
 }
 
 /// Adds a matrix that differs from the exact tangent of a term. If the term offers the convex part or the
-/// metric, it evaluates the matrix itself; else the matrix is derived from its exact tangent. If a symmetric
-/// matrix is requested and the tangent is not symmetric, its symmetric part is added.
+/// metric, it evaluates the matrix itself; else the matrix is derived from the exact tangent of the term. If
+/// a symmetric matrix is requested, the symmetric part of an unsymmetric tangent is added.
 int call_matrix_term(const ElementFamily& f, const netloft_term& term, netloft_tile& t, MatrixKind kind,
                      TileSums& sums) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;

@@ -19,7 +19,7 @@ struct ElementTiles {
   std::size_t values = 0;
 
   const FamilyGroup& group_of(std::size_t family) const;
-  /// Degrees of freedom of the widest element.
+  /// The largest number of degrees of freedom of an element.
   std::size_t most_dofs() const;
 };
 

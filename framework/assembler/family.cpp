@@ -68,7 +68,7 @@ void ElementFamily::gather_parameters(const Scene& scene) {
 }
 
 void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
-  // Law watches point to the entries, which no reallocation may move.
+  // Law watches keep pointers to the entries, so that no reallocation may move the entries.
   law_parameters_.reserve(plan.laws.size());
   for (const auto& law : plan.laws) {
     if (!law.type) {
@@ -170,8 +170,9 @@ void ElementFamily::create(const Scene& scene) {
         type_->type + " element " + std::to_string(e - part_begin_[part_[e]]) + " is refused: " + message}});
 }
 
-/// Makes the nodes of the unknowns that parts share. Coordinates that are not unknowns are held: those beyond
-/// the number of unknowns, and unknowns whose parameter `needs` is zero.
+/// Makes one node for each part, for the unknowns that all elements of the part share. Coordinates of the
+/// node that are not unknowns are held: those beyond the number of unknowns, and unknowns whose parameter
+/// `needs` is zero.
 void ElementFamily::gather_globals(const Scene& scene, std::uint32_t first_node) {
   const auto& globals = type_->globals;
   for (std::uint32_t p = 0; p < parts_.size() && !globals.empty(); ++p) {

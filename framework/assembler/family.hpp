@@ -58,8 +58,8 @@ class ElementFamily {
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
 
-  /// The numbers of a parameter of a scene part that is a table. Elements read the same memory; empty if
-  /// there is no such table.
+  /// The numbers of a table parameter of a scene part, in the memory that elements read; empty if the part
+  /// has no such table.
   std::span<double> table(std::uint32_t scene_part, std::string_view parameter) const;
   /// Adds to `times` the times [s] at which parameters given over time have samples.
   void add_corners_in_time(std::vector<double>& times) const;
@@ -76,7 +76,7 @@ class ElementFamily {
   /// Terms that depend on motion only. A static analysis evaluates them only for matrices with derivatives
   /// with respect to velocities or accelerations.
   const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
-  /// One for each place of the element that has a law.
+  /// One watch for each law that the elements call.
   const std::vector<std::unique_ptr<LawWatch>>& law_watches() const { return watches_; }
   /// Whether some active term has this trait, and therefore needs an input from the host.
   bool reads(std::uint32_t trait) const {

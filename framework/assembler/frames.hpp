@@ -7,8 +7,8 @@ namespace netloft {
 /// Nodes whose unknowns are not along x, y and z, such as nodes on a slider or on an inclined plane. Elements
 /// work in the world frame; their residuals r and matrix blocks K_ab of nodes a, b are rotated afterwards.
 ///   x = x₀ + Q u,   r ← Qᵀ r,   K_ab ← Q_aᵀ K_ab Q_b                (1)
-/// The columns of Q are the axes of the unknowns u of a node, of which some are held. Q is constant, so that
-/// the tangent stays exact.
+/// The columns of Q are the axes of the three coordinates u of a node, some of which are held. Q is constant,
+/// so that the tangent stays exact.
 class Frames {
  public:
   Frames(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);

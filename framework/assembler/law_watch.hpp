@@ -26,8 +26,9 @@ struct LawUse {
   std::vector<RangeUse> ranges;
 };
 
-/// Stands between elements and a law, to which it passes all calls on. While it watches, it sums for each
-/// range of the law how much of the gear is inside and outside the range. Only one thread may then call it.
+/// Receives the calls of elements to a law and passes them on. Between begin() and end(), a watch sums for
+/// each range of the law how much of the gear is inside and outside the range; during this time, only one
+/// thread may call it.
 class LawWatch {
  public:
   /// `parameters` must be valid and outlive this object.
@@ -49,7 +50,7 @@ class LawWatch {
   bool watches_ = false;
 };
 
-/// The value of a quantity (NETLOFT_REYNOLDS …) in one lane of a flow, for a law of this kind.
+/// The value of a quantity (NETLOFT_REYNOLDS …) for one element (`lane`) of a flow, for a law of this kind.
 double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_law_tile& flow,
                      std::size_t lane);
 

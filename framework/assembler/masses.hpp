@@ -11,7 +11,7 @@ namespace netloft {
 struct MassBlocks {
   std::span<double> nodes;    // per node 3 x 3, row by row [kg]
   std::span<double> between;  // per body 3 x 3, origin x rotation [kg]
-  double coupled = 0;  // largest entry that lies between two other nodes and is therefore in no block [kg]
+  double coupled = 0;         // largest entry of the mass matrix that is in none of these blocks [kg]
 };
 
 /// Adds the masses of all elements at x. `bodies` has two nodes per body, its origin and its rotation.

@@ -36,7 +36,8 @@ void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   }
 }
 
-/// The quantities of (1) for a term in one lane. μ is zero if no correction is needed.
+/// The quantities of (1) in mean_of_energy.hpp for one term of one element. μ is zero if no correction is
+/// needed.
 struct Lane {
   double way[12] = {}, force[12] = {}, later[12] = {}, g[12] = {};  // Δ, ∇E(x), ∇E(x₁), P Δ
   double work = 0, square = 0, mu = 0;                              // ∇E·Δ, g·g, μ
@@ -70,7 +71,7 @@ Lane read_lane(const ElementFamily& f, const netloft_term& term, std::size_t lan
   return m;
 }
 
-/// Adds (2) without its first term K, which the scratch rows contain.
+/// Adds the tangent (2) of mean_of_energy.hpp, except for its first term K, which the scratch rows contain.
 void add_slope_of_lane(const TileOfStep& of, const Lane& m, std::size_t lane) {
   const std::size_t dofs = of.dofs();
   double* slope = of.open_slope();

@@ -14,8 +14,8 @@ namespace netloft {
 // "Exact energy and momentum conserving algorithms for general models in nonlinear elasticity", Comput.
 // Methods Appl. Mech. Engrg. 190, 2000; applied here to each element.
 
-/// Adds μ g, and (2) without K, for one term on all elements of a tile. Returns the first status other than
-/// NETLOFT_OK.
+/// Adds the force μ g of (1), and the tangent (2) without K, for one term on all elements of a tile. Returns
+/// the first status other than NETLOFT_OK.
 int add_mean_of_energy(const TileOfStep& of, const netloft_term& term);
 
 }  // namespace netloft

@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// The index of a degree of freedom in vectors over all of them, in which the unknowns come first. It is
-/// neither the number of a node nor 3 node + axis.
+/// The index of a degree of freedom in vectors over all degrees of freedom, in which the unknowns come first.
+/// This index is neither the number of a node nor 3 node + axis.
 struct Dof {
   std::int32_t place = 0;
 

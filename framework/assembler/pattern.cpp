@@ -22,7 +22,7 @@ void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vect
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) stands_for[n] = {n};
   for (const auto& body : scene.bodies)
     for (const auto& point : body.points) stands_for[point.node] = {body.origin, body.rotation_node};
-  const auto found = near;  // a copy: the neighbours that elements alone give
+  const auto found = near;  // a copy of the neighbours due to elements, because `add` changes `near`
   for (std::uint32_t column = 0; column < found.size(); ++column)
     for (const auto row : found[column])
       for (const auto a : stands_for[row])

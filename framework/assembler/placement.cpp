@@ -22,7 +22,8 @@ Placement::Placement(const Scene& scene, const Scene& nodes, const NodeBlocks& b
   bodies_.place(start_);
 }
 
-/// Calls visit(index among all dofs, axis, moment) for every degree of freedom that a guide moves.
+/// Calls visit(index among all dofs, axis, motion of the guide at `time`) for every degree of freedom that a
+/// guide moves.
 template <class Visit>
 void Placement::visit_guided(double time, const Visit& visit) const {
   for (const Guide& guide : guides_) {

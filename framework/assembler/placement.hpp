@@ -49,7 +49,8 @@ class Placement {
   /// `from` of the same gear.
   void take_rotations(const Placement& from, std::span<const double> x, std::span<double> u) const;
   /// Extracts the positions of the scene's nodes, 3 per node, from a vector x over all dofs [m]. x may also
-  /// be velocities or displacements. Unknowns that parts share have no position and are left out.
+  /// be velocities or displacements. Unknowns that the elements of a part share have no position and are left
+  /// out.
   std::vector<double> node_positions(std::span<const double> x) const;
   std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
   /// Whether an entry of a vector over all dofs is a coordinate of a node of the scene [m].
@@ -58,8 +59,8 @@ class Placement {
   std::array<double, 3> rotation(std::size_t body, std::span<const double> x) const;
   /// Whether a guide moves some held node.
   bool is_guided() const { return !guides_.empty(); }
-  /// Splits a residual [N] at a node into the reaction of its hold (along the held axes) and the unbalanced
-  /// force (along the others), in the world frame.
+  /// Splits a residual [N] at a node into the reaction (along the held axes) and the unbalanced force (along
+  /// the free axes), in the world frame.
   std::array<double, 3> reaction(std::uint32_t node, std::span<const double> residual,
                                  std::uint8_t axes = kAllAxes) const;
   std::array<double, 3> unbalanced(std::uint32_t node, std::span<const double> residual) const;

@@ -8,7 +8,7 @@ namespace netloft {
 // (traits HAS_CONVEX and HAS_METRIC).
 
 /// Replaces the tangent of one element by the positive semi-definite matrix nearest to its symmetric part:
-/// negative eigenvalues become zero. `tangent` has `dofs` x `dofs` entries, row by row. Slow.
+/// negative eigenvalues become zero. `tangent` has `dofs` x `dofs` entries, row by row. This is slow.
 void project_convex(double* tangent, int dofs);
 
 /// Adds diagonal matrices to `packed_tangent` that bound the symmetric parts of `tangent` from above

@@ -7,16 +7,16 @@
 
 namespace netloft {
 
-/// Whether two families have the same nodes, element by element. Riders, such as bending on the bars of a
-/// rope, have the nodes of the family that they ride on. Maps and tilings of one such family are valid for
-/// the other.
+/// Whether two families have the same nodes, element by element. A rider is a family that adds forces at the
+/// nodes of another family, such as bending at the bars of a rope. Maps and tilings of a family are valid for
+/// its riders.
 bool have_same_nodes(const ElementFamily& a, const ElementFamily& b);
 
 /// A family and its riders, which share the same tiles. The inputs of a tile are gathered once for all of
 /// them, and its sums are scattered after all of them have added to it.
 struct FamilyGroup {
   Tiling tiling;
-  std::vector<std::size_t> families;              // the family that the others ride on comes first
+  std::vector<std::size_t> families;              // first the family, then its riders
   std::uint32_t traits = 0;                       // all bits of the traits of active terms
   std::size_t first_tile = 0;                     // index of the first tile among those of all groups
   std::vector<std::uint32_t> carried_tiles = {};  // tiles with nodes that a body carries

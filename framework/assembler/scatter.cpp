@@ -243,8 +243,8 @@ void add_rows(const Tiling& tiling, std::size_t tile, const double* rows, double
       sums[map[d * kTileLanes + lane]] += rows[d * kTileLanes + lane];
 }
 
-/// Skips tiles whose tangents are zero. There are many of them, such as netting without bending or limits
-/// that are not reached.
+/// Skips tiles whose tangents are zero. There are many such tiles, for instance of netting without bending
+/// stiffness.
 void scatter_matrix(const Tiling& tiling, std::size_t tile, bool is_symmetric, double* values,
                     TileSums& sums) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());

@@ -15,8 +15,9 @@ namespace netloft {
 
 /// Evaluates the elements of a scene in tiles of 64: gathers their inputs (gather.hpp), calls the terms of
 /// all families on the same nodes (calls.hpp), corrects their forces to mean forces of a step
-/// (mean_forces.hpp) and adds the forces to the sums (scatter.hpp). Forces are in the world frame, on the
-/// nodes that elements see (before bodies and own axes of nodes). Allocates nothing after construction.
+/// (mean_forces.hpp) and adds the forces to the sums (scatter.hpp). Forces are in the world frame and act on
+/// the nodes of the elements: they are not yet passed on to bodies or rotated to nodes' own axes. Allocates
+/// nothing after construction.
 class TileEvaluator {
  public:
   /// `tiles` must outlive this object.
@@ -27,7 +28,7 @@ class TileEvaluator {
   bool run(std::span<const double> x, const Request& request);
   /// Energy [J] of the last run that computed one.
   double energy() const;
-  /// The same as run(), for the tiles with carried nodes only.
+  /// The same as run(), but only for tiles with nodes that bodies carry.
   bool run_carried(std::span<const double> x, const Request& request);
   /// For each tile of one family, calls evaluate(tile, t, sums), where `t` has zeroed memory for forces, and
   /// then visit(tile, t, sums). Runs on one thread. Returns false if a status is not NETLOFT_OK: see fault().
@@ -35,8 +36,7 @@ class TileEvaluator {
   bool visit(std::span<const double> x, const Kinematics& motion, std::size_t family,
              const Evaluate& evaluate, const Visit& visit);
 
-  /// Sets the memory [width][64] to which the terms that `visit` calls on its next tile write their next
-  /// state.
+  /// Sets the memory [width][64] into which terms write their next state, for the next tile of visit().
   void take_next_state(double* next) { works_[0]->inputs.extensions.memory.state_new = next; }
 
   const ElementFault& fault() const { return fault_; }

@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// A step in time as a static problem in u. The rates are linear in u, and v₀, a₀, cv, ca are given by the
-/// time scheme:
+/// A step in time as a static problem in u: the residual F vanishes. The rates are linear in u, and v₀, a₀,
+/// cv, ca are given by the time scheme:
 ///   F(t, u, v₀ + cv u, a₀ + ca u) = 0                                            (1)
 struct StepProblem {
   double t;
@@ -19,8 +19,9 @@ struct StepProblem {
   std::span<const double> mass;  // mass of each unknown [kg]; ca × mass acts like a stiffness
   MovingState* state;            // receives positions and rates
   double least_load;             // lower bound of the load to which tolerances are relative [N]
-  /// If F is the mean force of a step (netloft_motion::solve_between), the ends of this step. u is then its
-  /// midpoint, and `after` is updated with u. Null: F is the force at u.
+  /// The two ends of the step, for schemes in which F is the mean force over the step
+  /// (netloft_motion::solve_between) and u its midpoint; `after` is updated with u. If null, F is the force
+  /// at u.
   struct Ends {
     StepEnds ends;
     double begin = 0, end = 0;                 // [s]

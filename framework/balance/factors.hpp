@@ -22,7 +22,7 @@ class Factors {
   /// is expected to be positive definite unless `may_be_indefinite`.
   netloft_factor factorise(const SparsePattern& pattern, bool may_be_indefinite,
                            std::span<const double> values);
-  /// Solves with the last factor. Returns false and leaves x unchanged if there is none.
+  /// Solves with the last factor. Returns false and leaves x unchanged if no factor exists.
   bool solve(std::span<const double> rhs, std::span<double> x);
   /// Drops the last factor.
   void forget() { last_ = nullptr; }

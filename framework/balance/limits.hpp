@@ -27,8 +27,8 @@ struct Limits {
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  // Upper limit of the path: the sum of the lengths of all steps, divided by the gear's size. A gear that
-  // exceeds it does not come to rest.
+  // Upper limit of the path: the sum of the lengths of all steps, divided by the gear's size. A gear whose
+  // path exceeds this limit does not come to rest.
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // null: work is not limited
   double work = std::numeric_limits<double>::infinity();  // budget, in units of the model

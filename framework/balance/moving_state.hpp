@@ -43,7 +43,7 @@ class MovingState {
 struct MeanStep {
   double t = 0;                   // [s]
   std::vector<double> u, v, a;    // of the unknowns, as the time scheme sets them [m], [m/s], [m/s²]
-  std::vector<double> reactions;  // mean forces of the holds, over all dofs [N]; empty: no node is guided
+  std::vector<double> reactions;  // mean reactions of held nodes, over all dofs [N]; empty: no node is guided
 };
 
 }  // namespace netloft

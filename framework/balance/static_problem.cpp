@@ -82,7 +82,7 @@ StaticProblem::StaticProblem(Assembler& assembler, MakeFactorisation make, Limit
   interface_.step_length = [](void* host, const double* du) {
     return static_cast<StaticProblem*>(host)->step_length(du);
   };
-  // Reserved so that no iteration allocates; memory that is not used is not touched.
+  // Reserves memory so that no iteration allocates; the system provides the memory only when it is used.
   for (auto* vector : {&reactions_of_, &gradient_}) vector->reserve(residual_.size());
 }
 
@@ -194,8 +194,8 @@ int StaticProblem::row_sums(int matrix, double shift, double* y) {
   return matrices_.row_sums(matrix, shift, y) ? NETLOFT_OK : NETLOFT_ERROR;
 }
 
-/// Computes the reactions at u, unless the last evaluation was there. Tolerances are relative to the largest
-/// of dead loads and reactions.
+/// Computes the reactions at u, unless the last evaluation was at this u. Tolerances are relative to the
+/// largest of dead loads and reactions.
 void StaticProblem::find_reactions(const double* u, const double* residual) {
   if (!std::equal(u, u + size(), reactions_of_.begin(), reactions_of_.end())) {
     gradient_.resize(configuration_.x().size());
@@ -269,9 +269,9 @@ Imbalance StaticProblem::imbalance_of(const Balance& b) {
           configuration_.is_in_time()};
 }
 
-/// Bound of the residual of one unknown by rounding. Forces are computed from differences of coordinates, so
-/// that their error is the stiffness times the rounding error of a position, or of a difference if the digits
-/// beyond double precision are known.
+/// Upper bound of the residual of one unknown that rounding can cause. Forces are computed from differences
+/// of coordinates, so that their error is the stiffness times the rounding error of a position, or of a
+/// difference if the digits beyond double precision are known.
 double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> x) const {
   const auto i = static_cast<std::size_t>(unknown);
   const double stiffness = matrices_.metric_at(unknown) + configuration_.stiffness_of_inertia(i);

@@ -49,8 +49,8 @@ std::string fault_of_outputs(const Bench& b, const States& s) {
   return {};
 }
 
-/// Evaluates the given states one lane at a time, because one element outside its domain determines the
-/// status of its whole tile.
+/// Evaluates the states of one element (lane) at a time, because one element outside its domain determines
+/// the status of a whole tile.
 std::string fault_one_by_one(Bench& b, const States& all) {
   for (std::size_t lane = 0; lane < all.count; ++lane) {
     States one = b.tiles[all.first / kLanes];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of elements on rigid bodies: results may not depend on the numbers in which a rotation is expressed.
+// Checks of elements on rigid bodies: results must not depend on the numbers in which a rotation is
+// expressed.
 #include "framework/conformance/carried_answers.hpp"
 #include "framework/conformance/checks.hpp"
 

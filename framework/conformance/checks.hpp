@@ -17,12 +17,13 @@ inline Finding failed(std::string detail) { return {false, false, 0, 0, std::mov
 Finding judged(const Worst& worst, const char* nothing_noted);
 /// Result of a check without a figure: passed if `fault` is empty.
 Finding judged(const std::string& fault);
-/// Fails if a default, or a sampled value of a parameter without one, is outside its range. (bench.cpp)
+/// Fails if a default value, or a sampled value of a parameter that has no default, is outside the range of
+/// the parameter. (bench.cpp)
 Finding judged_defaults(std::span<const netloft_parameter> table, std::size_t bytes, const Values& sampled);
 /// Fails if the plugin left threads running. Skipped if the system does not report threads. (bench.cpp)
 Finding no_more_threads_than(const Threads& before);
 
-// Evaluation: does it answer at all? (answering_checks.cpp)
+// Evaluation: does the element answer at all? (answering_checks.cpp)
 Finding makes_elements(Bench&);
 Finding no_exception_escapes(Bench&);
 Finding evaluates_without_error(Bench&);
@@ -32,12 +33,12 @@ Finding finite_at_rest(Bench&);
 Finding defaults_are_allowed(Bench&);
 Finding refuses_wrong_parameters(Bench&);
 
-// Declarations: does it read only what its table and its traits declare? (declaration_checks.cpp)
+// Declarations: does the element read only what its table and its traits declare? (declaration_checks.cpp)
 Finding reads_what_it_declares(Bench&);
 Finding reads_the_inputs_it_declares(Bench&);
 std::string undeclared_text(const ByteRange& range);
 
-// Manners: does it keep to its outputs and inputs? (manners_checks.cpp)
+// Manners: does the element write only its outputs, and depend only on its inputs? (manners_checks.cpp)
 Finding no_hidden_state(Bench&);
 Finding nothing_written_past_count(Bench&);
 Finding adds_not_overwrites(Bench&);
@@ -60,7 +61,7 @@ Finding convex_is_positive(Bench&);
 Finding metric_is_constant(Bench&);
 Finding metric_bounds_convex(Bench&);
 
-// Invariance: is it independent of place and direction? (motion_checks.cpp)
+// Invariance: does the element behave alike in all places and directions? (motion_checks.cpp)
 Finding low_digits_ignored_or_taken(Bench&);
 Finding translation_changes_nothing(Bench&);
 Finding rotation_turns_the_force(Bench&);
@@ -78,7 +79,7 @@ Finding no_force_without_flow(Bench&);
 Finding never_gains_energy(Bench&);
 Finding says_how_much_it_stands_for(Bench&);
 
-// Members: do they make up their term? (member_checks.cpp)
+// Members: do their forces add up to the force of their term? (member_checks.cpp)
 Finding members_make_their_term(Bench&);
 
 std::vector<TermTiming> time_terms(const Bench&);

@@ -19,8 +19,8 @@ struct ConformanceOptions {
       0;  // kind of laws that the element uses in the tests; 0: every kind that it accepts, in turn
 };
 
-/// Result of one check. A check is skipped if it does not apply, or if one that it depends on failed, so that
-/// one mistake shows as one failure.
+/// Result of one check. A check is skipped if it does not apply, or if another check that it depends on
+/// failed, so that one mistake shows as one failure.
 struct CheckResult {
   std::string name;  // "force-is-gradient"
   bool passed = false, skipped = false;

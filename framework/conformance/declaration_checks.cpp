@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Checks that an element reads only what it declares, because the host fills nothing else: the parameters of
-// its table, and the inputs that the traits of a term name.
+// Checks that an element reads only what it declares: the parameters of its table, and the inputs that the
+// traits of a term name. The host fills nothing else.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -68,7 +68,8 @@ Finding reads_what_it_declares(Bench& b) {
 
 namespace {
 
-/// An input that a term receives if it declares the trait. A term with the trait `also` may read it, too.
+/// An input that a term receives if it declares the trait. A term with the trait `also` may read this input,
+/// too.
 struct Input {
   std::uint32_t trait;
   const char* text;

@@ -2,7 +2,7 @@
 // Derivatives are compared with central differences over a range of steps, and the best step counts for each
 // state: large steps suffer from curvature, small ones from rounding, and a kink affects only steps that
 // reach over it. A state that still fails, and at which the one-sided differences disagree by as much, is on
-// a kink and is ignored; at most a tenth of all states may be.
+// a kink and is ignored; at most a tenth of all states may be ignored.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -239,7 +239,8 @@ void judge_tangents(Bench& b, const netloft_term& term, const Rows& rows, Ledger
 
 }  // namespace
 
-/// Checks only the stored triangle of a packed tangent; symmetric-where-claimed checks the other one.
+/// Checks only the stored triangle of a packed tangent; the check symmetric-where-claimed covers the other
+/// triangle.
 Finding tangent_is_derivative(Bench& b) {
   Ledger ledger;
   for (const auto& term : b.type.terms) {

@@ -77,8 +77,8 @@ Finding never_gains_energy(Bench& b) {
   return judged(worst, kNoCurrent);
 }
 
-/// Checks that elements tell their laws the length of twine or area of netting of each lane. Reports weigh
-/// the use of a law outside its range by it.
+/// Checks that each element tells its laws its length of twine or area of netting. Reports weigh the use of a
+/// law outside its range by this length or area.
 Finding says_how_much_it_stands_for(Bench& b) {
   if (b.type.laws.empty()) return not_applicable("it has no slot for a law");
   for (const auto& term : b.type.terms)

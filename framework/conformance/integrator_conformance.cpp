@@ -156,7 +156,7 @@ Finding gains_no_energy(IntegratorBench& b) {
 }
 
 /// Checks the declared stable step: the energy stays bounded with 0.8 of it, or, if all steps are declared
-/// stable, with steps of 100 over the angular frequency.
+/// stable, with steps of 100 divided by the angular frequency.
 Finding stable_as_it_says(IntegratorBench& b) {
   const double fastest = 2, stable = b.stable_step(fastest);
   const double h = stable > 0 ? 0.8 * stable : 100 / fastest;

@@ -20,8 +20,8 @@ void normalise(double (&a)[3]) {
   for (double& c : a) c /= length;
 }
 
-/// Changes the unit vector `W` to the direction of this special flow. `across` is the direction of W
-/// perpendicular to t.
+/// Changes the unit vector `W` to the direction of this special flow. `across` is the direction of the part
+/// of W that is perpendicular to t.
 void turn(Special special, const double (&t)[3], double (&W)[3]) {
   double across[3];
   for (std::size_t i = 0; i < 3; ++i) across[i] = W[i] - dot(W, t) * t[i];

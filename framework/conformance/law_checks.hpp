@@ -11,7 +11,7 @@ Finding d_flow_is_derivative(LawBench&);
 Finding d_direction_is_derivative(LawBench&);
 Finding d_solidity_is_derivative(LawBench&);
 
-// Physics: is it the force of water? (law_flow_checks.cpp)
+// Physics: is the force one that water can exert? (law_flow_checks.cpp)
 Finding law_needs_flow(LawBench&);
 Finding law_never_gains_energy(LawBench&);
 Finding rotation_turns_the_force_of_a_law(LawBench&);

@@ -18,7 +18,7 @@ bool same_lane(const LawAnswer& a, std::size_t i, const LawAnswer& b, std::size_
          same_lane(a.d_direction, i, b.d_direction, j) && same_lane(a.d_solidity, i, b.d_solidity, j);
 }
 
-/// Calls `question(part, flows)` for all sets of parameters. It returns a fault or an empty string.
+/// Calls `question(part, flows)` for all sets of parameters. `question` returns a fault or an empty string.
 template <class Question>
 Finding ask_all(LawBench& b, Question&& question) {
   for (std::size_t part = 0; part < b.tiles.size(); ++part)

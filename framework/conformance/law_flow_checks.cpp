@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of the physics of a law: no force without flow, passive, the same from every side.
+// Checks of the physics of a law: without flow there is no force, the force never adds energy, and it is the
+// same from every side.
 #include "framework/conformance/law_checks.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kFlowRounding = 1e-10;
 
-/// Compares the force after one array of the flows was reversed with `sign` times the original force.
+/// Reverses one array of the flows, and compares the force with `sign` times the original force.
 Finding compare_turned_over(LawBench& b, std::vector<double> Flows::*array, double sign) {
   Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {
@@ -51,7 +52,7 @@ Finding law_needs_flow(LawBench& b) {
   return judged(worst, "");
 }
 
-/// The power of the force relative to the water, F·W, may not be negative.
+/// The power of the force relative to the water, F·W, must not be negative.
 Finding law_never_gains_energy(LawBench& b) {
   Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {

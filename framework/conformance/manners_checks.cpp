@@ -28,8 +28,8 @@ std::size_t first_difference(const Answer& a, const Answer& b, std::size_t count
   return lane;
 }
 
-/// Calls `ask(term, states, want)` for all terms, tiles and combinations of outputs. It returns a fault or an
-/// empty string.
+/// Calls `ask(term, states, want)` for all terms, tiles and combinations of outputs. `ask` returns a fault or
+/// an empty string.
 template <class Ask>
 Finding ask_all(Bench& b, Ask&& ask) {
   for (const auto& term : b.type.terms)
@@ -64,8 +64,8 @@ namespace {
 constexpr double kCanary = -7.25e-300;  // small, so that the addition of any number is visible
 constexpr std::size_t kMargin = 4 * kLanes;
 
-/// An array surrounded by a known number, which is also in all lanes from `count` on; zero where a term may
-/// add.
+/// An array that is zero where a term may add, with a known number before and after it and in all lanes from
+/// `count` on.
 struct Guarded {
   Guarded(std::size_t rows, std::size_t count) : values(rows * kLanes + 2 * kMargin, kCanary) {
     for (std::size_t row = 0; row < rows; ++row)
@@ -82,8 +82,8 @@ struct Guarded {
   std::vector<double> values;
 };
 
-/// Calls a term with guarded arrays, and with inputs that are NaN from lane `count` on. Returns where it
-/// wrote outside.
+/// Calls a term with guarded arrays, and with inputs that are NaN from lane `count` on. Returns a sentence
+/// about a number that the term wrote outside the permitted entries.
 std::string trespass(const Bench& b, const netloft_term& term, States s, std::uint32_t count,
                      std::uint32_t want) {
   for (const auto field : kFields)
@@ -237,7 +237,7 @@ Finding same_in_any_lane(Bench& b) {
 
 namespace {
 
-/// Checks that one output has the same bits whether or not others are requested.
+/// Checks that one output has the same bits whether or not other outputs are requested.
 Finding same_alone(Bench& b, std::uint32_t part, std::vector<double> Answer::*values) {
   return ask_all(b, [&](const netloft_term& term, const States& s, std::uint32_t want) -> std::string {
     if (!(want & part)) return {};
@@ -260,7 +260,7 @@ namespace {
 constexpr int kRoundsPerThread = 50, kRoundsApart = 10;
 
 /// Evaluates a tile repeatedly in one of two threads. The threads wait for each other from time to time,
-/// because a busy machine could start the second one after the first has ended.
+/// because a busy machine could start the second thread after the first has ended.
 std::size_t count_differences(const Bench& b, const netloft_term& term, const States& s, std::uint32_t want,
                               const Answer& expected, std::barrier<>& both) {
   std::size_t differences = 0;
@@ -314,10 +314,10 @@ bool nothing_begins_during(Work&& work) {
 
 enum class Starts { none, some, unknown };
 
-/// Whether `work` starts threads, however short-lived. Other programs start threads, too; therefore the same
-/// time is also observed without work. `work` starts none if, once, nothing begins during it. It starts some
-/// if nothing begins without work in kProof tries before that. The result is unknown if other programs start
-/// threads all the time.
+/// Whether `work` starts threads, however short-lived. Other programs start threads, too; therefore each try
+/// observes the work and then an equally long time without work. As soon as no thread begins during the work,
+/// the answer is `none`. If kProof of the times without work were free of new threads before that, the answer
+/// is `some`. If other programs start threads all the time, it is `unknown`.
 template <class Work>
 Starts threads_started_by(Work&& work) {
   using Clock = std::chrono::steady_clock;

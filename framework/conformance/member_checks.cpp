@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks that the members that an element declares make up its term of members.
+// Checks that the forces of the members that an element declares add up to the forces of its terms with
+// NETLOFT_OF_MEMBERS.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace netloft::conformance {
 
 namespace {
 
-/// Sum of the forces and energies of the members of a lane.
+/// Sum of the forces and energies of the members of one element.
 struct Pull {
   double energy = 0;
   std::vector<double> force;  // by degree of freedom
@@ -33,7 +34,7 @@ bool add_member(const netloft_member& m, const States& s, std::size_t lane, Pull
   return true;
 }
 
-/// Sum of the terms of members for all lanes.
+/// Sum of the terms with NETLOFT_OF_MEMBERS, for all elements of a tile.
 Answer answer_of_terms(const Bench& b, const States& s) {
   Answer sum;
   sum.energy.assign(kLanes, 0.0);
@@ -49,8 +50,8 @@ const netloft_term& term_of_members(const ElementType& type) {
                        [](const netloft_term& t) { return (t.traits & NETLOFT_OF_MEMBERS) != 0; });
 }
 
-/// Largest difference between members and their term: of forces, and of energies divided by the size of the
-/// element.
+/// Largest difference between the sum of members and the terms: of forces, and of energies divided by the
+/// size of the element.
 double difference(const Answer& term, const Pull& members, std::size_t lane, double size) {
   double off = std::abs(term.energy[lane] - members.energy) / size;
   for (std::size_t d = 0; d < members.force.size(); ++d)
@@ -76,8 +77,8 @@ void compare(Bench& b, const States& s, Worst& worst) {
 
 }  // namespace
 
-/// Checks that the members add up to their term. Rounding of positions of 10 m is a strain of 1e-12 in an
-/// element of 1 mm, far below the limit.
+/// Checks that the members add up to their terms. Rounding of positions of 10 m causes a strain of 1e-12 in
+/// an element of 1 mm, far below the limit.
 Finding members_make_their_term(Bench& b) {
   if (b.type.members.count == 0) return not_applicable("the element declares no members");
   Worst worst(1e-6);

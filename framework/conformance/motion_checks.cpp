@@ -19,7 +19,7 @@ bool is_internal(const Bench& b, const netloft_term& term) {
                           NETLOFT_READS_CURRENT | NETLOFT_READS_ACCELERATION | NETLOFT_NEEDS_WAVES));
 }
 
-/// Difference between `found` and the nearer of two answers; infinite if there is none.
+/// Difference between `found` and the nearer of two answers; infinite if an evaluation failed.
 double least_difference(const Bench& b, const Answer& found, const Answer& one, const Answer& other,
                         const States& s, double scale, std::size_t lane) {
   double least = std::numeric_limits<double>::infinity();

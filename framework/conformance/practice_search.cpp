@@ -13,7 +13,7 @@ namespace netloft::conformance {
 namespace {
 
 constexpr double kSearchTolerance = 1e-8;        // tolerance of the scene, relative to the load on a mass
-constexpr std::uint32_t kIterations = 30;        // of the analysis
+constexpr std::uint32_t kIterations = 30;        // limit of iterations of a stage
 constexpr double kStageCost = 0.1;               // cost of an assessment, in iterations
 constexpr std::size_t kRoom = 256, kGuard = 64;  // size of the message, and of the guard behind it
 
@@ -207,7 +207,7 @@ bool PracticeSearch::is_itself(std::string strategy, const char* parameters,
                         : std::equal(start_.begin(), start_.end(), stage.u);
 }
 
-/// Runs another strategy, which consists of one stage or returns at once without work.
+/// Pretends to run another strategy, which consists of one stage or returns at once without work.
 int PracticeSearch::call(const char* strategy, const char* parameters, netloft_stage* stage) {
   if (!strategy || !*strategy) note(Slip::out_of_range, "calls a strategy without a name");
   if (strategy && is_itself(strategy, parameters, *stage))
@@ -250,8 +250,8 @@ netloft_ending PracticeSearch::step_to_balance(PracticeProblem& problem, netloft
   }
 }
 
-/// Writes the result of a stage to `s`, and notes what the strategy has learnt from it (an interrupt, work
-/// used up).
+/// Writes the result of a stage to `s`, and notes whether the strategy now knows of an interrupt, or that the
+/// work is used up.
 void PracticeSearch::judge(const PracticeProblem& problem, netloft_stage& s, netloft_ending ending) {
   const std::vector<double> u(s.u, s.u + size_of(s.variant.level));
   const Rank found = rank(problem, s.u, tolerance_of(s));
@@ -296,8 +296,8 @@ int PracticeSearch::assess(netloft_stage* stage) {
   return NETLOFT_OK;
 }
 
-/// Gives a problem to a strategy with a method of its own. The work that is left limits its iterations; each
-/// counts as a factorisation.
+/// Gives a problem to a strategy that runs its own method. The work that is left limits the iterations of
+/// this method; each iteration counts as a factorisation.
 int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   if (is_refused(*stage)) return fail("the host broke down");
   const double budget = stage->work > 0 ? stage->work : left();
@@ -313,7 +313,7 @@ int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
 
 /// Counts the work of a strategy's own method, after it has ended.
 void PracticeSearch::end_own_method() {
-  // The growing disturbance of the last stage was valid until now.
+  // The growing disturbance of the last stage is valid up to this point only.
   std::fill(growing_.begin(), growing_.end(), std::numeric_limits<double>::quiet_NaN());
   if (!own_) return;
   spend((std::max(own_->iterations, own_->factorisations) + kStageCost) * own_cost_);

@@ -23,15 +23,15 @@ struct PracticeScene {
   bool knows_growth = true;        // whether the host provides the growing disturbance
   std::uint32_t claims = 0;        // traits of the search in addition to those of the problem
   std::vector<double> start = {};  // empty: the initial shape
-  std::string by = {};             // type of the strategy under test, if it may not call itself
+  std::string by = {};             // type of the strategy under test, if it must not call itself
 };
 
 /// Mistakes of a strategy, one for each promise that it can break.
 enum class Slip {
   stage_without_name,
-  stage_not_filled,  // size of a struct, or no displacements
-  out_of_range,      // a level, a factor or a limit
-  calls_itself,      // it calls itself on the scene itself, from its start, with its defaults
+  stage_not_filled,  // the size of a struct or the displacements are missing
+  out_of_range,      // a level of mesh, a factor or a limit
+  calls_itself,      // the strategy calls itself with the same scene, start and parameters
   over_budget,       // a stage was offered more work than is left
   start_no_number,
   answer_no_number,
@@ -123,7 +123,7 @@ class PracticeSearch {
   netloft_search interface_{}, as_made_{};
   std::vector<double> start_, growing_;
   std::unique_ptr<PracticeProblem> own_;  // problem of a method that the strategy runs by itself
-  double own_cost_ = 1;                   // cost of its factorisations
+  double own_cost_ = 1;                   // cost of a factorisation of own_
   double spent_ = 0;
   bool interrupted_ = false, knows_interrupt_ = false, knows_budget_ = false;
   // Answers of the strategy, which are points of the scene itself, and equilibria of variants.

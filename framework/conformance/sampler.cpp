@@ -105,7 +105,7 @@ Samples ParameterSampler::rows(const netloft_parameter& p) {
     const Usual range = usual(p.column_units[column]);
     for (double& n : numbers) n = real(0, 1e300, range.least, range.most);
     if (column < std::max(p.arguments, 1u)) std::sort(numbers.begin(), numbers.end());
-    if (p.arguments == 2 && column < 2)  // two values of each: a grid of four rows
+    if (p.arguments == 2 && column < 2)  // two values of each argument: a grid of four rows
       numbers = column == 0 ? std::vector{numbers[0], numbers[0], numbers[3], numbers[3]}
                             : std::vector{numbers[0], numbers[3], numbers[0], numbers[3]};
     for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(numbers[row]);
@@ -194,7 +194,7 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
   for (std::size_t node = 0; 6 * (node + 1) * kLanes <= s.bed.size(); ++node) lay_bed(s, node, length, lane);
 }
 
-/// Draws a bed below a node. It is above the node as often as below.
+/// Draws a bed for a node. The bed is above the node as often as below.
 void Sampler::lay_bed(States& s, std::size_t node, double length, std::size_t lane) {
   s.bed[at(6 * node, lane)] = s.x[at(3 * node + 2, lane)] + length * uniform(-0.5, 0.5);
   for (std::size_t k = 1; k < 6; ++k)

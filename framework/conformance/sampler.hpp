@@ -45,15 +45,15 @@ Values required_of(std::span<const netloft_parameter> table, const Values& sampl
 
 /// Draws parameters, data and states of an element.
 ///
-/// Data are drawn by unit in the same way, lengths from 0.5 m to 2 m, pure numbers from 0.2 to 1.8, one in
-/// four −1, 0 or 1. A pure datum with one number per node is a coordinate of the corners, from −4 to 4;
-/// triangles are drawn again until they cover at least 2 square units. Data that `create` refuses are drawn
-/// again. Unknowns shared by a part are drawn like the coordinates of one more node. Bodies have rotations of
-/// up to two turns about any axis; their datum `side` is −1 or 1.
-/// Nodes are distributed uniformly in a cube with the length of the element (times the extent of its corner
-/// coordinates) and a factor from 0.1 to 3, so that elements are stretched or slack; one in eight is 1000
-/// times smaller, nearly collapsed. Velocities, currents [m/s] and accelerations [m/s²] are of magnitude 1,
-/// shears [1/s] of magnitude 0.1.
+/// Data are drawn by unit in the same way, lengths from 0.5 m to 2 m, and pure numbers from 0.2 to 1.8,
+/// except that every fourth pure number is −1, 0 or 1. A pure datum with one number per node is a coordinate
+/// of the corners, from −4 to 4; triangles are drawn again until they cover at least 2 square units. Data
+/// that `create` refuses are drawn again. Unknowns shared by a part are drawn like the coordinates of one
+/// more node. Bodies have rotations of up to two turns about any axis; their datum `side` is −1 or 1.
+/// Nodes are distributed uniformly in a cube. Its side is size() times a factor from 0.1 to 3, so that
+/// elements are stretched or slack; one cube in eight is 1000 times smaller, so that the element has nearly
+/// collapsed. Velocities, currents [m/s] and accelerations [m/s²] are of magnitude 1, shears [1/s] of
+/// magnitude 0.1.
 class Sampler : public ParameterSampler {
  public:
   Sampler(const ElementType& type, std::uint64_t seed)
@@ -61,9 +61,10 @@ class Sampler : public ParameterSampler {
 
   void data(Sample& sample, std::size_t element);
   void state(const Sample& sample, std::size_t element, States& states, std::size_t lane);
-  /// Length of an element's data [m], 1 m if it has none, times the extent of its corner coordinates.
+  /// The length among an element's data [m] (1 m if no datum is a length), times the extent of its corner
+  /// coordinates.
   double size(const Sample& sample, std::size_t element) const;
-  /// Length of an element's data without the corner coordinates: the rest length of a plain bar [m].
+  /// The length among an element's data alone [m], such as the rest length of a bar.
   double length(const Sample& sample, std::size_t element) const;
   bool is_corner(const netloft_datum& datum) const;
 

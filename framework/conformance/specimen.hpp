@@ -19,7 +19,7 @@ struct Sample {
   std::vector<Values> parameters;
   std::vector<std::uint32_t> part;
   std::vector<std::vector<double>> data;  // [datum] -> [element][width]
-  // Kind of the laws in slots that accept it; other slots have the first kind accepted.
+  // Kind of the laws in slots that accept this kind; other slots have the first kind that they accept.
   std::uint32_t law_kind = 0;
   // Bytes of the parameters that are overwritten because no row of the table declares them.
   std::vector<ByteRange> spoilt = {};
@@ -37,7 +37,7 @@ struct States {
   std::vector<double> swing = {};    // [dof][64] acceleration of the water; empty: none
   std::vector<double> surface = {};  // [nodes][64] height of the surface of the water; empty: z = 0
   double time = 1;                   // [s]
-  std::uint32_t exposed = 0;         // traits; terms receive these inputs even if they have not declared them
+  std::uint32_t exposed = 0;  // traits of inputs that terms receive even without declaring these traits
 };
 
 /// The arrays of States with one number per lane.

@@ -138,7 +138,7 @@ Finding no_equilibrium_is_no_error(StrategyBench& b) {
 }
 
 /// Checks that the strategy ends, also in a scene where all strategies that it calls return at once without
-/// work, and without calls of itself.
+/// work. The strategy must not call itself in the same way as it was called.
 Finding comes_to_an_end(StrategyBench& b) {
   NamedScene idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
   idle.scene.others_decline = true;
@@ -196,7 +196,7 @@ Finding strategy_has_no_hidden_state(StrategyBench& b) {
 
 using Setting = std::pair<std::string, Value>;
 
-/// Lists both ends of every bounded range, and every word and truth value.
+/// Lists both ends of every bounded range, every word of a choice, and both truth values.
 std::vector<Setting> bounds_of(const std::vector<netloft_parameter>& table) {
   std::vector<Setting> all;
   for (const auto& p : table)
@@ -240,8 +240,8 @@ Finding survives_its_bounds(StrategyBench& b) {
 
 constexpr std::size_t kExplainGuard = 64;
 
-/// Calls `explain` with room for a text of the given size. Returns an error if it writes beyond that room,
-/// or, if `asks`, if it requests a stage or answers.
+/// Calls `explain` with room for a text of the given size. Returns an error if `explain` writes beyond that
+/// room or, if `asks`, only an error if it requests a stage or answers.
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;

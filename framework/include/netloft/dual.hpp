@@ -61,8 +61,8 @@ struct Dual {
   friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
   friend bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
 
-  /// At zero the root has no derivative. It is set to zero, so that ‖w‖ w has the correct derivative at w =
-  /// 0.
+  /// At zero the root has no derivative. The derivative is set to zero, so that ‖w‖ w has the correct
+  /// derivative at w = 0.
   friend Dual sqrt(const Dual& a) {
     const double s = std::sqrt(a.value);
     return s == 0 ? Dual(0) : a.chain(s, 0.5 / s, -0.25 / (s * a.value));
@@ -90,7 +90,7 @@ struct Dual {
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value * x.value + y.value * y.value;
-    // Proportional to the sine of the change of angle.
+    // `turn` is proportional to the sine of the change of angle.
     const Dual turn = (x.value * y - y.value * x) / square;
     const Dual ahead = (x.value * x + y.value * y) / square;
     return std::atan2(y.value, x.value) + atan(turn / ahead);

@@ -18,12 +18,12 @@
 // second of which is its rotation vector: see ext/bodies.h.
 //
 // If an element needs data of its whole part (all elements with the same parameters), it declares a struct
-// `Whole`. The function `gather(parameters, data, whole)` fills it; it is called for each element of the part
-// in turn. `evaluate`, `force` and outputs receive it after the data, and `check_whole(parameters, whole)`
-// may throw std::invalid_argument. Curves from tables (interpolation.hpp) are best stored in `Whole`, too,
-// because it is filled only once. If the elements of a part share unknowns (the front of a catch), the
-// element declares their number, `static constexpr int globals = 1`. They are the coordinates of an
-// additional last node, so that N is greater by one.
+// `Whole`. The host calls `gather(parameters, data, whole)`, which fills this struct, for each element of the
+// part in turn. `evaluate`, `force` and outputs receive the struct after the data, and
+// `check_whole(parameters, whole)` may throw std::invalid_argument. Curves from tables (interpolation.hpp)
+// are best stored in `Whole`, too, because they are then made only once. If the elements of a part share
+// unknowns (the front of a catch), the element declares their number, `static constexpr int globals = 1`.
+// These unknowns are the coordinates of an additional last node, so that N is greater by one.
 //
 // If an element bears tension along straight lines, it can declare these lines, its members. Solvers may then
 // treat the tensions as unknowns:
@@ -71,7 +71,7 @@ enum Trait : std::uint32_t {
   needs_waves = NETLOFT_NEEDS_WAVES,
 };
 
-/// The meaning of an output to reports that compare parts of different types.
+/// The meaning of an output, for reports that compare parts of different types.
 enum class OutputRole : std::uint32_t {
   plain = NETLOFT_OUTPUT_PLAIN,
   tension = NETLOFT_OUTPUT_TENSION,  // tension in a rope or in one twine [N], negative in compression
@@ -213,7 +213,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     return static_cast<std::size_t>(reinterpret_cast<const char*>(&(object.*member)) -
                                     reinterpret_cast<const char*>(&object));
   }
-  /// The function of an output; the other two are null.
+  /// The function of an output: one of these pointers; the other two are null.
   struct OutputFunction {
     Output one;
     OutputWithWhole with_whole;
@@ -239,8 +239,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     inputs_[place] = id;
     lists_inputs_ = true;
   }
-  /// Requires an extension. `take` reads the host's data for it when the elements are created; it is null if
-  /// there are no such data.
+  /// Requires an extension. `take` reads the host's data for the extension when the elements are created;
+  /// `take` is null if no such data exist.
   void require(const char* id, void (*take)(Family<E>&, netloft_create&)) {
     for (const char* known : required_)
       if (std::strcmp(known, id) == 0) return;

@@ -29,8 +29,8 @@ consteval int count_globals() {
 }
 template <class E>
 inline constexpr bool is_on_body = E::stencil == NETLOFT_BODY;
-/// Number of nodes: those of the stencil, one for the rotation of a body, and one for the unknowns that a
-/// part shares.
+/// Number of nodes: those of the stencil, one for the rotation of a body, and one for the unknowns that the
+/// elements of a part share.
 template <class E>
 inline constexpr int nodes_of = (E::stencil & 0xff) + is_on_body<E> + (count_globals<E>() > 0);
 template <class E>
@@ -134,7 +134,7 @@ inline Bed bed_below(const netloft_tile& t, std::size_t node, std::size_t lane) 
           at(5)};
 }
 
-/// The bed below the nodes. Those after the first `of_stencil` (rotation, shared unknowns) are no places and
+/// The bed below the nodes. Nodes after the first `of_stencil` (rotation, shared unknowns) are no places and
 /// have no bed.
 template <std::size_t Nodes>
 std::array<Bed, Nodes> beds_below(const netloft_tile& t, std::size_t of_stencil, std::size_t lane) {
@@ -221,7 +221,8 @@ Points<T, Nodes> read_current(const netloft_tile& t, std::size_t lane, const Poi
              slope = read_dual<double, Nodes>(t.current_dz, lane, 0);
   Points<T, Nodes> to{};
   for (std::size_t n = 0; n < static_cast<std::size_t>(Nodes); ++n) {
-    T height = x[n].z;  // relative to the height at which `current` is given: zero, with derivatives
+    T height = x[n].z;  // height above the node, where `current` is given: its value is zero, but its
+                        // derivatives are not
     if constexpr (std::is_same_v<T, double>)
       height = 0;
     else

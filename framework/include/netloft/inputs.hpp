@@ -48,7 +48,8 @@ inline const double* state_of(const netloft_tile& t) {
   const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
   return memory ? memory->state : nullptr;
 }
-/// Room for the memory that replaces it if this step is accepted, [width][64]. Trait: reads_state.
+/// The array for the next memory, which replaces state_of() if this step is accepted, [width][64]. Trait:
+/// reads_state.
 inline double* new_state_of(const netloft_tile& t) {
   const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
   return memory ? memory->state_new : nullptr;

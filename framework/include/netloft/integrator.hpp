@@ -6,9 +6,9 @@
 //   static double order(const Parameters&);                  // power of h in the estimate in `error`
 //   static double stable_step(const Parameters&, double w);  // longest stable h at frequency w; 0: any
 //
-// It solves F(t, u, v, a) = 0 over one step in any way: explicitly from accelerations, or as an algebraic
-// problem that the solver of the analysis solves. The host controls the length of the step and counts the
-// work.
+// An integrator solves F(t, u, v, a) = 0 over one step in any way: explicitly from accelerations, or as an
+// algebraic problem that the solver of the analysis solves. The host controls the length of the step and
+// counts the work.
 #pragma once
 #include <netloft/ext/integrator.h>
 #include <netloft/parameters.hpp>

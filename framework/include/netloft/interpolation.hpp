@@ -12,7 +12,8 @@
 // these slopes along both arguments and no twist at the samples. With Hermite's cubics H and the fractions s,
 // t of the intervals below the arguments,
 //   f = Σ_ij H_i(s) H_j(t) f_ij + …                        bicubic Hermite form, ∂²f/∂x∂y = 0 at samples (2)
-// Its first derivatives are continuous as well, and along the lines of its grid it is the curve.
+// The first derivatives of a surface are continuous as well, and along a grid line the surface is the curve
+// through the samples of that line.
 //
 // Beyond the samples, curve and surface keep the value at the edge, and therefore their slope at the edge is
 // zero. An element must not extrapolate without notice: it calls `covers` and reports the result

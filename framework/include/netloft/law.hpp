@@ -100,7 +100,7 @@ int evaluate_law(const void* parameters, const netloft_law_tile* flow) noexcept 
 /// to the twine, D the diameter, ν the viscosity, S the solidity.
 enum class Quantity : std::uint32_t {
   reynolds = NETLOFT_REYNOLDS,                      // ‖W‖ D/ν
-  reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // the same for the part of W across a twine
+  reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // the same number for the part of W across a twine
   reynolds_in_meshes = NETLOFT_REYNOLDS_IN_MESHES,  // ‖W‖ D/(ν (1 − S))
   solidity = NETLOFT_SOLIDITY,
   attack = NETLOFT_ATTACK,  // angle between flow and twine or netting [rad]
@@ -122,8 +122,8 @@ class LawTable : public ParameterTable<typename L::Parameters> {
 
   LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
 
-  /// States that the law was measured for lo ≤ quantity ≤ hi. It must return forces outside this range, too;
-  /// reports then say for which fraction of the gear it was used there.
+  /// States that the law was measured for lo ≤ quantity ≤ hi. The law must return forces outside this range,
+  /// too; reports then say for which fraction of the gear the law was used there.
   void valid(Quantity quantity, double lo, double hi, const char* source, Condition condition = {}) {
     netloft_validity v{};
     v.size = sizeof v;

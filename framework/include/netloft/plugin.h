@@ -3,8 +3,8 @@
  * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
  *
  * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of what
- * is inside. No C++ type, exception or allocation crosses; the plugin links to nothing of ours. Authors
- * seldom need this file: netloft/element.hpp and its siblings write these structs for them.
+ * is inside. No C++ type, exception or allocation crosses the boundary; a plugin links to no library of
+ * Netloft. Authors seldom need this file: netloft/element.hpp and its siblings write these structs for them.
  *
  * This header is the core, which is sufficient for an element such as a rope or a float. Everything else is
  * an extension with its own header in netloft/ext/ and an identifier such as "netloft.waves/1". Hosts and
@@ -13,9 +13,9 @@
  *
  * Versions. A host accepts plugins of its own major version whose minor version is not newer; both change
  * only with this header. Every struct begins with its size. Fields are only ever appended, here and in
- * extensions: a host reads what a shorter struct lacks as zero, and a plugin looks at the size before it
- * reads a field of an extension that was appended. Any other change of an extension changes the number in its
- * identifier. The stride of an array of structs is the size of its first entry.
+ * extensions: a host treats fields that a shorter struct lacks as zero, and a plugin looks at the size before
+ * it reads a field of an extension that was appended. Any other change of an extension changes the number in
+ * its identifier. The stride of an array of structs is the size of its first entry.
  *
  * Units are SI. In the world frame, z points up and is zero at the water surface.
  *
@@ -79,8 +79,8 @@ typedef struct netloft_parameter {
   const char* const* choices;      /* null-terminated: one word of a CHOICE; a TEXT may join several by + */
   const char* fallback_text;       /* for NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
-  const char* const* column_units; /* units of the columns, as many */
-  uint32_t arguments; /* number of leading columns that are arguments of the others; 0 means 1, 2 a grid */
+  const char* const* column_units; /* units of the columns, in the same number */
+  uint32_t arguments; /* number of leading columns that are arguments of the others; 0 means 1; 2: a grid */
   uint32_t reserved;
 } netloft_parameter;
 
@@ -160,7 +160,7 @@ typedef struct netloft_term {
   int (*evaluate)(const void* self, netloft_tile* tile);
 } netloft_term;
 
-/* The meaning of an output to reports that compare parts of different types. */
+/* The meaning of an output, for reports that compare parts of different types. */
 enum netloft_output_role {
   NETLOFT_OUTPUT_PLAIN = 0,
   NETLOFT_OUTPUT_TENSION = 1, /* tension in a rope or in one twine [N], negative in compression */
@@ -220,7 +220,7 @@ enum { NETLOFT_FAST_MATH = 1 };
 typedef struct netloft_plugin {
   uint32_t size;
   uint32_t abi_major, abi_minor;
-  uint32_t flags;   /* NETLOFT_FAST_MATH if compiled with it: the host refuses this */
+  uint32_t flags;   /* NETLOFT_FAST_MATH if compiled with -ffast-math, which the host refuses */
   const char* name; /* the stem of its file: "rope" in rope.so */
   const char *version, *doc, *compiler;
   const netloft_element* elements;

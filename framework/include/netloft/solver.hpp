@@ -86,14 +86,14 @@ class Problem {
     return checked_factor(p_.factorise(p_.host, static_cast<int>(matrix) | NETLOFT_INDEFINITE, shift));
   }
   /// Factorises K + blend (K₊ − K) + shift x metric, with the tangent K and its convex part K₊. Evaluations
-  /// at the same point must have stored both.
+  /// at the same point must have stored both matrices.
   Factor factorise_between(double blend, double shift) {
     return checked_factor(p_.factorise_between(p_.host, blend, shift));
   }
   void solve(std::span<const double> rhs, std::span<double> x) {
     check(p_.solve(p_.host, rhs.data(), x.data()));
   }
-  /// Solves with the last factor, which may be that of an earlier problem. Returns false if there is none.
+  /// Solves with the last factor, which may be that of an earlier problem. Returns false if no factor exists.
   bool try_solve(std::span<const double> rhs, std::span<double> x) {
     return p_.solve(p_.host, rhs.data(), x.data()) == NETLOFT_OK;
   }

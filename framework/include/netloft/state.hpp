@@ -114,8 +114,8 @@ class Family {
   };
   using Whole = typename WholeOf<E>::type;
 
-  /// The law that the user chose for a slot; slots are numbered in the order of their declaration. Its arrays
-  /// are those of netloft_law_tile.
+  /// The law that the user chose for a slot; slots are numbered in the order of their declaration. The
+  /// arguments of the law are the arrays of a netloft_law_tile.
   const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
 
   std::vector<Parameters> parameters_;  // per part

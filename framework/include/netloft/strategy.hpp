@@ -104,9 +104,9 @@ struct Stage {
   Displacements growing = {};                    // a disturbance that grows; empty: not known
   double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; frequency 0: it does not oscillate
 
-  /// Whether the forces of the requested variant were evaluated at `u`. False if elements are not defined
-  /// there, or if another strategy was called and solved no stage of that variant; `u` is then the initial
-  /// guess.
+  /// Whether the forces of the requested variant were evaluated at `u`. False if the forces of an element are
+  /// not defined there, or if another strategy was called and solved no stage of that variant; `u` is then
+  /// the initial guess.
   bool has_forces() const { return load > 0; }
   /// Whether forces balance, stable or not.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
@@ -137,7 +137,7 @@ class Search {
   double gear_size() const { return s_.gear_size; }        // [m]
   double element_size() const { return s_.element_size; }  // [m]
   double load() const { return s_.load; }  // sum of the forces that drive the gear at the start [N]
-  double largest_load() const { return s_.largest_load; }  // largest of them on a node [N]
+  double largest_load() const { return s_.largest_load; }  // largest of these forces on a node [N]
   double stiffness() const { return s_.stiffness; }        // largest axial stiffness [N]
 
   /// The initial displacements of the unknowns of the scene itself.
@@ -153,10 +153,10 @@ class Search {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
   /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work). The
-  /// returned stage is the answer of that strategy; if there are several, the one that the host chose. If
-  /// there is none, the stage is the point of that variant that came closest to balance, or the initial
-  /// guess. Its ending is then that of the last stage of that variant: out_of_work if that stage was cut off
-  /// or if no work is left.
+  /// returned stage is the answer of that strategy; if there are several, the one that the host chose. If the
+  /// strategy has no answer, the returned stage is the point of the variant that came closest to balance, or
+  /// the initial guess, with the ending of the last stage of that variant: out_of_work if that stage was cut
+  /// off or if no work is left.
   Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
     return ended(ask, std::move(u),
                  [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });

@@ -19,13 +19,14 @@ extern "C" {
                 (ext/memory.h), because friction that only slides needs none */
 #define NETLOFT_READS_BED (1u << 18) /* reads netloft_ground.bed if the scene has a bed */
 
-/* Given with a tile, in netloft_tile.inputs; null if there is neither a velocity nor a bed. */
+/* The place in netloft_tile.inputs points to this struct; it is null if there is neither a velocity nor a
+ * bed. */
 typedef struct netloft_ground {
   uint32_t size;
   uint32_t reserved;
   const double* velocity; /* [3] at which the ground passes a towed gear [m/s]; null: the ground is at rest */
   const double* bed; /* [6 nodes][64] the bed below each node of the stencil: its height z_b [m], dz_b/dx,
-                        dz_b/dy, and its second derivatives xx, xy, yy [1/m]; null: there is none */
+                        dz_b/dy, and its second derivatives xx, xy, yy [1/m]; null: no bed */
 } netloft_ground;
 
 #ifdef __cplusplus

@@ -30,7 +30,7 @@ typedef struct netloft_motion {
   /* Finds a such that F(t, u, v, a) = 0, with the masses of the nodes, without a system of equations. */
   int (*accelerate)(void* host, double t, const double* u, const double* v, double* a);
   /* Finds u such that F(t, u, v0 + cv u, a0 + ca u) = 0, from the given u, by the solver of the analysis.
-   * Returns NETLOFT_OK, or NETLOFT_OUTSIDE_DOMAIN if the solver did not converge: a shorter step may. */
+   * Returns NETLOFT_OK, or NETLOFT_OUTSIDE_DOMAIN if the solver failed; a shorter step may succeed. */
   int (*solve)(void* host, double t, const double* v0, double cv, const double* a0, double ca, double* u);
   /* Memory for `unknowns` numbers, the same for the same index during the whole integration. */
   double* (*scratch)(void* host, uint32_t index);
@@ -41,10 +41,11 @@ typedef struct netloft_motion {
 
   /* Finds u at t + h such that the mean forces of the step from the u at t are in balance, where
    *    v = v0 + cv u and a = a0 + ca u
-   * are the rates in the middle of the step. The mean force is F at the midpoint between both ends. Forces
-   * with an energy have another mean: its work over the step is exactly the decrease of their energy, and its
-   * resultant force and moment vanish if those of the force at the midpoint do. In addition, members
-   * (ext/members.h) of stiffness k resist the change Dl of their length in the step by the tension
+   * are the rates in the middle of the step. The mean force is F at the midpoint between both ends. For
+   * forces with an energy, a correction is added: the work of the mean force over the step is then exactly
+   * the decrease of the energy. The correction has no resultant force or moment if the force at the midpoint
+   * has none. In addition, members (ext/members.h) of stiffness k resist the change Dl of their length in the
+   * step by the tension
    *    T = damping/2 k (Dl - h m),  m <- m + memory (Dl/h - m) once the step is accepted
    * where m is the rate of stretch that the host remembers for each member [m/s], zero after a step at whose
    * ends the member was not taut. Returns the same as `solve`. */
@@ -74,7 +75,7 @@ typedef struct netloft_integrator {
   double (*stable_step)(const void* parameters, double omega);
 } netloft_integrator;
 
-/* Offered by a plugin. */
+/* A plugin offers this struct. */
 typedef struct netloft_integrators {
   uint32_t size;
   uint32_t count;

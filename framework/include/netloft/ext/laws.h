@@ -42,7 +42,7 @@ typedef struct netloft_law_tile {
 /* Quantities of a flow in which a law may be valid over a range only. */
 enum netloft_law_quantity {
   NETLOFT_REYNOLDS = 0,           /* |flow| D/viscosity */
-  NETLOFT_REYNOLDS_ACROSS = 1,    /* the same with the part of the flow across a twine */
+  NETLOFT_REYNOLDS_ACROSS = 1,    /* the same number for the part of the flow across a twine */
   NETLOFT_REYNOLDS_IN_MESHES = 2, /* |flow| D/(viscosity (1 - solidity)), for the flow through the meshes */
   NETLOFT_SOLIDITY = 3,
   NETLOFT_ATTACK = 4 /* angle between the flow and the twine or the netting, 0 to pi/2 [rad] */
@@ -74,7 +74,7 @@ typedef struct netloft_law {
   uint32_t reserved;
 } netloft_law;
 
-/* Offered by a plugin. */
+/* A plugin offers this struct. */
 typedef struct netloft_laws {
   uint32_t size;
   uint32_t count;
@@ -89,7 +89,7 @@ typedef struct netloft_law_slot {
   const char* fallback;   /* "hydro/morison" */
 } netloft_law_slot;
 
-/* Offered by an element. */
+/* An element offers this struct. */
 typedef struct netloft_law_slots {
   uint32_t size;
   uint32_t count;
@@ -104,7 +104,7 @@ typedef struct netloft_bound_law {
   int (*evaluate)(const void* parameters, const netloft_law_tile* flow);
 } netloft_bound_law;
 
-/* Given to `create`. */
+/* `create` receives this struct. */
 typedef struct netloft_bound_laws {
   uint32_t size;
   uint32_t count;

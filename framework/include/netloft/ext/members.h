@@ -21,13 +21,13 @@ extern "C" {
  *      number c[i] T t,   T = EA (l/l0 - 1) where l > l0, else EA_compression (l/l0 - 1)
  * The sum over the members of an element is its term with NETLOFT_OF_MEMBERS. */
 typedef struct netloft_member {
-  double c[3];               /* coefficients of the chord; the third is zero on two nodes */
+  double c[3];               /* coefficients of the chord; the third is zero if the element has two nodes */
   double rest_length;        /* l0 [m] */
-  double EA, EA_compression; /* axial stiffness of one, taut and slack [N] */
-  double number;             /* number of equal bars or twines that it represents */
+  double EA, EA_compression; /* axial stiffness of one bar or twine, taut and slack [N] */
+  double number;             /* number of equal bars or twines that the member represents */
 } netloft_member;
 
-/* Offered by an element with such a term. */
+/* An element with such a term offers this struct. */
 typedef struct netloft_element_members {
   uint32_t size;
   uint32_t count; /* members of each element */

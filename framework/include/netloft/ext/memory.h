@@ -17,13 +17,13 @@ extern "C" {
 /* Trait of a term. */
 #define NETLOFT_READS_STATE (1u << 12) /* reads netloft_remembered.state and fills state_new */
 
-/* Offered by an element. */
+/* An element offers this struct. */
 typedef struct netloft_memory {
   uint32_t size;
   uint32_t width; /* numbers that an element remembers */
 } netloft_memory;
 
-/* Given with a tile, in netloft_tile.inputs; null if both arrays would be null. */
+/* The place in netloft_tile.inputs points to this struct; it is null if both arrays would be null. */
 typedef struct netloft_remembered {
   uint32_t size;
   uint32_t reserved;

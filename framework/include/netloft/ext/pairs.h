@@ -14,11 +14,12 @@ extern "C" {
 #define NETLOFT_EXT_PAIRS "netloft.pairs/1"
 
 /* More values of netloft_element.stencil: the nodes of two neighbouring bars of one rope, in order; or of two
- * triangles with a common edge (a, b): a, b, then the other corners, c of the triangle (a, b, c), and d. */
+ * triangles with a common edge (a, b): a, b, then the third corner c of the triangle (a, b, c), and the third
+ * corner d of the other triangle. */
 #define NETLOFT_BAR_PAIR 0x103u
 #define NETLOFT_TRIANGLE_PAIR 0x104u
 
-/* Offered by an element. */
+/* An element offers this struct. */
 typedef struct netloft_rider {
   uint32_t size;
   uint32_t reserved;

@@ -15,9 +15,9 @@ extern "C" {
 /* An additional value of `want`: residual of the conservative terms, which is the gradient of the energy. */
 #define NETLOFT_WANT_GRADIENT 32u
 
-/* Selects the matrix of the last evaluation that is factorised. If INDEFINITE is added, any matrix that is
- * not singular is accepted (LU); otherwise, a symmetric matrix that is not positive definite is refused at
- * little cost. */
+/* Selects which matrix of the last evaluation is factorised. If INDEFINITE is added, any matrix that is not
+ * singular is accepted (LU); otherwise, a symmetric matrix that is not positive definite is refused at little
+ * cost. */
 enum netloft_matrix { NETLOFT_EXACT = 0, NETLOFT_CONVEX = 1, NETLOFT_NONE = 2, NETLOFT_INDEFINITE = 16 };
 
 /* Result of a factorisation. */
@@ -70,23 +70,23 @@ typedef struct netloft_problem {
   char* message; /* memory for a sentence of the solver */
   uint32_t message_size;
 
-  /* y[i] = sum of |entry| over row i of (matrix + shift x metric), of the last evaluation. The largest of
-   * them bounds the largest eigenvalue; dynamic relaxation uses them as masses. */
+  /* y[i] = sum of |entry| over row i of (matrix + shift x metric), of the last evaluation. The largest sum
+   * bounds the largest eigenvalue; dynamic relaxation uses the sums as masses. */
   int (*row_sums)(void* host, int matrix, double shift, double* y);
   /* Negative eigenvalues of the last matrix factorised with INDEFINITE, or -1 if not known. */
   int (*negative_pivots)(void* host);
   /* Factorises (1 - share) x exact + share x convex + shift x metric, with `share` in [0, 1]. Evaluations at
    * the same point must have stored both matrices. */
   int (*factorise_between)(void* host, double share, double shift);
-  /* Computes energy [J], residual [N] and gradient of the energy [N] at u; none of them may be null. The bits
-   * are those of two calls of `evaluate`, with and without NETLOFT_WANT_GRADIENT, for little more than the
-   * cost of one. Stores no matrix. Returns the same as `evaluate`. */
+  /* Computes energy [J], residual [N] and gradient of the energy [N] at u; none of them may be null. The
+   * results have the same bits as those of two calls of `evaluate`, with and without NETLOFT_WANT_GRADIENT,
+   * but cost little more than one call. Stores no matrix. Returns the same as `evaluate`. */
   int (*evaluate_both)(void* host, const double* u, double* energy, double* residual, double* gradient);
 } netloft_problem;
 
 typedef struct netloft_solver {
   uint32_t size;
-  uint32_t needs; /* traits of the problem without which it cannot work */
+  uint32_t needs; /* traits of the problem without which the solver cannot work */
   const char *name, *doc;
   uint32_t parameter_bytes;
   uint32_t parameter_count;
@@ -94,7 +94,7 @@ typedef struct netloft_solver {
   int (*solve)(const void* parameters, netloft_problem* problem); /* returns a netloft_outcome */
 } netloft_solver;
 
-/* Offered by a plugin. */
+/* A plugin offers this struct. */
 typedef struct netloft_solvers {
   uint32_t size;
   uint32_t count;

@@ -14,10 +14,10 @@ extern "C" {
 #define NETLOFT_EXT_STRATEGY "netloft.strategy/1"
 
 /* An easier variant of a scene, described by numbers that do not refer to particular elements. The host uses
- * the roles of parameters (NETLOFT_STIFFNESS …) to find those that each number changes. */
+ * the roles of parameters (NETLOFT_STIFFNESS …) to find the parameters that each number changes. */
 typedef struct netloft_variant {
   uint32_t size;
-  uint32_t level; /* mesh: 0 the scene's own, 1, 2, … each with about half as many cells along a side */
+  uint32_t level; /* mesh: 0 is the scene's; each further one has about half as many cells along a side */
   double stiffness_cap; /* [N] all stiffnesses of a part are lowered by one factor, so that none exceeds it;
                            0: unchanged */
   double compression;   /* factor on the stiffness of slack members, in [0, 1] */
@@ -26,7 +26,7 @@ typedef struct netloft_variant {
 
 /* Traits of the scene of a search, in addition to NETLOFT_CONSERVATIVE and NETLOFT_SYMMETRIC. */
 enum netloft_search_trait {
-  NETLOFT_SEARCH_REMEMBERS = 1 << 20,   /* elements remember (dry friction) */
+  NETLOFT_SEARCH_REMEMBERS = 1 << 20,   /* elements have a memory (dry friction) */
   NETLOFT_SEARCH_FLOWS = 1 << 21,       /* there is a current */
   NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of slack members is not zero */
   NETLOFT_SEARCH_MEMBERS =
@@ -38,8 +38,8 @@ enum netloft_ending {
   NETLOFT_ENDED_CONVERGED = 0,     /* forces balance, no growing disturbance was found */
   NETLOFT_ENDED_UNSTABLE = 1,      /* forces balance, and a small disturbance grows */
   NETLOFT_ENDED_NOT_CONVERGED = 2, /* the solver found no further step */
-  NETLOFT_ENDED_OUT_OF_WORK = 3,   /* its budget of work or of iterations was used up */
-  NETLOFT_ENDED_UNSETTLED = 4,     /* its path exceeded `path`, or it ran away */
+  NETLOFT_ENDED_OUT_OF_WORK = 3,   /* the budget of work or of iterations was used up */
+  NETLOFT_ENDED_UNSETTLED = 4,     /* the path of the solver exceeded `path`, or the gear ran away */
   NETLOFT_ENDED_INTERRUPTED = 5    /* interrupted by the user or the time limit; the strategy must return */
 };
 
@@ -104,13 +104,12 @@ typedef struct netloft_members {
   /* Computes the residual of all other forces at u [N], dofs long, and stores their tangent. If the result is
    * not NETLOFT_OK, the forces are not defined at u. */
   int (*evaluate)(void* host, const double* u, double* residual);
-  /* Adds number c f to the residual for every member, with forces f[count][3] [N]. */
+  /* Adds n c f to the residual for every member, with n = netloft_member.number, forces f[count][3] [N]. */
   int (*add_forces)(void* host, const double* f, double* residual);
-  /* Sets the matrix: the tangent of the last evaluation + sum over members of number (c c^T) K, with
-   * K[count][9] symmetric [N/m].
-   */
+  /* Sets the matrix: the tangent of the last evaluation + sum over members of n (c c^T) K, with n =
+   * netloft_member.number and K[count][9] symmetric [N/m]. */
   int (*set_matrix)(void* host, const double* K);
-  /* Sets the matrix for K = a t t^T + b I, and adds number c f t to the residual for every member, with
+  /* Sets the matrix for K = a t t^T + b I, and adds n c f t to the residual for every member, with
    * lines[count][6] = (t, f, a, b): unit vector, tension [N], a and b [N/m]. */
   int (*set_matrix_along)(void* host, const double* lines, double* residual);
   /* Factorises the matrix. With how = NETLOFT_INDEFINITE, any matrix that is not singular is accepted.
@@ -134,7 +133,7 @@ typedef struct netloft_search {
   double gear_size;    /* largest distance of nodes at the start [m] */
   double element_size; /* longest element at the start [m] */
   double load;         /* sum of the forces that drive the gear at the start [N] */
-  double largest_load; /* largest nodal force of them [N] */
+  double largest_load; /* largest of these forces on a node [N] */
   double stiffness;    /* largest axial stiffness [N] */
   uint32_t member_count;
   uint32_t message_size;
@@ -149,25 +148,25 @@ typedef struct netloft_search {
   int (*transfer)(void* host, uint32_t from, const double* u, uint32_t to, double* out);
   /* Assesses stage.u without solving anything. */
   int (*assess)(void* host, netloft_stage* stage);
-  /* Gives the problem r(u) = 0 of a variant to a strategy with a method of its own, with stage.u as its u and
-   * the budget stage.work. The caller sets `problem->size` to the size of its struct; the host sets it to the
-   * size that it filled. The problem is valid until another function of the search is called. Afterwards,
-   * `assess` computes the result. */
+  /* Gives the problem r(u) = 0 of a variant to a strategy with a method of its own. The u of the problem is
+   * stage.u, and the budget is stage.work. The caller sets `problem->size` to the size of its struct; the
+   * host sets it to the size that it filled. The problem is valid until another function of the search is
+   * called. Afterwards, `assess` computes the result. */
   int (*problem)(void* host, netloft_stage* stage, netloft_problem* problem);
-  /* Gives the members of a variant in the same way; the search must have NETLOFT_SEARCH_MEMBERS. */
+  /* Gives the members of a variant in the same way; the search must have the trait NETLOFT_SEARCH_MEMBERS. */
   int (*members)(void* host, netloft_stage* stage, netloft_members* members);
   /* Work that is left; never negative. If it is zero, also after an interruption by the user, the strategy
    * must return. */
   double (*work_left)(void* host);
-  /* Reports an equilibrium of the scene itself. May be called again for another one. The host assesses all of
-   * them and chooses: a converged one if there is any; among several, that of least energy if all forces have
-   * an energy, otherwise the first. */
+  /* Reports an equilibrium of the scene itself. May be called again for another equilibrium. The host
+   * assesses all of them and chooses: a converged one if there is any; among several, that of least energy if
+   * all forces have an energy, otherwise the first. */
   int (*answer)(void* host, const double* u);
 } netloft_search;
 
 typedef struct netloft_strategy {
   uint32_t size;
-  uint32_t needs; /* traits of the search without which it cannot work */
+  uint32_t needs; /* traits of the search without which the strategy cannot work */
   const char *name, *doc;
   uint32_t parameter_bytes;
   uint32_t parameter_count;
@@ -178,7 +177,7 @@ typedef struct netloft_strategy {
   int (*explain)(const void* parameters, netloft_search* search, char* text, uint32_t text_size);
 } netloft_strategy;
 
-/* Offered by a plugin. */
+/* A plugin offers this struct. */
 typedef struct netloft_strategies {
   uint32_t size;
   uint32_t count;

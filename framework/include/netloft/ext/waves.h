@@ -18,7 +18,7 @@ extern "C" {
 #define NETLOFT_READS_WAVES (1u << 19) /* reads netloft_waves; its force may then change with tile.time */
 #define NETLOFT_NEEDS_WAVES (1u << 24) /* zero if there are no waves */
 
-/* Given with a tile, in netloft_tile.inputs. */
+/* The place in netloft_tile.inputs points to this struct. */
 typedef struct netloft_waves {
   uint32_t size;
   uint32_t reserved;
