@@ -12,8 +12,8 @@ namespace netloft {
 
 namespace {
 
-// In (5) of growth.hpp, the estimated error of a Ritz value may be this fraction of its distance from the
-// unit circle. Chosen: the estimate is of first order and may be ten times too small.
+// In (5) of growth.hpp, the estimated error of a Ritz value may be at most this fraction of the distance of
+// the value from the unit circle. Chosen: the estimate is of first order and may be ten times too small.
 constexpr double kErrorOfKnown = 0.1;
 // Least ratio of the lengths after and before the orthogonalisation of a vector that is already orthogonal.
 constexpr double kLeastRemainder = 0.5;
@@ -83,7 +83,8 @@ RitzPair Arnoldi::outermost(double beyond) const {
   Eigen::Index place = 0;
   for (Eigen::Index i = 0; i < size_; ++i) {
     const double rho = std::abs(H_(size_, size_ - 1) * right(size_ - 1, i));
-    // The rows of the inverse belong to unit right eigenvectors; their length is 1/χ.
+    // The rows of the inverse are left eigenvectors, in the scale that belongs to right eigenvectors of
+    // length 1. The length of a row is 1/χ.
     const RitzPair pair{solver.eigenvalues()[i], rho, left.row(i).norm()};
     if (A_.is_slow(pair.theta)) continue;
     const auto rank_of = [&](const RitzPair& one) {

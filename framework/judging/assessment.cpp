@@ -28,7 +28,7 @@ bool is_convex_at(StaticProblem& problem, std::span<const double> u) {
 
 /// Whether a point is accepted at which a solver has found no step that helps. The tangent must be positive
 /// definite; the full Newton step must increase the residual, because members change between slack and taut;
-/// and the energy (1) that it would gain must be negligible (convergence.hpp):
+/// and the energy (1) that this step would gain must be negligible (convergence.hpp):
 ///   g = ½ r·K⁻¹ r                                                                         (1)
 bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<double> u) {
   if (!problem.conservative() || !has_nothing_to_gain(problem.imbalance_of(a.balance), 0, 1) ||
@@ -99,8 +99,8 @@ void find_growing_motion(Assessment& a, const AssembledScene& scene, double gear
   a.growing = {std::move(growth.mode), std::move(growth.mode_later), growth.rate, growth.frequency};
 }
 
-/// Whether `a` is the equilibrium that was judged before: their distance is at most kSamePlace of the gear's
-/// size, and at most the sum of their estimated errors.
+/// Whether `a` is the equilibrium that was judged before: the distance of both points is at most kSamePlace
+/// of the gear's size, and at most the sum of their estimated errors.
 bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem& problem,
              const AssembledScene& scene) {
   const Assessment& before = judged.assessment;

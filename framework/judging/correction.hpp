@@ -14,8 +14,8 @@ namespace netloft {
 bool find_correction(StaticProblem& problem, std::span<const double> u, std::span<const double> residual,
                      std::span<double> du);
 
-/// Solves (1) with the last factor of the problem, which must be that of K(u). Returns false if there is none
-/// or du is not finite.
+/// Solves (1) with the last factor of the problem, which must be that of K(u). Returns false if no factor
+/// exists or du is not finite.
 bool solve_for_correction(StaticProblem& problem, std::span<const double> residual, std::span<double> du);
 
 struct NodeDistance {

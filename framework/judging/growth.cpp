@@ -19,9 +19,9 @@ constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
 // Number of steps of the Arnoldi iteration, doubled once if they do not decide. If powers of A decide, growth
 // is measured over the same number of powers, and this number also limits the number of measurements.
 constexpr int kSteps = 24;
-// Ritz values further beyond the unit circle than this are examined. At the end of the band (6), |μ| − 1 is
-// twice this number if σ differs from |s| by the factor kOff, and ten times this number at σ = |s|. Growth by
-// powers that falls by this fraction between two measurements may be transient.
+// Ritz values further beyond the unit circle than this are examined. For a growth that is just more than
+// marginal, |μ| − 1 is twice this number if σ differs from |s| by the factor kOff, and ten times this number
+// at σ = |s|. Growth by powers that falls by this fraction between two measurements may be transient.
 constexpr double kDistanceFromCircle = (kMarginalGrowth - 1) / kOff;
 // The ratio c = Re s/|s| at which |μ| of (6) in growth.hpp is kMarginalGrowth.
 constexpr double kLeastCosine =
@@ -78,7 +78,7 @@ void take_mode(const Eigen::VectorXcd& y, Growth& g) {
 Growth growth_of(const RitzPair& pair, const Cayley& A) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
-  // Powers of A grow, but the eigenvalue does not.
+  // Powers of A grew, but the motion of this eigenvalue does not grow.
   if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};
   Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));
@@ -105,8 +105,8 @@ Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   return growth_of(arnoldi.outermost(kDistanceFromCircle), A);
 }
 
-/// Corrects the residual of a Ritz pair to that computed with A itself, if it is larger: rounding errors can
-/// make the residual of the recurrence too small.
+/// Replaces the residual of a Ritz pair by the residual computed with A itself, if the latter is larger:
+/// rounding errors can make the residual of the recurrence too small.
 RitzPair checked(Cayley& A, RitzPair pair) {
   const Vector real = pair.vector.real(), imaginary = pair.vector.imag();
   Eigen::VectorXcd rest = -pair.theta * pair.vector;

@@ -20,7 +20,7 @@ struct Growth {
   double rate = 0;                // growth rate Re s of the growing motion [1/s]
   double frequency = 0;           // Im s, its angular frequency [rad/s]; zero for a divergence
   std::vector<double> mode = {};  // over the unknowns, of length 1; empty if nothing grows
-  // A quarter of a period later, on the same scale; empty if it does not oscillate.
+  // The mode a quarter of a period later, on the same scale; empty if the motion does not oscillate.
   std::vector<double> mode_later = {};
   Statistics cost = {};  // cost of the examination
   bool grows() const { return verdict == GrowthVerdict::grows; }
@@ -34,8 +34,8 @@ struct Growth {
 /// with all masses and added masses, the damping by the flow and the losses of the material. C may drive a
 /// motion, as for boards beyond their greatest lift and spheres in their drag crisis. y decays if every s of
 /// (s²M + sC + K) y = 0 has Re s < 0. A real s > 0 (divergence) exists for any M and C if det K < 0; growth
-/// of a pair (flutter) depends on M and C (V. V. Bolotin, Nonconservative Problems of the Theory of Elastic
-/// Stability, 1963). Unknowns with neither mass nor damping get
+/// of a complex pair (flutter) depends on M and C (V. V. Bolotin, Nonconservative Problems of the Theory of
+/// Elastic Stability, 1963). Unknowns with neither mass nor damping get
 ///   C = τ G,   G the linear stiffness,   τ = 1 ms                                          (2)
 /// One step of the trapezoidal rule over 2/σ is the Cayley transform of (1), with one factorisation:
 ///   (K + σC + σ²M) d = 2 (σM v − K y),   y ← y + d,   v ← σ d − v,   v = ẏ                 (3)
@@ -48,7 +48,7 @@ struct Growth {
 ///   ρ/χ ≤ (|θ| − 1)/10                                                                    (5)
 /// (Y. Saad, Numerical Methods for Large Eigenvalue Problems, 2011). If (5) fails after 48 steps, A is far
 /// from normal, and the growth of its powers decides (L. N. Trefethen and M. Embree, Spectra and
-/// Pseudospectra, 2005). At σ = |s|, where it is largest,
+/// Pseudospectra, 2005). At σ = |s|, where |μ| is largest,
 ///   |μ| = ((1 + c)/(1 − c))^½,   c = Re s/|s|                                              (6)
 /// The verdict is `marginal` if growth cannot be distinguished from none: if |μ| ≤ kMarginalGrowth, which is
 /// less than 6 % per period and depends on a hundredth of the damping; if an oscillation grows in a scene

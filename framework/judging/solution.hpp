@@ -25,7 +25,7 @@ struct Shapes {
 struct SolverRun {
   Stop stop = Stop::none;  // why the host stopped it
   std::vector<IterationRecord> history;
-  std::string factorisation = "none";  // description of the last one used, for reports
+  std::string factorisation = "none";  // description of the last factorisation, for reports
 };
 
 /// The final point of a solver, its assessment and its cost.
@@ -33,11 +33,12 @@ struct Solution : Assessment {
   std::vector<double> u;  // displacements of the unknowns; x are the positions
   SolverRun run;
   Cost cost;
-  bool does_not_settle = false;  // its path exceeded Limits::path, or motions did not come to rest
+  bool does_not_settle = false;  // the solver's path exceeded Limits::path, or motions did not come to rest
   Shapes shapes;
-  // Factors of the scene's settings (such as lengths of ropes that are to give a wanted force).
+  // The factors that were found for the scene's settings, for example on the lengths of ropes that must bear
+  // given forces (search/settings.hpp).
   std::vector<double> factors;
-  std::vector<std::string> diagnostics;  // possible reasons why it did not converge
+  std::vector<std::string> diagnostics;  // possible reasons why the solver did not converge
 };
 
 }  // namespace netloft

@@ -21,12 +21,12 @@ namespace netloft {
 /// bounds them). It estimates the error of the path as
 ///   the largest distance of a node between the two marches at an output / min(1, |r − 1|)       (1)
 /// where r is the ratio of the mean steps. Outputs at which r differs from 1 by less than a tenth are
-/// ignored; if all are, the error is unknown. The estimate is an upper bound if the error is at least
+/// ignored; if all are ignored, the error is unknown. The estimate is an upper bound if the error is at least
 /// proportional to the step. In a chaotic motion, such as the fall of a slack chain or the motion after a
 /// snap, any error grows until it is as large as the motion, no matter how short the steps are. The host
 /// therefore compares the second march with a third one, which has the same steps and a start displaced by
-/// 1e-7 of the longest element. From the time at which those two differ by more than the accuracy, the path
-/// cannot be predicted, and (1) is no longer updated.
+/// 1e-7 of the longest element. From the time at which the second and the third march differ by more than the
+/// accuracy, the path cannot be predicted, and (1) is no longer updated.
 struct AchievedAccuracy {
   double asked = 0;    // requested accuracy of the path
   double element = 0;  // extent of the longest element along one axis [m]
@@ -51,10 +51,10 @@ struct AchievedAccuracy {
   bool is_missed() const { return is_checked && !(path <= asked && is_predictable()); }
 };
 
-/// Settings of the second march, with which a march is compared: the same, with steps r times as long.
+/// Settings of the second march, with which a march is compared: `settings` with steps r times as long.
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability);
 
-/// Limits of the second and the third march: the same, with a tolerance of at most the relative displacement
+/// Limits of the second and the third march: `limits` with a tolerance of at most the relative displacement
 /// of disturb(). The errors of steps that are solved less accurately would hide the disturbance.
 Limits limits_of_comparison(const Limits& limits);
 

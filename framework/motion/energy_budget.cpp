@@ -168,8 +168,8 @@ bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   return true;
 }
 
-/// Sets the state of `to`. Its q contains displacements of unknowns and positions of held degrees of freedom,
-/// of which only guided ones change.
+/// Sets the state of `to`. The vector to.q contains displacements of unknowns and positions of held degrees
+/// of freedom; of the latter, only guided ones change.
 void EnergyBudget::place(double t, std::span<const double> u, std::span<const double> v,
                          std::span<const double> a, Moment& to) {
   const auto put = [](std::span<const double> own, std::vector<double>& all) {

@@ -14,11 +14,11 @@ namespace netloft {
 ///   made = −Σ n Δnumerical                                                                (1)
 ///   given = K₀ + max(E₀ − E) + Σ_k max(Σ n Δgiven_k)                                       (2)
 ///   lost: made > ½ given + W, ten times in a row, or at the last examination                (3)
-/// W [J] is a negligible work. Ten times, because a stable scheme may overshoot in its first steps if they
-/// are far longer than the periods of the fast modes; it takes that energy back in the following steps. In
-/// gear-library/scenes/dynamics, with all schemes and accuracies, motions whose path is accurate to 2 % have
-/// made ≤ 0.15 given; motions that reach ½ continue to 0.8 to 3·10⁸, with path errors of 4 % of the extent or
-/// more.
+/// W [J] is a negligible work. Ten times are required because a stable scheme may overshoot in its first
+/// steps if they are far longer than the periods of the fast modes; the scheme takes that energy back in the
+/// following steps. In gear-library/scenes/dynamics, with all schemes and accuracies, motions whose path is
+/// accurate to 2 % have made ≤ 0.15 given; motions that reach ½ continue to 0.8 to 3·10⁸, with path errors of
+/// 4 % of the extent or more.
 class EnergyJudge {
  public:
   void begin(const EnergyBudget::Totals& at, double negligible) {

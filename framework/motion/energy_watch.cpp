@@ -8,7 +8,7 @@ namespace netloft {
 
 namespace {
 
-// One of so many short steps is examined, if no energy budget is kept.
+// One in this many short steps is examined, if no energy budget is kept.
 constexpr int kStepsPerExamination = 16;
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr int kLeastSteps = 12;
 constexpr double kPartOfOthers = 0.1, kResidual = 0.05;
 /// If the length β of a new vector is at most this fraction of the largest α, the vector is rounding error:
 /// the previous vectors then span all modes that the first vector contains. Further steps would give copies
-/// of modes, for which the QR algorithm may not converge.
+/// of modes, for which the QR algorithm can fail to converge.
 constexpr double kExhausted = 1e-10;
 
 /// Pseudo-random numbers in [−1, 1), always the same (Knuth's MMIX generator).

@@ -11,8 +11,8 @@ namespace netloft {
 
 namespace {
 
-// An inertia about an axis below this fraction of the largest counts as rounding error: the masses of the
-// body are points on that axis.
+// An inertia below this fraction of the largest counts as rounding error: the masses of the body are then
+// points on the axis of this inertia.
 constexpr double kLeastInertia = 1e-12;
 
 using Block3 = Eigen::Matrix3d;
@@ -31,7 +31,7 @@ class OwnMasses {
     coupling_ = at(9 * (assembler.numbering().dofs() / 3 + body));
   }
   bool has_mass() const { return is_definite(mass_, mass_.trace()); }
-  /// Whether it has inertia about every axis about which it can turn.
+  /// Whether the body has inertia about every axis about which it can turn.
   bool resists_turning(std::uint8_t held) const {
     Block3 J = turning_ - coupling_.transpose() * mass_.inverse() * coupling_;  // (1)
     const double largest = turning_.trace();

@@ -16,7 +16,7 @@ class ShownState {
   void show_between(const MarchState& begin, const MarchState& end, double t);
 
   std::span<const double> u() const { return u_; }
-  /// Over all degrees of freedom [m], [m/s].
+  /// Positions and velocities over all degrees of freedom [m], [m/s].
   const std::vector<double>& x() const { return moving_.x(); }
   const std::vector<double>& v() const { return moving_.v(); }
 

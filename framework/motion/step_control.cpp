@@ -17,7 +17,7 @@ constexpr double kFractionOfLimit = 0.6;
 /// a gust were proportional to the powers 0.5 and 0.8 of the accuracy; with p = 2, to the powers 1.1 and 1.3.
 constexpr double kProportional = 1e-2;
 /// Number of steps after which the stable step is determined from the tangent again. In that time, a wave
-/// crosses as many elements, and an object at a hundredth of its speed crosses less than one. The examination
+/// crosses at most 64 elements, and an object at a hundredth of the wave speed less than one. The examination
 /// costs as much as two steps: with 16, the hard motions of tests/bench/motions take a tenth longer; with
 /// 256, steps agree within 1e-3.
 constexpr int kStepsPerTangent = 64;

@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// Lengths of the steps of a march (an integration in time), by the error of each step, and by stability if
-/// the scheme is not unconditionally stable. A step is rejected if its estimated error exceeds the allowed
+/// Lengths of the steps of a march (an integration in time), by the error of each step and, if the scheme is
+/// stable for short steps only, by stability. A step is rejected if its estimated error exceeds the allowed
 /// error, and the next length is
 ///   h ← h · 0.9 (allowed/error)^(1/order), within [1/5, 2] h                               (1)
 /// If the error of a step is O(h^p), the sum of errors over a path is proportional to the power (p − 1)/p of
@@ -29,8 +29,8 @@ class StepControl {
   double element_size() const { return element_size_; }
   double error_over_tolerated(std::span<const double> error) const;
 
-  /// The step length of the settings. If they give none, the time in which the acceleration a moves a node by
-  /// the allowed error.
+  /// The step length of the settings. If the settings give none, it is the time in which the acceleration a
+  /// moves a node by the allowed error.
   double first_step(std::span<const double> a) const;
   /// Length of the next step by (1), after a step h with this error relative to the tolerance.
   double next_step(double h, double error) const;

@@ -203,7 +203,7 @@ class March {
           !energy_.examine(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
-      // A limit of the march is the reason, not the step.
+      // The failure is then due to a limit of the march, not to the step.
       if (status != NETLOFT_OK && has_ended()) return false;
       if (status < 0) return fail_in_step();
       ++state_.rejected;
@@ -248,7 +248,7 @@ class March {
     const int status = scheme_.step(m);
     if (status != NETLOFT_OK) return status;
     for (std::size_t i = 0; i < error_.size(); ++i)
-      // An unknown that a part shares is not a length, and has no history.
+      // An unknown that the elements of a part share is not a length, and has no history.
       if (is_shared(assembler_, i)) error_[i] = 0;
     double sum = 0;
     for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
@@ -416,7 +416,8 @@ class March {
   MarchResult result_;
   MarchSettings other_settings_;
   MarchWatch nobody_;
-  MarchState other_start_;  // start of the march for comparison, if both begin
+  MarchState
+      other_start_;  // start of the march for comparison, if this march does not continue an earlier one
   std::unique_ptr<March> other_;
   std::string other_lost_;  // the reason why the march for comparison failed
 };

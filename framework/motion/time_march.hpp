@@ -20,10 +20,11 @@ struct StepMethods {
   SolverChoice solver;  // for implicit steps
 };
 
-/// Forces at the end of a step. They are not evaluated at outputs between two ends: interpolated positions
-/// are smooth but not in balance, and a stiff twine turns their smallest error into a force. If a scheme uses
-/// mean forces, the reactions are means over the step, too. Means explain the change of momentum in the step,
-/// whereas forces at its end oscillate from step to step with modes that are too fast for the scheme.
+/// Forces at the end of a step. They are not evaluated at outputs between the ends of a step: interpolated
+/// positions are smooth but not in balance, and a stiff twine turns their smallest error into a force. If a
+/// scheme uses mean forces, the reactions are means over the step, too. Means explain the change of momentum
+/// in the step, whereas forces at its end oscillate from step to step with modes that are too fast for the
+/// scheme.
 struct ForceMoment {
   double t;  // [s]
   // Over all dofs: positions [m]; residual, with reactions of held dofs [N].
@@ -80,7 +81,7 @@ struct MarchWatch {
 /// step_control.hpp determines step lengths, energy_watch.hpp examines the energy of steps. With `check`, the
 /// host integrates a second time to estimate the error of the path by (1) of achieved_accuracy.hpp; this adds
 /// half of the cost if the second march has steps twice as long. A march with energy that nothing supplied
-/// (energy_judge.hpp) fails. `limits.work` bounds the work of all steps together, if there is a model of it.
+/// (energy_judge.hpp) fails. `limits.work` bounds the work of all steps together, if `limits.model` is given.
 MarchResult march(const AssembledScene& scene, const StepMethods& methods, const Limits& limits,
                   const MarchSettings& settings, const MarchWatch& watch, const MarchState* from = nullptr);
 

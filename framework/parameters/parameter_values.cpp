@@ -219,7 +219,7 @@ std::vector<ByteRange> undeclared(std::span<const netloft_parameter> table, std:
 
 ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes,
                                const Values& values, std::vector<std::string>& faults)
-    // all zero; new[] of bytes is aligned for any fundamental type
+    // all bytes are zero; new[] of bytes is aligned for any fundamental type
     : bytes_(std::make_unique<std::byte[]>(bytes)) {
   for (const auto& p : table) {
     const auto given = values.find(p.name);

@@ -73,12 +73,12 @@ struct ElementType {
   std::vector<netloft_global> globals;
   netloft_element_members members{};   // all zeros if it has none
   std::uint32_t state_width = 0;       // numbers that each element remembers
-  const char* rides_on = nullptr;      // an element of the same plugin; null: users choose this one
+  const char* rides_on = nullptr;      // element on whose pairs the host creates this one; null: users do
   std::vector<ExtensionInput> inputs;  // inputs of its tiles, in the order of its list
   const PluginOrigin* origin = nullptr;
 
-  /// Number of nodes of the scene that an element has. In a tile, the rotation of a body and the unknowns
-  /// that a part shares are one additional node each.
+  /// Number of nodes of the scene that an element has. In a tile, the rotation of a body and the shared
+  /// unknowns of a part are one additional node each.
   int nodes() const { return static_cast<int>(element.stencil & 0xff); }
   int dofs() const { return 3 * (nodes() + (is_on_body() ? 1 : 0) + (globals.empty() ? 0 : 1)); }
   bool is_on_body() const { return element.stencil == NETLOFT_BODY; }

@@ -8,8 +8,9 @@
 
 namespace netloft {
 
-/// Opens a shared object and returns its checked content. It stays open until the program ends.
-/// The floating-point environment is restored; a plugin that changes it is refused. Throws PluginRefused.
+/// Opens a shared object, which stays open until the program ends, and returns its checked content.
+/// The floating-point environment is restored; a plugin that changes this environment is refused. Throws
+/// PluginRefused.
 PluginContent open_library(const std::filesystem::path& file);
 
 /// Returns the build of `folder/NAME.so` for the newest x86-64 level that this processor supports, or an

@@ -19,7 +19,7 @@ struct ThreadCalls {
   alignas(16) char signal_stack[kSignalStack]{};
 };
 
-// Initialised with zeros, so that unused pages take no memory.
+// The array is initialised with zeros, so that unused pages take no memory.
 constinit ThreadCalls all_calls[kThreads];
 
 /// Reserves an entry for this thread, and releases it when the thread ends.

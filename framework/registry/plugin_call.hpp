@@ -12,20 +12,20 @@ namespace netloft {
 /// A call that a thread is making. If a plugin crashes or never returns, a signal handler or another thread
 /// reads here which function of the plugin was called.
 struct CallFrame {
-  // Whose code runs: that of the host, of an element, or of a method (solver, strategy …), which calls the
+  // The owner of the code that runs: the host, an element, or a method (solver, strategy …), which calls the
   // host in turn.
   enum class Kind : std::uint32_t { host, element, method };
   const char* type = nullptr;  // "rope/bar"
   const char* what = nullptr;  // "term", "create", "solve"
-  const char* name = nullptr;  // of the term; may be null
+  const char* name = nullptr;  // name of the term; may be null
   Kind kind = Kind::host;
 };
 
 /// "rope/bar, term elastic" or "newton/newton, solve".
 std::string text_of(const CallFrame& frame);
 
-/// The nested calls of one thread, the outermost first. Only this thread writes, without a lock; others may
-/// read.
+/// The nested calls of one thread, the outermost first. Only this thread writes, without a lock; other
+/// threads may read.
 class CallStack {
  public:
   static constexpr std::uint32_t kDeepest = 24;  // calls nested deeper are not recorded
@@ -36,7 +36,7 @@ class CallStack {
   std::uint32_t depth() const { return depth_.load(std::memory_order_acquire); }
   /// Increases with every entry and exit; if it is unchanged, the same call is still running.
   std::uint64_t crossings() const { return crossings_.load(std::memory_order_acquire); }
-  /// Calls that methods made back to the host.
+  /// Number of calls that methods made back to the host.
   std::uint64_t callbacks() const { return callbacks_.load(std::memory_order_relaxed); }
   /// Least depth since the last call of `watch_depth`. The calls below that depth have been running since
   /// then.

@@ -21,8 +21,8 @@ std::string suggestion(const std::string& wanted, const std::vector<std::string>
   return near ? "; did you mean \"" + *near + "\"?" : "; there is: " + joined(names);
 }
 
-/// Returns "a law" or another kind if the plugin has a component with this name; used if the requested kind
-/// has none.
+/// Returns "a law" or another kind if the plugin has a component with this name; used if there is no
+/// component of the requested kind.
 std::string other_kind(const PluginContent& plugin, const std::string& type) {
   std::string kind;
   const auto look = [&](const auto& types, const char* what) {

@@ -38,7 +38,7 @@ class Registry {
   const LawType& law(const std::string& type);
   const PluginContent& plugin(const std::string& name);
 
-  /// Names of all plugins that could be opened, sorted. Opens none. Each folder is searched once.
+  /// Names of all plugins that could be opened, sorted. This opens no plugin. Each folder is searched once.
   std::vector<std::string> available() const;
   /// Plugins opened so far.
   std::vector<const PluginOrigin*> opened() const;

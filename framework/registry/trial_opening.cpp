@@ -35,8 +35,8 @@ namespace {
 constexpr int kSeconds = 20;                 // time limit to open and describe a plugin, on a busy machine
 constexpr rlim_t kMemory = rlim_t{1} << 30;  // memory of a trial, in addition to that of the process
 constexpr char kCameBack = 'b', kNeedsMemory = 'm',
-               kIsLate = 'l';  // the report of a trial; none if the process ended before
-// File descriptor for messages to the program, in the process of trials.
+               kIsLate = 'l';  // reports of a trial; there is none if the process ended before it reported
+// In the process that makes trials: file descriptor for messages to the program.
 constexpr int kTalk = STDERR_FILENO + 1;
 
 /// Discards the output of the process, which is of no use to users.
@@ -172,8 +172,8 @@ void open_and_read(const char* file) {
   }
 }
 
-/// Runs the process of trials: opens one file after another, until the program ends or a file ends the
-/// process.
+/// Runs the process that makes trials: opens one file after another, until the program ends or a file ends
+/// the process.
 [[noreturn]] void try_files(int talk) {
   keep_only(talk);
   be_quiet();
@@ -227,7 +227,7 @@ int wait_for(pid_t child) {
   return status;
 }
 
-/// The process of trials and the program's end of the connection to it.
+/// The process that makes trials, and the program's end of the connection to this process.
 class Trials {
  public:
   /// Returns the report of the trial of a file, or 0 if the process ended without a report or does not exist.
@@ -239,7 +239,7 @@ class Trials {
   bool is_fresh() const { return tried_ == 0; }
 
  private:
-  // owner_: the process that started the trials; a fork of it starts its own.
+  // owner_: the process that started the trials; a fork of that process starts its own trials.
   pid_t process_ = -1, owner_ = -1;
   int talk_ = -1;
   int tried_ = 0;

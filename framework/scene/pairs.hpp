@@ -5,8 +5,8 @@
 
 namespace netloft {
 
-/// Whether some term of the element acts with these parameters. An element that rides on another one is not
-/// created without such a term.
+/// Whether some term of the element acts with these parameters. An element on pairs of another element is
+/// created only if it has such a term.
 bool may_act(const ElementType& type, const Values& parameters);
 
 /// Makes the part of a rider, an element that exists on each pair of neighbours of another element:

@@ -37,7 +37,7 @@ Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element
   return pieces;
 }
 
-/// The axes of the world along which the hold of a node prevents motion.
+/// The axes of the world along which a held node cannot move.
 std::uint8_t world_axes(const Scene& scene, std::uint32_t node) {
   if (!scene.carried.empty() && scene.carried[node]) return 0;
   const auto frame = scene.frames.find(node);

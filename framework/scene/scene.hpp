@@ -117,8 +117,8 @@ struct RigidBody {
   std::uint8_t held_rotation = 0;  // components of the rotation vector that cannot change
   std::vector<Point> points;
   std::uint32_t rotation_node = 0;  // number of the node for the rotation, set by the assembler
-  /// The length by which rotations (divided: moments) become lengths and forces: the largest distance between
-  /// the origin and a point of the body, 1 m if there is none [m].
+  /// The length that converts rotations to lengths (product) and moments to forces (quotient): the largest
+  /// distance between the origin and a point of the body, or 1 m if the body has no other point [m].
   double arm() const;
 };
 
@@ -126,11 +126,11 @@ struct RigidBody {
 /// part are multiplied by a factor such that a held node has a given reaction.
 struct Setting {
   std::string name;        // "length of warp", for sentences
-  std::string part;        // name of the part and of the parts that ride on it
+  std::string part;        // name of the part and of its companions (on pairs of its elements)
   std::string datum;       // name of the data that are multiplied, "rest_length"
   std::string unit;        // unit of the sum of the data over the elements of the part
   std::uint32_t node = 0;  // node of the scene, held along all axes
-  double wanted = 0;       // magnitude of the reaction of its hold [N]
+  double wanted = 0;       // magnitude of the reaction at this node [N]
   double factor = 1;       // factor by which the data have been multiplied since the scene was read
 };
 
@@ -186,7 +186,7 @@ struct SceneError : std::runtime_error {
   std::vector<SceneFault> faults;
 };
 
-/// Finds parts of a gear that could drift away, because nothing to which they are connected is held along
+/// Finds parts of a gear that could drift away, because no node to which they are connected is held along
 /// some axis. Returns one fault per disconnected piece.
 std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element);
 

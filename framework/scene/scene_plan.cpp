@@ -58,7 +58,8 @@ bool any_part_sets(std::string_view name, const FamilyPlan& family, const Scene&
                      [&](std::uint32_t part) { return sets(scene.parts[part], *family.type, name); });
 }
 
-/// The first of the parameters that a term needs that is not zero in some part; empty if there is none.
+/// The first parameter, among those that a term needs, that differs from zero in some part; empty if there is
+/// none.
 std::string first_set(const netloft_term& term, const FamilyPlan& family, const Scene& scene) {
   for (const auto& name : names_needed_by(term))
     if (any_part_sets(name, family, scene)) return name;
@@ -81,7 +82,8 @@ void find_globals(FamilyPlan& family, const Scene& scene) {
         family.globals.push_back({part, g.name, g.unit, g.doc});
 }
 
-/// Refuses unknowns that a part shares without the exact tangent: their equations would be singular.
+/// Refuses shared unknowns of a part unless the exact tangent is used: with another tangent, their equations
+/// would be singular.
 void check_globals(const FamilyPlan& family, const ScenePlan& plan, const Scene& scene) {
   if (family.globals.empty() || plan.tangent == TangentChoice::exact) return;
   const GlobalPlan& first = family.globals.front();

@@ -24,8 +24,8 @@ struct LawPlan {
   LawChoice choice;
 };
 
-/// Forces without an energy, such as drag, have an unsymmetric tangent. This is the part of it that is used:
-/// all, its symmetric part, or none.
+/// Forces without an energy, such as drag, have an unsymmetric tangent. The part of this tangent that is
+/// used: all, the symmetric part, or none.
 enum class TangentChoice { exact, symmetric, elastic };
 
 /// Statics, or motion in time.
@@ -66,7 +66,7 @@ struct ScenePlan {
 };
 
 /// Decides which terms of which families are active in an analysis of the scene, and loads the plugins that
-/// it names. Throws SceneError for errors in parts, PluginRefused for errors of plugins.
+/// the scene names. Throws SceneError for errors in parts, PluginRefused for errors of plugins.
 ScenePlan make_scene_plan(const Scene& scene, Registry& registry,
                           TangentChoice tangent = TangentChoice::exact,
                           AnalysisKind kind = AnalysisKind::statics);

@@ -12,7 +12,7 @@ namespace netloft {
 /// The request of a strategy for a stage (one solve of the scene or of an easier variant), without its work
 /// budget and its name.
 struct StageRequest {
-  bool by_strategy = false;  // otherwise by a solver
+  bool by_strategy = false;  // whether a strategy solves the stage; otherwise a solver does
   std::string by;            // type of the strategy or solver
   Values parameters;
   netloft_variant variant{};  // relative to the original scene
@@ -25,9 +25,9 @@ struct StageRequest {
 struct KnownStage {
   StageRequest request;
   Solution solution;
-  bool is_cut_off = false;  // whether its budget ended it, so that it can be continued
+  bool is_cut_off = false;  // whether the stage ended for lack of budget, and can be continued
   // For a strategy only:
-  bool has_solution = true;  // whether it solved some stage of its scene
+  bool has_solution = true;  // whether the strategy solved some stage of its scene
   netloft_ending ending = NETLOFT_ENDED_NOT_CONVERGED;
   int unsettled = 0;  // number of its stages that did not come to rest
 };

@@ -49,9 +49,9 @@ NETLOFT_INLINE void for_sites(const MemberTable& table, const Visit& visit) {
 /// symmetric. `lines` have 6 numbers per member: a unit vector t, a force f, and a, b of K = a t tᵀ + b I
 /// (netloft_members).
 struct MemberKernels {
-  /// Adds the sum over members of number c cᵀ K to the matrix values.
+  /// Adds the sum over members of n c cᵀ K to the matrix values, with n the number of equal twines.
   void (*add_blocks)(const MemberTable& table, const double* K, double* values);
-  /// Adds the same with K = a t tᵀ + b I, and adds the sum of number c f t to the forces.
+  /// Does the same with K = a t tᵀ + b I, and adds the sum of n c f t to the forces.
   void (*add_lines)(const MemberTable& table, const double* lines, double* forces, double* values);
 };
 

@@ -188,7 +188,7 @@ int MemberProblem::chords(const double* u, double* w) {
 }
 
 int MemberProblem::changes(const double* step, double* w) {
-  std::copy_n(step, interface_.unknowns, step_.begin());  // zero for held degrees of freedom
+  std::copy_n(step, interface_.unknowns, step_.begin());  // step_ stays zero at held degrees of freedom
   combine(step_.data(), w);
   return NETLOFT_OK;
 }

@@ -177,7 +177,7 @@ Solution RunningSearch::best() const {
 
 /// The best point with an explanation. If strategies call each other, only the outermost adds it. No
 /// explanation is added if a stage that was cut off already reports an exhausted budget or time limit. An
-/// interrupt may have ended the strategy between stages.
+/// interrupt that ended the strategy between stages is added to the status.
 Solution RunningSearch::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;
@@ -200,8 +200,9 @@ std::uint32_t RunningSearch::size_of(std::uint32_t level) {
 }
 
 /// The ending of the equilibrium, or, if there is none, of the last stage of the scene itself. The stage
-/// closest to balance does not decide, because a later stage that was cut off may be farther from balance. If
-/// a strategy solved no stage of its scene, it may have ended with work left, and would do so again.
+/// closest to balance does not decide, because a later stage that was cut off may be farther from balance. A
+/// strategy that solved no stage of its scene may have ended with work left; it would do so again, so that
+/// the ending is then not out_of_work.
 netloft_ending RunningSearch::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);

@@ -61,7 +61,7 @@ class RunningSearch {
   double tolerance_, budget_, begun_, unit_;
   netloft_search interface_{};
   char message_[256] = "";
-  std::vector<double> growing_;                        // of the last stage
+  std::vector<double> growing_;                        // growing disturbance of the last stage
   std::vector<Solution> stationary_;                   // equilibria of the scene itself, not yet reported
   std::optional<Solution> closest_;                    // the point closest to balance
   netloft_ending last_ = NETLOFT_ENDED_NOT_CONVERGED;  // ending of the last stage of the scene itself

@@ -57,7 +57,7 @@ Solution find_as_set(const VariantSource& source, const SearchOptions& options, 
 
 /// Solves one stage of the scene itself from u, with the solver of the options.
 Solution solve_near(const VariantSource& source, const SearchOptions& options, std::vector<double> u) {
-  constexpr std::uint32_t kNear = 100;  // limit of iterations, as from an initial guess by the user
+  constexpr std::uint32_t kNear = 100;  // limit of iterations, the same as for an initial guess by the user
   SearchHost host(source, options);
   netloft_stage stage{};
   stage.size = sizeof stage;

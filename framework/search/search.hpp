@@ -25,7 +25,7 @@ struct StrategyUse {
 
 /// Solver, limits and receivers of a search.
 struct SearchOptions {
-  SolverUse solver;  // solver of stages that name none
+  SolverUse solver;  // solver of stages that name no solver
   Limits limits;     // limits for the scene itself; `seconds` and `interrupt` apply to the whole search
   // Budget, in Newton iterations of the scene (work.hpp).
   double work = std::numeric_limits<double>::infinity();

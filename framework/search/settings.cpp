@@ -24,7 +24,7 @@ constexpr double kFirstChange = 0.01;
 constexpr double kLargestChange = 0.05;
 constexpr int kMostHalvings =
     3;  // number of times a step is halved; 1/8 of 5 % is less than the change over which slopes are measured
-constexpr int kMostSteps = 60;  // number of steps; 60 steps of 5 % change a factor by 18
+constexpr int kMostSteps = 60;  // number of steps; 60 steps of 5 % multiply a factor by 18
 constexpr double kForceTolerance =
     1e-9;  // tolerance relative to the given force; ten times that of equilibria
 
@@ -88,9 +88,9 @@ class SettingSearch {
     return true;
   }
 
-  /// Directions of the measurement: first all factors together, then each one against the previous ones. The
-  /// reason: warps of equal length pull a gear straight, but if one is longer than the other, the tension of
-  /// each hardly depends on their common length.
+  /// Directions of the measurement: first a change of all factors, then for each factor a change opposite to
+  /// that of all previous factors. The reason: warps of equal length pull a gear straight, but if one is
+  /// longer than the other, the tension of each hardly depends on their common length.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();

@@ -11,12 +11,12 @@ namespace netloft {
 /// other.
 class EquilibriumChoice {
  public:
-  /// `gear_size` [m]; `has_energy`: every force has one.
+  /// `gear_size` [m]; `has_energy`: whether every force has an energy.
   EquilibriumChoice(const Scene& scene, const Assembler& assembler, double gear_size, bool has_energy);
 
   void add(Solution solution);
   bool has_any() const { return !found_.empty(); }
-  /// The chosen equilibrium, with a list of the others. There must be at least one.
+  /// The chosen equilibrium, with a list of the others. At least one must have been added.
   Solution best() const;
 
  private:

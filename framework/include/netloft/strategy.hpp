@@ -172,7 +172,7 @@ class Search {
     return out;
   }
   /// Calls method(Problem&) on the problem r(u) = 0 of a variant and returns its final u. Call `assess` for
-  /// the residual and stability there.
+  /// the residual and stability at this u.
   template <class Method>
   Displacements with_problem(const Ask& ask, Displacements u, Method&& method) {
     u.resize(size(ask.variant.level));
@@ -286,8 +286,8 @@ int explain_strategy(const void* parameters, netloft_search* search, char* text,
 ///
 /// The value of a parameter declared by `strategy` or `solver` is a Specification. If there is no such
 /// strategy or solver, or its parameters are wrong, the host refuses the value before anything is solved. In
-/// C it is a text whose `unit` is "strategy" or "solver"; a parameter declared by `several` is a text with
-/// `choices`.
+/// C, such a parameter is a text whose `unit` is "strategy" or "solver"; a parameter declared by `several` is
+/// a text with `choices`.
 template <class S>
 class StrategyTable : public ParameterTable<typename S::Parameters> {
   using P = typename S::Parameters;
