@@ -132,7 +132,7 @@ std::array<double, 2> shares_of(const scenes::PartGeometry& part, std::size_t ow
 
 namespace {
 
-constexpr std::size_t kFewestNodes = 120;  // a coarser gear has at least so many nodes
+constexpr std::size_t kFewestNodes = 120;  // a coarser gear has at least this many nodes
 
 bool is_numbered(const scenes::GearInScene& gear, const std::vector<scenes::PartGeometry>& parts) {
   const auto numbered = [&](std::uint32_t p) { return parts[p].is_numbered; };

@@ -41,7 +41,7 @@ int open_beside(const fs::path& path, const fs::path& beside) {
   }
 }
 
-/// The file PATH.new. It is removed unless it has been renamed.
+/// The file PATH.new, which is removed unless it has been renamed.
 class FileBeside {
  public:
   explicit FileBeside(const fs::path& path)

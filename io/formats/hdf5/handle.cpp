@@ -7,8 +7,8 @@ namespace netloft::formats {
 namespace {
 
 // After a full disk H5Fclose() fails and leaves an id behind, on which the clean-up at exit crashes (HDF5
-// 1.10.8). All ids of this program are closed by their handles, so the clean-up has nothing else to do. It
-// can be switched off only before the first call of HDF5.
+// 1.10.8). All ids of this program are closed by their handles, so the clean-up has nothing else to do. The
+// clean-up can be switched off only before the first call of HDF5.
 [[maybe_unused]] const bool kNoCleanUp = H5dont_atexit() >= 0;
 
 struct Ends {

@@ -85,7 +85,8 @@ std::string table_of(const SealedFile& file) {
   return table + last_line(file.length, checksum(summed));
 }
 
-/// Removes a number and the blank after it from the front of a text. Throws FileError if there is none.
+/// Removes a number and the blank after it from the front of a text. Throws FileError if the text does not
+/// begin with a number.
 std::uint64_t take_number(std::string_view& text, int base) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);

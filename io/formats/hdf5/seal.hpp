@@ -26,8 +26,8 @@ std::vector<SealedRange> find_ranges(hid_t file);
 /// Appends the table to a file that HDF5 has closed. Throws FileError.
 void append_seal(int fd, const std::vector<SealedRange>& ranges);
 
-/// Throws FileError if the file does not match its table. Without a table it checks only the texts, because
-/// HDF5 may never return from damaged ones.
+/// Throws FileError if the file does not match its table. If the file has no table, checks only the texts,
+/// because HDF5 may never return from damaged texts.
 void check_seal(const std::filesystem::path& path);
 
 }  // namespace netloft::formats

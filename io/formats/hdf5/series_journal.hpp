@@ -50,7 +50,7 @@ class SeriesJournal {
   static SeriesJournal create(const std::filesystem::path& part, const std::string& identity,
                               const std::string& origins, const SeriesLayout& layout);
   static SeriesJournal read(const std::filesystem::path& part);
-  /// Opens a journal to continue from its last checkpoint, or from the last one before damage(); later
+  /// Opens a journal to continue from its last checkpoint, or from the last checkpoint before damage(); later
   /// outputs become invalid. The file does not change before the first write, which keeps a damaged file as
   /// path_of_damaged(). Throws FileError if there is no checkpoint, or if the journal belongs to another run.
   static SeriesJournal go_on(const std::filesystem::path& part, const std::string& identity);

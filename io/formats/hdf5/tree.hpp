@@ -17,7 +17,7 @@ namespace netloft::formats {
 /// Paths are absolute; missing groups on the path are created. An existing dataset is replaced. Every dataset
 /// has the attributes `unit` (numbers only; "1" if dimensionless) and `doc`, each omitted if empty. Text is
 /// UTF-8. Texts with other bytes or with NUL are stored as an array of uint8 with the attribute `content` =
-/// "bytes"; Reader::text() reads both.
+/// "bytes"; Reader::text() reads both forms.
 class Tree {
  public:
   Tree(hid_t file, std::string file_name) : file_(file), file_name_(std::move(file_name)) {}

@@ -114,7 +114,7 @@ class VtkReader {
     points_ = count;
   }
 
-  /// Reads cells in the layout of version 5, OFFSETS and CONNECTIVITY, or in the older one, in which each
+  /// Reads cells in the layout of version 5, OFFSETS and CONNECTIVITY, or in the older layout, in which each
   /// cell begins with its length.
   void read_cells() {
     const std::size_t first = next_count(8 * kMostElements, "cells"),

@@ -22,7 +22,8 @@ class SvgPicture {
   /// Draws one of eight shapes, which differ even without their colour; from the ninth on they repeat.
   void marker(PicturePoint at, std::size_t shape, const char* colour, bool is_hollow = false);
   void text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor);
-  /// Draws text that reads upwards. With `halo` it has a white rim that separates it from lines behind it.
+  /// Draws text that reads upwards. With `halo` the text has a white rim that separates it from the lines
+  /// behind.
   void rotated_text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor,
                     bool halo = false);
   /// Draws the number of a tick, as a power of ten (10⁻³) or as a decimal (0.02).

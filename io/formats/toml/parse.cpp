@@ -98,8 +98,8 @@ std::string line_of(const std::string& text, int number) {
   return line;
 }
 
-/// A hint for the common mistake `bar = 0.6 m`. The parser fails at the unit or after it, so the value is the
-/// last one that begins before `column`.
+/// A hint for the common mistake `bar = 0.6 m`. The parser fails at the unit or after it, so the quantity
+/// begins with the last value before `column`.
 std::string hint_for(const std::string& line, int column) {
   const std::size_t equals = line.rfind('=', static_cast<std::size_t>(std::max(column, 1)) - 1);
   if (equals == std::string::npos) return {};

@@ -27,7 +27,7 @@ class UnitSystem {
   UnitSystem(const UnitSystem&) = delete;
   UnitSystem& operator=(const UnitSystem&) = delete;
 
-  /// The instance that all callers use. It reads its database at the first word that is not a common one
+  /// The instance that all callers use. It reads its database at the first word that is not a common word
   /// (known_words.hpp); if UDUNITS2_XML_PATH is set, it reads that database immediately.
   static const UnitSystem& shared();
 

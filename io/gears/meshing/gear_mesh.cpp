@@ -230,8 +230,8 @@ class Divider {
     add_sets(cloth, borders_[c], own);
   }
 
-  /// The border as positions in half-open netting [m]. They are rounded to a grid, because rounding errors
-  /// depend on the direction in which a line is divided.
+  /// The border as positions in half-open netting [m]. The positions are rounded to a grid, because rounding
+  /// errors depend on the direction in which a line is divided.
   static std::vector<PlanePoint> on_plane(const Panel& panel, const Border& border) {
     std::vector<PlanePoint> points;
     double extent = 0;

@@ -142,9 +142,9 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);
 }
 
-/// Fills `bottom_` with the distances aft at which the half girth S is known, and with S. It is known at
-/// nodes of a lower middle panel and at nodes on the side edges of a tube, which meet in the middle below. A
-/// net without such nodes is open below; S is then twice the largest distance from the top, everywhere.
+/// Fills `bottom_` with the distances aft at which the half girth S is known, and with S. S is known at nodes
+/// of a lower middle panel and at nodes on the side edges of a tube, which meet in the middle below. A net
+/// without such nodes is open below; S is then twice the largest distance from the top, everywhere.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);

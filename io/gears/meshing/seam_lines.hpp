@@ -40,7 +40,7 @@ struct RopeRun : Run {
 ///
 /// Along a seam, points of both sides correspond if they divide the meshes in the same proportion; sides of
 /// panels with different mesh sizes are divided by the length of twines instead. A corner on one side becomes
-/// a point on both; corners of both sides that nearly coincide are merged.
+/// a point on both sides; corners of both sides that nearly coincide are merged.
 struct SeamLines {
   std::vector<Line> lines;
   std::vector<std::vector<SideRun>> sides;  // index as in Cloths::sides

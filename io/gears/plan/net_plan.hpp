@@ -24,7 +24,7 @@ enum class Standing {
 
 /// A number of meshes along a fore or an aft edge. In the lists of a panel, counts go from the middle
 /// outwards (in a pair: from the inner side outwards). In a middle panel the first count is the whole stretch
-/// across the middle; each of the others exists to port and to starboard.
+/// across the middle; each of the other counts exists to port and to starboard.
 struct MeshCount {
   std::string name;
   double meshes = 0;

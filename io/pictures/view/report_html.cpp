@@ -30,7 +30,7 @@ std::string number(double value, const char* format) {
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// A table that is written row by row. It escapes all texts; callers pass them as they are.
+/// A table that is written row by row. It escapes all texts, so that callers pass them unescaped.
 class HtmlTable {
  public:
   explicit HtmlTable(const std::vector<std::string>& columns) : html_("<table>\n<tr>") {

@@ -104,8 +104,8 @@ class EquilibriumRun {
     print_result(options_, terminal_, result);
   }
 
-  /// Writes the best accepted point after a plugin call that never returns. It uses a new assembler, because
-  /// the call still occupies the assembler of the scene.
+  /// Writes the best accepted point after a plugin call that never returns. Uses a new assembler, because the
+  /// call still occupies the assembler of the scene.
   int end_early(const Overdue& overdue) {
     const int code = overdue.interrupted ? kInterrupted : kNotConverged;
     terminal_.say("netloft: " + overdue.sentence + "; the run ends here");

@@ -201,7 +201,7 @@ Json scene_schema(Registry& registry) {
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements) {
-      if (!e.rides_on) parts.add(e, plugin);  // elements that ride on others are made with them
+      if (!e.rides_on) parts.add(e, plugin);  // companions are made with the elements that they accompany
       if (e.is_on_body()) bodies.add_body(e, plugin);
     }
     for (const auto& s : plugin.solvers) put_component(analysis, s.type, s.solver.doc, s.parameters);

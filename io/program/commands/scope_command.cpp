@@ -81,7 +81,8 @@ std::string number(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
 }
 
-/// A sentence with the number of warp lengths without a result, and the reason for the first, if any.
+/// A sentence with the number of warp lengths without a result, and the reason for the first of them; empty
+/// if every length has a result.
 std::string missing_text(const studies::ScopeRow& row) {
   const auto lacks = [](const studies::ScopePoint& p) { return !p.why_not.empty(); };
   const auto first = std::ranges::find_if(row.points, lacks);

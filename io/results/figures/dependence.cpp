@@ -76,7 +76,8 @@ void add_spread(const scenes::LoadedScene& loaded, Assembler& assembler, const S
 }
 
 // Step of the central differences: the largest nodal displacement along a growing motion, as a fraction of
-// the length of the gear. It is so small that numbers change linearly, and large enough against round-off.
+// the length of the gear. This step is so small that numbers change linearly, and large enough against
+// round-off.
 constexpr double kSmallSwing = 1e-6;
 
 double length_of(std::span<const double> x) {

@@ -66,7 +66,7 @@ Vector whole_of(const Vector& modelled, double times);
 
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
-/// Adds figures of pairs of bodies. It uses figures of add_body_figures(), which must be called first.
+/// Adds figures of pairs of bodies. Uses figures of add_body_figures(), which must be called first.
 void add_pair_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);

@@ -16,8 +16,8 @@ struct TowingShip {
 /// The ships of a result: one, two for a pair trawl, none if the net plan has no ship.
 std::vector<TowingShip> ships_of(const StoredShape& stored, std::size_t state);
 
-/// Triangles of a hull and a house, three corners each [m]. They are a symbol only: a net plan says only
-/// where the blocks of a ship are.
+/// Triangles of a hull and a house, three corners each [m]. The triangles are only a symbol, because a net
+/// plan says only where the blocks of a ship are.
 std::vector<std::array<double, 3>> triangles_of(const TowingShip& ship);
 
 }  // namespace netloft::results

@@ -74,7 +74,7 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   return {};
 }
 
-/// The names of edges and points of a part. They move from `geometries` to `out.parts` when nodes are
+/// The names of edges and points of a part. These names move from `geometries` to `out.parts` when nodes are
 /// numbered.
 PartGeometry& Draft::names_of(std::size_t part) {
   return part < out.parts.size() ? out.parts[part] : geometries[part].names;

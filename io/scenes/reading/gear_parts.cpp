@@ -63,7 +63,7 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
 }
 
 /// The initial guess for a board: as deep as such boards usually go behind warps of this length, but not
-/// below the bed. Only the choice between several equilibria depends on it.
+/// below the bed. Only the choice between several equilibria depends on this guess.
 BodyOfPlan GearParts::place_of(const gears::GearBody& body) const {
   BodyOfPlan place{body.is_mirrored ? -1.0 : 1.0, {}};
   const gears::Rope* warp = plan_.find_rope(gears::kWarp);

@@ -21,7 +21,7 @@ formats::Value only_contact(formats::Value said);
 /// Whether a rope lies on the bed when the gear is towed over it; its role in the plan decides.
 bool rests_on_bed(const gears::Rope& rope);
 
-/// The points on which a body rests, "door.toe" and "door.heel", as far as it has them.
+/// The points on which a body rests, "door.toe" and "door.heel", as far as the body has them.
 std::vector<std::string> shoes_of(const gears::PlanBody& body);
 
 /// Half the diameter of the largest piece (such as a roller) strung along a rope [m]; 0 if there is none.

@@ -8,8 +8,8 @@
 namespace netloft::scenes {
 
 /// Makes the riders of a scene, parts without nodes whose elements are on the nodes or elements of other
-/// parts. They are those with a table of their own, the contact parts of a net plan, and companions, which an
-/// element type adds to its parts. Nodes must be numbered.
+/// parts. Riders are parts with a table of their own, the contact parts of a net plan, and companions, which
+/// an element type adds to its parts. Nodes must be numbered.
 class RiderReader {
  public:
   RiderReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, const GearSteps& gear)

@@ -29,8 +29,8 @@ void check_symmetric_parameters(const Draft& draft, const std::string& cure,
   }
 }
 
-/// Reports half a gear that is beyond its plane of symmetry at the start, and boards that have crossed. It is
-/// an error if a node beyond the plane is held, and else a warning, because free nodes can return.
+/// Reports half a gear that is beyond its plane of symmetry at the start, and boards that have crossed. This
+/// is an error if a node beyond the plane is held. Otherwise it is a warning, because free nodes can return.
 void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) {
   for (const auto& crossing : find_crossings(out, out.scene.positions)) {
     const formats::Place place = out.parts[crossing.part].place;

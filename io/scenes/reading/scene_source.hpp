@@ -19,8 +19,8 @@ class SceneSource {
   const std::filesystem::path& file() const;
 
   /// The scene with `changes` applied in their order. All errors go to the diagnostics with their place in a
-  /// file or the change that caused them; use the result only if there are none. Opens the plugins that the
-  /// scene names; sets `refused` if one of them is missing or was rejected.
+  /// file or the change that caused them; use the result only if there are no errors. Opens the plugins that
+  /// the scene names; sets `refused` if one of them is missing or was rejected.
   LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
                        formats::Diagnostics& diagnostics, bool& refused) const;
 

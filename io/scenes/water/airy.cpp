@@ -7,8 +7,8 @@
 
 namespace netloft::scenes {
 
-/// Solves x tanh x = y for x = k d, y = ω² d/g, by Newton's method. It starts from the limit of deep or
-/// shallow water, whichever is nearer, and converges quadratically to rounding.
+/// Solves x tanh x = y for x = k d, y = ω² d/g, by Newton's method. The method starts from the limit of deep
+/// or shallow water, whichever is nearer, and converges quadratically to rounding.
 double wave_number(double omega, double gravity, double depth) {
   const double deep = omega * omega / gravity, y = deep * depth;
   if (!std::isfinite(depth) || y > 40) return deep;  // 1 − tanh 40 is below rounding

@@ -13,8 +13,8 @@ struct ComparisonTask {
   std::vector<Method> methods;     // at least one method
   std::vector<double> tolerances;  // decreasing; of integrators: accuracies
   int repeats = 3;                 // runs of every trial, of which the cheapest counts
-  std::string reference;  // solver or integrator that computes references; empty: another than the tested one
-  std::optional<CellList> cells;  // meshes for the discretisation error
+  std::string reference;           // solver or integrator for references; empty: any but the tested one
+  std::optional<CellList> cells;   // meshes for the discretisation error
   // Integrators to compare whose plugins are not installed, each with a sentence that says so.
   std::map<std::string, std::string> absent;
 };

@@ -16,8 +16,8 @@ struct Polished {
 };
 
 /// Takes Newton steps from displacements `u`, the answer of a solver, as long as they lower the largest nodal
-/// residual. They stay at the equilibrium that the solver chose, and only improve its accuracy. `fresh` is a
-/// prepared scene that has not been solved yet.
+/// residual. These steps stay at the equilibrium that the solver chose, and only improve its accuracy.
+/// `fresh` is a prepared scene that has not been solved yet.
 Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u);
 
 /// Processor time of one numeric factorisation of the exact tangent at `u` [s], the least of several. It

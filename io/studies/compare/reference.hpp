@@ -21,7 +21,8 @@ struct ReferenceAnswer {
 
 /// The solvers that may compute a reference for `method`, in the order in which to try them. Solvers of the
 /// method's own plugin come last, so that a method is compared with itself only if no other solver is
-/// installed. `available` lists the installed plugins; if `wanted` is not empty, it is the only candidate.
+/// installed. `available` lists the installed plugins; if `wanted` is not empty, only this solver is a
+/// candidate.
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted);
 

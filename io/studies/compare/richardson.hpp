@@ -16,13 +16,13 @@ namespace netloft::studies {
 /// convergence. f₁, f₂, f₃ are the values on three meshes, f₁ on the finest, and f_k any of them. e estimates
 /// the error of f on a mesh that the caller names. (4) is for similar meshes, each of which divides the cells
 /// of the next coarser one evenly, if p is credible. Gears of netting are triangulated anew for each mesh,
-/// and the scatter between such meshes makes observed orders unreliable. For them (5) takes the largest of
-/// three differences: from the limit (3), if p is credible; from a limit with p = 1 between the outer meshes,
-/// because gears usually converge with first order; and from the values f_k on the other meshes. 1.25 is the
-/// safety factor of P. J. Roache, Verification and Validation in Computational Science and Engineering, 1998,
-/// chapter 5, for three meshes; he and L. Eça and M. Hoekstra, J. Comput. Phys. 262 (2014), use 3 without a
-/// credible order. 2 is the least round number for which 95 of 100 errors of gears are within e
-/// (tests/bench/error_bars.md).
+/// and the scatter between such meshes makes observed orders unreliable. For such meshes (5) takes the
+/// largest of three differences: from the limit (3), if p is credible; from a limit with p = 1 between the
+/// outer meshes, because gears usually converge with first order; and from the values f_k on the other
+/// meshes. 1.25 is the safety factor of P. J. Roache, Verification and Validation in Computational Science
+/// and Engineering, 1998, chapter 5, for three meshes; he and L. Eça and M. Hoekstra, J. Comput. Phys. 262
+/// (2014), use 3 without a credible order. 2 is the least round number for which 95 of 100 errors of gears
+/// are within e (tests/bench/error_bars.md).
 
 /// The order p of (2), from the magnitudes of the differences f₃ − f₂ and f₂ − f₁; NaN unless both are
 /// positive and some p in (0, 20) satisfies (2).
@@ -32,13 +32,13 @@ double observed_order(double coarse_difference, double fine_difference, double h
 double extrapolation_weight(double order, double h2, double h1);
 
 /// Whether (1) may be used with this order, from 0.5 to 2.5. A lower order is hardly convergence. A higher
-/// one is a coincidence, because no element has an order above two.
+/// order is a coincidence, because no element has an order above two.
 bool is_credible(double order);
 
 /// Whether the orders observed on successive levels are all credible and differ by at most a half.
 bool is_steady(std::span<const double> orders);
 
-/// The limit of f on a sequence of meshes, and the error of f on one of them.
+/// The limit of f on a sequence of meshes, and the error of f on one of these meshes.
 struct Trend {
   double limit = std::numeric_limits<double>::quiet_NaN();  // the limit f*
   // Order of convergence; NaN: an order of one is assumed.

@@ -21,8 +21,8 @@ constexpr double kElsewhere = 4;  // a larger distance over the extrapolated cha
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
-/// The ratio of two successive steps, from `last` to `next` and from `before` to `last`; empty if they change
-/// different variables, or more than one.
+/// The ratio of two successive steps, from `last` to `next` and from `before` to `last`; empty if the steps
+/// change different variables, or more than one variable.
 std::optional<double> way_on(const Values& before, const Values& last, const Values& next) {
   std::optional<double> ratio;
   for (std::size_t v = 0; v < next.size(); ++v) {

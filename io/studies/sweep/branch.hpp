@@ -49,8 +49,8 @@ struct BranchOptions {
 /// more than four times as far away as the extrapolation predicts. At a jump the solver converges to another
 /// branch without failing. To tell a jump from a smooth change, the step is halved k times towards the place
 /// of largest change: a smooth branch then changes by 2^-k of the whole, while a jump keeps its size. If more
-/// than a quarter remains after `halvings`, it is a jump. Folds and jumps are reported with the values on
-/// either side and the node that moves most.
+/// than a quarter remains after `halvings`, the change is a jump. Folds and jumps are reported with the
+/// values on either side and the node that moves most.
 class Branch {
  public:
   /// Opens the scene at some values of the variables in the path; null if the scene cannot be read.
@@ -59,8 +59,9 @@ class Branch {
   Branch(std::vector<Variable> variables, OpenCase open, const runs::Watch& watch, BranchOptions options = {})
       : variables_(std::move(variables)), open_(std::move(open)), watch_(watch), options_(options) {}
 
-  /// Finds the equilibrium of `scene`, which is prepared with these values, by following the branch. If it is
-  /// stable, the branch continues from it; otherwise a new search finds the equilibrium at the next point.
+  /// Finds the equilibrium of `scene`, which is prepared with these values, by following the branch. If this
+  /// equilibrium is stable, the branch continues from it; otherwise a new search finds the equilibrium at the
+  /// next point.
   Reached reach(std::shared_ptr<runs::PreparedScene> scene, const std::vector<VariableValue>& values);
 
  private:

@@ -69,7 +69,7 @@ bool is_within(const ScopeRequest& request, const ScopePoint& p) {
 }
 
 /// For a value that changes from a, within the band, to b: the fraction of the change at which it leaves the
-/// band; 1 if it does not.
+/// band; 1 if it stays within the band.
 double leaves_at(const Interval& band, double a, double b) {
   if (band.contains(b)) return 1;
   return !std::isfinite(b) ? 0 : ((b > a ? band.high : band.low) - a) / (b - a);

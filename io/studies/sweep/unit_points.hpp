@@ -12,7 +12,8 @@ enum class Sampling { latin_hypercube, sobol };
 /// The largest number of dimensions for which Sobol's sequence has direction numbers.
 inline constexpr std::size_t kMostSobolVariables = 3667;
 
-/// Returns `count` points in the open unit cube with so many `dimensions`, the same ones on every machine.
+/// Returns `count` points in the open unit cube of `dimensions` dimensions. The points are the same on every
+/// machine.
 ///   latin_hypercube   every dimension is divided into `count` equal intervals with one random point in
 ///                     each; the order of the intervals is random (McKay, Beckman and Conover, Technometrics
 ///                     21, 1979)

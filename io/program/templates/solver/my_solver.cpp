@@ -33,7 +33,7 @@ struct MySolver {
     }
   }
 
-  /// Moves u by a step that (2) and (3) accept. Returns whether there is one.
+  /// Moves u by a step that (2) and (3) accept. Returns whether there is such a step.
   static bool descend(const Parameters& p, netloft::Problem& problem, double energy, std::vector<double>& r,
                       const std::vector<double>& s) {
     std::vector<double> u(problem.size());
