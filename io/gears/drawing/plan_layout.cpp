@@ -14,7 +14,7 @@ namespace {
 constexpr double kHalfWidth = 0.5;  // width on the sheet as a fraction of the stretched width
 constexpr double kGap = 0.25;       // gap between columns, relative to the width of the previous column
 
-/// Length of a counted mesh along the gear [m]. Meshes of square netting are counted in bars, half a
+/// Length of a counted mesh along the gear [m]. Square netting is counted in bars, each half as long as a
 /// stretched mesh.
 double length_of_mesh(const Panel& panel) {
   return panel.orientation == "square" ? panel.mesh / 2 : panel.mesh;

@@ -21,8 +21,8 @@ class Girth {
   }  // -1: port, 0: on the plane of symmetry, 1: starboard
   /// Whether the node belongs to an end of the bag that is sewn to itself.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
-  /// Half the girth at a node [m]: the distance from the top to the middle of the lower panel through this
-  /// node, or else interpolated between the values at other distances aft.
+  /// Half the girth at a node [m]: the distance along the girth through this node, from the top to the middle
+  /// of the lower panel. Where it is not known, it is interpolated between other distances aft.
   double half_girth(std::uint32_t node) const;
 
  private:

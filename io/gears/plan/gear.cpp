@@ -136,7 +136,7 @@ class GearMaker {
   }
 
   /// The edges of a row from port to starboard: edges that exist twice are at both ends of the row, edges
-  /// that exist once between them.
+  /// that exist once are in the middle.
   std::vector<EdgeRef> row_across(const std::vector<std::string>& names) const {
     std::vector<EdgeRef> row;
     for (auto name = names.rbegin(); name != names.rend(); ++name) {

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kOff = 6;  // distance from the line, and from the edges of the picture [pixels]
 
-/// The overlap of two labels [pixels²]. Each label has a margin, because labels that nearly touch read as
-/// one.
+/// The overlap of two labels [pixels²]. Each label has a margin, because labels that nearly touch look like
+/// one label.
 double shared(const Frame& a, const Frame& b) {
   constexpr double kApartAcross = 6, kApartDown = 3;
   const double across =

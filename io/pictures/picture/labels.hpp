@@ -14,7 +14,7 @@ struct LabelledLine {
 
 /// Frames of the labels beside lines, `size` high, in the order of the lines. Each label is tried at seven
 /// positions along its line, on both sides, and is moved into `picture` if it would cross the edge. It gets
-/// the first position that overlaps no earlier label, else the one with the least overlap.
+/// the first position that overlaps no earlier label, else the position with the least overlap.
 std::vector<Frame> place_labels(const std::vector<LabelledLine>& lines, double size, const Frame& picture);
 
 }  // namespace netloft::pictures

@@ -16,8 +16,8 @@ void add_commands(CLI::App& app, Chosen& chosen);
 std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
                             const std::string& before = "");
 
-/// A sentence about the first option on an unreadable command line that its command does not have, with the
-/// most similar option or a command that has it. Empty if there is no such option.
+/// A sentence about the first unknown option on a command line that cannot be read, with the most similar
+/// option or a command that has this option. Empty if the command has all options.
 std::string unknown_option(const CLI::App& app);
 
 }  // namespace netloft::program

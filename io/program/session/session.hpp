@@ -31,7 +31,7 @@ class Session {
 runs::CaseSource source_of(const SceneOptions& options);
 runs::CaseSource source_of(const MethodOptions& options);
 
-/// Returns `threads`, or the number of cores of the machine if that is 0.
+/// Returns `threads`, or the number of cores of the machine if `threads` is 0.
 int threads_for(int threads);
 
 /// The files that a scene was read from.

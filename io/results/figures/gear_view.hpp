@@ -72,7 +72,7 @@ void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_ground_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_netting_figures(const GearView& gear, std::vector<Figure>& figures);
-/// Works for every scene with rigid bodies, with or without a net plan.
+/// Adds figures of rigid bodies; works for every scene with rigid bodies, with or without a net plan.
 void add_body_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer,
                       std::vector<Figure>& figures);
 

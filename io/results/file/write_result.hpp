@@ -29,7 +29,7 @@ struct SolvedShapes {
 /// Writes the facts that are known when a run begins.
 void write_inputs(formats::Tree& tree, const scenes::LoadedScene& loaded, const Result& result);
 
-/// Writes the facts that are known when a run has ended, static or a motion, except shapes and forces.
+/// Writes the facts that are known when a run (static or a motion) has ended, except shapes and forces.
 void write_ending(formats::Tree& tree, const Result& result);
 
 /// The path under which a result with this outcome is written: `wanted`, or NAME.not-converged.hdf beside it

@@ -193,7 +193,7 @@ class MotionRun {
       result_.figures.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
   }
 
-  /// Finds the layout of an output by making one at the point from which the run is resumed.
+  /// Finds the layout of an output by making an output at the point from which the run is resumed.
   void describe_layout_of_killed(const MarchState& from) {
     Assembler& assembler = scene_.assembler();
     MovingState state(assembler, 0);

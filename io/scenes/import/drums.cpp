@@ -73,7 +73,8 @@ Hauled cable_of(const GearFile& gear, const MeshFile& file, int cable) {
   return out;
 }
 
-/// The interval of a drum's times that contains `time`, by its index; nothing if `time` is outside of them.
+/// The interval of a drum's times that contains `time`, by its index; nothing if `time` is before or after
+/// all times.
 std::optional<std::size_t> interval_at(const Drum& drum, double time) {
   for (std::size_t i = 0; i + 1 < drum.times.size(); ++i)
     if (time >= drum.times[i] && time <= drum.times[i + 1] && drum.times[i + 1] > drum.times[i]) return i;

@@ -30,7 +30,7 @@ class Joiner {
     std::iota(leader_.begin(), leader_.end(), 0u);
   }
 
-  /// Node i of every set becomes one node.
+  /// For each i, merges the nodes with index i of all sets into one node.
   void join(const std::vector<Ends>& sets) {
     for (std::size_t s = 1; s < sets.size(); ++s)
       for (std::size_t i = 0; i < sets[0].own.size(); ++i) {

@@ -27,7 +27,7 @@ class MeshParts {
   Geometry read(const ElementType& type, const std::string& name, std::size_t part,
                 formats::TableReader& table);
 
-  /// Joins the nodes of a mesh that several parts use.
+  /// Joins parts at the nodes that they share in a mesh.
   void connect(Joiner& joiner) const;
 
   /// Whether some mesh could not be read. The number of nodes of its parts is then unknown.

@@ -26,13 +26,13 @@ double rate_of_turn(const gears::ShipMoment& a, const gears::ShipMoment& b) {
 
 /// The rate of turn at a moment where it jumps: the smaller of the rates before and after, or zero if their
 /// signs differ. The velocity of a block jumps there, too, but a course has only one velocity at a time. The
-/// error is on the side with the faster turn, where the points of the course are close.
+/// resulting error is on the side with the faster turn, where the points of the course are close.
 double at_corner(double before, double after) {
   if (before * after <= 0) return 0;
   return std::abs(before) < std::abs(after) ? before : after;
 }
 
-/// The moments of a ship's path, with further ones between them, so that the course follows (1); `turns` is
+/// The moments of a ship's path, with further moments in between, so that the course follows (1); `turns` is
 /// dψ/dt at each of them.
 struct Row {
   std::vector<gears::ShipMoment> moments;

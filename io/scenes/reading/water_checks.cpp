@@ -43,8 +43,8 @@ void check_profile(const Scene& scene, formats::TableReader& root) {
 
 /// Warns of a current with the velocity of the tow: the water would pass the gear twice as fast as meant.
 void check_tow(const Scene& scene, formats::TableReader& root) {
-  // The velocities count as equal within this fraction of the towing speed. To tow along an equal current is
-  // rare.
+  // The velocities count as equal within this fraction of the towing speed. Gears are rarely towed through a
+  // current of the same velocity.
   constexpr double kAlike = 0.02;
   const auto& tow = scene.current.tow;
   const double speed = std::hypot(tow[0], tow[1]);

@@ -21,7 +21,7 @@ struct CalibrationScene {
 struct CalibrationVariable {
   Variable variable;
   Distribution distribution;
-  std::vector<std::size_t> scenes;  // indices of the scenes in which it is set
+  std::vector<std::size_t> scenes;  // indices of the scenes in which the variable is set
   /// True: one unknown for all scenes that have it. False: an unknown of a single scene.
   bool is_shared = true;
   double prior_mean() const;
@@ -32,7 +32,7 @@ struct CalibrationVariable {
 /// with units until the unit of the figure is known.
 struct MeasuredFigure {
   std::size_t scene = 0;
-  std::string figure;  // "gear/mouth/headline_height", as in a study
+  std::string figure;  // name of the figure: "gear/mouth/headline_height"
   formats::Place place, value_place;
   std::string value, deviation;
   bool is_held_back = false;

@@ -63,7 +63,7 @@ bool divides(const scenes::PartGeometry& part, Factor factor) {
   return std::all_of(part.cells.begin(), part.cells.end(), [&](int cells) { return factor.divides(cells); });
 }
 
-/// The parts that are divided into cells: all of them, or the one named `only`.
+/// The parts that are divided into cells: all parts, or the part named `only`.
 std::vector<const scenes::PartGeometry*> divided_parts(const scenes::LoadedScene& loaded,
                                                        const std::string& only) {
   std::vector<const scenes::PartGeometry*> parts;
