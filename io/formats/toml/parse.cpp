@@ -36,7 +36,7 @@ class Converter {
             one_line ? static_cast<int>(source.end.column - source.begin.column) : 1};
   }
 
-  /// Converts a table. toml++ sorts keys by name; this restores the order of the file.
+  /// Converts a table. toml++ sorts keys by name; this function restores the order of the file.
   Table convert_table(const toml::table& table, int depth) {
     Table result;
     result.members.reserve(table.size());

@@ -35,7 +35,7 @@ struct Borders {
 /// Finds the common points of all seams; corners closer than `snap` [m] along a seam are merged.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 
-/// The sides that an edge consists of, one or both halves of it, in its direction.
+/// The sides that form an edge, in the direction of the edge. An edge across the middle may have two sides.
 Row sides_of(const Cloths& cloths, const EdgeRef& edge);
 
 }  // namespace netloft::gears
