@@ -24,10 +24,10 @@ namespace netloft::boards {
 /// Jahrbuch der deutschen Luftfahrtforschung (1942): within 5 % of a vortex lattice for A = 0.4 to 3 (in a
 /// test). (4) fits the stall angles of square and wider plates (S. F. Hoerner and H. V. Borst, Fluid-Dynamic
 /// Lift, 1985, chapter 17): 34° for A = 1, 24° for 2, 19° for 3, 38° for slender ones. (5): a plate in a flow
-/// along its span is one of the reciprocal aspect ratio. (6): the part with K_p acts at ξ₀, within 0.004 of
-/// the vortex lattice at small angles; the part with K_v acts in the middle. (7): on the bed, a board and its
-/// mirror image form one of twice the span; that the effect ends at a clearance of one span is a choice. The
-/// error of C_N is about 20 % near the greatest lift.
+/// along its span acts as a plate of the reciprocal aspect ratio. (6): the part with K_p acts at ξ₀, within
+/// 0.004 of the vortex lattice at small angles; the part with K_v acts in the middle. (7): on the bed, a
+/// board and its mirror image form a board of twice the span; that the effect ends at a clearance of one span
+/// is a choice. The error of C_N is about 20 % near the greatest lift.
 template <class T>
 struct PlateForce {
   T normal;       // C_N, along y where w_y > 0

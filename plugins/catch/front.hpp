@@ -22,9 +22,9 @@ namespace netloft::catches {
 /// the catch (of its half in half a gear); σ [1] the fraction of V₀ at a given time, linear between the times
 /// of a table, and 1 without a table. All triangles of a part share ξ, which is either given or an unknown
 /// whose equation is (7). By the theorem of Gauss, Σ v is the volume between the plane and the netting, if
-/// that is closed behind the plane. o is 1 if the corners are counter-clockwise seen from outside, and −1 if
-/// they are clockwise. Source: the catch of FEMNET (D. Priour), where ξ is found by bisection without its
-/// tangent.
+/// the netting is closed behind the plane. o is 1 if the corners are counter-clockwise seen from outside, and
+/// −1 if they are clockwise. Source: the catch of FEMNET (D. Priour), where ξ is found by bisection without
+/// its tangent.
 struct Front {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // ξ

@@ -21,14 +21,14 @@ struct Skew {
 };
 Skew cross_matrix(const Vec3<double>& w) { return {{{0, -w.z, w.y}, {w.z, 0, -w.x}, {-w.y, w.x, 0}}}; }
 
-/// w_j of (4).
+/// w_j of (4) in pressure.hpp.
 Vec3<double> opposite(const State<4>& s, int j) {
   return s.x[static_cast<std::size_t>((j + 1) % 3)] - s.x[static_cast<std::size_t>((j + 2) % 3)];
 }
 
 double front(const State<4>& s) { return s.x[3].x; }
 
-/// The quantities of one triangle in (6) to (9).
+/// The quantities of one triangle in (6) to (9) of pressure.hpp.
 struct FilledSlice {
   FilledSlice(const Pressure::Parameters& p, double o, const State<4>& s)
       : axis(kAxes[p.across]),
@@ -39,9 +39,9 @@ struct FilledSlice {
   double n, arm;
 };
 
-/// A cut through a triangle, at `depth` from one corner; the other two corners are at `first` and `second`
-/// from it [meshes]. `away` is 1 if the cut moves away from that corner as m grows, and −1 if it moves
-/// towards it.
+/// A cut through a triangle, at `depth` from one corner; the other two corners are at the depths `first` and
+/// `second` from that corner [meshes]. `away` is 1 if the cut moves away from that corner as m grows, and −1
+/// if it moves towards it.
 struct Cut {
   double depth, first, second, away;
 };
@@ -61,7 +61,7 @@ Pressure::Fraction cut_off(const std::array<std::size_t, 3>& corner, const Cut& 
   return fraction;
 }
 
-/// `pressure`: o p.
+/// Adds the force (3) and its tangent. `pressure` is o p.
 void push(double pressure, const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
   const double half = pressure / 2;
   const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);                   // (2), without o

@@ -32,10 +32,10 @@ namespace netloft::catches {
 /// V₀ [m³] volume; σ [1] its fraction at a given time, from a table, 1 without one; y axis across the
 /// cod-end, y₀ the middle of the cod-end. By the theorem of Gauss, Σ φ v is the volume behind the front,
 /// closed there by a surface of straight lines from side to side. This is exact for every cod-end that is
-/// symmetric about the plane y = y₀, and for half of one that ends in that plane. If the cod-end is turned by
-/// ψ, the error is the area of the front times sin ψ times the distance of its middle from y₀. A cut triangle
-/// contributes φ v, with v that of the whole triangle. k makes (7) a force whose ratio to the drag on the
-/// front is that of the missing volume to V₀.
+/// symmetric about the plane y = y₀, and for half of such a cod-end that ends in that plane. If the cod-end
+/// is turned by ψ, the error is the area of the front times sin ψ times the distance of its middle from y₀. A
+/// cut triangle contributes φ v, with v that of the whole triangle. k makes (7) a force whose ratio to the
+/// drag on the front is that of the missing volume to V₀.
 struct Pressure {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // m

@@ -11,7 +11,7 @@ namespace netloft::bars {
 /// Straight two-node bars of rope or twine, 64 at a time. Each represents N equal bars side by side.
 ///   w = x₁ − x₀; tension T and tangent by axial (1)–(5)
 ///   r₀ = −N T t,  r₁ = +N T t      residual ∂E/∂x                    (1)
-///   W = V (ρ − ρ_w) g              weight in water, half per node    (2)
+///   G = V (ρ − ρ_w) g              weight in water, half per node    (2)
 ///     V = N (π/4) D² l₀
 ///   F = N l₀ f(W, t)               drag, half per node               (3)
 ///     W = ½ (c₀ + c₁) − ½ (v₀ + v₁), c the current at the nodes; f [N/m] the law of the part

@@ -16,7 +16,7 @@ namespace netloft {
 /// processor. Arguments are not checked; callers bound them or discard the result:
 ///   ln x    normal numbers above zero. Zero and subnormal numbers give −709.1; negative and infinite numbers
 ///           and NaN give finite numbers without a meaning, such as ln(−1) = 1420 and ln(NaN) = 710.
-///   eˣ      |x| < 708. Beyond, it is not 0 or infinity but any number, also a negative one or NaN.
+///   eˣ      |x| < 708. Beyond, the result is not 0 or infinity but any number, also a negative one or NaN.
 namespace lane {
 
 inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;

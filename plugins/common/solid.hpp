@@ -9,7 +9,8 @@
 
 namespace netloft::solids {
 
-/// A symmetric tensor, given by principal values and axes: without negative values it is not indefinite.
+/// A symmetric tensor, given by principal values and axes: it is positive semi-definite if no value is
+/// negative.
 struct Tensor {
   Vec3<double> values;
   std::array<Vec3<double>, 3> axes;
@@ -68,8 +69,8 @@ struct Weight {
 };
 
 /// Inertia of the body and of the water that moves with it. In the axes of the body, u is the velocity of the
-/// point a at which added mass has no moment, and Ω is the angular velocity. The symmetric tensors J, A and B
-/// are those of inertia, added mass and added inertia:
+/// point a at which added mass has no moment, and Ω is the angular velocity. R rotates to the axes of the
+/// world. The symmetric tensors J, A and B are those of inertia, added mass and added inertia:
 ///   F = −m a_c at the centre of mass,  M = −R (J Ω̇ + Ω×J Ω)                                     (2)
 ///   F = −R (A u̇ + Ω×A u) at a,  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                    (3)
 /// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity in the axes of the

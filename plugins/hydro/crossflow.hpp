@@ -13,10 +13,10 @@ namespace netloft::hydro {
 ///   ∂F/∂U = k (I − t tᵀ) + g û ûᵀ + 2 κ |τ| t tᵀ,  g = s dk/ds           (3)
 ///   ∂F/∂t = −τ (k I + g û ûᵀ) − k t Uᵀ + κ |τ| (2 t Uᵀ + τ I)           (4)
 ///   ∂F/∂W = r ∂F/∂U                                                     (5)
-/// W [m/s] velocity of the water relative to the twine, r [1] its reduction behind other netting, t unit
-/// vector along the twine, D [m] diameter, ρ [kg/m³] density of the water, C_t [1] friction; k [kg/(m s)]
-/// differs between the laws. The force is regular everywhere: without flow, or with none across, û and g are
-/// zero. Source: cross-flow principle, as in the trawl-gear paper, eqs. (2) and (4).
+/// W [m/s] velocity of the water relative to the twine, r [1] factor on W behind other netting, t unit vector
+/// along the twine, D [m] diameter, ρ [kg/m³] density of the water, C_t [1] friction; k [kg/(m s)] differs
+/// between the laws. The force is regular everywhere: without flow, or with none across, û and g are zero.
+/// Source: cross-flow principle, as in the trawl-gear paper, eqs. (2) and (4).
 struct CrossFlow {
   double shielding;   // r
   double tangential;  // C_t

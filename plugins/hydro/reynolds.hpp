@@ -78,7 +78,8 @@ T takagi_phi(const T& reynolds) {
 /// The source of the drag coefficient of a cylinder.
 enum class Cylinder : std::int64_t { choo_casarella, takagi };
 
-/// Calls visit(φ) with the function φ(Re) of a cylinder, so that a loop over lanes chooses it once.
+/// Calls visit(φ) with the function φ(Re) of a cylinder, so that this function is chosen once, outside a loop
+/// over lanes.
 template <class Visit>
 auto with_cylinder_phi(std::int64_t cylinder, const Visit& visit) {
   if (cylinder == static_cast<std::int64_t>(Cylinder::takagi))

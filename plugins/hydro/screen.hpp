@@ -21,11 +21,11 @@ struct ScreenParameters {
 ///   U = r W,  u = ‖U‖,  e = U/u,  q = U·n ≥ 0,  c = q/u = cos θ         (1)
 ///   F = ½ ρ u² [C_D e + C_L e_L],  e_L = (n − c e)/sin θ                 (2)
 ///     = ½ ρ u [α U + λ q n],  C_L = λ sin θ cos θ,  α = C_D − λ c²       (3)
-/// n unit normal of the netting that points with the flow; θ the angle between flow and normal (0: through
-/// the netting, 90°: along it); W [m/s] velocity of the water relative to the netting; r [1] its reduction
-/// behind other netting; ρ [kg/m³] density of the water. The area includes the holes. (3) has no division by
-/// sin θ, so that the force is regular for all θ and without flow. C_D and λ are functions of c, the solidity
-/// S and the Reynolds number u D/ν: `Model::coefficients`.
+/// n unit normal of the netting that points downstream; θ the angle between flow and normal (0: through the
+/// netting, 90°: along it); W [m/s] velocity of the water relative to the netting; r [1] factor on W behind
+/// other netting; ρ [kg/m³] density of the water. The area includes the holes. (3) has no division by sin θ,
+/// so that the force is regular for all θ and without flow. C_D and λ are functions of c, the solidity S and
+/// the Reynolds number u D/ν: `Model::coefficients`.
 ///   ∂F/∂U = ½ρ [α (u I + U eᵀ) + U (∇α)ᵀ + λ n (q e + u n)ᵀ + q n (∇λ)ᵀ]   (4)
 ///     ∇α = u ∂α/∂U = α_c (n − c e) + α_Re Re e, and ∇λ alike
 ///   ∂F/∂n = ½ρ u [(α_c U + λ_c q n) eᵀ + λ (q I + n Uᵀ)]                    (5)
@@ -130,11 +130,11 @@ struct KnottedParameters : ScreenParameters {
 /// a is the angle of attack, 90° − θ, so that sin a = c. C_90 is the pressure drag at normal incidence, C_F
 /// and K are friction, all on the area of the twines. The drag at small angles is far higher than that of
 /// laws proportional to the sine. The abstract gives no coefficients. C_90 is that of a cylinder at Re =
-/// 1000, 1.23, plus 10 % for the knots, which the abstract mentions; C_F is 0.3 of it after Niño et al. 2020
+/// 1000, 1.23, plus 10 % for the knots, which the abstract mentions; C_F is 0.3 C_90 after Niño et al. 2020
 /// (nylon nets along the flow, 0.2 to 0.4); K is zero. Users should vary C_F and K to see their effect.
 /// Deviations: sin^⅖, sin^½ = sin^(3/2)/sin and K sin a have no derivative at grazing incidence, and cos a
-/// has none at normal incidence; within 3° of there, smooth functions replace them, by (7) and (17). Friction
-/// acts along the flow. S is limited to 0.5.
+/// has none at normal incidence; within 3° of these angles, smooth functions replace them, by (7) and (17).
+/// Friction acts along the flow. S is limited to 0.5.
 struct KnottedModel {
   using Parameters = KnottedParameters;
   /// c^p for c ≥ ε; below, a cubic in c with the same value and slope at ε.                (17)

@@ -4,8 +4,8 @@
 
 namespace netloft::priour {
 
-/// Contact of knots: it limits the closing of a mesh, and its opening to the other side. A stiff penalty,
-/// twice continuously differentiable, also at α = 0:
+/// Contact of knots limits how far a mesh can close, in either direction (α near 0 or near 90°). The model is
+/// a stiff penalty, twice continuously differentiable, also at α = 0:
 ///   α_k = atan(k/(2a)),  c_k = cos 2α_k                    half angle at which knots of size k touch     (1)
 ///   y = (|c| − c_k)/(1 − c_k), at least 0                  0 at contact, 1 for a closed mesh             (2)
 ///   E = (|d|/2) K y³,  K = EA a (1 − c_k)                                                               (3)

@@ -48,8 +48,8 @@ struct Accelerated {
   const double* density;  // null: density of the water
 };
 
-/// The masses of a corner in every lane: `across` the twines, mass and added mass; `added`, the added mass
-/// alone.
+/// The masses of a corner in every lane: `across` is the mass and added mass for motion across the twines,
+/// `added` the added mass alone.
 struct Inert {
   double across[kLanes], added[kLanes];
 

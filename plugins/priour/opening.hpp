@@ -14,8 +14,8 @@ namespace netloft::priour {
 /// under the shear of the other twine (5). α₀ [rad] half angle of the unloaded mesh. For α₀ = 0 the energy is
 /// smooth for closed meshes, where (2), (3) are 0/0: (4) replaces them below e = kSeries. E has a cusp at α =
 /// 0 (unless α₀ = 0) and at α = π/2: there, states with s < kCusp are outside the domain; knot contact
-/// prevents them. Source: the paper's eq. 3; Priour 2001. Other programs use half of (1), or 2 cos α times
-/// the couple.
+/// prevents them. Source: the trawl-gear paper, eq. (3); Priour 2001. Other programs use half of (1), or 2
+/// cos α times the couple.
 struct Opening {
   static constexpr double kSeries = 0.1, kCusp = 1e-8;
 

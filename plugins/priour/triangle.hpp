@@ -21,7 +21,7 @@ constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::si
 /// t [m] twine diameter, ρ [kg/m³] twine density. With N twines side by side (double netting) there are N
 /// |d|/2 bars of each direction, in (4)–(7) and in all other terms; U and V belong to one twine. d may be
 /// negative: forces use |d|; U and V use d itself. Source: Priour 1999; A Finite Element Method for Netting
-/// (Springer 2013), as used in the paper's section 2.4.
+/// (Springer 2013), as used in the trawl-gear paper, section 2.4.
 struct Triangle {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
 
@@ -68,7 +68,7 @@ struct Triangle {
   static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
   /// The bars of both directions, (2) and (3).
   static std::array<Member, 2> members(const Parameters& p, const Data& d, double time);
-  /// Volume of the unstretched twines in the triangle, the one in (7), without knots [m³].
+  /// Volume of the unstretched twines in the triangle, as in (7), without knots [m³].
   static double twine_volume(const Parameters& p, const Data& d);
   /// Twine area as the trade defines it: length times diameter [m²].
   static double twine_area(const Parameters& p, const Data& d);

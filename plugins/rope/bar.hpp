@@ -35,7 +35,7 @@ struct Bar {
 
   /// σ of (2).
   static double factor_at(const netloft_table& table, double time);
-  /// (dσ/dt)/σ [1/s]. At a time that is a row of the table, it is that of the segment before the row.
+  /// (dσ/dt)/σ [1/s]. At the time of a row of the table, the rate is that of the segment before the row.
   static double growth_at(const netloft_table& table, double time);
   /// Returns the lanes at the time of the tile: `lanes` itself if no rope changes its length, else `room`
   /// with the lengths (2).
@@ -62,7 +62,7 @@ struct Bar {
     }
   };
 
-  /// The constant tension (1). A bar that has it has no elastic force.
+  /// The constant tension (1). A bar with a constant tension has no elastic force.
   struct Tension {
     static Status tile(const Family<Bar>& family, netloft_tile& t);
     template <class T>

@@ -13,8 +13,8 @@ namespace netloft::rope {
 ///   dE/dc = −E_φ/s,  d²E/dc² = E_φφ/s² − E_φ c/s³,  s = sin φ                                     (4)
 /// EI [N m²] bending stiffness, L [m] unstretched bars. The energy is (2) or (3), by `curvature`: (1) or (3)
 /// of rope_bending.hpp, for a rope that is bent at rest. While the bars are in line, the plane in which a
-/// clamp with β > 0 bends them is unknown, and it exerts no force. Bars folded back on each other are outside
-/// the domain.
+/// clamp with β > 0 bends them is unknown, and the clamp exerts no force. Bars folded back on each other are
+/// outside the domain.
 struct Clamp {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;
   enum Curvature : std::int64_t { of_bars, of_nodes };

@@ -11,7 +11,7 @@ namespace netloft::rope {
 ///   ∂²c/∂w₁∂w₂ = (I − t₁t₁ᵀ)(I − t₂t₂ᵀ)/(l₁ l₂)                                            (4)
 /// 1 − c is computed from the chord t₂ − t₁, which avoids cancellation in a straight rope.
 struct Turn {
-  static constexpr double kShortest = 1e-9;  // of its unstretched length: a shorter bar has no direction
+  static constexpr double kShortest = 1e-9;  // fraction of its rest length below which a bar has no direction
 
   explicit Turn(const State<3>& s) {
     const Vec3<double> w[2] = {s.between(0, 1), s.between(1, 2)};

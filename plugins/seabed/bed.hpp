@@ -20,7 +20,8 @@ namespace netloft::seabed {
 /// Kelvin and Voigt's solid, but limited by the force (2), because a bed does not pull. m and q are local
 /// factors on stiffness and friction at (x, y), 1 by default. v_b is the velocity of the ground. On ground at
 /// rest, a node sticks up to the force q μ N and then slides, by plane.hpp (4) to (7) with n and N of (3) and
-/// the shear stiffness m κ. r is the radius of bobbins or discs that lift a footrope off the bed.
+/// the shear stiffness m κ. r is the radius of bobbins or discs that lift a footrope off the bed. k, κ, ε and
+/// μ are those of plane.hpp.
 struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {

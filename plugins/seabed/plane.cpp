@@ -82,7 +82,8 @@ Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
 namespace {
 
 /// The friction (4)–(7) of one node on the bed. After sliding, (7) places the anchor where (5) equals (6) up
-/// to rounding; such a node counts as sticking, or rounding would decide which nodes of a line at rest stick.
+/// to rounding; such a node counts as sticking, because otherwise rounding would decide which nodes of a line
+/// at rest stick.
 struct Hold {
   double n[3], unit[3];       // normal, and d̂
   double way, limit, spring;  // |d|, μ N, κ L

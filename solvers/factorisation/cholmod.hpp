@@ -7,7 +7,8 @@
 
 namespace netloft {
 
-/// Width of CHOLMOD's indices: always 64 bits, or 64 bits only for factors with 2³¹ entries or more, else 32.
+/// Width of CHOLMOD's indices: 64 bits in all cases, or as needed: 64 bits for factors with 2³¹ entries or
+/// more, else 32.
 enum class IndexWidth { as_needed, of_64_bits };
 
 /// Supernodal Cholesky factorisation of symmetric positive definite matrices, by CHOLMOD.

@@ -43,9 +43,9 @@ constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & 
 /// less than a tenth of the norm of the entries below (threshold pivoting; Duff, Erisman, Reid 1986). The
 /// elimination stops if the columns of L₂₁ of one block together have a norm of more than 1/least_pivot.
 struct FrontKernels {
-  /// (1); `exchanged[k]` is the row that row k was exchanged with.
+  /// Computes (1); `exchanged[k]` is the row that row k was exchanged with.
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
-  /// (2); the columns of C have the stride of `upper`.
+  /// Computes (2); the columns of C have the stride of `upper`.
   void (*update)(const FrontPanels& front, double* C);
   /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) followed by kTileRows numbers. Apply P to y before.
   void (*forward)(const FrontPanels& front, double* y);
@@ -54,7 +54,7 @@ struct FrontKernels {
 
   // (1) and (2) in pieces, for several threads. Pieces for different ranges `from` to `to` are independent of
   // each other; ranges of rows begin at a multiple of kTileRows after the first row.
-  /// L₁₁\\U₁₁ and L₂₁ in columns of one block of pivots.
+  /// Computes L₁₁\\U₁₁ and L₂₁ in the columns of one block of pivots.
   Elimination (*eliminate_block)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
                                  double least_pivot, std::int32_t* exchanged);
   /// Computes U₁₁ in the rows from `begin` to `end` and the columns from `from` to `to`.
@@ -67,11 +67,12 @@ struct FrontKernels {
   /// Computes U₁₂ in the columns of the other unknowns from `from` to `to`.
   void (*solve_upper)(const FrontPanels& front, const std::int32_t* exchanged, std::ptrdiff_t from,
                       std::ptrdiff_t to);
-  /// (2) in the columns from `from` to `to`.
+  /// Computes (2) in the columns from `from` to `to`.
   void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t from, std::ptrdiff_t to);
 };
 
-/// The best kernels for this processor. The second function returns all that run on it, the best last.
+/// The best kernels for this processor. The second function returns all kernels that run on it, the best
+/// last.
 const FrontKernels& front_kernels();
 std::vector<FrontKernels> front_kernels_here();
 

@@ -9,8 +9,9 @@
 namespace netloft {
 namespace {
 
-// Branches that a thread gets on average. In nested dissections of nets each level of the tree has 0.7 times
-// the work of the one above it, so that smaller branches would leave more to the trunk.
+// Number of branches (subtrees) that a thread gets on average. In nested dissections of nets, each level of
+// the tree has 0.7 times the work of the level above, so that smaller branches would leave more work to the
+// trunk (the rest of the tree).
 constexpr double kBranchesPerThread = 2;
 
 class Scheduler {

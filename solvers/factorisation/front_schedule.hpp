@@ -15,9 +15,9 @@ namespace netloft {
 /// separate stacks in the same two blocks of memory.
 struct FrontSchedule {
   struct Branch {
-    std::size_t first, last;  // fronts, one past the last
+    std::size_t first, last;  // first front, and one past the last
   };
-  std::vector<Branch> branches;      // those with most work first
+  std::vector<Branch> branches;      // branches with most work first
   std::vector<std::size_t> trunk;    // fronts
   std::vector<std::uint8_t> parity;  // of the depth of each front
   std::vector<std::size_t> update;   // where the update of each front begins in the block of its parity

@@ -43,8 +43,8 @@ class Fronts {
 
   /// Eliminates a front with this thread alone if `workers` is null, else with all `workers`.
   Elimination eliminate(std::size_t front, Workers* workers);
-  /// Solve the part of L y = b, or of U x = y, that belongs to a front, in by_place(). Call forward() for
-  /// children before parents, backward() for parents before children.
+  /// Both solve the part of L y = b, or of U x = y, that belongs to a front, in the vector by_place(). Call
+  /// forward() for children before parents, backward() for parents before children.
   void forward(std::size_t front);
   void backward(std::size_t front);
 

@@ -10,7 +10,7 @@ namespace netloft {
 struct MatrixBlocks {
   struct Column {
     std::int32_t column;  // the first of three
-    std::size_t first;    // block
+    std::size_t first;    // index of its first block
   };
   struct Block {
     std::int32_t row;  // the first of three
@@ -52,7 +52,8 @@ struct MatrixKernels {
                    double* sizes);
 };
 
-/// The best kernels for this processor. The second function returns all that run on it, the best last.
+/// The best kernels for this processor. The second function returns all kernels that run on it, the best
+/// last.
 const MatrixKernels& matrix_kernels();
 std::vector<MatrixKernels> matrix_kernels_here();
 

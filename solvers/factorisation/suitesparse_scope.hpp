@@ -8,7 +8,7 @@ namespace netloft {
 ///
 /// CHOLMOD 3 has four OpenMP threads compiled in and opens a parallel region in each of some 10⁴ supernodes;
 /// OMP_NUM_THREADS does not reach it. On a busy machine the threads spin while they wait for each other and
-/// slow a factorisation down by up to a factor of 70. On a quiet one they take 2.5 times the CPU time
+/// slow a factorisation down by up to a factor of 70. On a quiet machine they take 2.5 times the CPU time
 /// without any gain on nets.
 class SingleThreadScope {
  public:

@@ -18,8 +18,8 @@ namespace {
 
 using namespace sundials;
 
-/// A method table of ARKODE, and the power of h to which the error (4) is proportional: one more than the
-/// lower order of the two formulas whose difference (4) is.
+/// A method table of ARKODE, and the power of h to which the error (4) is proportional. (4) is the difference
+/// of two formulas; the power is one more than the lower order of both.
 struct Method {
   ARKODE_DIRKTableID table;
   double error_order;
@@ -31,7 +31,7 @@ constexpr std::array<Method, 3> kMethods = {
 
 const Method& method_of(const Arkode::Parameters& p) { return kMethods[static_cast<std::size_t>(p.method)]; }
 
-/// The motion as seen by ARKODE's callbacks, and what goes wrong in them.
+/// The motion as seen by ARKODE's callbacks, and the errors that occur in them.
 struct Host {
   explicit Host(Motion& m) : motion(m) {}
 

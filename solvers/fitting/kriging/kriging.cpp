@@ -27,8 +27,8 @@ constexpr Index kLikelihoodPoints = 150;
 // Range of the lengths over the extent of the points. With shorter lengths, points are uncorrelated; with
 // longer ones, the prediction is a parabola.
 constexpr double kShortest = 0.02, kLongest = 20;
-// Range of the scatter of the values over σ². With less, K is singular in double precision; with more, all
-// variation is scatter.
+// Range of the scatter of the values over σ². With less scatter, K is singular in double precision; with
+// more, all variation is scatter.
 constexpr double kLeastScatter = 1e-10, kMostScatter = 1;
 // Steps of the search in ln ℓ and ln ν; the smallest changes (5) by less than one.
 constexpr double kFirstStep = 1.6, kLastStep = 0.1;

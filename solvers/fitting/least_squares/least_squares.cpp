@@ -64,7 +64,7 @@ class Fitter {
     return ended(false, "the model has no answers around the best point, and so no slopes");
   }
 
-  /// Returns the fit at the last point whose slopes are known, or an empty one if there is none.
+  /// Returns the fit at the last point whose slopes are known, or an empty fit if there is no such point.
   Fit interrupted() {
     if (slopes_.size() == 0) return ended(false, "interrupted");
     point_ = std::move(sloped_);

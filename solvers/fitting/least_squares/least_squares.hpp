@@ -45,7 +45,7 @@ struct FitOptions {
 /// SIAM J. Appl. Math. 11, 1963, cut off at the ends of the range of the prior; a parameter at an end whose
 /// step points outward is fixed. The posterior is the normal distribution with
 ///   mean θ*, covariance N⁻¹ at λ = 0                                                              (3)
-/// exact for a linear model. Predictions of a measurement that is not yet made have the variance
+/// which is exact for a linear model. Predictions of a measurement that is not yet made have the variance
 ///   J_f N⁻¹ J_fᵀ + σ²,  J_f = (∂f/∂θ) s                                                           (4)
 struct Fit {
   bool converged = false;

@@ -7,8 +7,8 @@ namespace netloft {
 ///   uₙ₊₁ = uₙ + h vₙ + ½ h² aₙ                                                     (1)
 ///   F(tₙ₊₁, uₙ₊₁, vₙ + h aₙ, aₙ₊₁) = 0    drag and damping at a predicted velocity  (2)
 ///   vₙ₊₁ = vₙ + ½ h (aₙ + aₙ₊₁)                                                     (3)
-/// The scheme is explicit: one evaluation of the forces per step, no linear system. Second order; stable for
-/// h ≤ 2/ω_max (Courant, Friedrichs, Lewy 1928). Error of one step: h² (aₙ₊₁ − aₙ)/6.
+/// The scheme is explicit: one evaluation of the forces per step, no linear system. It is of second order,
+/// and stable for h ≤ 2/ω_max (Courant, Friedrichs, Lewy 1928). The error of one step is h² (aₙ₊₁ − aₙ)/6.
 struct CentralDifference {
   struct Parameters {};
   static Step step(const Parameters& p, Motion& m);

@@ -18,8 +18,9 @@ namespace netloft {
 /// (1 + χ) λ² + (ν − 2 χ) λ + (ν − 1 + χ) = 0, which has the double root −ρ if
 ///   χ = (1 − ρ)²/((3 − ρ)(1 + ρ)),  ν = 2 χ + 2 ρ (1 + χ)                                           (3)
 /// ρ = 1: no damping, ν = 2, and m is the acceleration of the trapezoidal rule; ρ = 0: such motions vanish
-/// within two steps. With χ > 0, E + χ/(2 ν) (h² m·M m + Σ k (h m)²) never grows, because damping takes the
-/// growth of the second part, plus squares, from E. The scheme is of second order. The error of one step is
+/// within two steps. With χ > 0, E + χ/(2 ν) (h² m·M m + Σ k (h m)²) never grows, because damping takes from
+/// E at least the amount by which the second part grows. The scheme is of second order, with the error per
+/// step
 ///   (ν/12 + χ/2) h² ((v₁ − v₀)/h − m)                                                              (4)
 struct EnergyMomentum {
   struct Parameters {

@@ -12,7 +12,8 @@ namespace netloft {
 ///   F(t_f, u_f, v_f, a_m) = 0,  t_f = tₙ + (1 − α_f) h                                            (2)
 ///   u_f = (1 − α_f) uₙ₊₁ + α_f uₙ,  v_f alike,  a_m = (1 − α_m) aₙ₊₁ + α_m aₙ                      (3)
 ///   aₙ₊₁ = (uₙ₊₁ − ũ)/(β h²),  ũ = uₙ + h vₙ + h² (½ − β) aₙ,  vₙ₊₁ = vₙ + h (1 − γ) aₙ + γ h aₙ₊₁  (4)
-/// (2) is solved for u_f. Second order, stable for any h. Error of one step: |β − 1/6| h² (aₙ₊₁ − aₙ)   (5)
+/// (2) is solved for u_f. The scheme is of second order, and stable for any h. The error of one step is
+///   |β − 1/6| h² (aₙ₊₁ − aₙ)                                                                      (5)
 struct GeneralizedAlpha {
   struct Parameters {
     double spectral_radius = 0;

@@ -11,11 +11,12 @@ namespace netloft::newmark {
 ///   q̇ₙ₊₁ = q̇ₙ + h [(1 − γ) q̈ₙ + γ q̈ₙ₊₁]                                  (9)          (3)
 ///   β = (1 − χ)²/4,  γ = (1 − 2χ)/2                                    (11), (12)     (4)
 ///
-/// Corrector "fixed-point", the paper's, χ = −0.3: predictor q̈ₙ₊₁ = q̈ₙ, then (2), (3) and q̈ₙ₊₁ from (1) in
-/// turn, until β h² q̈ₙ₊₁ settles. It solves no linear system. For a linear spring of frequency ω, every turn
-/// multiplies an error of q̈ₙ₊₁ by −β h² ω², so that the iteration converges if
+/// The corrector "fixed-point" is that of the paper, with χ = −0.3: it begins with q̈ₙ₊₁ = q̈ₙ and repeats
+/// (2), (3) and q̈ₙ₊₁ from (1) until β h² q̈ₙ₊₁ settles. It solves no linear system. For a linear spring of
+/// frequency ω, every pass multiplies an error of q̈ₙ₊₁ by −β h² ω², so that the iteration converges if
 ///   h < 1/(√β ω_max)                                                                    (5)
-/// Corrector "solve", χ = 0: (2) solved for q̈ₙ₊₁ makes (1) a problem in qₙ₊₁, with ũ the terms of (2) at tₙ:
+/// The corrector "solve", with χ = 0, solves (1) as a problem in qₙ₊₁, with q̈ₙ₊₁ from (2). ũ are the terms
+/// of (2) at tₙ:
 ///   q̈ = (q − ũ)/(β h²),  q̇ = q̇ₙ + h (1 − γ) q̈ₙ + γ (q − ũ)/(β h)                        (6)
 /// It is stable for any h if χ ≤ 0, and of first order if χ < 0, of second order if χ = 0.
 ///

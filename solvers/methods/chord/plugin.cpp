@@ -17,8 +17,8 @@ namespace netloft {
 /// (2) is the line search of Matthies and Strang (Int. J. Numer. Meth. Eng. 14, 1979), which needs no energy:
 /// inertia and drag have none. ‖r‖ is not suitable, because it grows wherever slack twines tighten. −G(0) is
 /// the square of Newton's decrement, a length that no stiff twine dominates. A is the tangent, or its convex
-/// part where that is not positive definite; M is the linear stiffness, in which slack twines resist, too:
-/// without a little of it, steps are so long that they overstretch slack twines. The method begins with the
+/// part where the tangent is not positive definite; M is the linear stiffness, in which slack twines resist,
+/// too: without a small μ M, steps are so long that they overstretch slack twines. The method begins with the
 /// factor that the host holds from the previous problem.
 struct Chord {
   struct Parameters {
@@ -58,7 +58,8 @@ class Chords {
   }
 
  private:
-  /// Solves with the kept factor if (3) allows it. Returns false if there is none or it must be renewed.
+  /// Solves with the kept factor if (3) allows it. Returns false if there is no factor, or if the factor must
+  /// be renewed.
   bool keep_factor() {
     if (is_worn_ || !problem_.try_solve(r_, s_)) return false;
     is_fresh_ = false;
@@ -93,7 +94,7 @@ class Chords {
     return decrement_ > 0;
   }
 
-  /// Searches t by (2), with one trial if the factor is old. Returns false if there is none; u is then
+  /// Searches t by (2), with one trial if the factor is old. Returns false if no t is found; u is then
   /// unchanged.
   bool search_line() {
     double low = 0, high = 0, at_low = -decrement_, at_high = 0;

@@ -15,7 +15,7 @@ namespace netloft::lbfgs {
 /// (3): their eq. 7.20 in the metric of B; it takes a third fewer steps on netting than γ = 1. (4): cautious
 /// update, after D.-H. Li and M. Fukushima, SIAM J. Optim. 11 (2001) 1054-1064. B is the inverse of the
 /// linear stiffness, factorised once, or of the diagonal of its row sums, or the unit matrix. t is found by
-/// wolfe_search.hpp. If it finds none, the memory is cleared; if it finds none again, no step lowers E.
+/// wolfe_search.hpp. If this search fails, the memory is cleared; if it fails again, no step lowers E.
 ///
 /// A step costs little more than an evaluation and a solution with the factor, and convergence takes hundreds
 /// of steps: `steps` of them make one iteration of the host.

@@ -12,13 +12,13 @@ namespace netloft::newton {
 
 namespace {
 
-/// The model of the step counts as good if the line search accepts a larger t, and as bad if only a smaller
-/// one.
+/// The model of the step counts as good if the line search accepts a larger t than this, and as bad if it
+/// accepts only a smaller t.
 constexpr double kTrusted = 0.5;
 
 /// Returns μ for the next direction: lower after a step by the merit with t > ½ or by ‖r‖, multiplied by
 /// 1/(2 t) after a shorter step by the merit, higher if no step was found. After a step by the slope, or
-/// along negative curvature alone, it is the damping of that step's matrix.
+/// along negative curvature alone, μ is the damping of that step's matrix.
 double damping_after(const Step& step, const DampingRange& range) {
   if (!step) return range.raised(step.damping);
   if (step.rule == Step::Rule::residual) return range.lowered(step.damping);

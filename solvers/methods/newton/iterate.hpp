@@ -78,7 +78,7 @@ class Iterate {
   std::size_t count_ = 0;
   std::vector<double> r_, trial_, r_trial_, gradient_;
   std::vector<double> d_;  // empty, as is the gradient, if all forces have an energy
-  bool is_split_ = false;  // d_ belongs to u
+  bool is_split_ = false;  // whether d_ belongs to u
   Known known_ = Known::nothing;
 };
 

@@ -108,7 +108,8 @@ void LeastCurvature::lengthen(Problem& problem) {
   if (length_ < kSteps) keep_orthogonal(problem);
 }
 
-/// Makes w orthogonal to the basis, twice because rounding leaves a remainder the first time, and adds it.
+/// Makes w orthogonal to the basis, twice because rounding leaves a remainder the first time, and adds w to
+/// the basis.
 void LeastCurvature::keep_orthogonal(Problem& problem) {
   for (int time = 0; time < 2; ++time)
     for (std::size_t i = 0; i < length_; ++i) axpy(-dot(w_, image(i)), basis(i), w_);

@@ -75,7 +75,8 @@ struct LineSearch {
   }
 };
 
-/// A search along a line for a t at which m is flat, if rounding hides how m changes but not its slope.
+/// A search along a line for a t at which m is flat. It is used if rounding hides the changes of m but not
+/// the slope of m.
 struct SlopeSearch {
   double noise = 0;     // rounding error of m, by which m may rise
   double flatness = 0;  // fraction of the slope at the start that m' may keep

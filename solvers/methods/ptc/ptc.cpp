@@ -71,7 +71,7 @@ class ImplicitSteps {
     return evaluate_here();
   }
 
-  /// Whether (3) holds: a step against it does not follow the motion.
+  /// Whether (3) holds: a step that violates (3) does not follow the motion.
   bool follows_motion() { return dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_); }
 
   void adapt_step(std::int64_t corrections) {
@@ -89,7 +89,7 @@ class ImplicitSteps {
   Problem& problem_;
   double delta_ = 1, energy_ = 0;
   const char* note_ = "";
-  std::vector<double> r_, r_before_;  // residual at u, and where the step began
+  std::vector<double> r_, r_before_;  // residual at u, and at the point where the step began
   std::vector<double> before_, moved_, unbalanced_, s_;
 };
 

@@ -16,9 +16,9 @@ namespace netloft::ptc {
 /// energy it is the proximal point algorithm (R. T. Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898). K
 /// is dr/du. δ is doubled if half of the `corrections` are enough for (2), and halved if all are not enough
 /// or (3) does not hold. Near a stable equilibrium δ therefore grows without bound, and (2) becomes Newton's
-/// method. After C. T. Kelley and D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508-523, and E. Hairer and G.
-/// Wanner, Solving Ordinary Differential Equations II (1996), IV.8. By (1), d·r(u′) = −d·M d/δ: (3) is κ δ ≥
-/// −1/2 for the curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, the Euler step ends at the
+/// method. Sources: C. T. Kelley and D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508-523, and E. Hairer and
+/// G. Wanner, Solving Ordinary Differential Equations II (1996), IV.8. By (1), d·r(u′) = −d·M d/δ: (3) is κ δ
+/// ≥ −1/2 for the curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, the Euler step ends at the
 /// equilibrium that the motion leaves.
 struct PseudoTransient {
   struct Parameters {

@@ -31,8 +31,7 @@ struct Row {
 /// variants of the hard cases of tests/stability.
 const Row kTable[] = {
     // The strategy auto itself solves the coarser mesh, from a still coarser one if there is one. On the
-    // finer
-    // mesh it remains to determine which members are slack: Newton's method does so member by member,
+    // finer mesh it remains to determine which members are slack: Newton's method does so member by member,
     // tension/only for all at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
       "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},

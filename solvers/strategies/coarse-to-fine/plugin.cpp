@@ -44,12 +44,12 @@ struct CoarseToFine {
 
  private:
   static constexpr const char* kFromCoarser = "from a coarser mesh";
-  /// Largest fraction of the work for the coarser mesh. With 1 the hard cases cost a fifth to a quarter more
-  /// factorisations than with ½, with ¼ as many (tests/bench/sensitivity.md).
+  /// Largest fraction of the work for the coarser mesh. With 1, the hard cases cost a fifth to a quarter more
+  /// factorisations than with ½; with ¼, they cost as many as with ½ (tests/bench/sensitivity.md).
   static constexpr double kMostOfCoarser = 0.5;
 
-  /// Solves the scene by the strategy `then`. It assesses the start first, so that there is a result even if
-  /// that strategy is cut off before it has solved anything.
+  /// Solves the scene by the strategy `then`. The start is assessed first, so that there is a result even if
+  /// the strategy `then` is cut off before it has solved anything.
   static Stage called_from(const Displacements& start, const Parameters& p, Search& search) {
     Stage fine = search.assess({.name = kFromCoarser}, start);
     const Specification then = specification_of(p.then);

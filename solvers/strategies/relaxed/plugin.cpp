@@ -7,12 +7,13 @@ namespace {
 
 using namespace netloft;
 
-/// A strategy for elements that stick and slide, whose tangent does not predict the next state: a matrix-free
-/// solver brings the gear close to equilibrium, and the solver of the analysis continues from there. If the
-/// latter does not converge, the matrix-free solver continues to the end. Its iterations cost next to
-/// nothing; therefore only the budget of work limits them.
+/// Limit of iterations that is never reached: iterations without a matrix cost next to nothing, and only the
+/// budget of work limits them.
 constexpr unsigned kAsManyAsItTakes = 10000000;
 
+/// A strategy for elements that stick and slide, whose tangent does not predict the next state: a matrix-free
+/// solver brings the gear close to equilibrium, and the solver of the analysis continues from there. If the
+/// latter does not converge, the matrix-free solver continues to the end.
 struct Relaxed {
   struct Parameters {
     const char* solver = nullptr;

@@ -20,8 +20,8 @@ class Stages {
 
   Stages(const Parameters& parameters, netloft_members& members);
 
-  /// Solves from u, which it changes. Returns how the last stage ended. The first stage is the last if it
-  /// does not converge, and any stage if the host calls it off.
+  /// Solves from u, which it changes. Returns how the last stage ended. No stage follows if the first stage
+  /// does not converge, or if the host stops a stage.
   MixedNewton::Ending solve(std::span<double> u);
 
  private:
