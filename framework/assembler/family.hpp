@@ -100,7 +100,7 @@ class ElementFamily {
   double viscosity_ratio_ = 1;
   std::vector<std::size_t> part_begin_;      // first element of each part, and one past the last
   std::vector<std::uint32_t> part_, nodes_;  // for each element: index in parts_; its nodes
-  std::vector<double> arms_;                 // per element on a body [m]
+  std::vector<double> arms_;                 // arm of each element on a body [m]
   std::vector<ParameterBlock> parameters_, law_parameters_;
   std::vector<netloft_bound_law> laws_;
   std::vector<std::unique_ptr<LawWatch>> watches_;

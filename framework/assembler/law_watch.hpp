@@ -8,7 +8,8 @@
 namespace netloft {
 
 /// How much a law is used inside and outside one of the ranges in which it was measured. Each call counts
-/// with the metres of twine or square metres of netting that the element gives, or with 1 if it gives none.
+/// with the metres of twine or square metres of netting that the element gives, or with 1 if the element
+/// gives neither.
 struct RangeUse {
   const netloft_validity* range = nullptr;
   double inside = 0, outside = 0;

@@ -35,8 +35,8 @@ std::size_t body_at(std::span<const std::array<std::uint32_t, 2>> bodies, std::u
   return static_cast<std::size_t>(found - bodies.begin());
 }
 
-/// Adds entry (r, c) of elements on bodies. Their rows belong first to the origin, then to the rotation, then
-/// to shared unknowns.
+/// Adds entry (r, c) of elements on bodies. The rows of such an element belong first to the origin, then to
+/// the rotation, then to shared unknowns.
 void add_on_bodies(const ElementFamily& f, const netloft_tile& t, std::size_t r, std::size_t c,
                    const double* lanes, std::span<const std::array<std::uint32_t, 2>> bodies,
                    MassBlocks& masses) {

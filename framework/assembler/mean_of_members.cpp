@@ -93,8 +93,8 @@ Correction correct(const MemberOfStep& step, const Chord& w, const StepEnds& end
   return c;
 }
 
-/// Adds the block of corners (p, q) to the tangent of an element. `square` or `triangle` (packed) receives
-/// it; the other pointer is null.
+/// Adds the block of corners (p, q) to the tangent of an element, which is either `square` or `triangle`
+/// (packed); the other pointer is null.
 void add_slope(std::size_t p, std::size_t q, std::size_t dofs, std::size_t lane, const Eigen::Matrix3d& block,
                double* square, double* triangle) {
   for (std::size_t r = 0; r < 3; ++r)

@@ -42,7 +42,7 @@ class MovingState {
 /// Midpoint of a step for which the time scheme balances mean forces (netloft_motion::solve_between).
 struct MeanStep {
   double t = 0;                   // [s]
-  std::vector<double> u, v, a;    // of the unknowns, as the time scheme sets them [m], [m/s], [m/s²]
+  std::vector<double> u, v, a;    // state of the unknowns, as the time scheme sets it [m], [m/s], [m/s²]
   std::vector<double> reactions;  // mean reactions of held nodes, over all dofs [N]; empty: no node is guided
 };
 

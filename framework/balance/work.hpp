@@ -35,10 +35,10 @@ struct WorkModel {
 ///   factorisation = F + (a or b) N                                                          (3)
 ///   solution = a N,   residual = c S,   matrix = d S                                        (4)
 /// The constants a to d are times, expressed in operations of a large factorisation, which makes 20
-/// operations per nanosecond. A solution has 4 N operations but waits for memory. A factorisation waits for
-/// memory, too, which is its second term: the constant is b for Cholesky's factor (CHOLMOD) and a for L U
-/// (multifrontal). tests/bench/work_model.cpp prints the times of this model and the measured ones: for
-/// panels and a trawl of 216 to 100 000 unknowns, they agree to a factor of 1.7 for iterations and
+/// operations per nanosecond. A solution has 4 N operations but waits for memory. The second term of (3) is
+/// the time for which a factorisation waits for memory; its constant is b for Cholesky's factor (CHOLMOD) and
+/// a for L U (multifrontal). tests/bench/work_model.cpp prints the times of this model and the measured ones:
+/// for panels and a trawl of 216 to 100 000 unknowns, they agree to a factor of 1.7 for iterations and
 /// factorisations, and 4.5 for the other operations.
 ///
 /// `unit` is (1) of the scene itself. If the factorisation does not report F before its first use, F and N

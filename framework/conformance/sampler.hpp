@@ -26,7 +26,7 @@ class ParameterSampler {
 
   /// Parameters of part number `part`.
   Values parameters(std::size_t part);
-  /// A number of parts that is sufficient for every word of every choice.
+  /// The number of parts that are needed to draw every word of every choice at least once.
   std::size_t parts() const;
 
  protected:

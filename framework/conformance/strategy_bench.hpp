@@ -48,7 +48,7 @@ inline const PracticeScene kFlowing{.like = {.swirl = 5}};
 const std::vector<NamedScene>& scenes();
 /// Scenes that a single solve brings to equilibrium.
 const std::vector<NamedScene>& easy_scenes();
-/// All of `scenes`, plus the same ones with little work and with an interrupt by the user.
+/// All of `scenes`, plus the same scenes with little work and with an interrupt by the user.
 std::vector<NamedScene> all_scenes();
 
 }  // namespace netloft::conformance

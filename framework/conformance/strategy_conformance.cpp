@@ -55,7 +55,7 @@ Finding strategy_lets_no_exception_escape(StrategyBench& b) {
 constexpr double kBalancedSearch = 1e-7;  // ten times the tolerance of the search
 
 /// Checks that the best answer is in balance. Skipped if the strategy requests nothing, because it does not
-/// apply to such a small scene or to one without a current.
+/// apply to such a small scene or to a scene without a current.
 Finding is_answered(StrategyBench& b, PracticeScene scene) {
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
   PracticeSearch search(scene);
@@ -72,7 +72,8 @@ Finding is_answered(StrategyBench& b, PracticeScene scene) {
   return f;
 }
 
-/// Checks that the strategy answers with equilibria of easy scenes. It must apply to at least one of them.
+/// Checks that the strategy answers with equilibria of easy scenes. The strategy must apply to at least one
+/// of these scenes.
 Finding answers_easy_searches(StrategyBench& b) {
   Finding worst = not_applicable(kNoScene);
   bool takes_any = false;

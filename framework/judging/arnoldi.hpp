@@ -10,8 +10,8 @@ namespace netloft {
 /// those of growth.hpp.
 struct RitzPair {
   std::complex<double> theta;
-  double residual = std::numeric_limits<double>::infinity();  // its residual, ρ in (5)
-  double condition = 1;                                       // its condition number, 1/χ in (5)
+  double residual = std::numeric_limits<double>::infinity();  // residual of the pair, ρ in (5)
+  double condition = 1;                                       // condition number of θ, 1/χ in (5)
   Eigen::VectorXcd vector = {};
 
   double beyond() const { return std::abs(theta) - 1; }

@@ -16,7 +16,7 @@ enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
 
 /// The motion into which a small disturbance of u grows, if forces have no energy.
 struct GrowingMotion {
-  std::vector<double> mode;        // over the unknowns, of length 1; empty: no growing motion is known
+  std::vector<double> mode;        // shape over the unknowns, of length 1; empty: no growing motion is known
   std::vector<double> mode_later;  // the mode a quarter of a period later, if it oscillates; else empty
   double rate = 0;                 // growth rate [1/s]; zero if no fluid moves
   double frequency = 0;            // angular frequency of the oscillation [rad/s]

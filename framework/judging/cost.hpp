@@ -21,7 +21,7 @@ struct Cost {
   // The sum over all stages. The times include the checks that the host makes after the last stage; the
   // counts do not.
   Statistics statistics;
-  double work = 0;                  // of all stages, in Newton iterations of the scene (work.hpp)
+  double work = 0;                  // work of all stages, in Newton iterations of the scene (work.hpp)
   std::vector<StageRecord> stages;  // in the order in which they ran; one if the strategy solved only once
 
   /// Adds the cost of later stages.

@@ -19,7 +19,7 @@ struct Growth {
   double per_power = 0;           // largest growth factor |μ| of (6) for all σ; zero if nothing grows
   double rate = 0;                // growth rate Re s of the growing motion [1/s]
   double frequency = 0;           // Im s, its angular frequency [rad/s]; zero for a divergence
-  std::vector<double> mode = {};  // over the unknowns, of length 1; empty if nothing grows
+  std::vector<double> mode = {};  // shape over the unknowns, of length 1; empty if nothing grows
   // The mode a quarter of a period later, on the same scale; empty if the motion does not oscillate.
   std::vector<double> mode_later = {};
   Statistics cost = {};  // cost of the examination

@@ -16,7 +16,7 @@ struct OtherShape {
 /// Result of the search for other equilibria, and the rule by which the solution was chosen
 /// (framework/search/shapes.hpp).
 struct Shapes {
-  bool by_energy = false;  // whether the solution is the one of least energy; else it is the first one found
+  bool by_energy = false;  // whether the solution is the equilibrium of least energy, not the first one found
   int restarts = 0, times = 1;  // times: how often the solution was found, at least once
   std::vector<OtherShape> others;
 };

@@ -69,7 +69,7 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
 
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state) {
-  if (!(std::abs(longer - 1) >= kLeastDifference)) return;  // also if the ratio is not known
+  if (!(std::abs(longer - 1) >= kLeastDifference)) return;  // true also if the ratio is NaN
   for (std::size_t i = 0; i < here.size(); i += 3) {
     const double apart = distance(here, there, i);
     const double error = apart == 0 ? 0 : apart / std::min(1.0, std::abs(longer - 1));  // (1)

@@ -14,7 +14,7 @@ class Assembler;
 /// the march can continue later.
 struct MarchState {
   double t = 0, h = 0;                      // current time, and length of the next step [s]
-  std::vector<double> u, v, a;              // of the unknowns [m], [m/s], [m/s²]
+  std::vector<double> u, v, a;              // state of the unknowns [m], [m/s], [m/s²]
   std::vector<double> memory;               // memory of the elements
   std::vector<double> budget;               // sums of the energy budget [J]
   std::vector<double> judged;               // sums of the energy judge [J]

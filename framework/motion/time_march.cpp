@@ -397,7 +397,7 @@ class March {
   Assembler& assembler_ = of_.assembler;
   const StepMethods& methods_;
   const Limits& limits_;
-  const Limits other_limits_;  // of the march for comparison
+  const Limits other_limits_;  // limits of the march for comparison
   const MarchSettings& settings_;
   const MarchWatch& watch_;
   StepScheme scheme_;

@@ -17,7 +17,7 @@ namespace netloft {
 /// The methods of a march (an integration in time).
 struct StepMethods {
   IntegratorChoice integrator;
-  SolverChoice solver;  // for implicit steps
+  SolverChoice solver;  // solver of implicit steps
 };
 
 /// Forces at the end of a step. They are not evaluated at outputs between the ends of a step: interpolated
@@ -37,7 +37,7 @@ struct Snapshot {
   double t;
   std::span<const double> u;
   std::span<const double> x, v;  // over all dofs: positions [m], velocities [m/s]
-  ForceMoment forces;            // at t if a step ends there, else at the end of the step around t
+  ForceMoment forces;            // forces at t if a step ends at t, else at the end of the step around t
   // Energies at the end of the last step if outputs are dense; null: no budget is kept.
   const EnergyBudget* budget;
   const MarchState* state;  // state from which a march can continue; null: continue from an earlier snapshot

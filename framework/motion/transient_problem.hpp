@@ -27,7 +27,7 @@ class TransientProblem {
   Statistics statistics() const;
   const char* message() const { return message_; }
   void keep_message(const char* text);
-  /// The reason for which a step could not be solved, for the last such step; empty if there was none.
+  /// The reason why the last step that failed could not be solved; empty if no step failed.
   const std::string& trouble() const { return trouble_; }
 
   /// Accelerations at a state; zero for nodes without mass. Returns OK, OUTSIDE_DOMAIN or ERROR.

@@ -288,7 +288,7 @@ std::string fault_on_trial(const std::filesystem::path& file) {
     const char word = trials.of(path);
     if (word == kCameBack) return {};
     const std::string fault = fault_of(word, trials.end());
-    // A file opened before may have caused the fault; therefore this one is tried again in a new process.
+    // A file opened before may have caused the fault; therefore this file is tried again in a new process.
     if (was_fresh || word != 0) return fault;
   }
 }

@@ -8,7 +8,7 @@ namespace netloft {
 
 namespace {
 
-/// Two neighbouring elements, and for each node of the pair an element and a corner where it is found.
+/// Two neighbouring elements, and for each node of the pair an element and its corner at this node.
 struct Pair {
   std::size_t first, second;
   std::vector<std::pair<std::size_t, std::size_t>> corners;  // (element, corner)

@@ -10,10 +10,10 @@ namespace netloft {
 bool may_act(const ElementType& type, const Values& parameters);
 
 /// Makes the part of a rider, an element that exists on each pair of neighbours of another element:
-/// neighbouring bars of a rope become bar pairs, triangles with a common edge become triangle pairs. Data of
-/// the rider are those of the same name of the other element: a number per element becomes two (first,
-/// second), a number per corner becomes one per node of the pair. Parameters are copied if the rider's table
-/// has them.
+/// neighbouring bars of a rope become bar pairs, triangles with a common edge become triangle pairs. The
+/// rider's data are made of the data of the same name of the other element: a number per element becomes two
+/// (first, second), a number per corner becomes one per node of the pair. Parameters are copied if the
+/// rider's table has them.
 Part make_companion(const Part& part, const ElementType& ridden, const ElementType& rider);
 
 }  // namespace netloft

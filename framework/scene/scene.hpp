@@ -82,7 +82,7 @@ struct Part {
   std::string name;                  // "net"
   std::string type;                  // "priour/triangle"
   Values parameters;                 // by parameter name
-  std::vector<std::uint32_t> nodes;  // scene nodes of the elements, one after another
+  std::vector<std::uint32_t> nodes;  // scene nodes of the elements, element by element
   ElementData data;
   std::map<std::string, LawChoice> laws = {};  // by slot name; absent: the slot's default
   bool companion = false;      // made on the pairs of neighbours of the preceding part of this name
@@ -97,7 +97,7 @@ struct NodeLabel {
 /// The given motion of held nodes: their displacement from the start, in the world frame.
 struct Guide {
   std::vector<std::uint32_t> nodes;
-  std::vector<std::uint8_t> axes;  // per node, the axes that this guide moves
+  std::vector<std::uint8_t> axes;  // per node: the axes that this guide moves
   Course course;
 };
 
@@ -144,12 +144,12 @@ struct Scene {
   std::array<double, 3> ground = {};             // velocity at which the ground passes the gear [m/s]
   SeaBed bed = {};
   std::vector<double> positions;   // initial positions, 3 per node [m]
-  std::vector<std::uint8_t> held;  // per node, the axes along which it cannot move
+  std::vector<std::uint8_t> held;  // per node: the axes along which the node cannot move
   /// Axes of nodes that are held along axes other than x, y and z: the columns of a rotation matrix, stored
   /// row by row. Bits of `held` then refer to these axes.
   std::map<std::uint32_t, std::array<double, 9>> frames;
   std::vector<RigidBody> bodies;  // their points are `carried`
-  std::vector<bool> carried;      // per node; empty if there are no bodies
+  std::vector<bool> carried;      // per node: whether a body carries it; empty if there are no bodies
   std::vector<Guide> guides;      // motions of held nodes in time
   std::vector<NodeLabel> labels;  // per node
   std::vector<Part> parts;

@@ -33,7 +33,7 @@ enum class AnalysisKind { statics, dynamics };
 
 /// An unknown that all elements of a part share.
 struct GlobalPlan {
-  std::uint32_t part = 0;  // of the scene
+  std::uint32_t part = 0;  // index in the scene
   std::string name, unit, doc;
 };
 
@@ -41,7 +41,7 @@ struct GlobalPlan {
 struct FamilyPlan {
   const ElementType* type = nullptr;
   std::vector<LawPlan> laws;         // one per slot
-  std::vector<std::uint32_t> parts;  // of the scene
+  std::vector<std::uint32_t> parts;  // indices in the scene
   std::size_t elements = 0;
   std::vector<TermPlan> terms;
   std::vector<GlobalPlan> globals = {};

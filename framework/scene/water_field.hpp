@@ -7,7 +7,7 @@ namespace netloft {
 /// The motion of the water at a place and a time, in addition to the current.
 struct WaterMotion {
   std::array<double, 3> velocity = {};      // [m/s]
-  std::array<double, 3> acceleration = {};  // of the water particle [m/s2]
+  std::array<double, 3> acceleration = {};  // acceleration of the water particle [m/s2]
   std::array<double, 3> velocity_dz = {};   // derivative of the velocity with respect to z [1/s]
   double surface = 0;                       // height of the surface there [m]
 };

@@ -21,8 +21,8 @@ namespace netloft {
 /// solver that turns the bodies.
 class MemberProblem {
  public:
-  /// Uses the elements that report members and whose term of members is active; members without any stiffness
-  /// (ropes at constant tension) are ignored.
+  /// Uses the elements that declare members and whose term with NETLOFT_OF_MEMBERS is active. Members without
+  /// any stiffness (ropes at constant tension) are ignored.
   MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
 

@@ -95,8 +95,8 @@ class SetScenes {
   }
 
  private:
-  /// Finds an equilibrium. The strategy finds the first one. The solver alone finds later ones, starting from
-  /// the previous equilibrium. If the solver fails, the strategy is used.
+  /// Finds an equilibrium. The strategy finds the first equilibrium; the solver alone finds later ones,
+  /// starting from the previous equilibrium. If the solver fails, the strategy is used.
   Solution solve(const VariantSource& source, const std::vector<double>& start) {
     Solution near;
     if (has_one_ && !start.empty()) near = spend(solve_near(source, left_, start));

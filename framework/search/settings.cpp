@@ -16,8 +16,8 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 
 // Constants of the search for factors. Changes of factors are relative: they are changes of the logarithm.
-// kFirstChange is the change over which slopes are measured. It changes a tension by some percent. Equilibria
-// are found to 1e-10 of the load, so that this difference has 7 digits.
+// kFirstChange is the change over which slopes are measured. Such a change of a factor changes a tension by
+// some percent. Equilibria are found to 1e-10 of the load, so that this difference has 7 digits.
 constexpr double kFirstChange = 0.01;
 // kLargestChange is the largest change in one step. From one length of warp to another that differs by 5 %,
 // Newton's method converges.

@@ -41,7 +41,7 @@ struct FilledSlice {
 
 /// A cut through a triangle, at `depth` from one corner; the other two corners are at the depths `first` and
 /// `second` from that corner [meshes]. `away` is 1 if the cut moves away from that corner as m grows, and −1
-/// if it moves towards it.
+/// if the cut moves towards the corner.
 struct Cut {
   double depth, first, second, away;
 };

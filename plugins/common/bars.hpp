@@ -19,9 +19,9 @@ namespace netloft::bars {
 ///   r_p = ½ V [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t]   inertia      (5)
 ///     added mass acts only across the bar, whose direction is t; masses are lumped at the nodes
 /// D [m] diameter, ρ [kg/m³] density of the material, ρ_w of the water, g [m/s²], η [N s] damping (EA times a
-/// relaxation time), C_a [1] added mass over displaced mass, N ≥ 0 any number, 1 for a rope. (5) is the force
-/// in water without acceleration; `add_waves` adds the rest. Source: the trawl-gear paper, section 2.3 and
-/// eq. (2); Morison et al. 1950.
+/// relaxation time), C_a [1] added mass over displaced mass, N ≥ 0 (1 for a rope) need not be whole. (5) is
+/// the force in water without acceleration; `add_waves` adds the rest. Source: the trawl-gear paper, section
+/// 2.3 and eq. (2); Morison et al. 1950.
 struct Lanes {
   double l0[kLanes];                          // [m]
   double EA[kLanes], EA_compression[kLanes];  // N EA, N EA_c [N]
@@ -32,7 +32,7 @@ struct Lanes {
   double surface[kLanes];                      // σ of surface.hpp
 };
 
-/// Fills one lane, the numbers of one element. N, here `parallel`, enters nowhere else. `P` has EA,
+/// Fills one lane, the numbers of one element. `parallel` is N, which is used nowhere else. `P` has EA,
 /// EA_compression, diameter, density, damping, loss_factor, loss_frequency, added_mass, surface of one bar.
 template <class P>
 void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::size_t lane) {

@@ -37,7 +37,7 @@ struct Solid {
   double mass = 0, volume = 0;                         // [kg], [m3]
   double centre_x = 0, centre_y = 0, centre_z = 0;     // centre of mass, in the body's axes [m]
   double float_x = 0, float_y = 0, float_z = 0;        // centre of volume [m]
-  double inertia_x = 0, inertia_y = 0, inertia_z = 0;  // about the centre of mass [kg m2]
+  double inertia_x = 0, inertia_y = 0, inertia_z = 0;  // moments of inertia about the centre of mass [kg m2]
   double added_x = 0, added_y = 0, added_z = 0;        // added mass along the body's axes [kg]
   double turning_x = 0, turning_y = 0, turning_z = 0;  // added inertia about these axes [kg m2]
   // Rotation vectors from the body's axes to the principal axes of inertia, and to those of added mass and
@@ -144,7 +144,7 @@ inline constexpr SolidRow kSolidRows[] = {
 template <class E>
 void declare_solid(ElementTable<E>& e, const std::string& prefix, Real mass) {
   using P = typename E::Parameters;
-  static std::deque<std::string> names;  // for the lifetime of the program
+  static std::deque<std::string> names;  // kept until the program ends
   const auto name = [&](const char* own) { return names.emplace_back(prefix + own).c_str(); };
   e.real(name("mass"), static_cast<double P::*>(&Solid::mass), "kg", "mass in air", mass);
   e.real(name("volume"), static_cast<double P::*>(&Solid::volume), "m3", "volume of water it displaces",

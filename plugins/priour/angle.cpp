@@ -100,7 +100,7 @@ void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t co
     const double iu = m.u.inverse[i], iv = m.v.inverse[i], lambda = h2 > 0 ? h2 + rho : h1 * h1 / (rho - h2);
     // The eigenvector (σ, μ) = (λ, −h′) of the eigenvalue λ has the squared length 2λρ: its weight is 1/2ρ.
     add_square(0.25 / rho, iu * (-h1 * u - lambda * fu), iv * (-h1 * v + lambda * fv), i, k);
-    const double sign = h1 > 0 ? 1 : -1;  // (τ, κ)
+    const double sign = h1 > 0 ? 1 : -1;  // the eigenvector in (τ, κ) of (9)
     add_square(0.25 * std::abs(h1), iu * (fu + sign * u), iv * (fv - sign * v), i, k);
     const double out = E1 < 0 ? -E1 * (1 + c) : E1 * (1 - c);
     add_square(0.5 * std::max(out, 0.0), iu * w, (E1 < 0 ? -iv : iv) * w, i, k);

@@ -43,7 +43,7 @@ struct Triangle {
     double volume[kLanes], density[kLanes];
     double H[kLanes], H_of_EI[kLanes], alpha0[kLanes];  // opening (1), (5)
     double diameter[kLanes], damping[kLanes], added_mass[kLanes];
-    double loss[kLanes];      // of one twine, loss.hpp
+    double loss[kLanes];      // loss of one twine, loss.hpp
     double surface[kLanes];   // σ of surface.hpp
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
     // b, ξ, R and e of slowed.hpp, and whether the water is slowed in some lane.

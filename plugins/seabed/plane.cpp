@@ -142,7 +142,7 @@ void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i, double* st
 /// The friction (8), (9) of one node on a moving bed.
 struct Drag {
   double n[3], w[3];   // normal, velocity over the bed
-  Plane::Slip slip;    // of |w|
+  Plane::Slip slip;    // slip at the speed |w|
   double limit;        // μ N
   double limit_slope;  // −∂(μ N)/∂h = μ K f''
 };

@@ -36,7 +36,7 @@ struct Plane {
     double friction = 0, shear_stiffness = 0;
   };
   struct Data {
-    double length = 0;  // of rope or twine at the node [m]
+    double length = 0;  // length of rope or twine at the node [m]
     double pieces = 0;  // each counts as one metre if length is zero
   };
   struct Lanes {

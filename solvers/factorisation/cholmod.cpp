@@ -18,7 +18,7 @@
 namespace netloft {
 namespace {
 
-/// CHOLMOD's functions for indices of 32 bits, and for those of 64.
+/// CHOLMOD's functions for indices of 32 bits, and for indices of 64 bits.
 template <class Index>
 struct Calls;
 
@@ -181,7 +181,7 @@ class FactorsOf final : public CholmodFactors {
   CholmodCommon common_{Cholmod::kIndex};
   PermutedMatrix<Index> matrix_;
   cholmod_factor* factor_ = nullptr;
-  cholmod_dense *workspace_y_ = nullptr, *workspace_e_ = nullptr;  // of cholmod_solve2
+  cholmod_dense *workspace_y_ = nullptr, *workspace_e_ = nullptr;  // workspace of cholmod_solve2
 };
 
 class CholmodFactorisation final : public Factorisation, public ForeseesMemory {
@@ -301,7 +301,7 @@ void FactorsOf<Index>::solve(std::span<const double> rhs, std::span<double> x) {
   assert(rhs.size() == factor_->n && x.size() == factor_->n);
   // The memory pool is not used here: the workspace stays allocated, and would keep a block that `factorise`
   // has returned to the pool and needs again.
-  cholmod_dense b = view_of(const_cast<double*>(rhs.data()), rhs.size());  // only read
+  cholmod_dense b = view_of(const_cast<double*>(rhs.data()), rhs.size());  // CHOLMOD only reads b
   cholmod_dense result = view_of(x.data(), x.size());
   cholmod_dense* handle = &result;
   const int solved = Cholmod::solve(CHOLMOD_A, factor_, &b, nullptr, &handle, nullptr, &workspace_y_,

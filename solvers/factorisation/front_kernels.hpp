@@ -47,7 +47,8 @@ struct FrontKernels {
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
   /// Computes (2); the columns of C have the stride of `upper`.
   void (*update)(const FrontPanels& front, double* C);
-  /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) followed by kTileRows numbers. Apply P to y before.
+  /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) followed by kTileRows numbers. P must have been
+  /// applied to y.
   void (*forward)(const FrontPanels& front, double* y);
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); the numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);

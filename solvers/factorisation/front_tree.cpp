@@ -118,7 +118,7 @@ class FrontTreeBuilder {
     std::uint32_t slot;
     std::int32_t size;
   };
-  std::vector<Piece> pieces_;        // by column
+  std::vector<Piece> pieces_;        // pieces of all columns, column by column
   std::vector<bool> begins_a_node_;  // unknown -> whether it and the next two belong to one node
 };
 

@@ -16,7 +16,7 @@ struct Front {
   std::int32_t first = 0;    // first of its pivots, in the order of elimination
   std::int32_t pivots = 0;   // n
   std::int32_t others = 0;   // u
-  std::int32_t parent = -1;  // front of the first of the others
+  std::int32_t parent = -1;  // the front that eliminates the first of the others
   // Indices of the first number of the front in each list:
   std::size_t indices = 0;  // its others, in FrontTree::other and FrontTree::place
   std::size_t panels = 0;   // its panels, in the factors
@@ -30,7 +30,7 @@ double flops_of(const Front& front);
 /// Entries of the matrix that are added to a front at its start: one entry, or the nine of three rows and
 /// columns of a pair of nodes, whose slots are adjacent row by row.
 struct FrontEntries {
-  std::uint32_t slot = 0;             // of the first entry
+  std::uint32_t slot = 0;             // slot of the first entry
   std::uint32_t target = 0;           // place of the first entry in the panels of its front
   std::int32_t down = 0, across = 0;  // distance in the panels to the next row, and to the next column
   std::int32_t size = 1;              // rows and columns
@@ -42,12 +42,12 @@ struct FrontEntries {
 /// to its parent. Children come before parents, and the fronts below a front are numbered consecutively.
 struct FrontTree {
   std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
-  std::vector<Front> fronts;          // and an additional one that marks the end
+  std::vector<Front> fronts;          // all fronts, and an additional one that marks the end
   std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
-  std::vector<std::int32_t> place;    // of each `other` among the unknowns of the parent, pivots first
+  std::vector<std::int32_t> place;    // place of each `other` among the unknowns of the parent, pivots first
   std::vector<UnknownRun> runs;       // `place` as runs of consecutive places
   std::vector<std::int32_t> child_start, child;
-  std::vector<FrontEntries> of_matrix;  // by front
+  std::vector<FrontEntries> of_matrix;  // entries of all fronts, front by front
   MatrixBlocks matrix;
   std::size_t panels = 0;          // size of all panels [doubles]
   std::int32_t most_unknowns = 0;  // largest number of unknowns of a front

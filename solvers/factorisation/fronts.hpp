@@ -62,7 +62,7 @@ class Fronts {
   std::size_t value_count_ = 0;
   const FrontKernels& kernels_ = front_kernels();
   const MatrixKernels& matrix_kernels_ = matrix_kernels();
-  std::vector<double> values_;  // by slots
+  std::vector<double> values_;  // values of the matrix, by slot
   Room panels_, updates_[2];
   std::vector<std::int32_t> exchanged_;  // rows, by place
   std::vector<double> by_place_, of_front_;

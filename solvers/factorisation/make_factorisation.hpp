@@ -6,9 +6,9 @@
 
 namespace netloft {
 
-/// Makes the factorisation for a class of matrices: CHOLMOD for positive definite ones, our own multifrontal
-/// one for unsymmetric ones, MUMPS for all others and as the fallback of our own, or UMFPACK if there is no
-/// MUMPS. Fits `MakeFactorisation`.
+/// Makes the factorisation for a class of matrices: CHOLMOD for positive definite matrices, our own
+/// multifrontal factorisation for unsymmetric ones, and MUMPS for all others and as the fallback of our own.
+/// UMFPACK replaces MUMPS in builds without MUMPS. Fits `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
 /// Returns a function like make_factorisation that uses `threads` threads for large matrices. The factors

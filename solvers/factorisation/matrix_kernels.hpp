@@ -20,7 +20,7 @@ struct MatrixBlocks {
     std::int32_t row, column;
     std::uint32_t slot;
   };
-  std::vector<Column> columns;  // with one more that marks the end
+  std::vector<Column> columns;  // columns of blocks, and one more that marks the end
   std::vector<Block> blocks;
   std::vector<Entry> entries;  // entries outside blocks
 };

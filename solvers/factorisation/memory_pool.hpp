@@ -34,7 +34,7 @@ class MemoryPool {
   FreeBlock* pop(std::size_t size_class);
   void* count_as_used(void* block);
 
-  std::array<FreeBlock*, 256> free_{};  // per size class: four classes to a doubling
+  std::array<FreeBlock*, 256> free_{};  // free blocks by size class: the size doubles every four classes
   std::size_t kept_bytes_ = 0;
   std::size_t used_bytes_ = 0, most_used_bytes_ = 0;
 };

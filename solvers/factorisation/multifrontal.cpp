@@ -57,11 +57,11 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   int threads_;
   std::unique_ptr<Workers> workers_;  // null: one thread
   FrontSchedule schedule_;
-  std::vector<Elimination> ends_;  // of branches
+  std::vector<Elimination> ends_;  // results of the branches
   const MatrixKernels& matrix_kernels_ = matrix_kernels();
   Fronts fronts_;
   std::vector<double> rhs_, residual_, products_, sizes_;
-  SparsePattern spare_pattern_;  // without slots
+  SparsePattern spare_pattern_;  // pattern for the spare factorisation, without slots
   std::vector<double> spare_values_;
   std::unique_ptr<Factorisation> spare_;
   State state_ = State::none;

@@ -50,7 +50,7 @@ MumpsInstance::MumpsInstance(bool symmetric) {
   id_.par = 1;
   id_.comm_fortran = -987654;  // code for MPI_COMM_WORLD, one process
   if (run(kBegin) < 0) throw std::bad_alloc();
-  for (const int stream : {1, 2, 3, 4}) icntl(stream) = 0;  // silent
+  for (const int stream : {1, 2, 3, 4}) icntl(stream) = 0;  // no output
   icntl(6) = 0;                                             // no permutation by values:
   icntl(7) = 1;                                             // the order is given by us,
   icntl(12) = 1;                                            // and used unchanged

@@ -17,7 +17,7 @@ enum class OrderingMethod { best, amd, metis, dissection };
 struct NodeOrdering {
   std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
   std::string method;                 // "METIS", "AMD" or "METIS and CAMD"
-  double flops = 0;                   // of a Cholesky factorisation if every node had one unknown
+  double flops = 0;                   // operations of a Cholesky factorisation if every node had one unknown
 };
 
 /// The method that `best` tries in addition to AMD, and the number of nodes from which it does so. On nets of

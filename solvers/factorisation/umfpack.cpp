@@ -42,7 +42,7 @@ class UmfpackFactorisation final : public Factorisation {
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
   std::vector<double> rhs_;        // a copy, because UMFPACK needs separate rhs and x
-  std::vector<double> workspace_;  // of umfpack_dl_wsolve
+  std::vector<double> workspace_;  // workspace of umfpack_dl_wsolve
   std::vector<double> gathered_;   // values in the order of the entries
   std::vector<SuiteSparse_long> column_start_, row_, index_workspace_;
   std::string ordering_;

@@ -132,7 +132,7 @@ class Surface {
   }
 
   bool empty() const { return f_.empty(); }
-  /// The samples of the surface.
+  /// Arguments x, y and values f[x][y] of the samples.
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& y() const { return y_; }
   const std::vector<double>& values() const { return f_; }

@@ -20,7 +20,7 @@ struct Flow {
   Vec3<T> direction;                  // unit vector along the twine, or normal to the screen
   T solidity{};                       // area of the twines over area of the netting; zero for a rope
   double diameter = 0;                // diameter of the twine [m]
-  double density = 0, viscosity = 0;  // of the water [kg/m3], [m2/s]
+  double density = 0, viscosity = 0;  // properties of the water [kg/m3], [m2/s]
 };
 
 /// Arrays for 64 calls of a law, in the layout of tiles of elements.

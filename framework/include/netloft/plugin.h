@@ -77,7 +77,7 @@ typedef struct netloft_parameter {
   uint32_t offset;                 /* position of the value in the parameter struct [bytes] */
   const char* fallback_of;         /* name of an earlier real, or null */
   const char* const* choices;      /* null-terminated: one word of a CHOICE; a TEXT may join several by + */
-  const char* fallback_text;       /* for NETLOFT_TEXT */
+  const char* fallback_text;       /* default of a NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
   const char* const* column_units; /* units of the columns, in the same number */
   uint32_t arguments; /* number of leading columns that are arguments of the others; 0 means 1; 2: a grid */
@@ -140,7 +140,7 @@ typedef struct netloft_tile {
                                differences [m]; usually null: not known. A term may ignore it */
   const double *v, *a;      /* velocities, accelerations; null at rest */
   const double* current;    /* velocity of the water at the nodes [m/s] */
-  const double* current_dz; /* its derivative with respect to z [1/s] */
+  const double* current_dz; /* derivative of `current` with respect to z [1/s] */
   double* energy;           /* [64] [J] */
   double* force;            /* [dof][64] residual [N] */
   double* tangent; /* packed lower triangle, entry r(r+1)/2+c, if symmetric; else r*dofs+c; [entry][64] */

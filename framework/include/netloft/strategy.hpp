@@ -44,7 +44,7 @@ inline Displacements perturbed(Displacements u, double amplitude, int turn = 0) 
 
 /// An easier variant of a scene. The defaults are the scene itself.
 struct Variant {
-  unsigned level = 0;        // mesh: 0 is that of the scene, 1, 2, … are coarser
+  unsigned level = 0;        // mesh: 0 is the scene's own; 1, 2, … are coarser
   double stiffness_cap = 0;  // upper limit of stiffnesses [N]; 0: unchanged
   double compression = 1;    // factor on the stiffness of slack members
   double current = 1;        // factor on the current
@@ -62,10 +62,10 @@ struct Ask {
   Variant variant{};
   const char* solver = nullptr;      // null: the solver of the analysis, with its parameters
   const char* parameters = nullptr;  // "method=classic,damping=1"
-  double tolerance = 0;              // 0: that of the analysis
+  double tolerance = 0;              // 0: the tolerance of the analysis
   double work = 0;                   // budget; 0: all that is left
   double path = 0;          // limit of the sum of the steps' largest nodal displacements / gear size; 0: none
-  unsigned iterations = 0;  // 0: that of the analysis
+  unsigned iterations = 0;  // limit of iterations; 0: the limit of the analysis
   bool compensated = false;  // whether positions keep the digits that double precision rounds off
 };
 

@@ -22,7 +22,7 @@ struct Host {
 
   Problem& problem;
   const Kinsol::Parameters& parameters;
-  std::vector<double> residual;  // at the accepted point
+  std::vector<double> residual;  // residual at the accepted point
   double energy = 0;
   bool stopped = false;        // `progress` returned false
   std::exception_ptr failure;  // exception in a callback

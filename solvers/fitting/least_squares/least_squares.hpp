@@ -33,8 +33,8 @@ class Model {
 };
 
 struct FitOptions {
-  int iterations = 30;      // most steps, rejected ones included
-  double tolerance = 0.01;  // of S: a smaller expected decrease ends the fit
+  int iterations = 30;      // limit of the number of steps, including rejected steps
+  double tolerance = 0.01;  // the fit ends if the expected decrease of S is smaller than this
 };
 
 /// A calibration by least squares:
@@ -51,11 +51,11 @@ struct Fit {
   bool converged = false;
   std::string reason;                             // a sentence
   std::vector<double> parameters;                 // θ*
-  std::vector<double> deviations;                 // of the posterior
-  std::vector<std::vector<double>> correlations;  // of the posterior
+  std::vector<double> deviations;                 // standard deviations of the posterior
+  std::vector<std::vector<double>> correlations;  // correlations of the posterior
   std::vector<bool> at_end;                       // whether θ*_j is at an end of the range of its prior
   std::vector<double> predictions;                // f(θ*)
-  std::vector<double> model_deviations;           // of f, by (4) without σ²
+  std::vector<double> model_deviations;           // standard deviations of f, by (4) without σ²
   double misfit = 0, prior_misfit = 0;            // the two sums of (1)
   int steps = 0;
 };

@@ -15,8 +15,7 @@ struct DescentSearch {
   Refinement refinement = {};
   double longest() const { return 1 / refinement.margin; }  // (E)
 
-  /// `merit(t)` gives a Sample, or nothing if elements have no forces there. Returns nothing if no t is
-  /// accepted.
+  /// `merit(t)` gives a Sample, or nothing if forces are undefined at t. Returns nothing if no t is accepted.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start, double noise) const {
     const auto falls = [&](const Sample& s) { return s.slope < 0 && s.value <= start.value + noise; };
@@ -43,7 +42,8 @@ struct DescentSearch {
   }
 
  private:
-  /// The sample for a t at which elements have no forces: with its slope, the secant halves the bracket.
+  /// The sample for a t at which forces are undefined: with the slope of this sample, the secant halves the
+  /// bracket.
   static Sample as_steep_uphill(double t, const Sample& low) { return {t, low.value, -low.slope}; }
 };
 

@@ -42,7 +42,7 @@ Direction Directions::find_symmetric(Iterate& iterate, double damping) {
 
 /// K + σ M with a tiny σ changes Newton's step only in the few directions of negative curvature, along which
 /// NegativeCurvature leaves the point; a convex part changes the step in all directions. If K is far from
-/// definite, trying σ costs up to five factorisations. Therefore, if none succeeds or μ ≥ kMatters, σ is not
+/// definite, trying σ costs up to five factorisations. Therefore, if no σ succeeds or μ ≥ kMatters, σ is not
 /// tried again until K + μ M has been positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
   if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kMatters) {
@@ -73,7 +73,7 @@ Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
         factor != Factor::not_positive)
       return factor;
   Factor factor = problem.factorise(Matrix::convex, shift);
-  while (factor == Factor::not_positive && shift < range_.most)  // by rounding alone
+  while (factor == Factor::not_positive && shift < range_.most)  // possible only by rounding
     factor = problem.factorise(Matrix::convex, shift = range_.raised(shift));
   return factor;
 }

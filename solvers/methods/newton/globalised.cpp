@@ -28,7 +28,7 @@ double damping_after(const Step& step, const DampingRange& range) {
 }
 
 /// The globalised iteration. It fails if no step is found with μ at `most_damping`, if no matrix can be
-/// factorised, or if elements have no forces at the point.
+/// factorised, or if forces are undefined at the point.
 class Globalised {
  public:
   Globalised(const Newton::Parameters& parameters, Problem& problem)

@@ -59,13 +59,13 @@ std::optional<Sample> Iterate::merit(const Path& path, double t) {
 
 bool Iterate::try_move(const Path& path, double t) {
   if (keep_tangent_of_trial(path, t)) return accept_trial(), true;
-  evaluate();  // restores the tangent at u, which that of the trial point has replaced
+  evaluate();  // restores the tangent at u, which the tangent at the trial point has replaced
   return false;
 }
 
 bool Iterate::try_move_if_residual_below(const Path& path, double t) {
   if (keep_tangent_of_trial(path, t) && dot(r_trial_, r_trial_) <= dot(r_, r_)) return accept_trial(), true;
-  evaluate();  // restores the tangent at u, which that of the trial point has replaced
+  evaluate();  // restores the tangent at u, which the tangent at the trial point has replaced
   return false;
 }
 

@@ -43,8 +43,8 @@ class Iterate {
   /// Points accepted so far.
   std::size_t count() const { return count_; }
 
-  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if elements have no forces
-  /// there.
+  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if forces are undefined at
+  /// u.
   bool evaluate(Matrix matrix = Matrix::exact);
   /// Computes d = r − g for the merit; g is the gradient of E.
   bool split_residual();
@@ -52,12 +52,12 @@ class Iterate {
 
   /// s = −A⁻¹ r with the last factor A.
   void solve(std::span<double> s);
-  /// Returns r at u(t), or nothing if elements have no forces there.
+  /// Returns r at u(t), or nothing if forces are undefined there.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
   /// Returns the merit m(t), (3) of newton.hpp, and its derivative. Forces at the last trial point are kept:
   /// a second call for this point, and a step to it, do not evaluate them again. Call split_residual() first.
   std::optional<Sample> merit(const Path& path, double t);
-  /// Moves u to u(t) and evaluates the tangent there. If elements have no forces there, returns false and
+  /// Moves u to u(t) and evaluates the tangent there. If forces are undefined at u(t), returns false and
   /// leaves u and the tangent unchanged.
   bool try_move(const Path& path, double t);
   /// Does the same as try_move, but only if ‖r‖ does not rise.

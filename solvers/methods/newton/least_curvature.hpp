@@ -37,9 +37,9 @@ class LeastCurvature {
   std::span<double> basis(std::size_t i) { return {basis_.data() + i * w_.size(), w_.size()}; }
   std::span<double> image(std::size_t i) { return {images_.data() + i * w_.size(), w_.size()}; }
 
-  std::size_t size_, length_ = 0;       // of a vector; vectors in the basis
+  std::size_t size_, length_ = 0;       // length of a vector; number of vectors in the basis
   std::vector<double> basis_, images_;  // orthonormal vectors q in the inner product of M; M q of each
-  std::vector<double> w_;               // while searching the next q, not yet orthonormal; afterwards v
+  std::vector<double> w_;               // during a search, the next q before it is orthonormal; afterwards v
   std::array<double, kSteps> a_{},
       b_{};  // the tridiagonal matrix of (C2) in the basis: diagonal, off-diagonal
 };

@@ -20,8 +20,8 @@ class CurvedStep {
     minus_second_derivative_.reserve(size);
     a_.reserve(size);
   }
-  /// Computes a from differences of r over ± t s and the last factor. Returns an empty vector if elements
-  /// have no forces at one of these points.
+  /// Computes a from differences of r over ± t s and the last factor. Returns an empty vector if forces are
+  /// undefined at one of these points.
   std::span<const double> find(Iterate& iterate, std::span<const double> s, double t);
 
  private:

@@ -26,7 +26,7 @@ class StallCount {
   }
 
  private:
-  std::int64_t most_steps_, steps_without_halving_ = 0;     // in a row
+  std::int64_t most_steps_, steps_without_halving_ = 0;     // limit and number of such steps in a row
   double least_ = std::numeric_limits<double>::infinity();  // the decrease that must be halved next
 };
 

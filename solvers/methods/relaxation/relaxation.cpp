@@ -18,7 +18,7 @@ constexpr double kLargestRate = 4, kWantedRate = 2;
 /// does not hold would have no mass and move too far.
 constexpr double kLightest = 0x1p-26;
 /// Limit of the increase of all masses. With heavier masses, a step moves nodes by less than rounding; if
-/// elements still have no forces, the method fails.
+/// forces are still undefined, the method fails.
 constexpr double kMostHeavier = 1 / std::numeric_limits<double>::epsilon();
 
 class Motion {
@@ -59,7 +59,7 @@ class Motion {
     for (double& m : m_) m = 0.5 * std::max(m, least);
   }
 
-  /// Takes one step of the motion. Returns false if elements have no forces there, even with the heaviest
+  /// Takes one step of the motion. Returns false if forces are undefined at its end, even with the heaviest
   /// masses.
   bool advance() {
     move();

@@ -13,7 +13,7 @@ namespace netloft::automatic {
 struct Attempt {
   const char* name;        // used in `without` and in the report
   const char* strategy;    // the strategy that runs
-  const char* parameters;  // of the strategy
+  const char* parameters;  // parameters of the strategy
   const char* because;     // why it is tried, printed by `netloft plan`
 };
 

@@ -27,8 +27,8 @@ bool is_one_place(const Search& search, const Displacements& a, const Displaceme
   return apart <= little(search);
 }
 
-/// Returns the start of the search. If elements cannot compute their forces there, no solver can leave it,
-/// and the start is perturbed.
+/// Returns the start of the search. If forces are undefined at the start, no solver can leave this point, and
+/// the start is perturbed.
 Displacements start_with_forces(Search& search) {
   const Stage start = search.assess({.name = "the start"}, search.start());
   if (start.has_forces() || start.is_stationary()) return search.start();

@@ -28,8 +28,8 @@ class Budget {
 };
 
 /// Runs attempts in slices of work, so that no attempt can use up the budget before the others have been
-/// tried. All attempts get a slice of one length before any gets the next longer one, except an attempt that
-/// was cut off close to balance:
+/// tried. In each round, all attempts get a slice of the same length; the slices of the next round are
+/// longer. An attempt that was cut off close to balance gets its longer slice at once. The lengths are
 ///   w₀, g w₀, g² w₀, …,   g = 2                                                          (1)
 /// If one of n attempts succeeds with work w ≥ w₀, no saddle is met and no attempt is cut off close to
 /// balance, the race costs at most about n w g²/(g − 1), which is least with this g (as in M. Luby, A.

@@ -12,8 +12,8 @@ using namespace netloft;
 constexpr unsigned kAsManyAsItTakes = 10000000;
 
 /// A strategy for elements that stick and slide, whose tangent does not predict the next state: a matrix-free
-/// solver brings the gear close to equilibrium, and the solver of the analysis continues from there. If the
-/// latter does not converge, the matrix-free solver continues to the end.
+/// solver brings the gear close to equilibrium, and the solver of the analysis continues from there. If this
+/// solver does not converge, the matrix-free solver continues to the end.
 struct Relaxed {
   struct Parameters {
     const char* solver = nullptr;

@@ -29,16 +29,16 @@ class MixedNewton {
 
   /// The options of all stages, which strategies.cpp explains.
   struct Parameters {
-    double factor = 0;  // by which μ falls and rises
+    double factor = 0;  // factor by which μ falls and rises
   };
 
   /// One solve with the stiffness of every part reduced.
   struct Stage {
     const char* name = "";
-    std::vector<double> factor;  // on EA and EA_c, by part; at most 1
+    std::vector<double> factor;  // factor on EA and EA_c of each part, at most 1
     bool is_far = false;         // T = k ε(u), and μ follows the residual
     double damping = 0;          // first μ
-    double farthest_turn = 0;    // of any member in one step [rad]
+    double farthest_turn = 0;    // limit of the rotation of a member in one step [rad]
     bool is_between = false;     // ends after the first whole step, without a tolerance
     double tolerance = 0;        // ends if no residual exceeds this fraction of the largest reaction
     std::int64_t iterations = 0;
@@ -92,7 +92,7 @@ class MixedNewton {
   std::vector<Geometry> geometry_;
   std::vector<Vector> w_, changes_, forces_;
   std::vector<Line> lines_;
-  std::vector<double> T_;                               // by member; empty before the first stage
+  std::vector<double> T_;  // tension of each member; empty before the first stage
   std::vector<double> rest_, residual_, mixed_, step_;  // r; residual of (1); right-hand side of (2); s
   double damping_ = 0;                                  // μ
   double norm_ = 0;                                     // norm of the last residual

@@ -65,10 +65,10 @@ typedef struct netloft_stage {
   const char* name;       /* purpose of the stage in a few words, for the report */
   const char* solver;     /* "ptc"; null: the solver of the analysis, with its parameters */
   const char* parameters; /* "method=classic,damping=1"; null: no others */
-  double tolerance;       /* largest residual over the largest load; 0: that of the analysis */
+  double tolerance;       /* largest residual over the largest load; 0: as in the analysis */
   double work;            /* budget; 0: all that is left of the search */
   double path;            /* limit of the sum of largest nodal displacements / gear size; 0: none */
-  uint32_t iterations;    /* limit of iterations; 0: that of the analysis */
+  uint32_t iterations;    /* limit of iterations; 0: as in the analysis */
   uint32_t reserved;
   double* u; /* displacements of the unknowns of the variant's level; in: initial guess, out: final point */
 
