@@ -9,7 +9,8 @@ namespace netloft {
 
 namespace {
 
-/// Entry (r, c) of a tangent in all 64 lanes of a tile. The tangent is packed if `symmetric`, otherwise full.
+/// Entry (r, c) of the tangents of all 64 elements of a tile. The tangent is packed if `symmetric`, otherwise
+/// full.
 const double* entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::size_t r,
                        std::size_t c) {
   const std::size_t at = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * dofs + c;

@@ -19,7 +19,7 @@ struct PositionsOfTile {
   const double *before, *after, *middle;
 };
 
-/// A member in one lane: its chords at both ends of the step and at the positions of the evaluation.
+/// A member of one element: its chords at both ends of the step and at the positions of the evaluation.
 struct Chord {
   Chord(const netloft_member& m, const PositionsOfTile& tile, std::size_t nodes, std::size_t lane) {
     for (std::size_t p = 0; p < nodes; ++p)

@@ -12,7 +12,8 @@ namespace netloft {
 void project_convex(double* tangent, int dofs);
 
 /// Adds diagonal matrices to `packed_tangent` that bound the symmetric parts of `tangent` from above
-/// (Gershgorin), for the first `count` lanes of a tile. `tangent` is packed if `symmetric`, otherwise full.
+/// (Gershgorin), for the first `count` elements of a tile. `tangent` is packed if `symmetric`, otherwise
+/// full.
 void add_bounds(const double* tangent, bool symmetric, std::size_t dofs, std::size_t count,
                 double* packed_tangent);
 

@@ -49,9 +49,9 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
 using Two = wide::Two::V;
 using Four = wide::Four::V;
 
-/// The nine entries of a block, row by row, each for all lanes. The loads name their vector type, and
-/// registers are passed by value: deduced types lose the attribute for unaligned access, and so do references
-/// with clang.
+/// The nine entries of a block, row by row, each for all elements (lanes) of a tile. The loads name their
+/// vector type, and registers are passed by value: deduced types lose the attribute for unaligned access, and
+/// so do references with clang.
 struct Entries {
   std::array<const double*, 9> at;
   NETLOFT_INLINE Two two(std::size_t i, std::size_t lane) const {
@@ -93,8 +93,8 @@ NETLOFT_INLINE Entries packed_entries(const double* packed_tangent, int P, int Q
   return entries;
 }
 
-/// values[to + i] += entry i of a lane, for the two lanes from `lane` on. The entries of a lane are first
-/// transposed to be adjacent in the registers.
+/// values[to + i] += entry i of an element's block, for the two elements from `lane` on. The entries of an
+/// element are first transposed to be adjacent in the registers.
 template <class EntriesOfLanes>
 NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
                                   double* values) {
@@ -111,7 +111,7 @@ NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& 
   second[8] += a[1];
 }
 
-/// The same as add_two_lanes, for four lanes.
+/// The same as add_two_lanes, for four elements.
 template <class EntriesOfLanes>
 NETLOFT_INLINE void add_four_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
                                    double* values) {
@@ -145,7 +145,7 @@ NETLOFT_INLINE void add_pair(const std::int32_t* to, std::size_t count, const En
       values[to[lane] + static_cast<std::ptrdiff_t>(i)] += entries.one(i, lane);
 }
 
-/// Tangents of all lanes of a tile; null if there are none.
+/// Tangents of all elements of a tile; null if there are none.
 struct Tangents {
   const double *triangle, *square;
 };

@@ -8,7 +8,7 @@ namespace netloft::conformance {
 
 namespace {
 
-/// Name of the first row in `lane` that is not finite, "force[4]"; empty if all are finite.
+/// Name of the first number of element `lane` that is not finite, "force[4]"; empty if all are finite.
 std::string not_finite(const std::vector<double>& values, const char* name, std::size_t lane) {
   for (std::size_t row = 0; row * kLanes < values.size(); ++row)
     if (!std::isfinite(values[at(row, lane)])) return std::string(name) + "[" + std::to_string(row) + "]";

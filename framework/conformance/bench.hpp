@@ -28,13 +28,13 @@ struct Bench {
   bool is_turn(std::size_t dof) const { return type.is_on_body() && dof / 3 == 1; }
   /// "term elastic, element 12"
   std::string place(const netloft_term& term, const States& states, std::size_t lane) const;
-  /// Shortest distance between two nodes of the element in a lane [m], at least 1e-6 of its size; 1 m if it
-  /// has a single node or is on a body.
+  /// Shortest distance between two nodes of element `lane` [m], at least 1e-6 of its size; 1 m if it has a
+  /// single node or is on a body.
   double spacing(const States& states, std::size_t lane) const;
   double size(const States& states, std::size_t lane) const {
     return sampler.size(sample, states.first + lane);
   }
-  /// Largest force of the element in each lane, in this state and in three states nearby [N].
+  /// Largest force of each element, in this state and in three states nearby [N].
   std::vector<double> force_scale(const netloft_term& term, const States& states);
   /// States for `count` elements from `first` on, filled with zeros.
   States blank(std::uint32_t first, std::uint32_t count) const;
@@ -60,12 +60,12 @@ struct Bench {
   bool is_settled(States& states, const netloft_term& term);
 };
 
-/// Returns states displaced by step × direction, with one step per lane and `direction` [dof][64]. The
+/// Returns states displaced by step × direction, with one step per element and `direction` [dof][64]. The
 /// current changes by its derivative with respect to depth.
 States moved(const States& states, const std::vector<double>& direction, const std::vector<double>& step);
 
 bool same_bits(double a, double b);
-/// Whether lane `i` of one array holds the same bits as lane `j` of another.
+/// Whether element `i` has the same bits in one array as element `j` in another.
 bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j);
 
 /// The largest (worst) figure of a check and its place. NaN counts as infinite.

@@ -30,7 +30,7 @@ bool is_near_a_turn(const V& psi) {
   return turns > 0.5 && std::abs(turns - std::round(turns)) < 0.1;
 }
 
-/// Position and motion of a body in one lane, independent of its rotation vector.
+/// Position and motion of one body, independent of its rotation vector.
 struct Moving {
   V x, v, a, omega, alpha, current, current_dz;
 };
@@ -59,8 +59,8 @@ void write_body(const Moving& m, const V& psi, States& s, std::size_t lane) {
 /// The moment that does the same work as a generalised force on a rotation vector.
 V moment_of(const V& psi, const V& generalised) { return rate_of_spin(-psi, generalised); }
 
-/// Transforms every lane of a tile and its answer. `carry(motion, psi)` changes the motion and returns the
-/// new rotation vector; `turn(vector, is_axial)` transforms a force or moment.
+/// Transforms the states of a tile's elements and the answers for them. `carry(motion, psi)` changes the
+/// motion and returns the new rotation vector; `turn(vector, is_axial)` transforms a force or moment.
 template <class Carry, class Turn>
 void carry_lanes(const States& from, const Answer& answer, const Carry& carry, const Turn& turn, States& to,
                  Answer& expected) {
@@ -184,7 +184,7 @@ Finding sides_mirror_each_other(Bench& b) {
 
 namespace {
 
-/// Kinetic energy ½ q̇·M q̇ of every lane, where M is the derivative of the force with respect to
+/// Kinetic energy ½ q̇·M q̇ of every element, where M is the derivative of the force with respect to
 /// acceleration.
 std::vector<double> kinetic_energy(const Bench& b, const netloft_term& term, const States& s) {
   States as_rates = s;

@@ -17,8 +17,8 @@ inline std::uint32_t all_of(const netloft_term& term) {
   return NETLOFT_WANT_FORCE | (term.traits & NETLOFT_CONSERVATIVE ? std::uint32_t{NETLOFT_WANT_ENERGY} : 0u);
 }
 
-/// Largest difference of two answers in a lane, relative to the force `scale` of the lane; for energies, to
-/// `scale` times the size of the element.
+/// Largest difference of two answers for element `lane`, relative to the force `scale` of the element; for
+/// energies, relative to `scale` times the size of the element.
 inline double difference(const Bench& b, const Answer& one, const Answer& two, const States& s, double scale,
                          std::size_t lane) {
   double worst = 0;

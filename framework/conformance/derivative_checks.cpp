@@ -19,7 +19,7 @@ constexpr double kKinkStep = 1e-5;
 constexpr double kDerivativeLimit = 1e-6;
 constexpr double kLeftOutLimit = 0.1;
 
-using Lanes = std::vector<double>;  // one number per lane
+using Lanes = std::vector<double>;  // one number per element of a tile
 
 double packed_or_full(const netloft_term& term, const std::vector<double>& matrix, std::size_t dofs,
                       std::size_t r, std::size_t c, std::size_t lane) {
@@ -28,7 +28,7 @@ double packed_or_full(const netloft_term& term, const std::vector<double>& matri
   return matrix[at(row * (row + 1) / 2 + column, lane)];
 }
 
-/// Collects the errors of lanes that are not on a kink.
+/// Collects the errors of elements that are not on a kink.
 class Ledger {
  public:
   Ledger() : worst_(kDerivativeLimit) {}
@@ -308,7 +308,7 @@ StageRecord walk(const Bench& b, const netloft_term& term, const States& from,
 
 /// Compares the work along a path with the change of energy. If they are equal on every path, the work is
 /// zero on every closed path, also on one that changes from slack to taut. Paths are shorter than half the
-/// distance of the nodes, so that no element collapses. Returns the error per lane, or −1 if the path left
+/// distance of the nodes, so that no element collapses. Returns the error per element, or −1 if the path left
 /// the domain.
 Lanes energy_not_accounted_for(const Bench& b, const netloft_term& term, const States& from,
                                const std::vector<double>& direction, const Lanes& length, int pieces) {

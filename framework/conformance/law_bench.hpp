@@ -31,7 +31,7 @@ struct LawBench {
   std::string place(std::size_t part, std::size_t lane) const;
   /// The speed by which checks vary a flow [m/s].
   double reach(const Flows& flows, std::size_t lane) const;
-  /// Largest force of each lane for flows of the speed reach() [N].
+  /// Largest force on each twine or screen, in flows of random directions at the speed reach() [N].
   std::vector<double> force_scale(std::size_t part, const Flows& flows);
   std::vector<double> random_field();
 

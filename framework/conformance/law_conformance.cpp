@@ -59,7 +59,7 @@ Finding law_outputs_are_finite(LawBench& b) {
   });
 }
 
-/// Checks that lanes from `count` on do not change, whatever their inputs.
+/// Checks that outputs in unused lanes (from `count` on) do not change, whatever the inputs there.
 Finding law_writes_nothing_past_count(LawBench& b) {
   return ask_all(b, [&](std::size_t part, const Flows& all) -> std::string {
     for (const std::uint32_t count : {1u, 3u, 31u, 63u}) {
@@ -108,7 +108,7 @@ Finding law_reads_what_it_declares(LawBench& b) {
 
 Finding law_is_the_same_in_any_lane(LawBench& b) {
   return ask_all(b, [&](std::size_t part, const Flows& f) -> std::string {
-    Flows turned = f;  // lanes in reverse order
+    Flows turned = f;  // flows in reverse order
     for (auto field : {&Flows::flow, &Flows::direction, &Flows::diameter, &Flows::solidity})
       for (std::size_t i = 0; i < (f.*field).size(); ++i)
         (turned.*field)[at(i / kLanes, kLanes - 1 - i % kLanes)] = (f.*field)[i];

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLawKinkStep = 1e-6, kKinkLimit = 1e-3;
 constexpr double kSlopeLimit = 1e-5;
 
-/// Returns flows in which one array is changed by sign × step × field, with one step per lane.
+/// Returns flows in which one array is changed by sign × step × field, with one step per flow.
 Flows varied(const Flows& from, std::vector<double> Flows::*array, const std::vector<double>& field,
              const std::vector<double>& step, double sign) {
   Flows to = from;

@@ -21,7 +21,7 @@ bool same_lane(const Answer& a, std::size_t i, const Answer& b, std::size_t j) {
          same_lane(a.matrix, i, b.matrix, j) && same_lane(a.memory, i, b.memory, j);
 }
 
-/// The first lane below `count` in which two answers differ; `count` if there is none.
+/// The first element below `count` for which two answers differ; `count` if there is none.
 std::size_t first_difference(const Answer& a, const Answer& b, std::size_t count) {
   std::size_t lane = 0;
   while (lane < count && same_lane(a, lane, b, lane)) ++lane;
@@ -64,8 +64,8 @@ namespace {
 constexpr double kCanary = -7.25e-300;  // small, so that the addition of any number is visible
 constexpr std::size_t kMargin = 4 * kLanes;
 
-/// An array that is zero where a term may add, with a known number before and after it and in all lanes from
-/// `count` on.
+/// An array that is zero where a term may add, with a known number before and after it and in all unused
+/// lanes (from `count` on).
 struct Guarded {
   Guarded(std::size_t rows, std::size_t count) : values(rows * kLanes + 2 * kMargin, kCanary) {
     for (std::size_t row = 0; row < rows; ++row)
@@ -82,8 +82,8 @@ struct Guarded {
   std::vector<double> values;
 };
 
-/// Calls a term with guarded arrays, and with inputs that are NaN from lane `count` on. Returns a sentence
-/// about a number that the term wrote outside the permitted entries.
+/// Calls a term with guarded arrays, and with inputs that are NaN in unused lanes (from `count` on). Returns
+/// a sentence about a number that the term wrote outside the permitted entries.
 std::string trespass(const Bench& b, const netloft_term& term, States s, std::uint32_t count,
                      std::uint32_t want) {
   for (const auto field : kFields)
@@ -134,7 +134,7 @@ void prefill(std::vector<double>& values, const std::vector<double>& like) {
 }
 
 /// Difference between `sum` and the numbers of prefill() plus the answer, relative to the largest number of
-/// the lane.
+/// the element.
 double adding_error(const std::vector<double>& sum, const std::vector<double>& answer, std::size_t lane) {
   std::vector<double> before(answer.size());
   prefill(before, answer);

@@ -36,7 +36,7 @@ enum class Slip {
   start_no_number,
   answer_no_number,
   answer_of_variant,
-  after_interrupt,  // a stage was requested after one had reported an interrupt
+  after_interrupt,  // a stage was requested after an earlier stage had reported an interrupt
   after_budget      // a stage was requested although the strategy knew that no work was left
 };
 

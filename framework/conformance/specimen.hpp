@@ -10,7 +10,7 @@ namespace netloft::conformance {
 
 inline constexpr std::size_t kLanes = NETLOFT_LANES;
 
-/// Index of a degree of freedom (or matrix entry) of a lane in the array of a tile.
+/// Index of a degree of freedom (or matrix entry) of element `lane` in the array of a tile.
 constexpr std::size_t at(std::size_t row, std::size_t lane) { return row * kLanes + lane; }
 
 /// Sampled elements: parameters of each part, part and data of each element, kind of the laws that the
@@ -32,7 +32,7 @@ struct States {
   std::vector<double> x, v, a, current, current_dz;
   std::vector<double> memory = {};   // [state_width][64] memory of the elements; empty: none
   std::vector<double> x_low = {};    // digits that rounding removes from x; empty: unknown
-  std::vector<double> ground = {};   // [3] velocity of the ground, one for all lanes; empty: at rest
+  std::vector<double> ground = {};   // [3] velocity of the ground, one for all elements; empty: at rest
   std::vector<double> bed = {};      // [6 nodes][64] the bed below the nodes of the stencil; empty: none
   std::vector<double> swing = {};    // [dof][64] acceleration of the water; empty: none
   std::vector<double> surface = {};  // [nodes][64] height of the surface of the water; empty: z = 0
@@ -40,7 +40,7 @@ struct States {
   std::uint32_t exposed = 0;  // traits of inputs that terms receive even without declaring these traits
 };
 
-/// The arrays of States with one number per lane.
+/// The arrays of States that have rows of one number per element.
 inline constexpr std::vector<double> States::*kFields[] = {
     &States::x,      &States::v,     &States::a,   &States::current, &States::current_dz,
     &States::memory, &States::x_low, &States::bed, &States::swing,   &States::surface};

@@ -325,7 +325,7 @@ class March {
     report(t, nullptr);
   }
 
-  /// Evaluates the forces at the end of the last step, once for all outputs within it.
+  /// Evaluates the forces at the end of the last step, once for all outputs within the step.
   void find_forces() {
     if (forces_after_ == state_.steps) return;
     forces_after_ = state_.steps;

@@ -73,7 +73,7 @@ struct MarchResult {
 /// Receivers of reports. Both may be empty.
 struct MarchWatch {
   std::function<void(const Snapshot&)> on_output;
-  std::function<bool(const StepRecord&, std::span<const double> u)> on_step;  // true: stop here
+  std::function<bool(const StepRecord&, std::span<const double> u)> on_step;  // true: stop the march
 };
 
 /// Integrates in time from `from`, or from the start at rest if `from` is null. Steps end at outputs (unless

@@ -19,8 +19,8 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 // kFirstChange is the change over which slopes are measured. Such a change of a factor changes a tension by
 // some percent. Equilibria are found to 1e-10 of the load, so that this difference has 7 digits.
 constexpr double kFirstChange = 0.01;
-// kLargestChange is the largest change in one step. From one length of warp to another that differs by 5 %,
-// Newton's method converges.
+// kLargestChange is the largest change in one step. If the length of a warp changes by 5 %, Newton's method
+// still converges from the previous equilibrium.
 constexpr double kLargestChange = 0.05;
 constexpr int kMostHalvings =
     3;  // number of times a step is halved; 1/8 of 5 % is less than the change over which slopes are measured

@@ -40,11 +40,11 @@ class VariantProblems {
   explicit VariantProblems(VariantSource source);
 
   unsigned most_levels() const { return source_.levels ? source_.levels->most() : 1; }
-  /// The problem of a level; null if the level does not exist.
+  /// The problem of a level of mesh; null if the level does not exist.
   std::shared_ptr<VariantProblem> find_level(unsigned level);
   /// The problem of a variant, whose level must exist. Throws SceneError if a plugin refuses the variant.
   std::shared_ptr<VariantProblem> at(const netloft_variant& variant);
-  /// Displacements of one level interpolated to another; empty if that is not possible.
+  /// Displacements of one level of mesh interpolated to another; empty if that is not possible.
   std::vector<double> transfer(unsigned from, std::span<const double> u, unsigned to);
 
   const VariantSource& source() const { return source_; }

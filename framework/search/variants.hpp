@@ -9,8 +9,8 @@ namespace netloft {
 netloft_variant as_written();
 bool is_as_written(const netloft_variant& variant);
 bool is_same(const netloft_variant& a, const netloft_variant& b);
-/// Combines two variants, `inner` being relative to `outer`: levels add up, factors multiply, and the lower
-/// of the two caps applies.
+/// Combines two variants, `inner` being relative to `outer`: levels of mesh add up, factors multiply, and the
+/// lower of the two caps applies.
 netloft_variant combined(const netloft_variant& outer, const netloft_variant& inner);
 /// Description of a variant: "elements x 4, stiffness up to 120 N, no compression"; empty for the original
 /// scene.

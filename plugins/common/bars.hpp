@@ -32,7 +32,7 @@ struct Lanes {
   double surface[kLanes];                      // σ of surface.hpp
 };
 
-/// Fills one lane, the numbers of one element. `parallel` is N, which is used nowhere else. `P` has EA,
+/// Fills in the numbers of one element (a lane). `parallel` is N, which is used nowhere else. `P` has EA,
 /// EA_compression, diameter, density, damping, loss_factor, loss_frequency, added_mass, surface of one bar.
 template <class P>
 void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::size_t lane) {
@@ -61,7 +61,7 @@ inline void mass_of(const Lanes& p, const netloft_tile& t, double* values) {
   for (std::size_t i = 0; i < t.count; ++i) values[i] = p.density[i] * p.volume[i];
 }
 
-/// Adds [ A −A; −A A ] to the tangent of a bar, a packed lower triangle. `A` has six numbers per lane.
+/// Adds [ A −A; −A A ] to the tangent of a bar, a packed lower triangle. `A` has six numbers per element.
 inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double* __restrict tangent) {
   int entry = 0;
   for (int r = 0; r < 6; ++r)
@@ -87,7 +87,7 @@ inline Status add_elastic(const Lanes& p, netloft_tile& t) {
     add_metric(p, t);
     return Status::ok;
   }
-  // Each loop over the lanes does one thing only, so that compilers vectorise it.
+  // Each loop over the elements (lanes) does one thing only, so that compilers vectorise it.
   double w[3][kLanes], inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
   find_spans(t, w);
   const double(&wx)[kLanes] = w[0], (&wy)[kLanes] = w[1], (&wz)[kLanes] = w[2];

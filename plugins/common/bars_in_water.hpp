@@ -121,7 +121,8 @@ inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
   }
 }
 
-/// A damper in every lane, with the tension c (dl/dt − g l); its unstretched length grows at the rate g.
+/// A damper for every bar, with the tension c (dl/dt − g l); the unstretched length of the damper grows at
+/// the rate g.
 struct Dampers {
   double c[kLanes] = {}, slope[kLanes] = {};  // c, dc/dl
   double growth[kLanes] = {};                 // g [1/s]

@@ -40,7 +40,7 @@ Vec3<T> cross_flow_force(const CrossFlow& c, const Flow<T>& f, Across&& across) 
   return across(norm(U_n)) * U_n + (friction * abs(tau) * tau) * f.direction;
 }
 
-/// Computes (1)–(5) in lane i. `across(i, s)` returns the Resistance.
+/// Computes (1)–(5) for flow i of a tile. `across(i, s)` returns the Resistance.
 template <bool Derivatives, class Across>
 inline void cross_flow_lane(const CrossFlow& c, const netloft_law_tile& f, std::size_t i, Across&& across) {
   const auto row = [i](const double* a, std::size_t r) { return a[r * kLanes + i]; };
@@ -68,8 +68,8 @@ inline void cross_flow_lane(const CrossFlow& c, const netloft_law_tile& f, std::
   }
 }
 
-/// Computes (1)–(5) in all lanes. `__restrict` tells the compiler that arrays do not overlap, so that it
-/// vectorises the loop.
+/// Computes (1)–(5) for all flows of a tile. `__restrict` tells the compiler that arrays do not overlap, so
+/// that it vectorises the loop.
 template <bool Derivatives, class Across>
 [[gnu::flatten]] void cross_flow_all_lanes(const CrossFlow& c, const netloft_law_tile& flow,
                                            Across&& across) {

@@ -11,7 +11,7 @@ struct Factors {
   LaneNumber across, along, knots;  // values k, a, m, and slopes g, h, n
 };
 
-/// The velocities (1) in one lane.
+/// The velocities (1) of one flow.
 struct Motion {
   Motion(double shielding, const netloft_law_tile& f, std::size_t i) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -20,7 +20,7 @@ Meshes::Meshes(const Triangle::Lanes& p, netloft_tile& tile) : u(tile, p.a, p.l0
 
 namespace {
 
-/// E_UU, E_VV (six numbers each, axial::kPlace) and E_UV (nine) of every lane.
+/// E_UU, E_VV (six numbers each, axial::kPlace) and E_UV (nine) of every element.
 struct Curvature {
   double uu[6][kLanes], vv[6][kLanes], uv[9][kLanes];
 };

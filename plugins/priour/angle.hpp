@@ -26,7 +26,7 @@ namespace netloft::priour {
 /// There is no metric, a constant upper bound of the stiffness, because 1/‖U‖² has no bound.
 namespace angle {
 
-/// The twines of every lane and the angle between them. Throws OutsideDomain if a twine has no direction.
+/// The twines of every element and the angle between them. Throws OutsideDomain if a twine has no direction.
 struct Meshes {
   Meshes(const Triangle::Lanes& lanes, netloft_tile& tile);
 
@@ -34,7 +34,7 @@ struct Meshes {
   double c[kLanes], s[kLanes];  // (1)
 };
 
-/// E and its derivatives with respect to c in every lane [J].
+/// E and its derivatives with respect to c, of every element [J].
 struct Function {
   double E[kLanes], E1[kLanes], E2[kLanes];
 };

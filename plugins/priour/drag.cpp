@@ -11,9 +11,9 @@ namespace netloft::priour {
 
 namespace {
 
-/// F of every lane, with its derivatives with respect to W (`flow`) and to the position of each corner (`x`),
-/// the latter without the shear of the current. The first contribution sets these numbers, later ones add to
-/// them.
+/// F of every element, with its derivatives with respect to W (`flow`) and to the position of each corner
+/// (`x`), the latter without the shear of the current. The first contribution sets these numbers, later ones
+/// add to them.
 struct Force {
   double F[3][kLanes], flow[9][kLanes], x[3][9][kLanes];
 };
@@ -141,7 +141,7 @@ void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, in
   }
 }
 
-/// ∂F/∂x of row r, corner q and column c in every lane, weighted by the factors of the tile.
+/// ∂F/∂x of row r, corner q and column c of every element, weighted by the factors of the tile.
 void find_slope(const Force& F, const Slowing* slowed, const netloft_tile& t, int r, int q, int c,
                 double* slope) {
   double shear[kLanes] = {};

@@ -48,7 +48,7 @@ struct Accelerated {
   const double* density;  // null: density of the water
 };
 
-/// The masses of a corner in every lane: `across` is the mass and added mass for motion across the twines,
+/// The masses of a corner of every element: `across` is the mass and added mass for motion across the twines,
 /// `added` the added mass alone.
 struct Inert {
   double across[kLanes], added[kLanes];
@@ -93,7 +93,8 @@ void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const doubl
   }
 }
 
-/// Adds the inertia (3) of the twines of one direction, or the force (6) of waves, over all lanes at a time.
+/// Adds the inertia (3) of the twines of one direction, or the force (6) of waves, in loops over all
+/// elements.
 void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Accelerated& by,
                 netloft_tile& t) {
   const Twines w(t, c, p.l0);

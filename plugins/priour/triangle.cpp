@@ -116,18 +116,18 @@ double Triangle::half_angle(const Data& d, const State<3>& s) {
 
 namespace {
 
-/// Stiffness n·A of the bars of one direction in every lane, six numbers each.
+/// Stiffness n·A of the bars of one direction of every element, six numbers each.
 struct Blocks {
   double v[6][kLanes];
 };
 
-/// The bars of one direction in every lane: vector, scalars of axial (1)–(4).
+/// The bars of one direction of every element: vector, scalars of axial (1)–(4).
 struct Stretched {
   double w[3][kLanes];
   double inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
 };
 
-/// Each loop over the lanes does one thing only, so that compilers vectorise it.
+/// Each loop over the elements (lanes) does one thing only, so that compilers vectorise it.
 void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], const netloft_tile& t,
                        Stretched& __restrict s) {
   find_spans(t, c, s.w);

@@ -6,7 +6,7 @@
 
 namespace netloft::priour {
 
-/// Index of a degree of freedom or matrix entry of a lane in the arrays of a tile.
+/// Index of a degree of freedom or matrix entry of element `lane` in the arrays of a tile.
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
 /// Priour's triangle of netting: the twines of both directions stay straight and parallel inside it.
@@ -46,7 +46,7 @@ struct Triangle {
     double loss[kLanes];      // loss of one twine, loss.hpp
     double surface[kLanes];   // σ of surface.hpp
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
-    // b, ξ, R and e of slowed.hpp, and whether the water is slowed in some lane.
+    // b, ξ, R and e of slowed.hpp, and whether the water is slowed at some element.
     double slowed_by[kLanes], slowed_front[kLanes], slowed_radius[kLanes], slowed_x[kLanes], slowed_y[kLanes];
     bool slows = false;
   };

@@ -4,7 +4,7 @@
 
 namespace netloft::priour {
 
-/// Computes the vector Σ c_p x_p of a bar in every lane, triangle.hpp (2) or (3) [m]. Positions are x +
+/// Computes the vector Σ c_p x_p of a bar of every element, triangle.hpp (2) or (3) [m]. Positions are x +
 /// x_low; x_low, which a tile may lack, adds digits beyond those of a double.
 inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
                        double (&__restrict w)[3][kLanes]) {
@@ -23,7 +23,7 @@ inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
   }
 }
 
-/// Unit vector and 1/length of a bar of one direction in every lane. For bars shorter than kCollapsed l₀,
+/// Unit vector and 1/length of a bar of one direction of every element. For bars shorter than kCollapsed l₀,
 /// both are the finite substitutes of axial.hpp. `c` is a or b of triangle.hpp (2), (3).
 struct Twines {
   Twines(const netloft_tile& tile, const double (&c)[3][kLanes], const double (&l0)[kLanes]) {

@@ -30,15 +30,15 @@ struct Bar {
   struct Lanes : bars::Lanes {
     double constant_tension[kLanes], weight_in_water[kLanes];
     netloft_table length_share[kLanes];
-    bool changes, is_weighed;  // whether some lane has a table; whether some has a weight in water
+    bool changes, is_weighed;  // whether some rope has a table; whether some rope has a weight in water
   };
 
   /// σ of (2).
   static double factor_at(const netloft_table& table, double time);
   /// (dσ/dt)/σ [1/s]. At the time of a row of the table, the rate is that of the segment before the row.
   static double growth_at(const netloft_table& table, double time);
-  /// Returns the lanes at the time of the tile: `lanes` itself if no rope changes its length, else `room`
-  /// with the lengths (2).
+  /// Returns the numbers of the bars at the time of the tile: `lanes` itself if no rope changes its length,
+  /// else `room` with the lengths (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
   /// The density for the weight of a rope [kg/m3]: (3), or `density` if no weight in water is given.
   static double density_by_weight(double weight_in_water, double density, double diameter,
@@ -72,8 +72,8 @@ struct Bar {
   };
 
   struct Weight {
-    /// Returns the lanes with the densities of (3): `at_time` itself if no rope has a weight in water, else
-    /// `room`.
+    /// Returns the numbers of the bars with the densities of (3): `at_time` itself if no rope has a weight in
+    /// water, else `room`.
     static const Lanes& weighed(const Lanes& at_time, const netloft_tile& t, Lanes& room);
     static Status tile(const Family<Bar>& f, netloft_tile& t) {
       Lanes room;

@@ -32,7 +32,7 @@
 
 namespace netloft {
 
-using Displacements = std::vector<double>;  // displacements of the unknowns of a level [m]
+using Displacements = std::vector<double>;  // displacements of the unknowns of a level of mesh [m]
 
 /// Moves every unknown by up to `amplitude` [m], which breaks every symmetry. The result is the same on every
 /// machine and differs for every `turn`.
@@ -165,7 +165,7 @@ class Search {
   Stage assess(const Ask& ask, Displacements u) {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.assess(s_.host, &stage); });
   }
-  /// Interpolates displacements from one level to another.
+  /// Interpolates displacements from one level of mesh to another.
   Displacements transfer(unsigned from, const Displacements& u, unsigned to) {
     Displacements out(size(to));
     check(s_.transfer(s_.host, from, u.data(), to, out.data()));

@@ -11,7 +11,7 @@ struct Sample {
   double t = 0, value = 0, slope = 0;
 };
 
-/// Finds a t > 0 that lowers φ and flattens it; φ'(0) < 0.
+/// Finds a t > 0 that lowers φ and flattens it; φ'(0) must be negative.
 ///   φ(t) ≤ φ(0) + c₁ t φ'(0)                                                             (1)
 ///   |φ'(t)| ≤ c₂ |φ'(0)|                                                                 (2)
 ///   φ'(t) ≤ (2 c₁ − 1) φ'(0)   in place of (1) where |φ(t) − φ(0)| ≤ noise              (3)

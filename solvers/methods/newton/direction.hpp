@@ -13,7 +13,7 @@ namespace netloft::newton {
 /// A step s by newton.hpp (2) and the damping of its matrix, or the reason why there is no step.
 struct Direction {
   std::span<const double> s = {};
-  double damping = 0;            // μ as requested; with a convex part it may have been larger
+  double damping = 0;            // requested μ; with a convex part, a larger μ may have been used
   bool nearly_definite = false;  // K is not positive definite, but K + μ M is, with a tiny μ
   const char* note = "";
   std::optional<Outcome> failure = {};

@@ -9,7 +9,7 @@ struct Step {
   Rule rule = Rule::none;
   double damping = 0;          // μ of the matrix that gave the direction
   double length = 0;           // t along the direction, found by the rule
-  bool leaves_saddle = false;  // u has then moved along negative curvature
+  bool leaves_saddle = false;  // whether u has moved along negative curvature
   explicit operator bool() const { return rule != Rule::none || leaves_saddle; }
 };
 

@@ -77,8 +77,8 @@ double InteriorPoint::mean_complementarity() const {
   return sum / length;
 }
 
-/// Computes the matrix of (3), r + Σ n c q and the scaling of all members. Returns false if there are no
-/// forces at u.
+/// Computes the matrix of (3), r + Σ n c q and the scaling of all members. Returns false if forces are
+/// undefined at u.
 bool InteriorPoint::evaluate(std::span<const double> u) {
   members_.find_chords(u, w_);
   if (!members_.evaluate(u, residual_)) return false;

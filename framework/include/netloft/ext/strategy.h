@@ -139,12 +139,12 @@ typedef struct netloft_search {
   uint32_t message_size;
   char* message;
 
-  /* Number of unknowns of a level; zero if there is no such level. */
+  /* Number of unknowns of a level of mesh; zero if there is no such level. */
   uint32_t (*size_of)(void* host, uint32_t level);
   int (*solve)(void* host, netloft_stage* stage);
   /* Lets another strategy solve a stage: the stage's variant is its scene, and stage.work its budget. */
   int (*call)(void* host, const char* strategy, const char* parameters, netloft_stage* stage);
-  /* Interpolates displacements from one level to another. */
+  /* Interpolates displacements from one level of mesh to another. */
   int (*transfer)(void* host, uint32_t from, const double* u, uint32_t to, double* out);
   /* Assesses stage.u without solving anything. */
   int (*assess)(void* host, netloft_stage* stage);
