@@ -293,8 +293,8 @@ bool EnergyBudget::sum_force(const Account& account, const std::vector<double>& 
   return true;
 }
 
-/// Work of forces `before` and `after` between now_ and next_ by the trapezoidal rule, summed over the
-/// degrees of freedom from index `from` on.
+/// Work from the state now_ to the state next_ by the trapezoidal rule, with the forces `before` at now_ and
+/// `after` at next_, summed over the degrees of freedom from index `from` on.
 double EnergyBudget::done(const std::vector<double>& before, const std::vector<double>& after,
                           std::size_t from) const {
   double sum = 0;

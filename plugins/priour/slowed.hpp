@@ -20,8 +20,8 @@ struct Slowing {
   Slowing(const Triangle::Lanes& p, const netloft_tile& t, std::uint32_t kind_of_law);
 };
 
-/// The drag that netting loses in slowed water: the drag in water of the velocity s c minus that in c, by
-/// drag.hpp.
+/// The change of the drag of netting in slowed water: the drag at the velocity s c of the water minus the
+/// drag at c, by drag.hpp.
 struct SlowedDrag {
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
 };
