@@ -2,11 +2,11 @@
 #include "io/scenes/reading/hold_reader.hpp"
 
 #include "io/formats/units/in_quotes.hpp"
+#include "io/scenes/reading/plausible.hpp"
 #include "io/scenes/reading/read_bodies.hpp"
 #include "io/scenes/reading/tow.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace netloft::scenes {
 
@@ -14,14 +14,14 @@ void HoldReader::read() {
   Holder holder(out_.scene);
   for (auto& table : root_.tables("hold")) {
     const int errors_before = diagnostics_.errors();
-    const HoldEntry entry = read_hold(table);
+    HoldEntry entry = read_hold(table);
     check_hold_name(entry, table);
-    Course course = read_course(table);
+    entry.course = read_course(table);
     if (table.kind("on") != formats::Kind::text && table.kind("on") != formats::Kind::array) continue;
     const auto nodes = find_held(entry, table);
     if (nodes.empty() || diagnostics_.errors() > errors_before) continue;
     out_.holds.push_back(holder.hold(entry, nodes, table));
-    guide(std::move(course), entry, out_.holds.back(), table);
+    guide(entry, out_.holds.back(), table);
     if (out_.gear && out_.gear->times == 1) one_sided_.add(entry, table.place("on"));
   }
 }
@@ -57,16 +57,17 @@ void HoldReader::refuse_carried(const Mention& m, std::uint32_t node) {
                          "] holds its attitude");
 }
 
-/// Moves the nodes of a hold in the given way (`course`).
-void HoldReader::guide(Course course, const HoldEntry& entry, const Hold& hold, formats::TableReader& table) {
-  if (course.knots.empty()) return;
+/// Moves the nodes of a hold along its course.
+void HoldReader::guide(const HoldEntry& entry, const Hold& hold, formats::TableReader& table) {
+  if (entry.course.knots.empty()) return;
   guides_.push_back(table);
   const char* key = table.has("velocity") ? "velocity" : "displacement";
+  check_speed_of_hold(entry.course, table, key);
   const bool is_turned = entry.frame || std::any_of(hold.nodes.begin(), hold.nodes.end(), [&](auto node) {
                            return out_.scene.frames.contains(node);
                          });
   if (is_turned) table.error(key, "does not go with along and plane", "hold it by axes to move it");
-  out_.scene.guides.push_back({hold.nodes, hold.axes, std::move(course)});
+  out_.scene.guides.push_back({hold.nodes, hold.axes, entry.course});
 }
 
 void HoldReader::check_guides() {

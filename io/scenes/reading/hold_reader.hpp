@@ -20,7 +20,7 @@ class HoldReader {
  private:
   std::vector<std::uint32_t> find_held(const HoldEntry& entry, formats::TableReader& table);
   void refuse_carried(const Mention& m, std::uint32_t node);
-  void guide(Course course, const HoldEntry& entry, const Hold& hold, formats::TableReader& table);
+  void guide(const HoldEntry& entry, const Hold& hold, formats::TableReader& table);
   void check_hold_name(const HoldEntry& entry, formats::TableReader& table);
 
   formats::TableReader& root_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace netloft::scenes {
 
@@ -104,12 +105,31 @@ std::string spell(const std::array<double, 3>& p) {
   return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) + ") m";
 }
 
-/// Whether two points agree, up to round-off, along the axes that both entries hold.
-bool agree(const std::array<double, 3>& a, const std::array<double, 3>& b, int axes) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if ((axes & (1 << axis)) && std::abs(a[axis] - b[axis]) > 1e-9 * (1 + std::abs(a[axis]))) return false;
-  return true;
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Whether two lengths, or two speeds, are one up to round-off.
+bool is_one(double a, double b) { return std::abs(a - b) <= 1e-9 * (1 + std::abs(a)); }
+
+/// An axis of a frame, or of the world if the frame is null.
+Point axis_of(const std::array<double, 9>* frame, std::size_t axis) {
+  if (frame) return {(*frame)[axis], (*frame)[3 + axis], (*frame)[6 + axis]};
+  Point unit{};
+  unit[axis] = 1;
+  return unit;
 }
+
+std::vector<Point> axes_of(const std::array<double, 9>* frame, int axes) {
+  std::vector<Point> all;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (axes & (1 << axis)) all.push_back(axis_of(frame, axis));
+  return all;
+}
+
+const char* const kCureOfPlaces =
+    "give both the same place (without `at` a hold is where the sketch has it), or leave the node out of one "
+    "of them";
+const char* const kCureOfMotions =
+    "give both the same motion, leave the node out of one of them, or hold it there along other axes";
 
 }  // namespace
 
@@ -128,74 +148,154 @@ HoldEntry read_hold(formats::TableReader& table) {
   return entry;
 }
 
+/// Nodes that the net plan has moved by a ship have the course of its blocks.
+Holder::Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {
+  for (const Guide& guide : scene.guides) {
+    const auto grip = std::make_shared<const Grip>(Grip{{}, guide.course});
+    for (std::size_t i = 0; i < guide.nodes.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (guide.axes[i] & (1 << axis)) grips_[guide.nodes[i]][axis] = grip;
+  }
+}
+
 Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes,
                   formats::TableReader& table) {
   if (is_one_point(entry.at) && nodes.size() > 1 && entry.axes == kAllAxes)
     table.error("at", std::to_string(nodes.size()) + " nodes cannot be held in one point",
                 "give two or more points of a line, along which they are spread");
-  const auto points = places(entry, nodes);
-  const char* said_by = table.has("at") ? "at" : "on";
-  bool is_told = false;
+  const auto grip =
+      std::make_shared<const Grip>(Grip{table.place(table.has("at") ? "at" : "on"), entry.course});
+  bool all_agree = true;
   Hold held{entry.name, nodes, {}};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!points.empty() && !is_told)
-      is_told = !put(nodes[i], {points[i], entry.axes, table.place(said_by)}, table);
-    if (entry.frame ? !turn(nodes[i], *entry.frame) : !holds_along_world_axes(nodes[i], entry.axes)) {
+    if (!can_hold(nodes[i], entry)) {
       table.error("on", "a node of \"" + entry.name + "\" is held in another way already",
                   "hold it in one place, or leave it out of one of the sets");
       return held;
     }
+    const Point at = place(entry, i, nodes);
+    all_agree = all_agree && agrees(nodes[i], entry, at, table);
     held.axes.push_back(static_cast<std::uint8_t>(entry.axes & ~scene_.held[nodes[i]]));
-    scene_.held[nodes[i]] |= entry.axes;
+    if (all_agree) put(nodes[i], entry, at, grip);
   }
   return held;
 }
 
-/// Whether a node can be held along axes of the world. If it has axes of its own, the bits of `held` refer to
-/// these, and mean the same for the world only if all three are set.
-bool Holder::holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const {
-  return axes == kAllAxes || scene_.held[node] == kAllAxes || !scene_.frames.contains(node);
+/// The position of a node in an entry: where it is sketched, if the entry gives no other place.
+Point Holder::place(const HoldEntry& entry, std::size_t i, const std::vector<std::uint32_t>& nodes) const {
+  if (!entry.at.empty())
+    return along_line(entry.at, nodes.size() > 1 ? double(i) / double(nodes.size() - 1) : 0);
+  const double* x = &sketch_[3 * std::size_t{nodes[i]}];
+  return {x[0], x[1], x[2]};
 }
 
-/// Gives a node the axes of `frame`. Returns false if it is held along other axes already. A node that is
-/// held along all axes keeps the axes of the world.
-bool Holder::turn(std::uint32_t node, const std::array<double, 9>& frame) {
-  if (scene_.held[node] == kAllAxes) return true;
-  if (const auto at = scene_.frames.find(node); at != scene_.frames.end()) return at->second == frame;
-  if (scene_.held[node]) return false;
-  scene_.frames[node] = frame;
-  return true;
+/// The axes of a node to which its bits in `held` refer; null for those of the world.
+const std::array<double, 9>* Holder::frame_of(std::uint32_t node) const {
+  const auto at = scene_.frames.find(node);
+  return at == scene_.frames.end() ? nullptr : &at->second;
 }
 
-/// The held position of every node: the initial one, unless the entry gives other places. Empty for an entry
-/// with `along` or `plane`, whose axes are not those of the world.
-std::vector<Holder::Point> Holder::places(const HoldEntry& entry,
-                                          const std::vector<std::uint32_t>& nodes) const {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double* x = &sketch_[3 * std::size_t{nodes[i]}];
-    if (entry.at.empty() && !entry.frame) points.push_back({x[0], x[1], x[2]});
-    if (!entry.at.empty())
-      points.push_back(along_line(entry.at, nodes.size() > 1 ? double(i) / double(nodes.size() - 1) : 0));
-  }
-  return points;
+Point Holder::position(std::uint32_t node) const {
+  const double* x = &scene_.positions[3 * std::size_t{node}];
+  return {x[0], x[1], x[2]};
 }
 
-/// Puts a node at its held position. If another entry holds it elsewhere, reports this and returns false.
-bool Holder::put(std::uint32_t node, const Put& put, formats::TableReader& table) {
-  for (const Put& earlier : put_[node])
-    if (!agree(put.point, earlier.point, put.axes & earlier.axes)) {
+/// Whether a node can be held along the axes of an entry, too: the bits of all three axes mean the same in
+/// all frames, those of fewer only in one.
+bool Holder::can_hold(std::uint32_t node, const HoldEntry& entry) const {
+  if (scene_.held[node] == 0 || scene_.held[node] == kAllAxes || entry.axes == kAllAxes) return true;
+  const auto* own = frame_of(node);
+  return entry.frame ? own && *own == *entry.frame : !own;
+}
+
+/// The directions along which both the entry and earlier ones hold a node, which can_hold().
+std::vector<Point> Holder::shared_directions(std::uint32_t node, const HoldEntry& entry) const {
+  const auto* frame = entry.frame ? &*entry.frame : nullptr;
+  if (scene_.held[node] == kAllAxes) return axes_of(frame, entry.axes);
+  return axes_of(frame_of(node), scene_.held[node] & entry.axes);
+}
+
+/// Whether an entry has a node where earlier ones have it, and moves it as they do; otherwise an error says
+/// what differs.
+bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
+                    formats::TableReader& table) const {
+  const Point now = position(node);
+  for (const Point& direction : shared_directions(node, entry)) {
+    const bool is_there = is_one(dot(direction, at), dot(direction, now));
+    if (is_there && moves_alike(node, entry.course, direction)) continue;
+    const std::string name = scene_.node_name(node),
+                      by = " by " + holder_of(node, direction, table.diagnostics());
+    if (!is_there)
       table.error(table.has("at") ? "at" : "on",
-                  scene_.node_name(node) + " is held at " + spell(put.point) + " here and at " +
-                      spell(earlier.point) + " by " + table.diagnostics().where(earlier.said_at),
-                  "give both the same place (without `at` a hold is where the sketch has it), or leave the "
-                  "node out of one of them");
-      return false;
-    }
-  put_[node].push_back(put);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (put.axes & (1 << axis)) scene_.positions[3 * std::size_t{node} + axis] = put.point[axis];
+                  name + " is held " + (entry.frame ? "through " : "at ") + spell(at) + " here and at " +
+                      spell(now) + by,
+                  kCureOfPlaces);
+    else if (entry.course.knots.empty())
+      table.error("on", name + " stands still here and moves" + by, kCureOfMotions);
+    else
+      table.error(table.has("velocity") ? "velocity" : "displacement",
+                  name + " moves here and " +
+                      (moves_alike(node, {}, direction) ? "stands still" : "moves otherwise") + by,
+                  kCureOfMotions);
+    return false;
+  }
   return true;
+}
+
+/// Whether a node moves along `direction` by its grips as it does by `course`: both are cubic between knots,
+/// so that they are one if they agree at the knots of both.
+bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& direction) const {
+  std::vector<std::pair<Point, const Course*>> parts;  // an axis of the node times its share of the direction
+  if (const auto grips = grips_.find(node); grips != grips_.end())
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const auto& grip = grips->second[k]) {
+        const Point axis = axis_of(frame_of(node), k);
+        const double share = dot(axis, direction);
+        if (share != 0) parts.push_back({{share * axis[0], share * axis[1], share * axis[2]}, &grip->course});
+      }
+  std::vector<double> times;
+  for (const auto& knot : course.knots) times.push_back(knot.t);
+  for (const auto& part : parts)
+    for (const auto& knot : part.second->knots) times.push_back(knot.t);
+  return std::ranges::all_of(times, [&](double t) {
+    const Course::Moment mine = course.at(t);
+    double d = 0, v = 0;
+    for (const auto& [along, theirs] : parts) {
+      const Course::Moment moment = theirs->at(t);
+      d += dot(along, moment.d);
+      v += dot(along, moment.v);
+    }
+    return is_one(dot(direction, mine.d), d) && is_one(dot(direction, mine.v), v);
+  });
+}
+
+/// The place of the entry that holds a node most nearly along `direction`.
+std::string Holder::holder_of(std::uint32_t node, const Point& direction,
+                              formats::Diagnostics& diagnostics) const {
+  const Grip* nearest = nullptr;
+  double most = 0;
+  if (const auto grips = grips_.find(node); grips != grips_.end())
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const double share = std::abs(dot(axis_of(frame_of(node), k), direction));
+          grips->second[k] && share > most) {
+        most = share;
+        nearest = grips->second[k].get();
+      }
+  return nearest && nearest->said_at ? diagnostics.where(*nearest->said_at) : "the net plan";
+}
+
+/// Holds a node along the axes of an entry that are still free. An entry along a line or in a plane leaves it
+/// where it is sketched.
+void Holder::put(std::uint32_t node, const HoldEntry& entry, const Point& at,
+                 const std::shared_ptr<const Grip>& grip) {
+  std::uint8_t& held = scene_.held[node];
+  if (entry.frame && held != kAllAxes) scene_.frames[node] = *entry.frame;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(entry.axes & (1 << axis))) continue;
+    if (!entry.frame) scene_.positions[3 * std::size_t{node} + axis] = at[axis];
+    if (!(held & (1 << axis))) grips_[node][axis] = grip;
+  }
+  held |= entry.axes;
 }
 
 }  // namespace netloft::scenes

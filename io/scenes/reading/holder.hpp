@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/formats/toml/table_reader.hpp"
+#include "io/scenes/reading/geometry_keys.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
+#include <memory>
 #include <optional>
 #include <unordered_map>
 
@@ -16,16 +18,17 @@ struct HoldEntry {
   // Axes of the hold if the keys `along` or `plane` are used; else those of the world.
   std::optional<std::array<double, 9>> frame;
   std::vector<std::array<double, 3>> at;  // points of a line; empty: at the initial positions
+  Course course;                          // empty: it stands still
 };
 
 /// Reads one hold; errors go to the diagnostics of `table`.
 HoldEntry read_hold(formats::TableReader& table);
 
 /// Holds nodes of a scene at the positions of `[[hold]]` entries, and finds entries that contradict each
-/// other.
+/// other: a node that two of them hold along a direction has one place and one motion along it.
 class Holder {
  public:
-  explicit Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {}
+  explicit Holder(Scene& scene);
 
   /// Holds `nodes` of the scene, in the order of their set (an edge, for example). If an earlier entry
   /// already holds a node along an axis, that entry keeps the reaction, so that the reactions of all entries
@@ -33,22 +36,29 @@ class Holder {
   Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:
-  using Point = std::array<double, 3>;
-  /// The position and the axes along which an entry holds a node, and the place of the entry in the file.
-  struct Put {
-    Point point;
-    std::uint8_t axes;
-    formats::Place said_at;
+  /// One entry holds a node along one of its axes.
+  struct Grip {
+    std::optional<formats::Place> said_at;  // empty: the net plan holds it
+    Course course;
   };
+  /// The grips on the three axes of a node; null where it is free, or where the net plan holds it still.
+  using Grips = std::array<std::shared_ptr<const Grip>, 3>;
 
-  std::vector<Point> places(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes) const;
-  bool put(std::uint32_t node, const Put& put, formats::TableReader& table);
-  bool holds_along_world_axes(std::uint32_t node, std::uint8_t axes) const;
-  bool turn(std::uint32_t node, const std::array<double, 9>& frame);
+  Point place(const HoldEntry& entry, std::size_t i, const std::vector<std::uint32_t>& nodes) const;
+  bool can_hold(std::uint32_t node, const HoldEntry& entry) const;
+  bool agrees(std::uint32_t node, const HoldEntry& entry, const Point& at, formats::TableReader& table) const;
+  void put(std::uint32_t node, const HoldEntry& entry, const Point& at,
+           const std::shared_ptr<const Grip>& grip);
+
+  const std::array<double, 9>* frame_of(std::uint32_t node) const;
+  Point position(std::uint32_t node) const;
+  std::vector<Point> shared_directions(std::uint32_t node, const HoldEntry& entry) const;
+  bool moves_alike(std::uint32_t node, const Course& course, const Point& direction) const;
+  std::string holder_of(std::uint32_t node, const Point& direction, formats::Diagnostics& diagnostics) const;
 
   Scene& scene_;
   std::vector<double> sketch_;
-  std::unordered_map<std::uint32_t, std::vector<Put>> put_;
+  std::unordered_map<std::uint32_t, Grips> grips_;
 };
 
 }  // namespace netloft::scenes

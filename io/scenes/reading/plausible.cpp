@@ -88,20 +88,6 @@ double fastest(const Course& course) {
   return speed;
 }
 
-void check_guides(const LoadedScene& loaded, formats::TableReader& root) {
-  double speed = 0;
-  for (const Guide& guide : loaded.scene.guides) speed = std::max(speed, fastest(guide.course));
-  if (!(speed > kFastestHold)) return;
-  for (auto& hold : root.tables("hold"))
-    for (const char* key : {"velocity", "displacement"})
-      if (hold.has(key))
-        return root.diagnostics().warning(
-            hold.place(key),
-            fmt::format("a hold moves at {:.4g} m/s, which is {:.3g} kn: no ship or winch is so fast", speed,
-                        speed * 3600 / 1852),
-            "t is in s, velocity in m/s and displacement in m unless a unit is given");
-}
-
 void check_density(const Part& part, const KnownParameter& known, const formats::Place& place,
                    formats::Diagnostics& diagnostics) {
   const double density = number_or(0, part.parameters, known.name);
@@ -147,13 +133,22 @@ void check_float(const LoadedScene& loaded, const Part& part, const formats::Pla
 
 }  // namespace
 
+void check_speed_of_hold(const Course& course, formats::TableReader& hold, const char* key) {
+  const double speed = fastest(course);
+  if (!(speed > kFastestHold)) return;
+  hold.diagnostics().warning(
+      hold.place(key),
+      fmt::format("{}: the hold moves at {:.4g} m/s, which is {:.3g} kn: no ship or winch is so fast",
+                  hold.path(key), speed, speed * 3600 / 1852),
+      "t is in s, velocity in m/s and displacement in m unless a unit is given");
+}
+
 void check_plausible(const LoadedScene& loaded, formats::TableReader& root) {
   formats::Diagnostics& diagnostics = root.diagnostics();
   check_water(loaded, root);
   check_tolerance(loaded, root);
   check_tow_speed(loaded, root);
   check_current_speed(loaded, root);
-  check_guides(loaded, root);
   for (std::size_t p = 0; p < loaded.parts.size(); ++p) {
     const Part& part = loaded.scene.parts[p];
     const formats::Place& place = loaded.parts[p].place;

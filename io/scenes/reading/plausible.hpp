@@ -10,4 +10,7 @@ namespace netloft::scenes {
 /// limits and their reasons are in plausible.cpp.
 void check_plausible(const LoadedScene& loaded, formats::TableReader& root);
 
+/// Warns of a hold that moves faster than any ship or winch; `key` is the key of its course.
+void check_speed_of_hold(const Course& course, formats::TableReader& hold, const char* key);
+
 }  // namespace netloft::scenes

@@ -60,6 +60,16 @@ ALL = [
     Meant("held where it is sketched and elsewhere before", changed('on = "rope.end"', 'on = "rope.end"\nat = [9, 1, -5]') +
           '[[hold]]\non = "rope.end"\nname = "b"\n', r"held at \(9, 0, -5\) m here and at \(9, 1, -5\) m by scene.toml:13:6", "the same place", 2),
     Meant("two holds of one place", ROPE + '[[hold]]\non = "rope.end"\nname = "b"\nat = [9, 0, -5]\n', r"\A\Z"),
+    Meant("hold that stands still and moves", changed('on = "rope.end"', 'on = "rope.end"\nvelocity = { t = [0, 1], x = [0, 1] }', DYNAMIC) +
+          '[[hold]]\non = "rope.end"\nname = "b"\n', r"rope node 12 stands still here and moves by scene.toml:12:6", "the same motion", 2),
+    Meant("hold that moves and stands still", DYNAMIC + '[[hold]]\non = "rope.end"\nname = "b"\nvelocity = { t = [0, 1], x = [0, 1] }\n',
+          r"rope node 12 moves here and stands still by scene.toml:12:6", "the same motion", 2),
+    Meant("plane beside a place", changed('on = "rope.end"', 'on = "rope.end"\nat = [9, 1, -5]') +
+          '[[hold]]\non = "rope.end"\nname = "b"\nplane = [0, 1, 0]\n',
+          r"held through \(9, 0, -5\) m here and at \(9, 1, -5\) m by scene.toml:13:6", "the same place", 2),
+    Meant("second hold that moves at 100 m/s", changed('on = "rope.start"', 'on = "rope.start"\nvelocity = { t = [0, 1], x = [0, 1] }',
+          changed('on = "rope.end"', 'on = "rope.end"\nvelocity = { t = [0, 1], x = [0, 100] }', DYNAMIC)),
+          r"scene.toml:14:12: warning: hold\[1\].velocity: the hold moves at 100 m/s", "velocity in m/s"),
     Meant("water in tons", changed("[water]", "[water]\ndensity = 1.025"), r"water.density = 1.025 kg/m3", r'density = "1.025 t/m3"'),
     Meant("water in tons that says so", changed("[water]", '[water]\ndensity = "1.025 t/m3"'), r"\A\Z"),
     Meant("water of mud", changed("[water]", "[water]\ndensity = 2000"), r"water.density = 2000 kg/m3", "sea water is"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/holder.hpp"
 
+#include "io/scenes/reading/dynamics.hpp"
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
 namespace netloft::scenes {
@@ -24,7 +25,9 @@ class Holding : public ::testing::Test {
   Hold hold(const std::string& text, const std::vector<std::uint32_t>& nodes) {
     inputs.push_back(std::make_unique<Input>(text));
     formats::TableReader& table = inputs.back()->reader;
-    return holder->hold(read_hold(table), nodes, table);
+    HoldEntry entry = read_hold(table);
+    entry.course = read_course(table);
+    return holder->hold(entry, nodes, table);
   }
   std::array<double, 3> at(std::size_t node) const {
     return {scene.positions[3 * node], scene.positions[3 * node + 1], scene.positions[3 * node + 2]};
@@ -125,6 +128,93 @@ TEST_F(Holding, MayBeHeldElsewhereAlongOtherAxes) {
   hold("on = \"b\"\naxes = \"xz\"\nat = [5, 9, 1]", {4});
   EXPECT_EQ(last_error(), "");
   EXPECT_EQ(at(4), (std::array<double, 3>{5, 0, 1}));
+}
+
+TEST_F(Holding, RefusesAPlaneBesideAPlace) {
+  hold("on = \"a\"\nat = [3, 1, 0]", {3});
+  hold("on = \"b\"\nplane = [0, 2, 0]", {3});
+  EXPECT_NE(last_error().find("rope node 3 is held through (3, 0, 0) m here and at (3, 1, 0) m by"),
+            std::string::npos)
+      << last_error();
+}
+
+TEST_F(Holding, RefusesAPlaceBesideALine) {
+  hold("on = \"a\"\nalong = [1, 1, 0]", {3});
+  hold("on = \"b\"\nat = [4, 0, 0]", {3});
+  EXPECT_NE(last_error().find("rope node 3 is held at (4, 0, 0) m here and at (3, 0, 0) m by"),
+            std::string::npos)
+      << last_error();
+}
+
+TEST_F(Holding, AllowsAPlaceInAnObliquePlane) {
+  hold("on = \"a\"\nat = [4, -1, 7]", {3});
+  hold("on = \"b\"\nplane = [1, 1, 0]", {3});
+  EXPECT_EQ(last_error(), "");
+  EXPECT_EQ(at(3), (std::array<double, 3>{4, -1, 7}));
+}
+
+TEST_F(Holding, ComparesAPlaneWithTwoHoldsTogether) {
+  hold("on = \"a\"\naxes = \"x\"\nat = [4, 0, 0]", {3});
+  hold("on = \"b\"\naxes = \"yz\"\nat = [0, -1, 7]", {3});
+  hold("on = \"c\"\nplane = [1, 1, 0]", {3});
+  EXPECT_EQ(last_error(), "");
+  hold("on = \"d\"\nplane = [1, -1, 0]", {3});
+  EXPECT_NE(last_error().find("rope node 3 is held through (3, 0, 0) m here and at (4, -1, 7) m"),
+            std::string::npos)
+      << last_error();
+}
+
+const std::string kForward = "velocity = { t = [0, 1], x = [0, 2] }";
+
+TEST_F(Holding, RefusesToLetANodeMoveThatStandsStill) {
+  hold("on = \"a\"", {3});
+  hold("on = \"b\"\n" + kForward, {3});
+  EXPECT_NE(last_error().find("rope node 3 moves here and stands still by"), std::string::npos)
+      << last_error();
+}
+
+TEST_F(Holding, RefusesToLetANodeStandStillThatMoves) {
+  hold("on = \"a\"\n" + kForward, {3});
+  hold("on = \"b\"", {3});
+  EXPECT_NE(last_error().find("rope node 3 stands still here and moves by"), std::string::npos)
+      << last_error();
+}
+
+TEST_F(Holding, RefusesTwoMotionsOfANode) {
+  hold("on = \"a\"\n" + kForward, {3});
+  hold("on = \"b\"\nvelocity = { t = [0, 2], x = [0, 2] }", {3});
+  EXPECT_NE(last_error().find("rope node 3 moves here and moves otherwise by"), std::string::npos)
+      << last_error();
+}
+
+TEST_F(Holding, MayMoveANodeTwiceInTheSameWay) {
+  hold("on = \"a\"\n" + kForward, {3});
+  hold("on = \"b\"\nvelocity = { t = [0, 0.5, 1], x = [0, 1, 2] }", {3});
+  EXPECT_EQ(last_error(), "");
+}
+
+TEST_F(Holding, MayMoveANodeAlongAxesThatAnotherLeavesFree) {
+  hold("on = \"a\"\naxes = \"yz\"", {3});
+  hold("on = \"b\"\n" + kForward, {3});
+  EXPECT_EQ(last_error(), "");
+}
+
+TEST_F(Holding, MayMoveANodeWithinAPlane) {
+  hold("on = \"a\"\nvelocity = { t = [0, 1], x = [0, 2], y = [0, -2] }", {3});
+  hold("on = \"b\"\nplane = [1, 1, 0]", {3});
+  EXPECT_EQ(last_error(), "");
+  hold("on = \"c\"\nplane = [1, 0, 0]", {3});
+  EXPECT_NE(last_error().find("rope node 3 stands still here and moves by"), std::string::npos)
+      << last_error();
+}
+
+TEST_F(Holding, DoesNotStopABlockThatFollowsItsShip) {
+  scene.held[3] = kAllAxes;
+  scene.guides.push_back({{3}, {kAllAxes}, {{{0, {0, 0, 0}, {1, 0, 0}}, {1, {1, 0, 0}, {1, 0, 0}}}}});
+  holder.emplace(scene);
+  hold("on = \"a\"\naxes = \"x\"", {3});
+  EXPECT_NE(last_error().find("rope node 3 stands still here and moves by the net plan"), std::string::npos)
+      << last_error();
 }
 
 TEST(HoldEntry, IsNamedAfterWhatItHolds) {
