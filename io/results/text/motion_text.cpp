@@ -47,9 +47,11 @@ std::string chaos_text(const AchievedAccuracy& a) {
       a.unpredictable_from);
 }
 
-/// The error of the path, and whether it meets the requested accuracy.
-std::string path_text(const AchievedAccuracy& a) {
-  if (!a.is_checked) return "";
+/// The error of the path, and whether it meets the requested accuracy. In a chaotic motion, it is the error
+/// until the motion cannot be predicted; it is unknown if that is so from the first output.
+std::string error_text(const AchievedAccuracy& a) {
+  const char* until = a.is_predictable() ? "" : " until it cannot be predicted";
+  if (std::isnan(a.path) && !a.is_predictable()) return "";
   if (std::isnan(a.path))
     return "  warning: the path is not known: the march that it is compared with took the same steps\n";
   if (!std::isfinite(a.path))
@@ -57,13 +59,18 @@ std::string path_text(const AchievedAccuracy& a) {
         "  warning: the path is not known: the march in other steps that it is compared with "
         "was lost at t = {:.4g} s ({})\n",
         a.path_at, a.path_of);
-  if (a.path == 0) return "  error of the path: none against a march in other steps\n";
+  if (a.path == 0) return fmt::format("  error of the path{}: none against a march in other steps\n", until);
   const bool is_more = !(a.path <= a.asked);
   return fmt::format(
-             "  {}error of the path{} {:.3g}, at t = {:.4g} s at {}, against a march in other steps{}\n",
-             is_more ? "warning: " : "", a.is_predictable() ? "" : " until it cannot be predicted", a.path,
-             a.path_at, a.path_of, is_more ? ": more than was asked for" : "") +
-         (a.is_predictable() ? "" : chaos_text(a));
+      "  {}error of the path{} {:.3g}, at t = {:.4g} s at {}, against a march in other steps{}\n",
+      is_more ? "warning: " : "", until, a.path, a.path_at, a.path_of,
+      is_more ? ": more than was asked for" : "");
+}
+
+/// Whether the path can be predicted, and its error.
+std::string path_text(const AchievedAccuracy& a) {
+  if (!a.is_checked) return "";
+  return (a.is_predictable() ? "" : chaos_text(a)) + error_text(a);
 }
 
 /// The requested accuracy and the errors of steps; empty if the steps were prescribed.
