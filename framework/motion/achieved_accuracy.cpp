@@ -88,8 +88,7 @@ void note_parting(const std::vector<double>& here, const std::vector<double>& th
 }
 
 AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings& settings,
-                                   const StepControl& control, const MarchState& state,
-                                   const std::string& why_lost) {
+                                   const StepControl& control, const MarchState& state) {
   AchievedAccuracy a{
       .asked = settings.accuracy, .element = control.element_size(), .allowed = control.allowed()};
   a.largest = state.largest_error;
@@ -102,7 +101,7 @@ AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings
   a.path_at = state.path_at;
   if (!state.other.empty()) a.unpredictable_from = state.other[0].parted_at;
   a.path_of =
-      std::isfinite(a.path) ? of.scene.node_name(static_cast<std::uint32_t>(state.path_of)) : why_lost;
+      std::isfinite(a.path) ? of.scene.node_name(static_cast<std::uint32_t>(state.path_of)) : state.why_lost;
   return a;
 }
 

@@ -39,8 +39,8 @@ struct AchievedAccuracy {
   double sum = 0;
   bool is_checked =
       false;  // whether the march was compared with another one; then the following members are known
-  // Error of the path by (1), at time path_at and node path_of. Infinite: the second march failed; NaN:
-  // unknown, because the steps of both marches had the same length.
+  // Error of the path by (1), at time path_at and node path_of. Infinite: the second march failed, for the
+  // reason path_of; NaN: unknown, because the steps of both marches had the same length.
   double path = 0;
   double path_at = 0;  // [s]
   std::string path_of = {};
@@ -77,9 +77,8 @@ void note_path_error(const std::vector<double>& here, const std::vector<double>&
 void note_parting(const std::vector<double>& here, const std::vector<double>& there, double t, double allowed,
                   MarchState& state);
 
-/// Returns the values stored in `state`. `why_lost`: the reason why the second march failed, if it did.
+/// Returns the values stored in `state`.
 AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings& settings,
-                                   const StepControl& control, const MarchState& state,
-                                   const std::string& why_lost);
+                                   const StepControl& control, const MarchState& state);
 
 }  // namespace netloft

@@ -44,8 +44,9 @@ class EnergyJudge {
     for (std::size_t k = kGiven; k < sums_.size(); k += 2) all += sums_[k + 1];
     return all;
   }
+  double negligible() const { return sums_[kNegligible]; }
   /// The scale of energies: given + W [J].
-  double scale() const { return given() + sums_[kNegligible]; }
+  double scale() const { return given() + negligible(); }
   bool is_lost(bool at_the_end) const { return sums_[kInARow] >= (at_the_end ? 1 : 10); }
   std::string sentence() const {
     char text[128];
@@ -60,7 +61,7 @@ class EnergyJudge {
   void set_sums(std::span<const double> sums) { sums_.assign(sums.begin(), sums.end()); }
 
  private:
-  bool makes_too_much() const { return !(made() <= 0.5 * given() + sums_[kNegligible]); }
+  bool makes_too_much() const { return !(made() <= 0.5 * given() + negligible()); }
 
   enum : std::size_t { kMade, kKinetic, kStored, kReleased, kNegligible, kInARow, kGiven };
   std::vector<double> sums_;  // from index kGiven on: for each k of (2), the sum and its maximum

@@ -43,6 +43,8 @@ class EnergyWatch {
   std::string sentence() const { return judge_.sentence(); }
   /// The budget; null if none is kept.
   const EnergyBudget* budget() const { return settings_.budget ? &budget_ : nullptr; }
+  /// The judge of all steps so far; null if no budget is kept.
+  const EnergyJudge* judge() const { return settings_.budget ? &judge_ : nullptr; }
 
  private:
   double steps_per_examination() const;

@@ -44,6 +44,7 @@ class March {
         problem_(of.assembler, settings.mass_damping, methods.solver, of.make, without_work(limits)),
         control_(settings, scheme_, problem_.algebra().scales().element_size()),
         energy_(of.assembler, settings, scheme_.has_limit()),
+        earlier_(from ? from->statistics : Statistics{}),
         state_(from ? *from : state_at_rest(of.assembler)),
         next_(state_),
         shown_(of.assembler, settings.mass_damping),
@@ -135,7 +136,7 @@ class March {
     return true;
   }
   void lose_other() {
-    other_lost_ = other_->result_.reason;
+    state_.why_lost = other_->result_.reason;
     state_.path_error = std::numeric_limits<double>::infinity();
     state_.path_at = other_->state_.t;
     other_.reset();
@@ -164,7 +165,7 @@ class March {
   }
   void note_start() {
     const Balance b = problem_.balance();
-    result_.start = {b.residual, b.scale, assembler_.node_name(scene_, b.worst)};
+    state_.start = {b.residual, b.scale, assembler_.node_name(scene_, b.worst)};
   }
 
   /// Shortens rotation vectors between two steps, after the report of the last step. Positions and velocities
@@ -185,9 +186,19 @@ class March {
   }
   /// Work of this march and of the marches for comparison.
   Statistics work_done() const {
-    Statistics all = problem_.statistics();
+    Statistics all = own_work();
     if (other_) all.add(other_->work_done());
     return all;
+  }
+  /// Work of this march, that before it was interrupted included.
+  Statistics own_work() const {
+    Statistics all = earlier_;
+    all.add(problem_.statistics());
+    return all;
+  }
+  void add_times(Statistics& work) const {
+    work.total_seconds = earlier_.total_seconds + wall_seconds() - begun_;
+    work.total_cpu_seconds = earlier_.total_cpu_seconds + cpu_seconds() - cpu_begun_;
   }
 
   /// Tries steps until one is accepted.
@@ -267,8 +278,8 @@ class March {
     std::swap(state_.a, next_.a);
     if (energy_.watches_step_after(state_)) energy_.accept();
     ++state_.steps;
-    result_.shortest = state_.steps == 1 ? h : std::min(result_.shortest, h);
-    result_.longest = std::max(result_.longest, h);
+    state_.shortest = state_.steps == 1 ? h : std::min(state_.shortest, h);
+    state_.longest = std::max(state_.longest, h);
     if (!find_mean_forces()) return fail_at_fault();
     if (!winches_.empty()) winches_.accept();
     if (const std::string why = winches_.obstacle(); !why.empty()) return fail_at(why);
@@ -311,6 +322,8 @@ class March {
     state_.winches = winches_.state();
     problem_.note_loads(residual_);
     state_.least_load = problem_.least_load();
+    state_.statistics = own_work();
+    add_times(state_.statistics);
     ++state_.outputs;
   }
   void write_checkpoint(double t) {
@@ -347,7 +360,8 @@ class March {
          {state_.t, problem_.state().x(), has_means_ ? mean_forces_ : residual_, problem_.state().motion()},
          energy_.budget(),
          state,
-         winches});
+         winches,
+         energy_.judge()});
   }
   void report_step() {
     if (is_over_ || !watch_.on_step) return;
@@ -381,14 +395,17 @@ class March {
     result_.t = state_.t;
     result_.steps = state_.steps;
     result_.rejected = state_.rejected;
+    result_.shortest = state_.shortest;
+    result_.longest = state_.longest;
+    result_.start = state_.start;
     if (settings_.adaptive || settings_.check)
-      result_.accuracy = achieved_accuracy(of_, settings_, control_, state_, other_lost_);
+      result_.accuracy = achieved_accuracy(of_, settings_, control_, state_);
     result_.statistics = work_done();
-    result_.statistics.total_seconds = wall_seconds() - begun_;
-    result_.statistics.total_cpu_seconds = cpu_seconds() - cpu_begun_;
+    add_times(result_.statistics);
     if (result_.status == MarchStatus::finished)
       result_.reason =
           "t = " + seconds_text(state_.t) + " was reached in " + std::to_string(state_.steps) + " steps";
+    result_.reason += state_.remark;
     return std::move(result_);
   }
 
@@ -404,6 +421,7 @@ class March {
   TransientProblem problem_;
   StepControl control_;
   EnergyWatch energy_;
+  const Statistics earlier_;  // cost before this march was interrupted, if it was
   // next_: end of the attempted step; after its acceptance, the beginning of that step.
   MarchState state_, next_;
   ShownState shown_;
@@ -419,7 +437,6 @@ class March {
   MarchState
       other_start_;  // start of the march for comparison, if this march does not continue an earlier one
   std::unique_ptr<March> other_;
-  std::string other_lost_;  // the reason why the march for comparison failed
 };
 
 }  // namespace

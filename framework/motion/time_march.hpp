@@ -3,6 +3,7 @@
 #include "framework/balance/assembled_scene.hpp"
 #include "framework/motion/achieved_accuracy.hpp"
 #include "framework/motion/energy_budget.hpp"
+#include "framework/motion/energy_judge.hpp"
 #include "framework/motion/march_ending.hpp"
 #include "framework/motion/march_settings.hpp"
 #include "framework/motion/march_state.hpp"
@@ -42,6 +43,7 @@ struct Snapshot {
   const EnergyBudget* budget;
   const MarchState* state;  // state from which a march can continue; null: continue from an earlier snapshot
   std::span<const WinchMoment> winches = {};
+  const EnergyJudge* judge = nullptr;  // of all steps so far; null if no budget is kept
 };
 
 /// Report of an accepted step.
@@ -49,12 +51,6 @@ struct StepRecord {
   double t, h, end;  // time at the end of the step, its length, time at the end of the march [s]
   std::int64_t steps, rejected;
   double seconds;  // wall time so far
-};
-
-/// Imbalance of forces at rest at the beginning of a march.
-struct StartBalance {
-  double residual = 0, load = 0;  // largest nodal residual, largest nodal load [N]
-  std::string node;  // node of the residual; empty: not known, because the march continues from a file
 };
 
 struct MarchResult {

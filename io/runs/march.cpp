@@ -40,19 +40,16 @@ MarchResult march(PreparedScene& scene, const MarchWatch& outputs, const Watch& 
   }
   assert(from || a.dynamics.start_file.empty());  // a start from a file is read by the caller
   std::optional<MarchState> start;
-  std::string remark;
   if (!from && a.dynamics.from_equilibrium) {
     const Solution s = find_start_of_motion(scene, watch);
     if (!is_stationary(s)) return without_start(s);
     remember(scene, s.u);
-    if (s.status == SolveStatus::unstable)
-      remark = "; it began at an equilibrium that is not stable: " + s.reason;
     from = &start.emplace(at_rest(scene.assembler(), s));
+    if (s.status == SolveStatus::unstable)
+      start->remark = "; it began at an equilibrium that is not stable: " + s.reason;
   }
-  MarchResult result = netloft::march({scene.loaded().scene, scene.assembler(), scene.factorisations()},
-                                      chosen.methods(), limits, a.dynamics.march, outputs, from);
-  result.reason += remark;
-  return result;
+  return netloft::march({scene.loaded().scene, scene.assembler(), scene.factorisations()}, chosen.methods(),
+                        limits, a.dynamics.march, outputs, from);
 }
 
 void remember(PreparedScene& scene, std::span<const double> u) {

@@ -111,7 +111,7 @@ void read(const fs::path& path) {
 void go_on(const fs::path& path, const std::string& identity) {
   try {
     formats::SeriesJournal series = formats::SeriesJournal::go_on(path, identity);
-    fuzz::use(results::unpack_checkpoint(series.checkpoint()).u.size());
+    fuzz::use(results::unpack_checkpoint(series.checkpoint()).state.u.size());
     const formats::SeriesState last = series.state(series.size() - 1);
     for (std::size_t i = 0; i < series.size(); ++i) fuzz::use(series.state(i).points.size());
     series.write(last, series.checkpoint());

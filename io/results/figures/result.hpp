@@ -100,14 +100,16 @@ struct Iteration {
   std::string note;
 };
 
-/// Energy that the time integration lost or created by its own error during a run (energy_judge.hpp).
+/// Energy that the time integration lost or created by its own error during a motion (energy_judge.hpp).
 struct NumericalLoss {
-  double lost = 0, given = 0;             // total over the run [J]
+  double lost = 0, given = 0;             // total over the motion [J]
+  double negligible = 0;                  // W of energy_judge.hpp [J]; 0 in files of older versions
   double worst = 0, from = 0, until = 0;  // largest loss between two outputs [J], and their times [s]
   std::string node;                       // node whose velocity changed most between these outputs
-  /// Whether the loss exceeds a twentieth of the energy given. If so, no accuracy setting resolves the motion
-  /// after the loss.
-  bool is_large() const { return std::abs(lost) > 0.05 * given; }
+  /// Whether the loss exceeds a twentieth of the energies in the motion, given + W. If so, no accuracy
+  /// setting resolves the motion after the loss. W keeps round-off from counting in a motion to which hardly
+  /// anything is given.
+  bool is_large() const { return std::abs(lost) > 0.05 * (given + negligible); }
   bool is_created() const { return lost < 0; }
 };
 

@@ -145,6 +145,7 @@ void visit_motion(File&& file, AnyMotion& m) {
   file.sometimes("motion/loss", m.loss, [&](auto& l) {
     file.number("motion/loss/lost", l.lost, "J", "energy that the time scheme took");
     file.number("motion/loss/given", l.given, "J", "energy that was given");
+    file.number("motion/loss/negligible", l.negligible, "J", "work that counts as none");
     file.number("motion/loss/worst", l.worst, "J", "most that it took between two outputs");
     file.number("motion/loss/from", l.from, "s", "the first of the two");
     file.number("motion/loss/until", l.until, "s", "the second of the two");

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/motion/time_march.hpp"
+#include "io/results/motion/motion_watch.hpp"
 
 #include <string>
 
 namespace netloft::results {
 
-/// Packs the state from which a motion can be resumed into bytes.
-std::string pack_checkpoint(const MarchState& state);
+/// The data from which a motion continues, so that the rest has the same bits and the report is the same.
+struct Checkpoint {
+  MarchState state;
+  MotionFindings findings;
+};
 
-/// Restores the packed state, bit by bit. Throws FileError if the bytes are not a packed state.
-MarchState unpack_checkpoint(const std::string& bytes);
+/// Packs a checkpoint into bytes for a journal beside the output.
+std::string pack_checkpoint(const MarchState& state, const MotionFindings& findings);
+
+/// Restores the same checkpoint, bit by bit. Throws FileError if the bytes are not a packed checkpoint.
+Checkpoint unpack_checkpoint(const std::string& bytes);
 
 }  // namespace netloft::results

@@ -2,102 +2,26 @@
 #include "io/results/motion/motion_run.hpp"
 #include "io/runs/march.hpp"
 
-#include "framework/motion/energy_judge.hpp"
 #include "io/formats/hdf5/image.hpp"
-#include "io/results/figures/fallen_boards.hpp"
 #include "io/results/figures/materials.hpp"
 #include "io/results/file/grid_fields.hpp"
 #include "io/results/file/provenance.hpp"
 #include "io/results/motion/checkpoint.hpp"
+#include "io/results/motion/motion_watch.hpp"
 #include "io/results/motion/warp_figures.hpp"
 #include "io/results/motion/xdmf.hpp"
 #include "io/scenes/reading/result_request.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 
 namespace netloft::results {
 
 namespace {
 
 const std::string kEnergy = "energy/", kGear = "gear/";
-
-/// Finds the energy lost or gained by the time scheme, from the energy budgets of successive outputs.
-class LossWatch {
- public:
-  LossWatch(const Scene& scene, const Assembler& assembler) : scene_(scene), assembler_(assembler) {}
-
-  void note(const Snapshot& at) {
-    if (!at.budget) return;
-    const EnergyBudget::Totals totals = at.budget->totals();
-    const std::vector<double> v = assembler_.node_positions(at.v);
-    if (before_.v.empty())
-      judge_.begin(totals, 0);
-    else
-      compare({at.t, totals, v});
-    before_ = {at.t, totals, v};
-  }
-  /// The energy lost so far; empty before the second output.
-  std::optional<NumericalLoss> loss() const { return loss_; }
-
- private:
-  struct Moment {
-    double t = 0;
-    EnergyBudget::Totals totals = {};
-    std::vector<double> v = {};  // velocities of the nodes, three each
-  };
-  void compare(const Moment& now) {
-    judge_.note(before_.totals, now.totals, 1);
-    if (!loss_) loss_.emplace();
-    loss_->lost = -judge_.made();
-    loss_->given = judge_.given();
-    const double lost = now.totals.numerical - before_.totals.numerical;
-    if (lost <= loss_->worst) return;
-    loss_->worst = lost;
-    loss_->from = before_.t;
-    loss_->until = now.t;
-    loss_->node = scene_.node_name(most_changed(now.v));
-  }
-  std::uint32_t most_changed(const std::vector<double>& v) const {
-    double most = -1;
-    std::uint32_t which = 0;
-    for (std::uint32_t node = 0; node < v.size() / 3; ++node) {
-      const std::size_t i = 3 * std::size_t{node};
-      const double change =
-          std::hypot(v[i] - before_.v[i], v[i + 1] - before_.v[i + 1], v[i + 2] - before_.v[i + 2]);
-      if (change > most) {
-        most = change;
-        which = node;
-      }
-    }
-    return which;
-  }
-
-  const Scene& scene_;
-  const Assembler& assembler_;
-  EnergyJudge judge_;
-  Moment before_;
-  std::optional<NumericalLoss> loss_;
-};
-
-/// Makes one warning for each board that falls over or is pushed inward, with the time of the first output at
-/// which it does.
-class BoardWatch {
- public:
-  void note(double t, const std::vector<FallenBoard>& fallen) {
-    for (const auto& [board, sentence] : fallen)
-      if (seen_.insert(board).second) warnings_.push_back(fmt::format("at t = {:.6g} s {}", t, sentence));
-  }
-  const std::vector<std::string>& warnings() const { return warnings_; }
-
- private:
-  std::set<std::string> seen_;
-  std::vector<std::string> warnings_;
-};
 
 /// Computes one motion. The journal, the file NAME.hdf.part, is created at the first output, because only
 /// then the layout of an output is known.
@@ -107,7 +31,7 @@ class MotionRun {
       : scene_(scene),
         loaded_(scene.loaded()),
         options_(options),
-        losses_(loaded_.scene, scene.assembler()),
+        watch_(loaded_.scene, scene.assembler()),
         result_(describe_scene(loaded_, scene.assembler())) {
     result_.origins = make_origins(loaded_, context);
     result_.motion.emplace();
@@ -143,12 +67,13 @@ class MotionRun {
     if (!std::filesystem::exists(part))
       throw formats::FileError("there is no " + part.string() + " to go on from");
     journal_.emplace(formats::SeriesJournal::go_on(part, options_.identity));
-    const MarchState state =
+    Checkpoint kept =
         formats::with_context(part.string(), [&] { return unpack_checkpoint(journal_->checkpoint()); });
-    result_.motion->resumed_from = state.t;
+    watch_.go_on_from(std::move(kept.findings));
+    result_.motion->resumed_from = kept.state.t;
     outputs_ = outputs_before_ = journal_->size();
     if (!journal_->damage().empty()) warn_of_damage();
-    return state;
+    return std::move(kept.state);
   }
   void warn_of_damage() const {
     if (options_.warn)
@@ -160,11 +85,10 @@ class MotionRun {
 
   void write(const Snapshot& at) {
     const formats::SeriesState state = describe(at);
-    losses_.note(at);
-    boards_.note(at.t, find_fallen_boards(loaded_, result_.figures));
+    watch_.note(at, find_fallen_boards(loaded_, result_.figures));
     if (!journal_) begin_journal();
     if (outputs_ == outputs_before_) journal_->require_layout(layout_);
-    journal_->write(state, at.state ? pack_checkpoint(*at.state) : "");
+    journal_->write(state, at.state ? pack_checkpoint(*at.state, watch_.findings()) : "");
     ++outputs_;
   }
   void begin_journal() {
@@ -336,7 +260,7 @@ class MotionRun {
     result_.outcome = name_of(march.status);
     result_.sentence = march.reason;
     result_.statistics = march.statistics;
-    result_.warnings = boards_.warnings();
+    for (const auto& fallen : watch_.findings().fallen) result_.warnings.push_back(fallen.sentence);
     m.integrator = d.integrator;
     m.start_from = d.from_equilibrium     ? "the equilibrium"
                    : d.start_file.empty() ? "the sketch"
@@ -349,7 +273,7 @@ class MotionRun {
     m.stable_step = march.stable_step;
     if (!march.start.node.empty()) m.start = march.start;
     if (march.accuracy.asked > 0) m.accuracy = march.accuracy;
-    m.loss = losses_.loss();
+    m.loss = watch_.findings().loss;
   }
 
   void finish(const MarchResult& march) {
@@ -378,8 +302,7 @@ class MotionRun {
   runs::PreparedScene& scene_;
   const scenes::LoadedScene& loaded_;
   const MotionOptions& options_;
-  LossWatch losses_;
-  BoardWatch boards_;
+  MotionWatch watch_;
   std::optional<OutputFields> fields_;
   formats::SeriesLayout layout_;
   std::optional<std::vector<formats::SeriesColumn>> gear_columns_;  // empty before the first output

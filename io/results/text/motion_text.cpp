@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Says how far from equilibrium the motion began; empty for a resumed run.
+/// Says how far from equilibrium the motion began; empty if that is not known.
 std::string start_text(const Motion& m) {
   if (!m.start) return "";
   return fmt::format(
@@ -86,9 +86,9 @@ std::string accuracy_text(const std::optional<AchievedAccuracy>& a) {
 
 Json loss_json(const std::optional<NumericalLoss>& l) {
   if (!l) return nullptr;
-  return {{"lost", l->lost},   {"given", l->given}, {"is_large", l->is_large()},
-          {"worst", l->worst}, {"from", l->from},   {"until", l->until},
-          {"node", l->node}};
+  return {{"lost", l->lost},           {"given", l->given}, {"negligible", l->negligible},
+          {"is_large", l->is_large()}, {"worst", l->worst}, {"from", l->from},
+          {"until", l->until},         {"node", l->node}};
 }
 
 Json path_json(const AchievedAccuracy& a) {
@@ -119,7 +119,7 @@ Json start_json(const std::optional<StartBalance>& s) {
 
 double real_time_factor(const Result& result) {
   const double wall = result.statistics.total_seconds;
-  return wall > 0 ? (result.motion->time - result.motion->resumed_from) / wall : 0;
+  return wall > 0 ? result.motion->time / wall : 0;
 }
 
 std::string motion_text(const Result& result) {

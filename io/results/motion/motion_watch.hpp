@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+#include "framework/motion/time_march.hpp"
+#include "io/results/figures/fallen_boards.hpp"
+#include "io/results/figures/result.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace netloft::results {
+
+/// The findings of a MotionWatch so far, from which it continues.
+struct MotionFindings {
+  double t = 0, numerical = 0;  // time of the last output [s], energy that the scheme had taken by then [J]
+  std::vector<double> v;        // velocities of the nodes then, three each; empty before the first output
+  std::optional<NumericalLoss> loss;  // empty before the second output, and without an energy budget
+  std::vector<FallenBoard> fallen;    // each board once, with the time at which it was first seen so
+};
+
+/// Compares every output of a motion with the one before it: which energy did the scheme take between them,
+/// and which boards have fallen or pushed inward?
+class MotionWatch {
+ public:
+  MotionWatch(const Scene& scene, const Assembler& assembler) : scene_(scene), assembler_(assembler) {}
+
+  void note(const Snapshot& at, const std::vector<FallenBoard>& fallen);
+  const MotionFindings& findings() const { return found_; }
+  /// Continues a watch of an earlier run.
+  void go_on_from(MotionFindings findings) { found_ = std::move(findings); }
+
+ private:
+  void note_loss(const Snapshot& at);
+  void note_fallen(double t, const std::vector<FallenBoard>& fallen);
+  std::uint32_t most_changed(const std::vector<double>& v) const;
+
+  const Scene& scene_;
+  const Assembler& assembler_;
+  MotionFindings found_;
+};
+
+}  // namespace netloft::results
