@@ -2,19 +2,27 @@
 #include "io/runs/equilibrium.hpp"
 
 #include "io/runs/diagnosis.hpp"
+#include "io/runs/hold_force.hpp"
 #include "io/runs/settle.hpp"
 #include "io/scenes/reading/halves.hpp"
 #include "io/scenes/reading/keys.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace netloft::runs {
 
 namespace {
 
 constexpr int kFromElsewhere = 100;  // limit of iterations from an initial guess of the user
+// Largest force in a loose hold, as a fraction of the largest load on a node. The forces that a search leaves
+// at thousands of nodes, each below the tolerance, add up in such a hold to less.
+constexpr double kLoadOfLoose = 1e-3;
 
 /// Tells the caller which processor time a search may take, and when destroyed, that there is no limit any
 /// more.
@@ -52,21 +60,51 @@ StrategyUse strategy_of(PreparedScene& scene) {
   return {&scene.registry().strategy(analysis.strategy), analysis.strategy_parameters};
 }
 
+void reject(Solution& s, std::string at_fault, std::string reason) {
+  s.status = SolveStatus::not_converged;
+  s.stability = Stability::unknown;
+  s.at_fault = std::move(at_fault);
+  s.reason = std::move(reason);
+}
+
 /// Rejects equilibria of a half gear (one side of the plane of symmetry) that has crossed this plane: the
-/// whole gear has no such equilibrium. Nodes that the user holds beyond the plane do not count.
-void reject_crossed_halves(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
-  if (!is_stationary(s) || !loaded.gear || loaded.gear->times != 2) return;
+/// whole gear has no such equilibrium. Nodes that the user holds beyond the plane do not count. Rejects
+/// equilibria of a whole gear whose boards have crossed, too.
+void reject_crossed(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
+  const bool is_half = loaded.gear && loaded.gear->times == 2;
   for (const scenes::Crossing& crossing : scenes::find_crossings(loaded, assembler.node_positions(s.x)))
-    if (!crossing.is_held) {
-      s.status = SolveStatus::not_converged;
-      s.at_fault = loaded.scene.parts[crossing.part].name;
-      s.reason = crossing.sentence + ". No whole gear lies so; start it elsewhere, or solve it as a whole";
-    }
+    if (!crossing.is_held)
+      reject(
+          s, loaded.scene.parts[crossing.part].name,
+          crossing.sentence + (is_half ? ". No whole gear lies so; start it elsewhere, or solve it as a whole"
+                                       : ". No gear is meant to lie so; start each on its own side"));
+}
+
+/// Rejects equilibria in which a loose hold bears load: without the hold, the gear has none there.
+void reject_held_up(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
+  for (const scenes::Hold& hold : loaded.holds) {
+    if (!hold.is_loose) continue;
+    const auto f = force_of(hold, assembler, s.residual);
+    const double force = std::hypot(f[0], f[1], f[2]);
+    if (!(force > kLoadOfLoose * s.balance.scale)) continue;
+    reject(s, loaded.scene.node_name(hold.nodes.front()),
+           fmt::format(
+               "the loose hold \"{}\" bears {:.4g} N, and the largest load on a node is {:.4g} N: the gear "
+               "drifts without it. Hold the gear where it is towed or moored, or leave out `loose`",
+               hold.name, force, s.balance.scale));
+  }
+}
+
+/// Rejects equilibria of the model in which the gear that it stands for has none.
+void reject_what_is_none(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
+  if (!is_stationary(s)) return;
+  reject_crossed(loaded, assembler, s);
+  reject_held_up(loaded, assembler, s);
 }
 
 void adopt_and_check(PreparedScene& scene, Solution& s) {
   scene.adopt(s);
-  reject_crossed_halves(scene.loaded(), scene.assembler(), s);
+  reject_what_is_none(scene.loaded(), scene.assembler(), s);
 }
 
 }  // namespace
@@ -130,7 +168,7 @@ Solution find_start_of_motion(PreparedScene& scene, const Watch& watch) {
       search_options(scene, limits, {.interrupt = watch.interrupt, .on_iteration = watch.on_iteration});
   options.solver = {&scene.registry().solver(scenes::kSolver), {}};
   Solution found = netloft::find_equilibrium(source, options, strategy_of(scene));
-  reject_crossed_halves(loaded, assembler, found);
+  reject_what_is_none(loaded, assembler, found);
   return found;
 }
 

@@ -36,6 +36,11 @@ Json hold_schema() {
   }
   put(hold, "at", {{"description", "\"sketch\", a point, or points of a line"}}, false);
   put(hold, "name", text("name of the reaction"), false);
+  put(hold, "loose",
+      {{"type", "boolean"},
+       {"default", false},
+       {"description", "only keeps the gear from drifting: in equilibrium it bears nothing"}},
+      false);
   put(hold, "displacement",
       columns_schema("way from where it is held, over time",
                      {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"z", "m"}}),

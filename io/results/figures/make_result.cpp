@@ -9,6 +9,7 @@
 #include "io/results/figures/materials.hpp"
 #include "io/results/figures/overload.hpp"
 #include "io/results/figures/whereabouts.hpp"
+#include "io/runs/hold_force.hpp"
 #include "io/scenes/reading/result_request.hpp"
 
 #include <algorithm>
@@ -21,14 +22,8 @@ namespace {
 std::vector<HoldForce> find_hold_forces(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                         std::span<const double> residual) {
   std::vector<HoldForce> forces;
-  for (const auto& hold : loaded.holds) {
-    HoldForce sum{hold.name, {}};
-    for (std::size_t i = 0; i < hold.nodes.size(); ++i) {
-      const auto force = assembler.reaction(hold.nodes[i], residual, hold.axes[i]);
-      for (std::size_t axis = 0; axis < 3; ++axis) sum.force[axis] += force[axis];
-    }
-    forces.push_back(sum);
-  }
+  for (const auto& hold : loaded.holds)
+    forces.push_back({hold.name, runs::force_of(hold, assembler, residual)});
   return forces;
 }
 

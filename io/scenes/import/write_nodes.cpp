@@ -144,9 +144,11 @@ void hold_what_is_loose(SceneDraft& to) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (loose[i].axes[axis]) axes += kAxis[axis];
     hold(to, "loose-" + std::to_string(i + 1), axes);
+    to.line("loose", "true");
     to.note({}, "node " + std::to_string(loose[i].node + 1),
             "is held along " + axes +
-                ", because nothing in the file holds it there; in balance nothing pulls at the hold");
+                ", because nothing in the file holds it there; an equilibrium in which the hold bears load "
+                "is none");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace netloft::scenes {
 
@@ -53,6 +54,17 @@ std::string list_names(const LoadedScene& loaded, const std::vector<Beyond>& par
   return names;
 }
 
+/// The direction to starboard of the flow at a body; null if the flow comes from behind the gear as it is
+/// drawn, so that the gear turns round.
+std::optional<std::array<double, 2>> starboard_at(const Scene& scene, double z) {
+  std::array<double, 3> v{}, dz{};
+  scene.current.at(z, v, dz);
+  const double speed = std::hypot(v[0], v[1]);
+  if (v[0] < 0) return {};
+  if (speed == 0) return std::array<double, 2>{0, 1};
+  return std::array<double, 2>{-v[1] / speed, v[0] / speed};
+}
+
 /// Adds the crossings of pairs of bodies in a whole gear. The gear may be towed askew, so that each body is
 /// compared with the other one of its pair and not with the plane.
 void add_pairs(const LoadedScene& loaded, std::span<const double> positions,
@@ -63,11 +75,15 @@ void add_pairs(const LoadedScene& loaded, std::span<const double> positions,
       for (std::size_t b = 0; b < loaded.bodies.size(); ++b)
         if (loaded.bodies[b].part == part) bodies[loaded.bodies[b].side > 0] = &loaded.scene.bodies[b];
     if (!bodies[0] || !bodies[1]) continue;
-    const auto y = [&](const RigidBody* body) { return positions[3 * std::size_t{body->origin} + 1]; };
-    if (y(bodies[1]) < y(bodies[0]))
+    const double *port = &positions[3 * std::size_t{bodies[0]->origin}],
+                 *starboard = &positions[3 * std::size_t{bodies[1]->origin}];
+    const auto out = starboard_at(loaded.scene, starboard[2]);
+    if (!out) continue;
+    const double apart = (*out)[0] * (starboard[0] - port[0]) + (*out)[1] * (starboard[1] - port[1]);
+    if (apart < 0)
       crossings.push_back({parts[0], false,
-                           bodies[1]->name + " is " + formats::in_metres(y(bodies[0]) - y(bodies[1]), 3) +
-                               " to port of " + bodies[0]->name + ": they have crossed"});
+                           bodies[1]->name + " is " + formats::in_metres(-apart, 3) + " to port of " +
+                               bodies[0]->name + ": they have crossed"});
   }
 }
 

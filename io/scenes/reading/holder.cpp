@@ -143,6 +143,9 @@ HoldEntry read_hold(formats::TableReader& table) {
   entry.axes = read_axes(table);
   read_frame(table, entry);
   read_at(table, entry);
+  entry.is_loose = table.boolean(
+      "loose",
+      {.doc = "only keeps the gear from drifting: in equilibrium it bears nothing", .fallback = false});
   entry.name =
       table.text("name", {.doc = "name of the reaction", .fallback = entry.on.empty() ? "" : entry.on[0]});
   return entry;
@@ -166,7 +169,7 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
   const auto grip =
       std::make_shared<const Grip>(Grip{table.place(table.has("at") ? "at" : "on"), entry.course});
   bool all_agree = true;
-  Hold held{entry.name, nodes, {}};
+  Hold held{entry.name, nodes, {}, entry.is_loose};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!can_hold(nodes[i], entry)) {
       table.error("on", "a node of \"" + entry.name + "\" is held in another way already",

@@ -19,6 +19,7 @@ struct HoldEntry {
   std::optional<std::array<double, 9>> frame;
   std::vector<std::array<double, 3>> at;  // points of a line; empty: at the initial positions
   Course course;                          // empty: it stands still
+  bool is_loose = false;                  // Hold::is_loose
 };
 
 /// Reads one hold; errors go to the diagnostics of `table`.

@@ -32,6 +32,7 @@ struct Hold {
   std::string name;
   std::vector<std::uint32_t> nodes;  // numbers of nodes in the scene
   std::vector<std::uint8_t> axes;    // for each node, the axes whose reactions count for this hold
+  bool is_loose = false;  // whether it only keeps the gear from drifting, and bears nothing in equilibrium
 };
 
 /// One line of `[results]`: a number that the scene requests, such as the lowest z of the net.

@@ -279,10 +279,13 @@ class Towed(InFreshFolder):
             self.assertEqual("have crossed. No whole gear lies so" in result["reason"], crossed, result["reason"])
             self.assertEqual("warning: at the start door, " in self.netloft("plan", "scene.toml").err, crossed)
 
-    def test_boards_of_a_whole_gear_that_have_crossed_are_a_warning(self):
+    def test_a_whole_gear_whose_boards_have_crossed_is_no_answer(self):
         start = 'board = "flat-1.0x2.0"\nat = [88.4, -20.4, -39.5]\nturned = { heading = "129 deg", heel = "12 deg", trim = "180 deg" }'
         self.write("scene.toml", changed(SHIP, ('board = "flat-1.0x2.0"', start), ('"half"', '"whole"')) + SHOE)
-        warnings = self.netloft("run", "scene.toml", "--json").json()["warnings"]
+        ended = self.netloft("run", "scene.toml", "--json")
+        self.assertEqual((ended.code, ended.json()["status"]), (3, "not converged"))
+        self.assertRegex(ended.json()["reason"], r"^starboard-door is \S+ m to port of port-door: they have crossed\. No gear is meant to lie so")
+        warnings = ended.json()["warnings"]
         self.assertTrue(any(w.startswith("starboard-door is ") and w.endswith(" m to port of port-door: they have crossed") for w in warnings), warnings)
 
 

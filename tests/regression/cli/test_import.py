@@ -120,6 +120,18 @@ class Imports(InFreshFolder):
         self.assertAlmostEqual(figures["joint"], -60, delta=1e-2)
         self.assertNotIn("FairTen2", figures, "two lines end there")
 
+    def test_a_gear_that_hangs_on_a_loose_hold_is_no_answer(self):
+        """Nothing in the file holds the two bars across a current that flows obliquely."""
+        gears = SOURCE / "tests/validation/femnet_files"
+        gear = (gears / "01_two_bars.don").read_text(encoding="latin-1")
+        self.write("g.don", changed(gear, ("Displacement X,Y,Z: 1  1  1", "Displacement X,Y,Z: 1  0  1")))
+        self.write("g.mdg", (gears / "01_two_bars.mdg").read_text(encoding="latin-1"))
+        self.assertIn("an equilibrium in which the hold bears load is none", self.imported("femnet", "g.don").err)
+        ended = self.netloft("run", "scene.toml", "--json")
+        self.assertEqual((ended.code, ended.json()["status"]), (3, "not converged"))
+        self.assertRegex(ended.json()["reason"], r'^the loose hold "loose-1" bears 10\.8 N')
+        self.assertEqual(self.netloft("report", "scene.hdf").code, 3)
+
     def test_what_is_wrong_is_said_and_nothing_is_written(self):
         self.write("gear.csv", "node,x,y,z\na,0,0,zero\n")
         ended = self.netloft("import", "table", "gear.csv", "--color", "never")

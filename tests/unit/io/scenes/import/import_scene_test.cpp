@@ -51,7 +51,7 @@ TEST(FemnetScene, HoldsWhatNothingHolds) {
   const std::string loose =
       changed(sample("01_two_bars.don"), "Displacement X,Y,Z: 1  1  1", "Displacement X,Y,Z: 1  0  1");
   const ImportedSample gear(loose, sample("01_two_bars.mdg"));
-  EXPECT_TRUE(gear.holds("[[hold]]\non = \"*.loose-1\"\nname = \"loose-1\"\naxes = \"y\""));
+  EXPECT_TRUE(gear.holds("[[hold]]\non = \"*.loose-1\"\nname = \"loose-1\"\naxes = \"y\"\nloose = true"));
   EXPECT_NE(gear.imported.scene.find("# note, line 0, node 1: is held along y"), std::string::npos)
       << gear.imported.scene;
 }
