@@ -156,8 +156,9 @@ class Whereabouts {
     if (!loaded_.gear) return why;
     const auto warps = loaded_.gear->roles.find("warp");
     if (warps == loaded_.gear->roles.end() || warps->second.empty()) return why;
-    return why + fmt::format("; the longest warp is {:.4g} m, the depth at its start {:.4g} m",
-                             longest(warps->second).first, longest(warps->second).second);
+    const auto [length, depth] = longest(warps->second);
+    return why + fmt::format("; the longest warp is {:.4g} m, its start {:.4g} m above the bed{}", length,
+                             depth, length < depth ? ": it cannot reach the bed" : "");
   }
 
   /// Buoyancy minus weight of all parts except warps [N]: positive if the gear floats.

@@ -115,6 +115,9 @@ ALL = [
     Meant("gear that flies", gear("scenes/four-panel.toml",
           '[gear]\nnodes = 200\n[bed]\ndepth = "60 m"\n[elements.contact]\nseabed = { stiffness = "10 kN/m2" }\n'),
           r"nothing rests on the bed: \S+, the lowest of what would, is \S+ m above it; its net buoyancy is -?\d\S* N, (up|down)ward", "", 0, "run"),
+    Meant("warp shorter than the depth", gear("scenes/pelagic-with-doors.toml",
+          '[gear]\nnodes = 200\n[bed]\ndepth = "300 m"\n[elements.contact]\nseabed = { stiffness = "10 kN/m2" }\n'),
+          r"nothing rests on the bed: .*; the longest warp is 150 m, its start 304 m above the bed: it cannot reach the bed", "", 0, "run"),
     Meant("loose hold that bears load", ROPE + "loose = true\n", r'not converged\n  the loose hold "rope.end" bears \d\S* N', "leave out `loose`", 3, "run"),
     Meant("loose hold that bears none", ROPE + '[[hold]]\non = "rope.node-6"\naxes = "y"\nloose = true\n', r"converged, stable", "", 0, "run"),
 ]
