@@ -252,6 +252,25 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
         "stands = \"pair\" of the rope; one in the middle starts in the middle and ends on both sides");
 }
 
+/// Refuses a pair of ropes that both lead to a point of a body in the middle beside the middle.
+void check_end_aside(const NetPlan& plan, const Rope& rope, const std::string& end,
+                     formats::Diagnostics& diagnostics) {
+  const auto dot = end.find('.');
+  const PlanBody* body = plan.find_body(end.substr(0, dot));
+  if (rope.stands != Standing::pair || !body || body->stands != Standing::middle) return;
+  const std::string name = end.substr(dot + 1);
+  const BodyPoint* point = body->find_point(name);
+  if (!point || point->y == 0) return;
+  diagnostics.error(
+      rope.between_place,
+      fmt::format("ropes.{}.between: both ropes of the pair would lead to {}, {} m to {} of the middle",
+                  rope.name, end, in_metres(std::abs(point->y)), point->y > 0 ? "starboard" : "port"),
+      fmt::format(
+          "name two points of {} in its place, \"port-{}\" and \"starboard-{}\"; \"{}\" then means one for "
+          "each side",
+          body->name, name, name, end));
+}
+
 /// Sets of connected panels, ropes and points.
 class Connections {
  public:
@@ -374,7 +393,10 @@ void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
   for (const auto& rope : plan.ropes) {
     check_rope_length(plan, rope, limits, diagnostics);
     for (const auto& end : rope.between)
-      if (!end.empty()) check_end(plan, rope, end, diagnostics);
+      if (!end.empty()) {
+        check_end(plan, rope, end, diagnostics);
+        check_end_aside(plan, rope, end, diagnostics);
+      }
   }
 }
 

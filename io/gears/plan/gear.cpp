@@ -280,6 +280,8 @@ class GearMaker {
   std::string point_on(const std::string& name, Side side) const {
     const auto [owner, rest] = split(name);
     const Standing stands = standing_of(owner);
+    if (is_on_both_sides(plan_, name))
+      return owner + "." + prefix(side == Side::port ? Side::port : Side::starboard) + rest;
     if (!is_whole()) return stands == Standing::middle && rest == "middle" ? owner + ".start" : name;
     if (name.empty() || stands == Standing::alone) return name;
     if (stands == Standing::pair) return prefix(side) + name;

@@ -122,11 +122,19 @@ Standing standing_of(const NetPlan& plan, const std::string& name) {
   return Standing::alone;
 }
 
+bool is_on_both_sides(const NetPlan& plan, const std::string& name) {
+  const auto [owner, rest] = split(name);
+  const PlanBody* body = plan.find_body(owner);
+  return body && body->stands == Standing::middle && body->find_point("port-" + rest) &&
+         body->find_point("starboard-" + rest);
+}
+
 bool is_corner_in_middle(const std::string& corner) {
   return corner == "fore-inner" || corner == "aft-inner";
 }
 
 Standing standing_of_point(const NetPlan& plan, const std::string& name) {
+  if (is_on_both_sides(plan, name)) return Standing::pair;
   const auto [owner, rest] = split(name);
   const Standing stands = standing_of(plan, owner);
   const bool is_aside = plan.find_panel(owner) ? !is_corner_in_middle(rest) : rest == "end";
@@ -149,7 +157,7 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
     known = {rope->name + ".middle", rope->name + ".end"};
     if (rope->stands != Standing::middle) known.insert(known.begin(), rope->name + ".start");
   } else {
-    if (plan.find_point(name)) return name;
+    if (plan.find_point(name) || is_on_both_sides(plan, name)) return name;
     append_names(known, plan.points);
     for (const auto& r : plan.ropes) known.push_back(r.name + ".end");
   }

@@ -40,6 +40,9 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
 Standing standing_of(const NetPlan& plan, const std::string& name);
 /// The symmetry of a point. Points of middle parts exist twice unless they lie on the plane of symmetry.
 Standing standing_of_point(const NetPlan& plan, const std::string& name);
+/// Whether a body in the middle has a point of this name on both sides: `beam.end` means its points
+/// `port-end` and `starboard-end`.
+bool is_on_both_sides(const NetPlan& plan, const std::string& name);
 /// Whether a corner of a middle panel lies on the plane of symmetry.
 bool is_corner_in_middle(const std::string& corner);
 

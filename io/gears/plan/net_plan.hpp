@@ -164,14 +164,23 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
+/// A point of a rigid body to which ropes lead; it is also a point of the plan, body.name.
+struct BodyPoint {
+  std::string name;
+  double y = 0;  // in the body's own axes, to starboard [m]; 0 if the scene cannot read the point
+  bool operator==(const BodyPoint&) const = default;
+};
+
 /// A rigid body, such as an otter board. The plan contains only its points, such as `door.warp`, to which
 /// ropes lead; the scene reads the rest.
 struct PlanBody {
   std::string name;
   Standing stands = Standing::pair;
-  std::vector<std::string> points;  // names; each is also a point of the plan, body.name
+  std::vector<BodyPoint> points;
   formats::Place place;
   bool operator==(const PlanBody&) const = default;
+
+  const BodyPoint* find_point(const std::string& point) const;
 };
 
 /// The speed and heading of a ship at a time. Both are linear between the times, and constant after the last

@@ -84,7 +84,7 @@ class PlanReader {
   /// Adds a body and its points, which are points of the plan.
   void add_body(PlanBody body) {
     for (const auto& point : body.points)
-      plan_.points.push_back({body.name + "." + point, body.stands, {}, body.place});
+      plan_.points.push_back({body.name + "." + point.name, body.stands, {}, body.place});
     plan_.bodies.push_back(std::move(body));
   }
 
@@ -213,6 +213,7 @@ NetPlan read_plan_text(const std::string& text, const std::string& name, const C
 const Panel* NetPlan::find_panel(const std::string& name) const { return find_named(panels, name); }
 const Rope* NetPlan::find_rope(const std::string& name) const { return find_named(ropes, name); }
 const Point* NetPlan::find_point(const std::string& name) const { return find_named(points, name); }
+const BodyPoint* PlanBody::find_point(const std::string& point) const { return find_named(points, point); }
 const PlanBody* NetPlan::find_body(const std::string& name) const { return find_named(bodies, name); }
 
 }  // namespace netloft::gears

@@ -14,15 +14,20 @@ namespace {
 
 constexpr const char* kPoints = "points";
 
-/// The names in the table `points` of a body or of a catalogue part; empty if the table is null.
-std::vector<std::string> names_in(const formats::Table* points) {
-  std::vector<std::string> names;
-  if (points)
-    for (const auto& member : points->members) names.push_back(member.key);
-  return names;
+/// The points in the table `points` of a body or of a catalogue part; none if it is no table.
+std::vector<BodyPoint> points_in(const formats::Value* points) {
+  std::vector<BodyPoint> all;
+  if (!points || !points->as<formats::Table>()) return all;
+  formats::Diagnostics silent;  // the scene that reads the body reports its errors
+  formats::TableReader table(*points, silent);
+  for (const auto& name : table.keys()) {
+    const auto at = table.reals(name, {.unit = "m", .range = formats::between(-1e6, 1e6)});
+    all.push_back({name, at.size() == 3 ? at[1] : 0});
+  }
+  return all;
 }
 
-const formats::Table* points_of_catalogue(formats::TableReader& table, const Catalogue& catalogue) {
+const formats::Value* points_of_catalogue(formats::TableReader& table, const Catalogue& catalogue) {
   formats::Diagnostics silent;  // the scene that reads the body reports its errors
   for (const auto& key : part_keys()) {
     const formats::Value* said = table.has(key) ? table.raw(key) : nullptr;
@@ -30,7 +35,7 @@ const formats::Table* points_of_catalogue(formats::TableReader& table, const Cat
     const CataloguePart* part = choose_part(*said, kinds_under(key), key, catalogue, silent);
     const auto points =
         part ? part->tables.find(kPoints) : std::map<std::string, formats::Value>::const_iterator{};
-    if (part && points != part->tables.end()) return points->second.as<formats::Table>();
+    if (part && points != part->tables.end()) return &points->second;
   }
   return nullptr;
 }
@@ -42,7 +47,7 @@ std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
   std::vector<std::string> ends;
   for (const auto& body : plan.bodies)
     for (const auto& point : body.points)
-      if (point == kWarp) ends.push_back(body.name + "." + point);
+      if (point.name == kWarp) ends.push_back(body.name + "." + point.name);
   if (ends.size() == 1) return ends[0];
   warp.error("to",
              ends.empty() ? "is missing, and no body has a point \"warp\""
@@ -106,7 +111,7 @@ PlanBody read_plan_body(const std::string& name, formats::TableReader& table, co
   body.place = table.place();
   body.stands = read_standing(table, "pair");
   const formats::Value* own = table.has(kPoints) ? table.raw(kPoints) : nullptr;
-  body.points = names_in(own ? own->as<formats::Table>() : points_of_catalogue(table, catalogue));
+  body.points = points_in(own ? own : points_of_catalogue(table, catalogue));
   for (const auto& key : table.keys()) table.raw(key);  // known, because the scene reads them
   return body;
 }

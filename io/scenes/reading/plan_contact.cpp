@@ -47,7 +47,7 @@ bool rests_on_bed(const gears::Rope& rope) {
 std::vector<std::string> shoes_of(const gears::PlanBody& body) {
   std::vector<std::string> shoes;
   for (const char* point : {"toe", "heel"})
-    if (std::ranges::find(body.points, point) != body.points.end()) shoes.push_back(body.name + "." + point);
+    if (body.find_point(point)) shoes.push_back(body.name + "." + point);
   return shoes;
 }
 

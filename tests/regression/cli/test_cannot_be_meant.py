@@ -32,6 +32,57 @@ twine = { diameter = "3 mm", EA = "20 kN", density = 1140 }
 on = "net.fore"
 """
 FLOAT = '[parts.f]\ntype = "float/float"\non = "rope.end"\nfloat = { %s }\n'
+# A bag of two panels behind a beam, lashed to it on both sides.
+BEAM = """\
+[gear]
+nodes = 100
+[water]
+current = [1, 0, 0]
+[panels.top]
+mesh = "80 mm"
+twine = "pe-braided-3mm"
+fore = 50
+depth = 30
+sides = "AN"
+[panels.bottom]
+mesh = "80 mm"
+twine = "pe-braided-3mm"
+fore = 50
+depth = 30
+sides = "AN"
+[[join]]
+edges = ["top.sides", "bottom.sides"]
+[[join]]
+edges = ["top.aft", "bottom.aft"]
+[ropes.headline]
+stands = "middle"
+rope = "combination-3-strand-16mm"
+length = "2 m"
+[ropes.footrope]
+stands = "middle"
+rope = "combination-3-strand-16mm"
+length = "2 m"
+[[hang]]
+edge = "top.fore"
+on = "headline"
+ratio = 0.5
+[[hang]]
+edge = "bottom.fore"
+on = "footrope"
+ratio = 0.5
+[ropes.lash]
+between = ["beam.%s", "footrope.end"]
+rope = "short-link-10mm"
+length = "0.2 m"
+[bodies.beam]
+type = "body/solid"
+at = [0, 0, -20]
+stands = "middle"
+points = { %s }
+body = { mass = "1200 kg", volume = 0.15, inertia_x = 1600, inertia_y = 60, inertia_z = 1600 }
+[[hold]]
+on = "beam.origin"
+"""
 
 
 @dataclass
@@ -120,6 +171,10 @@ ALL = [
           r"nothing rests on the bed: .*; the longest warp is 150 m, its start 304 m above the bed: it cannot reach the bed", "", 0, "run"),
     Meant("loose hold that bears load", ROPE + "loose = true\n", r'not converged\n  the loose hold "rope.end" bears \d\S* N', "leave out `loose`", 3, "run"),
     Meant("loose hold that bears none", ROPE + '[[hold]]\non = "rope.node-6"\naxes = "y"\nloose = true\n', r"converged, stable", "", 0, "run"),
+    Meant("pair of ropes to one side of a beam", BEAM % ("shoe", "shoe = [0, 2, -0.3]"),
+          r"ropes.lash.between: both ropes of the pair would lead to beam.shoe, 2 m to starboard of the middle", '"port-shoe" and "starboard-shoe"', 2),
+    Meant("pair of ropes to both sides of a beam", BEAM % ("shoe", "port-shoe = [0, -2, -0.3], starboard-shoe = [0, 2, -0.3]"), r"\A\Z"),
+    Meant("pair of ropes to the middle of a beam", BEAM % ("tow", "tow = [0, 0, -0.3]"), r"\A\Z"),
 ]
 
 

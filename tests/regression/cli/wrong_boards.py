@@ -127,7 +127,7 @@ ALL = [
     ship("warp to nowhere", 'length = "100 m" }', 'length = "100 m", to = "door.wrap" }', "25:56", 'there is no point "door.wrap"'),
     ship("blocks under one another", 'speed = "2 kn"', 'speed = "2 kn"\nblock = { height = "4 m", gap = "-6 m" }', "25:33", "ship.block.gap"),
     ship("unequal warps of half a gear", 'length = "100 m" }', 'length = "100 m", length_port = "110 m" }', "2:10", "has another length to port", 'extent = "whole"'),
-    ship("a body of half a gear", 'type = "board/otter"', 'stands = "middle"\ntype = "board/otter"', "2:10", "is a body that stands once", 'extent = "whole"'),
+    ship("a body of half a gear", 'type = "board/otter"', 'stands = "alone"\ntype = "board/otter"', "2:10", "is a body that stands once", 'extent = "whole"'),
     ship("a side of a pair", 'type = "board/otter"', 'side = "port"\ntype = "board/otter"', "28:8", "is given by the net plan"),
     ship("a leg to no point", "door.sweep", "door.swep", "34:11", 'there is no point "door.swep"', "door.sweep"),
     ship("a leg to no board", "door.sweep", "dor.sweep", "34:11", 'there is no point "dor.sweep"', "door.sweep"),
