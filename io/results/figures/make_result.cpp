@@ -8,6 +8,7 @@
 #include "io/results/figures/law_range.hpp"
 #include "io/results/figures/materials.hpp"
 #include "io/results/figures/overload.hpp"
+#include "io/results/figures/uncounted_pull.hpp"
 #include "io/results/figures/whereabouts.hpp"
 #include "io/runs/hold_force.hpp"
 #include "io/scenes/reading/result_request.hpp"
@@ -46,11 +47,12 @@ std::vector<PartLoad> find_part_loads(const Scene& scene, const std::vector<Part
 
 std::vector<std::string> find_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                        const Response& answer, const std::vector<LawUse>& laws,
-                                       const Result& result) {
+                                       std::span<const double> residual, const Result& result) {
   std::vector<std::string> all = load_warnings(result.materials);
   for (const auto& more :
        {overload_warnings(loaded, assembler, answer), law_range_warnings(loaded.scene, laws),
-        doubt_warnings(loaded, assembler, answer), whereabouts_warnings(loaded, assembler, answer)})
+        doubt_warnings(loaded, assembler, answer), whereabouts_warnings(loaded, assembler, answer),
+        uncounted_pull_warnings(loaded, assembler, residual, result.figures)})
     all.insert(all.end(), more.begin(), more.end());
   for (auto& board : find_fallen_boards(loaded, result.figures)) all.push_back(std::move(board.sentence));
   return all;
@@ -143,7 +145,7 @@ Result make_result(const scenes::LoadedScene& loaded, Assembler& assembler, cons
   add_dependence(loaded, assembler, solution, result);
   add_loads(result.figures, largest_twine_tensions(loaded.scene, assembler, answer.outputs),
             result.materials);
-  result.warnings = find_warnings(loaded, assembler, answer, laws, result);
+  result.warnings = find_warnings(loaded, assembler, answer, laws, solution.residual, result);
   return result;
 }
 

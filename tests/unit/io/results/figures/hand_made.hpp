@@ -21,6 +21,8 @@ class HandMade {
     std::vector<std::string> panels, ropes, pieces;
     std::string headline = "headline", footrope = "footrope";
     int times = 1;
+    std::vector<std::string> warps;  // of `ropes`
+    double ship_speed = 0;           // [m/s]
   };
 
   HandMade(const std::filesystem::path& file, const Parts& parts,
@@ -51,6 +53,8 @@ class HandMade {
     gear.times = parts.times, gear.headline = parts.headline, gear.footrope = parts.footrope;
     gear.panels = numbers(loaded, parts.panels), gear.ropes = numbers(loaded, parts.ropes),
     gear.pieces = numbers(loaded, parts.pieces);
+    gear.ship_speed = parts.ship_speed;
+    if (!parts.warps.empty()) gear.roles["warp"] = numbers(loaded, parts.warps);
     return gear;
   }
   static std::vector<std::uint32_t> numbers(const scenes::LoadedScene& loaded,
