@@ -71,7 +71,8 @@ std::string ambiguity(const std::string& word) {
   std::transform(word.begin(), word.end(), lower.begin(), detail::lower);
   if (lower == "ton" || lower == "tons") return "write t (1000 kg), short_ton or long_ton";
   if (lower == "ton_force" || lower == "tons_force" || lower == "force_ton") return "write tonf (1000 kgf)";
-  if (word == "nm") return "write nmi for nautical miles, mm or m for short lengths";
+  if (word == "nm" || word == "NM") return "write nmi for nautical miles, mm or m for short lengths";
+  if (lower == "mile" || lower == "miles" || lower == "mi") return "write nmi (1852 m) or km";
   if (word == "fm") return "write fathom, or m for a length in metres";
   return {};
 }
@@ -90,34 +91,15 @@ std::vector<std::string> words_of(const std::string& unit) {
 
 const std::vector<std::string>& common_units() {
   static const std::vector<std::string> units = [] {
-    std::vector<std::string> all(std::begin(kCommonWords), std::end(kCommonWords));
-    all.insert(all.end(), {"m/s", "km/h", "N.m"});
+    std::vector<std::string> all{"N.m", "ft/s", "m/s", "km/h"};
+    all.insert(all.end(), std::begin(kCommonWords), std::end(kCommonWords));
     return all;
   }();
   return units;
 }
 
-Quantity refuse_unknown(std::string_view text, const std::string& unit, const std::string& word) {
-  if (word.empty())
-    return refuse(in_quotes(unit) + " in " + in_quotes(text) + " cannot be read as a unit",
-                  "write products and powers as \"kg/m3\", \"N.m/rad\", \"m^2\"");
-  const auto near = nearest(word, common_units());
-  return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " is not known",
-                near ? "did you mean " + in_quotes(*near) + "?" : "");
-}
-
 std::string named(const Dimension& dimension, std::string_view unit) {
   return describe(dimension).name + " (" + std::string(unit) + ')';
-}
-
-/// The cure for common mistakes; empty if none fits.
-std::string cure(const std::string& unit, const Dimension& got, const Dimension& wanted) {
-  const std::string is = describe(got).name, should = describe(wanted).name;
-  if (is == "a mass" && should == "a force") return "the weight of a mass is written with kgf, tonf or lbf";
-  if (is == "a force" && should == "a mass") return "kgf, tonf and lbf are forces; kg, t and lb are masses";
-  if (is == "a speed" && unit == "kn") return "kn is the knot; the kilonewton is kN";
-  if (is == "a pure number" && unit.empty()) return "add a unit, or omit the quotes for an SI number";
-  return {};
 }
 
 /// Multiplies a number by the scale of a unit. The scale of a metric unit below its SI unit is the inverse of
@@ -148,23 +130,75 @@ const KnownUnit& unit_of(std::string_view text) {
 
 const KnownUnit& wanted_unit(std::string_view si_unit) { return unit_of(si_unit == "1" ? "" : si_unit); }
 
+/// Stands for the unit of a text that may have any.
+constexpr std::string_view kAnyUnit = "?";
+
+/// The common units with the dimension of `si_unit`, and that unit itself; all of them for kAnyUnit.
+std::vector<std::string> units_like(std::string_view si_unit) {
+  std::vector<std::string> like = common_units();
+  const std::optional<Unit> wanted = wanted_unit(si_unit).parsed.unit;
+  if (!wanted) return like;
+  std::erase_if(like, [&](const std::string& unit) {
+    const std::optional<Unit>& parsed = unit_of(unit).parsed.unit;
+    return !parsed || parsed->dimension != wanted->dimension;
+  });
+  like.emplace_back(si_unit);
+  return like;
+}
+
+/// A hint with the candidate that `unit` most likely means. If none is near, a p between two letters is read
+/// as "per": "kph" is "km/h". Empty if there is still none.
+std::string proposal(std::string unit, const std::vector<std::string>& candidates) {
+  auto near = nearest(unit, candidates);
+  const auto per = unit.find('p', 1);
+  if (!near && per != std::string::npos && per + 1 < unit.size())
+    near = nearest(unit.replace(per, 1, "/"), candidates);
+  return near ? "did you mean " + in_quotes(*near) + "?" : "";
+}
+
+/// Refuses a unit that is not known. A word that is the whole unit has the dimension that is wanted; the
+/// dimension of a word in a product may be any.
+Quantity refuse_unknown(std::string_view text, const std::string& unit, std::string word,
+                        std::string_view si_unit) {
+  if (word.empty())
+    return refuse(in_quotes(unit) + " in " + in_quotes(text) + " cannot be read as a unit",
+                  "write products and powers as \"kg/m3\", \"N.m/rad\", \"m^2\"");
+  return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " is not known",
+                proposal(word, word == unit ? units_like(si_unit) : common_units()));
+}
+
+/// The cure for common mistakes; empty if none fits.
+std::string cure(const std::string& unit, const Dimension& got, const Dimension& wanted,
+                 std::string_view si_unit) {
+  const std::string is = describe(got).name, should = describe(wanted).name;
+  if (is == "a mass" && should == "a force") return "the weight of a mass is written with kgf, tonf or lbf";
+  if (is == "a force" && should == "a mass") return "kgf, tonf and lbf are forces; kg, t and lb are masses";
+  if (is == "a speed" && unit == "kn") return "kn is the knot; the kilonewton is kN";
+  if (should == "a speed" && unit == "kN") return "kN is the kilonewton; the knot is kn";
+  if (should == "a speed" && unit == "ms-1") return "ms is the millisecond; write m/s or m s-1";
+  if (is == "a pure number" && unit.empty()) return "add a unit, or omit the quotes for an SI number";
+  // UDUNITS takes kph for a kilophot and knt for a kilonit, which have a dimension that no quantity has here.
+  return is == "a quantity" ? proposal(unit, units_like(si_unit)) : "";
+}
+
 /// A hint that shows how to write a quantity with this unit.
 std::string example_of(std::string_view si_unit) {
   if (si_unit == "1") return "write a number, such as 10";
-  return "write it as \"10 " + std::string(si_unit == "m" ? "mm" : si_unit) + "\"";
+  const bool is_length = si_unit == "m" || si_unit == kAnyUnit;
+  return "write it as \"10 " + std::string(is_length ? "mm" : si_unit) + "\"";
 }
 
 /// Splits a text into a number and a known unit; returns an error if that fails.
-Quantity take_apart(const UnitSystem& units, std::string_view text, const std::string& example,
+Quantity take_apart(const UnitSystem& units, std::string_view text, std::string_view si_unit,
                     Written& written, Unit& unit) {
-  if (Quantity bad = split(in_ascii(trim(text)), example, written); !bad.ok()) return bad;
+  if (Quantity bad = split(in_ascii(trim(text)), example_of(si_unit), written); !bad.ok()) return bad;
   for (const std::string& word : words_of(written.unit))
     if (std::string hint = ambiguity(word); !hint.empty())
       return refuse("unit " + in_quotes(word) + " in " + in_quotes(text) + " has more than one meaning",
                     hint);
   const auto& [parsed, unknown] = unit_of(written.unit).parsed;
   if (!parsed && !units.trouble().empty()) return refuse(units.trouble());
-  if (!parsed) return refuse_unknown(text, written.unit, unknown);
+  if (!parsed) return refuse_unknown(text, written.unit, unknown, si_unit);
   unit = *parsed;
   return {};
 }
@@ -172,14 +206,14 @@ Quantity take_apart(const UnitSystem& units, std::string_view text, const std::s
 Quantity read_checked(const UnitSystem& units, std::string_view text, std::string_view si_unit) {
   Written written;
   Unit unit;
-  if (Quantity bad = take_apart(units, text, example_of(si_unit), written, unit); !bad.ok()) return bad;
+  if (Quantity bad = take_apart(units, text, si_unit, written, unit); !bad.ok()) return bad;
   const auto wanted = wanted_unit(si_unit).parsed.unit;
   if (!wanted && !units.trouble().empty()) return refuse(units.trouble());
   if (!wanted) return refuse("the requested unit " + in_quotes(si_unit) + " is not known to UDUNITS-2");
   if (unit.dimension != wanted->dimension)
     return refuse(in_quotes(text) + " is " + named(unit.dimension, describe(unit.dimension).unit) + "; " +
                       named(wanted->dimension, si_unit) + " is expected",
-                  cure(written.unit, unit.dimension, wanted->dimension));
+                  cure(written.unit, unit.dimension, wanted->dimension, si_unit));
   const double value = times(written.number + unit.offset, unit.scale) / wanted->scale - wanted->offset;
   if (!std::isfinite(value)) return refuse(in_quotes(text) + " exceeds the range of floating-point numbers");
   return {value, {}, {}};
@@ -203,7 +237,7 @@ WrittenQuantity read_as_written(std::string_view text) {
   Written written;
   Unit unit;
   Quantity read = refuse_length(text);
-  if (read.ok()) read = take_apart(UnitSystem::shared(), text, example_of("m"), written, unit);
+  if (read.ok()) read = take_apart(UnitSystem::shared(), text, kAnyUnit, written, unit);
   return {written.number, std::move(written.unit), std::move(read.error), std::move(read.hint)};
 }
 

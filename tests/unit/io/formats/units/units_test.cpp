@@ -99,7 +99,8 @@ TEST(Units, TellAKnotFromAKilonewton) {
                  "kn is the knot; the kilonewton is kN");
 }
 TEST(Units, DoNotTakeAKilonewtonForAKnot) {
-  expect_refused("2 kN", "m/s", "\"2 kN\" is a force (N); a speed (m/s) is expected");
+  expect_refused("2 kN", "m/s", "\"2 kN\" is a force (N); a speed (m/s) is expected",
+                 "kN is the kilonewton; the knot is kn");
 }
 TEST(Units, DoNotTakeAnAngleForAPureNumber) {
   expect_refused("45 deg", "1", "\"45 deg\" is an angle (rad); a pure number (1) is expected");
@@ -124,11 +125,37 @@ TEST(Units, PointAtTheUnknownWordInAProduct) {
 TEST(Units, KeepSilentWhenNothingIsNear) {
   expect_refused("10 bananas", "kg", "unit \"bananas\" in \"10 bananas\" is not known");
 }
+struct Meant {
+  const char *written, *si_unit, *unit;
+};
+class MeantUnits : public testing::TestWithParam<Meant> {};
+TEST_P(MeantUnits, AreProposedInTheDimensionThatIsWanted) {
+  const auto& [written, si_unit, unit] = GetParam();
+  EXPECT_EQ(to_si(written, si_unit).hint, std::string("did you mean \"") + unit + "\"?");
+}
+INSTANTIATE_TEST_SUITE_P(Slips, MeantUnits,
+                         testing::Values(Meant{"0.9 mps", "m/s", "m/s"}, Meant{"3 kmh", "m/s", "km/h"},
+                                         Meant{"3 kph", "m/s", "km/h"}, Meant{"3 fps", "m/s", "ft/s"},
+                                         Meant{"3 knt", "m/s", "kn"}, Meant{"3 KTS", "m/s", "kt"},
+                                         Meant{"3 KN", "m/s", "kn"}, Meant{"3 KN", "N", "kN"},
+                                         Meant{"5 Nm", "N.m", "N.m"}, Meant{"80 MM", "m", "mm"},
+                                         Meant{"2 Kg", "kg", "kg"}));
+TEST(Units, RefuseTheMileOfManyMeanings) {
+  for (const char* mile : {"2 mile", "2 miles", "2 mi"})
+    EXPECT_EQ(to_si(mile, "m").hint, "write nmi (1852 m) or km");
+  expect_reads("2 nautical_miles", "m", 3704);
+}
+TEST(Units, TellAMetrePerSecondFromAnInverseMillisecond) {
+  EXPECT_EQ(to_si("3 ms-1", "m/s").hint, "ms is the millisecond; write m/s or m s-1");
+}
 TEST(Units, RefuseTheTonOfManyMeanings) {
   expect_refused("3 ton", "kg", "unit \"ton\" in \"3 ton\" has more than one meaning",
                  "write t (1000 kg), short_ton or long_ton");
 }
-TEST(Units, RefuseTheNanometreThatIsMeantAsAMile) { EXPECT_FALSE(to_si("3 nm", "m").ok()); }
+TEST(Units, RefuseTheNanometreThatIsMeantAsAMile) {
+  EXPECT_FALSE(to_si("3 nm", "m").ok());
+  EXPECT_EQ(to_si("3 NM", "m").hint, to_si("3 nm", "m").hint);
+}
 TEST(Units, RefuseADecimalComma) {
   expect_refused("1,5 m", "m", "\"1,5 m\" has a decimal comma", "write a decimal point");
 }
