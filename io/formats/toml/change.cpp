@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/toml/change.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -222,6 +223,13 @@ Change make_change(std::initializer_list<std::string_view> keys, Value value) {
   });
   change.value = std::move(value);
   return change;
+}
+
+bool undoes(const Change& change, const Change& earlier) {
+  if (change.steps.empty() || change.steps.size() > earlier.steps.size()) return false;
+  if (!std::equal(change.steps.begin(), change.steps.end(), earlier.steps.begin())) return false;
+  return change.steps.size() < earlier.steps.size() ||
+         spell_value(change.value) != spell_value(earlier.value);
 }
 
 void apply(Value& root, const Change& change, Diagnostics& diagnostics) {

@@ -41,6 +41,10 @@ std::vector<Change> read_changes(const std::vector<std::string>& texts);
 /// value are reported as for the corresponding `--set`.
 Change make_change(std::initializer_list<std::string_view> keys, Value value);
 
+/// Whether the first of two changes leaves nothing of the second: it replaces the same value, or a table
+/// around it, by something else.
+bool undoes(const Change& change, const Change& earlier);
+
 /// Applies a change to a document. Reports a fault of the change, and a path that does not fit the document.
 void apply(Value& root, const Change& change, Diagnostics& diagnostics);
 

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <unordered_map>
 
 #include "framework/parameters/nearest.hpp"
+#include "io/formats/units/degrees.hpp"
 #include "io/formats/units/in_quotes.hpp"
 #include "io/formats/units/units.hpp"
 
@@ -98,9 +101,15 @@ struct Spot {
   }
 };
 
+/// A number that is written without a unit.
+std::optional<double> plain_number(const Value& value) {
+  if (const auto* integer = value.as<std::int64_t>()) return static_cast<double>(*integer);
+  if (const auto* real = value.as<double>()) return *real;
+  return std::nullopt;
+}
+
 std::optional<double> read_number(const Spot& at, const std::string& unit, const std::string& doc) {
-  if (const auto* integer = at.value.as<std::int64_t>()) return static_cast<double>(*integer);
-  if (const auto* real = at.value.as<double>()) return *real;
+  if (const auto plain = plain_number(at.value)) return plain;
   const auto* text = at.value.as<std::string>();
   if (!text) {
     at.refuse_type(wanted_real(unit), doc,
@@ -113,19 +122,74 @@ std::optional<double> read_number(const Spot& at, const std::string& unit, const
   return std::nullopt;
 }
 
-std::optional<double> read_real(const Spot& at, const std::string& unit, const Range& range,
-                                const std::string& doc) {
-  const std::optional<double> value = read_number(at, unit, doc);
-  if (!value) return std::nullopt;
-  if (!std::isfinite(*value)) {
-    at.refuse(at.path + " = " + format(*value) + " is not a finite number" + in_parentheses(doc));
+constexpr const char* kDegrees = "an angle in degrees is written \"30 deg\"";
+
+/// The numbers that a key takes, in SI. `written`: the unit that is stated once for all of them; empty if
+/// each states its own.
+struct Wanted {
+  const std::string& unit;
+  const Range& range;
+  const std::string& doc;
+  std::string written = {};
+};
+
+/// A number with six digits: a conversion of units may have rounded the others.
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return format(std::strtod(text, nullptr));
+}
+
+/// Checks that a number is finite and within its range. `written`: the number in another unit, for messages.
+std::optional<double> check_range(const Spot& at, double value, const Wanted& wanted,
+                                  const std::string& written = {}) {
+  if (!std::isfinite(value)) {
+    at.refuse(at.path + " = " + format(value) + " is not a finite number" + in_parentheses(wanted.doc));
     return std::nullopt;
   }
-  if (range.contains(*value)) return value;
-  const std::string unit_behind = unit == "1" ? "" : ' ' + unit;
-  at.refuse(at.path + " = " + format(*value, unit) + " is outside " + spell(range) + unit_behind +
-            in_parentheses(doc));
+  if (wanted.range.contains(value)) return value;
+  const std::string unit_behind = wanted.unit == "1" ? "" : ' ' + wanted.unit;
+  const std::string number = written.empty() ? format(value) : written + " = " + rounded(value);
+  const bool is_plain_angle = wanted.unit == "rad" && plain_number(at.value) && written.empty();
+  at.refuse(at.path + " = " + number + unit_behind + " is outside " + spell(wanted.range) + unit_behind +
+                in_parentheses(wanted.doc),
+            is_plain_angle ? kDegrees : "");
   return std::nullopt;
+}
+
+/// Reads a number in a unit that is stated beside it.
+std::optional<double> read_in_unit(const Spot& at, const Wanted& wanted) {
+  const auto number = plain_number(at.value);
+  if (!number) {
+    at.refuse_type("a number in " + wanted.written, wanted.doc,
+                   "the unit beside the values is that of all of them");
+    return std::nullopt;
+  }
+  const std::string written = format(*number) + ' ' + wanted.written;
+  const Quantity quantity = to_si(written, wanted.unit);
+  if (quantity.ok())
+    return check_range(at, quantity.value, wanted, wanted.written == wanted.unit ? "" : written);
+  at.refuse(at.path + ": " + quantity.error + in_parentheses(wanted.doc), quantity.hint);
+  return std::nullopt;
+}
+
+std::optional<double> read_real(const Spot& at, const Wanted& wanted) {
+  if (!wanted.written.empty()) return read_in_unit(at, wanted);
+  const std::optional<double> value = read_number(at, wanted.unit, wanted.doc);
+  return value ? check_range(at, *value, wanted) : std::nullopt;
+}
+
+/// Warns of a plain number that makes an angle of whole radians: who writes 30 means degrees, and who means
+/// radians writes 0.52. Returns whether it is one.
+bool question_whole_radians(const Spot& at, const Wanted& wanted) {
+  const bool is_plain = wanted.unit == "rad" && wanted.written.empty();
+  const auto number = is_plain ? plain_number(at.value) : std::nullopt;
+  if (!number || *number == 0 || *number != std::round(*number)) return false;
+  at.diagnostics.warning(at.value.place,
+                         at.path + " = " + format(*number) + " is in radians, which makes " +
+                             format(std::round(10 * kDegreesPerRadian * *number) / 10) + " degrees",
+                         kDegrees);
+  return true;
 }
 
 std::optional<std::int64_t> read_integer(const Spot& at, std::int64_t lo, std::int64_t hi,
@@ -178,10 +242,16 @@ std::optional<std::vector<T>> read_array(const Spot& at, const Count& count, con
   return bad == 0 ? std::optional(std::move(result)) : std::nullopt;
 }
 
-std::optional<std::vector<double>> read_reals(const Spot& at, const std::string& unit, const Range& range,
-                                              const Count& count, const std::string& doc) {
-  return read_array<double>(at, count, "value", unit == "1" ? "numbers" : "values in " + unit, doc,
-                            [&](const Spot& item) { return read_real(item, unit, range, doc); });
+std::optional<std::vector<double>> read_reals(const Spot& at, const Wanted& wanted, const Count& count) {
+  const std::string& unit = wanted.written.empty() ? wanted.unit : wanted.written;
+  bool is_questioned = false;
+  return read_array<double>(at, count, "value", unit == "1" ? "numbers" : "values in " + unit, wanted.doc,
+                            [&](const Spot& item) {
+                              const auto value = read_real(item, wanted);
+                              if (value && !is_questioned)
+                                is_questioned = question_whole_radians(item, wanted);
+                              return value;
+                            });
 }
 
 std::size_t stand_in_size(const Count& count) { return std::min<std::size_t>(count.least, 64); }
@@ -247,8 +317,11 @@ const Value* TableReader::ask(std::string_view key, bool required, const std::st
 
 double TableReader::real(std::string_view key, const RealSpec& spec) {
   const Value* value = ask(key, !spec.fallback, wanted_real(spec.unit), spec.doc);
-  std::optional<double> result;
-  if (value) result = read_real({*value, path(key), diagnostics()}, spec.unit, spec.range, spec.doc);
+  if (!value) return spec.fallback.value_or(within(spec.range));
+  const Spot at{*value, path(key), diagnostics()};
+  const Wanted wanted{spec.unit, spec.range, spec.doc};
+  const std::optional<double> result = read_real(at, wanted);
+  if (result) question_whole_radians(at, wanted);
   return result.value_or(spec.fallback.value_or(within(spec.range)));
 }
 
@@ -293,25 +366,36 @@ std::string TableReader::choice(std::string_view key, const ChoiceSpec& spec) {
 std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& spec) {
   const Value* value = ask(key, !spec.fallback, "an array, each " + wanted_real(spec.unit), spec.doc);
   std::optional<std::vector<double>> result;
-  if (value && value->kind() == Kind::table) return values_in_unit(table(key), spec);
-  if (value)
-    result = read_reals({*value, path(key), diagnostics()}, spec.unit, spec.range, spec.count, spec.doc);
+  if (const auto in = value ? numbers_in(*value, key, spec.unit, spec.doc) : std::nullopt)
+    result = read_reals({*in->values, in->path, diagnostics()}, {spec.unit, spec.range, spec.doc, in->unit},
+                        spec.count);
   if (!result) result = spec.fallback;
   return result ? *result : std::vector<double>(stand_in_size(spec.count), within(spec.range));
 }
 
-/// Reads numbers with one unit for all of them: { unit = "deg", values = [0, 5, 10] }.
-std::vector<double> TableReader::values_in_unit(TableReader own, const RealsSpec& spec) {
-  const std::string unit = own.text("unit", {.doc = "unit of the values, such as " + spec.unit});
-  const Quantity one = unit.empty() ? Quantity{} : to_si("1 " + unit, spec.unit);
-  if (!unit.empty() && !one.ok()) own.error("unit", one.error, one.hint);
-  const double factor = one.ok() && one.value > 0 ? one.value : 1;
-  Range range = spec.range;
-  range.lo /= factor;
-  range.hi /= factor;
-  auto values = own.reals("values", {.unit = "1", .doc = spec.doc, .range = range, .count = spec.count});
-  for (double& value : values) value *= factor;
-  return values;
+/// Opens { unit = "deg", values = [0, 5, 10] }, which has one unit for all numbers. Any other value is
+/// returned as it is, without a unit. After an error in the unit, the numbers are taken to be in SI units, so
+/// that other keys of which there must be as many are not reported, too.
+std::optional<TableReader::Numbers> TableReader::numbers_in(const Value& value, std::string_view key,
+                                                            const std::string& si_unit,
+                                                            const std::string& doc) {
+  if (value.kind() != Kind::table) return Numbers{"", &value, path(key)};
+  TableReader own = table(key);
+  const std::string unit = own.text("unit", {.doc = "unit of the values, such as " + si_unit});
+  const Value* values = own.ask("values", true, "an array of numbers in that unit", doc);
+  bool is_known = false;
+  if (own.kind("unit") == Kind::text && unit.empty()) {
+    const std::string alone = " need no table: " + own.path() + " = [0, 1]";
+    own.error("unit", "is empty",
+              si_unit == "1" ? "numbers without a unit" + alone
+                             : "such as unit = \"" + si_unit + "\"; SI numbers" + alone);
+  } else if (own.kind("unit") == Kind::text) {
+    const Quantity one = to_si("1 " + unit, si_unit);
+    is_known = one.ok();
+    if (!is_known) own.error("unit", one.error, one.hint);
+  }
+  return values ? std::optional(Numbers{is_known ? unit : si_unit, values, own.path("values")})
+                : std::nullopt;
 }
 
 std::vector<std::vector<double>> TableReader::rows(std::string_view key, const RowsSpec& spec) {
@@ -319,10 +403,11 @@ std::vector<std::vector<double>> TableReader::rows(std::string_view key, const R
   const Value* value =
       ask(key, !spec.fallback, "an array of arrays, each " + wanted_real(spec.unit), spec.doc);
   std::optional<Rows> result;
-  if (value)
+  if (const auto in = value ? numbers_in(*value, key, spec.unit, spec.doc) : std::nullopt)
     result = read_array<std::vector<double>>(
-        {*value, path(key), diagnostics()}, spec.rows, "row", "arrays", spec.doc,
-        [&](const Spot& row) { return read_reals(row, spec.unit, spec.range, spec.columns, spec.doc); });
+        {*in->values, in->path, diagnostics()}, spec.rows, "row", "arrays", spec.doc, [&](const Spot& row) {
+          return read_reals(row, {spec.unit, spec.range, spec.doc, in->unit}, spec.columns);
+        });
   if (!result) result = spec.fallback;
   const std::vector<double> row(stand_in_size(spec.columns), within(spec.range));
   return result ? *result : Rows(stand_in_size(spec.rows), row);

@@ -120,7 +120,8 @@ class TableReader {
   std::string choice(std::string_view key, const ChoiceSpec& spec);
   /// Reads [0, "5 m"], or { unit = "m", values = [0, 5] } with one unit for all values.
   std::vector<double> reals(std::string_view key, const RealsSpec& spec);
-  std::vector<std::vector<double>> rows(std::string_view key, const RowsSpec& spec);  // [[0, 1], ["2 m", 3]]
+  /// Reads [[0, 1], ["2 m", 3]], or { unit = "m", values = [[0, 1], [2, 3]] }.
+  std::vector<std::vector<double>> rows(std::string_view key, const RowsSpec& spec);
   std::vector<std::int64_t> integers(std::string_view key, const IntegersSpec& spec);
   std::vector<std::string> texts(std::string_view key, const TextsSpec& spec);
 
@@ -154,7 +155,14 @@ class TableReader {
   void finish() const;
 
  private:
-  static std::vector<double> values_in_unit(TableReader own, const RealsSpec& spec);
+  /// An array of numbers, and the unit of all of them; empty if each states its own.
+  struct Numbers {
+    std::string unit;
+    const Value* values;
+    std::string path;
+  };
+  std::optional<Numbers> numbers_in(const Value& value, std::string_view key, const std::string& si_unit,
+                                    const std::string& doc);
   struct State;
   explicit TableReader(std::shared_ptr<State> state) : state_(std::move(state)) {}
   const Value* ask(std::string_view key);

@@ -14,8 +14,8 @@ namespace netloft::gears {
 
 namespace {
 
-// Tables that belong to scenes, keys of [gear] for the division into elements, and tables of which a plan
-// needs at least one.
+// Tables that belong to scenes, keys of [gear] for the division into elements, and tables that belong to
+// plans.
 constexpr const char* kOfScenes[] = {"water", "tow",      "bed",     "parts",
                                      "hold",  "analysis", "results", "elements"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
@@ -38,7 +38,7 @@ class PlanReader {
   }
 
   NetPlan read() {
-    if (root_.has("parts") && !is_plan()) {
+    if (root_.has("parts") && !root_.has("panels")) {
       root_.error("parts", "a scene out of parts, which has no net plan: its pieces of netting are [panels]",
                   "`netloft plan` says what a scene needs, and what is wrong with it");
       return std::move(plan_);
@@ -69,11 +69,6 @@ class PlanReader {
   }
 
  private:
-  bool is_plan() {
-    return std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
-                       [&](const char* key) { return root_.has(key); });
-  }
-
   void read_head() {
     formats::TableReader gear = root_.table("gear", formats::Presence::optional);
     plan_.title = gear.text("title", {.doc = "what it is", .fallback = ""});
@@ -181,8 +176,9 @@ NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::stri
 
 bool holds_plan(const formats::Value& root) {
   const formats::Table* table = root.as<formats::Table>();
-  return table && std::any_of(std::begin(kOfPlans), std::end(kOfPlans),
-                              [&](const char* key) { return table->find(key); });
+  if (!table || table->find("panels")) return table;
+  return !table->find("parts") &&
+         std::ranges::any_of(kOfPlans, [&](const char* key) { return table->find(key); });
 }
 
 formats::Value tables_of_plan(formats::Value scene) {

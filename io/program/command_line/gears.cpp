@@ -19,9 +19,10 @@ constexpr const char* kSetInPlan = "a value of the plan: panels.top-wing.aft=130
 void add_check_command(CLI::App& app, Chosen& chosen) {
   auto [check, o] = add_command(
       app, chosen, "check", "say whether a net plan can be sewn, and what to change if not", check_command);
-  check.add_option("GEAR", o.plan, "net plan (TOML)")->required();
+  check.add_option("GEAR", o.scene, "net plan (TOML)")->required();
   add_set_option(check, o.set, kSetInPlan);
-  add_common_options(check, o);
+  add_scene_plugins_option(check, o);
+  add_plugin_options(check, o);
 }
 
 void add_plan_options(CLI::App& draw, DrawOptions& o) {

@@ -53,6 +53,10 @@ CLI::Option* add_set_option(CLI::App& command, std::vector<std::string>& set, co
   return command.add_option("--set", set, doc)->type_name("path=value")->allow_extra_args(false);
 }
 
+void add_scene_plugins_option(CLI::App& command, SceneOptions& o) {
+  command.add_flag("--scene-plugins", o.scene_plugins, "search the scene's folder for plugins, too");
+}
+
 void add_scene_options(CLI::App& command, SceneOptions& o) {
   command.add_option("SCENE", o.scene, "scene file (TOML)")->required();
   add_set_option(command, o.set, "a value of the scene: parts.net.cells=[64,64]");
@@ -61,7 +65,7 @@ void add_scene_options(CLI::App& command, SceneOptions& o) {
           "--threads", o.threads,
           "threads of the assembly and of large factorisations; results have the same bits for any number")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--scene-plugins", o.scene_plugins, "search the scene's folder for plugins, too");
+  add_scene_plugins_option(command, o);
   add_plugin_options(command, o);
 }
 

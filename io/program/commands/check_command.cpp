@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/outline.hpp"
-#include "io/gears/plan/read_plan.hpp"
 #include "io/program/commands/gears.hpp"
+#include "io/program/session/find_plugins.hpp"
+#include "io/program/session/session.hpp"
 #include "io/program/session/terminal.hpp"
+#include "io/scenes/reading/scene_source.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,7 +42,10 @@ Json panel_json(const gears::Panel& panel) {
 }
 
 void print_json(const gears::NetPlan& plan, const formats::Diagnostics& diagnostics, int code) {
-  Json json = {{"status", code == kDone ? "can be sewn" : "wrong input"}, {"findings", Json::array()}};
+  Json json = {{"status", code == kDone      ? "can be sewn"
+                          : code == kRefused ? "plugin refused"
+                                             : "wrong input"},
+               {"findings", Json::array()}};
   for (const auto& finding : diagnostics.sorted())
     json["findings"].push_back(finding_json(finding, diagnostics));
   json["panels"] = Json::array();
@@ -83,11 +88,14 @@ void print_summary(const gears::NetPlan& plan, const formats::Diagnostics& diagn
 
 int check_command(const CheckOptions& options) {
   Terminal terminal(options);
+  Registry registry;
+  find_scene_plugins(options, registry);
+  const runs::CaseSource source = source_of(options);
   formats::Diagnostics diagnostics;
-  gears::NetPlan plan = gears::read_plan(options.plan, options.set, diagnostics);
-  if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
+  bool refused = false;
+  const gears::NetPlan plan = source.scene.check_plan(source.changes, registry, diagnostics, refused);
   if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
-  const int code = diagnostics.errors() ? kWrongInput : kDone;
+  const int code = diagnostics.errors() == 0 ? kDone : refused ? kRefused : kWrongInput;
   if (options.json)
     print_json(plan, diagnostics, code);
   else if (code == kDone)

@@ -8,6 +8,7 @@
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/meshing_progress.hpp"
 #include "io/program/session/replaced_file.hpp"
+#include "io/program/session/session.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <array>
@@ -86,6 +87,7 @@ std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes, Terminal
 int draw_plan(const DrawOptions& options) {
   Terminal terminal(options);
   formats::Diagnostics diagnostics;
+  refuse_undone(options.set);
   gears::NetPlan plan = gears::read_plan(options.file, options.set, diagnostics);
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
   if (const int code = say(diagnostics, terminal); code != kDone) return code;

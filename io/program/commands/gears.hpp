@@ -10,10 +10,7 @@ struct CatalogueOptions : CommonOptions {
   std::string name;  // name of a part or of a kind of parts; empty: all
 };
 
-struct CheckOptions : CommonOptions {
-  std::string plan;              // GEAR, a net plan
-  std::vector<std::string> set;  // --set path=value
-};
+struct CheckOptions : SceneOptions {};  // `scene` is GEAR, a net plan
 
 struct DrawOptions : CommonOptions {
   std::string file;    // GEAR

@@ -16,10 +16,11 @@ Json column_schema(const char* unit, const std::string& doc) {
   const double inf = std::numeric_limits<double>::infinity();
   const Json each = {{"type", "array"}, {"items", quantity(unit, -inf, inf, doc)}, {"minItems", 1}};
   const Json values = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 1}};
-  const Json with_unit = {{"type", "object"},
-                          {"properties", {{"unit", {{"type", "string"}}}, {"values", values}}},
-                          {"required", {"unit", "values"}},
-                          {"additionalProperties", false}};
+  const Json with_unit = {
+      {"type", "object"},
+      {"properties", {{"unit", {{"type", "string"}, {"minLength", 1}}}, {"values", values}}},
+      {"required", {"unit", "values"}},
+      {"additionalProperties", false}};
   return {{"description", doc}, {"anyOf", {each, with_unit}}};
 }
 

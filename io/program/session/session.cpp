@@ -21,7 +21,16 @@ int threads_for(int threads) {
   return threads > 0 ? threads : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
 }
 
+void refuse_undone(const std::vector<std::string>& set) {
+  const auto changes = formats::read_changes(set);
+  for (std::size_t later = 1; later < changes.size(); ++later)
+    for (std::size_t i = 0; i < later; ++i)
+      if (formats::undoes(changes[later], changes[i]))
+        throw UsageError{"--set " + set[later] + " undoes --set " + set[i] + "; leave out one of them"};
+}
+
 runs::CaseSource source_of(const SceneOptions& options) {
+  refuse_undone(options.set);
   return {options.scene, options.set, threads_for(options.threads)};
 }
 
@@ -29,7 +38,13 @@ runs::CaseSource source_of(const MethodOptions& options) {
   runs::CaseSource source = source_of(static_cast<const SceneOptions&>(options));
   const auto add = [&](const char* key, const std::string& specification) {
     if (specification.empty()) return;
-    formats::append(source.changes, runs::choose_method(key, specification));
+    const auto chosen = runs::choose_method(key, specification);
+    for (const formats::Change& change : chosen)
+      for (const std::string& set : options.set)
+        if (formats::undoes(change, formats::read_change(set)))
+          throw UsageError{std::string("--") + key + " " + specification + " undoes --set " + set +
+                           "; leave out one of them"};
+    formats::append(source.changes, chosen);
   };
   try {
     add("strategy", options.strategy);
@@ -40,7 +55,8 @@ runs::CaseSource source_of(const MethodOptions& options) {
   return source;
 }
 
-Session::Session(const MethodOptions& options) : terminal_(options), scene_(source_of(options), registry_) {
+Session::Session(const MethodOptions& options)
+    : terminal_(options), names_strategy_(!options.strategy.empty()), scene_(source_of(options), registry_) {
   find_scene_plugins(options, registry_);
 }
 
@@ -48,6 +64,11 @@ int Session::open() {
   const runs::PreparedScene::State state = scene_.prepare();
   const formats::Diagnostics& diagnostics = scene_.diagnostics();
   if (state != runs::PreparedScene::State::ready) return report_unready(diagnostics, state, terminal_);
+  const scenes::Analysis& analysis = scene_.loaded().analysis;
+  if (names_strategy_ && analysis.kind == AnalysisKind::dynamics && !analysis.dynamics.from_equilibrium)
+    throw UsageError{
+        "--strategy finds equilibria, and this motion does not begin at one; --set "
+        "analysis.start=equilibrium lets it"};
   if (diagnostics.warnings()) terminal_.say(diagnostics.render(terminal_.color()));
   return kDone;
 }

@@ -22,9 +22,13 @@ class Session {
 
  private:
   Terminal terminal_;
+  bool names_strategy_;
   Registry registry_;
   runs::PreparedScene scene_;
 };
+
+/// Throws a UsageError if one of the changes of --set leaves nothing of another.
+void refuse_undone(const std::vector<std::string>& set);
 
 /// The scene of a command line with the changes of --set and, if the command has them, --strategy and
 /// --solver.

@@ -223,10 +223,8 @@ Analysis read_analysis(formats::TableReader table, Registry& registry, bool& ref
     return a;
   }
   bool settles = false;
-  read_component(table, "solver", refused, [&] {
-    settles = read_time(table, registry, a);
-    if (!settles) read_solver(table, registry, a);
-  });
+  read_component(table, "integrator", refused, [&] { settles = read_time(table, registry, a); });
+  if (!settles) read_component(table, "solver", refused, [&] { read_solver(table, registry, a); });
   if (!refused)
     read_component(table, "strategy", refused, [&] {
       settles ? pass_over_strategy(table, registry, values, a) : read_strategy(table, registry, values, a);

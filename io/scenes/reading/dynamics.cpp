@@ -184,6 +184,9 @@ Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry) {
     analysis.error("shortest_step", "is longer than longest_step, so that no step is allowed");
   if (k.adaptive && k.step > k.longest_step)
     analysis.error("step", "is longer than longest_step", "adaptive = false makes all steps as long as step");
+  if (k.adaptive && k.step > 0 && k.step < k.shortest_step)
+    analysis.error("step", "is shorter than shortest_step",
+                   "step = 0 lets the program choose the first step");
   if (!k.adaptive && k.step == 0 && !type.is_explicit())
     analysis.error("step", "is 0 with adaptive = false: say how long all steps are");
   if (k.output_interval > 0 && k.duration / k.output_interval > 1e6)
@@ -204,10 +207,20 @@ Course read_course(formats::TableReader& hold) {
   const bool by_way = hold.has("displacement"), by_speed = hold.has("velocity");
   if (by_way && by_speed)
     hold.error("velocity", "is one way to say how it moves, displacement is another; give one of them");
-  if (!by_way && !by_speed) return {};
-  formats::TableReader table = hold.table(by_way ? "displacement" : "velocity");
+  if (by_way == by_speed) return {};
+  const char* key = by_way ? "displacement" : "velocity";
+  formats::TableReader table = hold.table(key);
+  if (!table.keys().empty() && !table.has("x") && !table.has("y") && !table.has("z"))
+    hold.error(key, "has no x, y or z, so that nothing would move", "x = [0, 1] beside t = [0, 10]");
   const auto t = read_times(table);
-  if (by_way) return through(t, read_columns(table, "m", "way from where it is held", {-1e6, 1e6}, t.size()));
+  if (by_way) {
+    Course course = through(t, read_columns(table, "m", "way from where it is held", {-1e6, 1e6}, t.size()));
+    if (!t.empty() && course.at(0).d != Course::Point{})
+      hold.diagnostics().warning(
+          hold.place(key), hold.path(key) + ": is not zero at t = 0, so that the motion begins with a jump",
+          "it counts from where the nodes are held: z = [0, 2] moves them up by 2 m");
+    return course;
+  }
   return gone(t, read_columns(table, "m/s", "velocity of what is held", {-1e3, 1e3}, t.size()));
 }
 

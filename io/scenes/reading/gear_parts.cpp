@@ -40,26 +40,70 @@ bool GearParts::is_seam(formats::TableReader& join) const {
 
 GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice,
                      Draft& draft, gears::Divisions& divisions)
-    : plan_(plan), draft_(draft), diagnostics_(root.diagnostics()) {
+    : plan_(plan), draft_(draft), diagnostics_(root.diagnostics()), divisions_(divisions) {
   for (const char* key : {"panels", "ropes", "hang", "floats", "points", "bodies", "ship"}) root.has(key);
   const int errors_before = diagnostics_.errors();
   GearInScene& in_scene = draft_.out.gear.emplace();
-  gears::Fineness fineness;
   if (auto model = read_gear_model(plan, root)) {
     gear_ = std::move(model->gear);
-    fineness = model->fineness;
+    fineness_ = model->fineness;
     in_scene.times = gear_.extent == gears::Extent::half ? 2 : 1;
-    in_scene.nodes = fineness.nodes;
-    in_scene.size = fineness.size;
+    in_scene.nodes = fineness_.nodes;
+    in_scene.size = fineness_.size;
     in_scene.bill = bill_of(plan);
     in_scene.sheet = sheet_of(plan, gear_);
+  } else {
+    gear_ = gears::make_gear(plan, gears::Extent::whole);  // for the names of its parts
   }
   formats::TableReader table = root.table("elements", formats::Presence::optional);
   elements_.emplace(plan, gear_, table, choice);
-  if (diagnostics_.errors() > errors_before) return;
-  division_ = divisions.of(plan, gear_.extent, fineness);
-  if (fineness.knots) in_scene.nodes = mesh().nodes;
+  is_sound_ = diagnostics_.errors() == errors_before;
+}
+
+bool GearParts::divide() {
+  if (!is_sound_) return false;
+  division_ = divisions_.of(plan_, gear_.extent, fineness_);
+  if (fineness_.knots) draft_.out.gear->nodes = mesh().nodes;
   own_.resize(mesh().nodes);
+  return mesh().nodes > 0;
+}
+
+/// Reads the bodies of the plan. An error in the table of a pair is reported once, not for both sides.
+void GearParts::read_bodies(PartReader& parts) {
+  std::set<const gears::PlanBody*> faulty;
+  for (const gears::GearBody& body : gear_.bodies) {
+    if (faulty.contains(body.body)) continue;
+    const BodyOfPlan place = place_of(body);
+    const bool is_pair = body.body->stands == gears::Standing::pair;
+    const std::size_t part = parts.read_body_of_plan(body.name, body.body->name, is_pair ? &place : nullptr);
+    if (!draft_.is_sound[part])
+      faulty.insert(body.body);
+    else if (division_)
+      tie(body, part);
+  }
+}
+
+void GearParts::read_undivided(PartReader& parts) {
+  read_bodies(parts);
+  if (!is_sound_) return;
+  for (const auto& panel : gear_.panels) {
+    Geometry one;
+    one.data[datum::kBarLength.name] = {panel.panel->mesh / 2};
+    add_netting(panel, std::move(one), {});
+  }
+  for (const auto& rope : gear_.ropes) {
+    gears::RopeMesh one;
+    one.rest_lengths = {rope.length};
+    add_rope(rope, one);
+  }
+  for (const auto& pieces : gear_.pieces) {
+    Part part;
+    const bool is_sound = read_pieces(pieces, part);
+    Geometry none;
+    none.names.name = pieces.name;
+    none.names.place = pieces.pieces->place;
+    draft_.add_part(std::move(part), std::move(none), elements_->type_of("floats"), is_sound);
+  }
 }
 
 /// The initial guess for a board: as deep as such boards usually go behind warps of this length, but not
@@ -95,13 +139,7 @@ void GearParts::tie(const gears::GearBody& body, std::size_t part) {
 }
 
 void GearParts::read_parts(PartReader& parts) {
-  for (const gears::GearBody& body : gear_.bodies) {
-    const BodyOfPlan place = place_of(body);
-    const bool is_pair = body.body->stands == gears::Standing::pair;
-    const auto part = parts.read_body_of_plan(body.name, body.body->name, is_pair ? &place : nullptr);
-    if (!part) break;  // reported once, not for both sides
-    tie(body, *part);
-  }
+  read_bodies(parts);
   add_parts();
   parts.read_parts(formats::Presence::optional);
 }
@@ -119,7 +157,6 @@ void GearParts::add_panel(const gears::GearPanel& panel, const gears::PanelMesh&
   Geometry geometry;
   geometry.names.panel = mesh.meshes;
   geometry.names.sets = mesh.sets;
-  geometry.names.place = plan.place;
   geometry.elements = mesh.triangles;
   auto &us = geometry.data[datum::kU.name], &vs = geometry.data[datum::kV.name],
        &to_aft = geometry.data[datum::kToAft.name];
@@ -132,12 +169,20 @@ void GearParts::add_panel(const gears::GearPanel& panel, const gears::PanelMesh&
   }
   geometry.data[datum::kBarLength.name].assign(mesh.triangles.size() / 3, plan.mesh / 2);
   geometry.data[datum::kOutward.name].assign(mesh.triangles.size() / 3, 1);
+  add_netting(panel, std::move(geometry), mesh.nodes);
+}
+
+/// Adds a panel with its twine. `nodes`: own number -> node of the gear.
+void GearParts::add_netting(const gears::GearPanel& panel, Geometry geometry,
+                            const std::vector<std::uint32_t>& nodes) {
+  const gears::Panel& plan = *panel.panel;
+  geometry.names.place = plan.place;
   formats::Value twine = plan.twine;
   keep_strength(draft_.out, panel.name, plan.twine, plan.twines, plan.twine_name);
   if (plan.twines > 1 && twine.as<formats::Table>())
     formats::put(*twine.as<formats::Table>(), "number", {plan.place, std::int64_t{plan.twines}});
   add_part("netting", panel.name, "panels." + plan.name, std::move(twine), !plan.twine_name.empty(),
-           std::move(geometry), mesh.nodes);
+           std::move(geometry), nodes);
   if (plan.orientation == "t90")
     check_turned_netting(draft_.out.scene.parts.back(), plan.place, diagnostics_);
 }
@@ -204,11 +249,15 @@ void GearParts::add_pieces() {
   name_lines(gear);
 }
 
+bool GearParts::read_pieces(const gears::GearPieces& pieces, Part& part) const {
+  part.name = pieces.name;
+  return elements_->read_part("floats", "floats." + pieces.pieces->name, pieces.pieces->piece,
+                              !pieces.pieces->part_name.empty(), part);
+}
+
 void GearParts::put_pieces(const gears::GearPieces& pieces) {
   Part part;
-  part.name = pieces.name;
-  const bool is_sound = elements_->read_part("floats", "floats." + pieces.pieces->name, pieces.pieces->piece,
-                                             !pieces.pieces->part_name.empty(), part);
+  const bool is_sound = read_pieces(pieces, part);
   std::vector<double> carried(draft_.out.scene.node_count(), 0.0);
   ride_on_nodes(nodes_of(pieces, carried), carried, pieces.number, part);
   draft_.out.gear->pieces.push_back(static_cast<std::uint32_t>(draft_.out.scene.parts.size()));
@@ -274,6 +323,7 @@ std::string GearParts::point_name(const std::string& name) const {
 
 /// Whether all nodes of a rope of the plan are in `carried`. For a pair of ropes the starboard one decides.
 bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
+  if (carried.empty()) return false;
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
     if (gear_.ropes[r].rope->name == rope)
       return std::ranges::all_of(mesh().ropes[r].nodes,
@@ -282,6 +332,7 @@ bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t
 }
 
 bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const {
+  if (carried.empty()) return false;
   for (const std::string& name : {point, "starboard-" + point})
     if (const auto node = mesh().points.find(name); node != mesh().points.end())
       return carried.contains(scene_node(node->second));

@@ -26,7 +26,8 @@ class GearParts : public GearSteps {
   GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice, Draft& draft,
             gears::Divisions& divisions);
 
-  bool is_divided() const override { return division_ && mesh().nodes > 0; }
+  bool divide() override;
+  void read_undivided(PartReader& parts) override;
   const gears::Ship* ship() const override { return plan_.ship ? &*plan_.ship : nullptr; }
   bool has_name(const std::string& name) const override;
   void read_parts(PartReader& parts) override;
@@ -46,8 +47,11 @@ class GearParts : public GearSteps {
   bool is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const;
   bool is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const;
 
+  void read_bodies(PartReader& parts);
   void add_panel(const gears::GearPanel& panel, const gears::PanelMesh& mesh);
+  void add_netting(const gears::GearPanel& panel, Geometry geometry, const std::vector<std::uint32_t>& nodes);
   void add_rope(const gears::GearRope& rope, const gears::RopeMesh& mesh);
+  bool read_pieces(const gears::GearPieces& pieces, Part& part) const;
   void add_part(std::string_view kind, const std::string& name, const std::string& path,
                 formats::Value numbers, bool is_of_catalogue, Geometry geometry,
                 const std::vector<std::uint32_t>& nodes);
@@ -71,8 +75,11 @@ class GearParts : public GearSteps {
   Draft& draft_;
   formats::Diagnostics& diagnostics_;
   gears::Gear gear_;
-  std::optional<PlanElements> elements_;       // empty until `[elements]` is read
-  std::shared_ptr<gears::Division> division_;  // null after an error
+  std::optional<PlanElements> elements_;  // empty until `[elements]` is read
+  gears::Divisions& divisions_;
+  gears::Fineness fineness_;
+  bool is_sound_ = false;                      // false after an error in `[gear]` or `[elements]`
+  std::shared_ptr<gears::Division> division_;  // null before divide()
   // Coordinates that the points of bodies fix, for the initial shape.
   std::vector<gears::KnownCoordinate> known_;
   std::vector<double> start_;  // initial positions, 3 per node of the gear

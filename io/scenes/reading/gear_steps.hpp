@@ -16,8 +16,12 @@ class GearSteps {
  public:
   virtual ~GearSteps() = default;
 
-  /// False after an error in the plan or in `[gear]`; the rest of the scene is then not read.
-  virtual bool is_divided() const { return true; }
+  /// Divides the gear into triangles and bars. Returns false after an error in the plan or in `[gear]`; the
+  /// rest of the scene is then not read.
+  virtual bool divide() { return true; }
+  /// Instead of all steps below: reads the tables of the plan that need no mesh, which are its bodies and the
+  /// elements of its panels, ropes and floats.
+  virtual void read_undivided(PartReader&) {}
   /// The ship of the plan; null if there is none.
   virtual const gears::Ship* ship() const { return nullptr; }
   /// Whether a part, a point or a body of the plan has this name.

@@ -76,7 +76,10 @@ void read_at(formats::TableReader& table, HoldEntry& entry) {
     return;
   }
   const formats::Range range = formats::between(-1e6, 1e6);
-  const formats::Array* array = table.raw("at")->as<formats::Array>();
+  const formats::Value* said = table.raw("at");
+  const formats::Table* with_unit = said->as<formats::Table>();
+  if (with_unit && with_unit->find("values")) said = &with_unit->find("values")->value;
+  const formats::Array* array = said->as<formats::Array>();
   std::vector<std::vector<double>> rows;
   if (array && !array->items.empty() && array->items[0].kind() != formats::Kind::array)
     rows = {table.reals(

@@ -15,11 +15,12 @@ namespace parameter {
 
 inline constexpr KnownParameter kTwineDiameter{"twine.diameter", "is less than a bar, and is drawn"};
 inline constexpr KnownParameter kRopeDiameter{
-    "rope.diameter", "is less than the rope is long, is drawn, and scaled in models"};
-inline constexpr KnownParameter kFloatDiameter{"float.diameter", "is drawn, and scaled in models"};
+    "rope.diameter", "is less than 1 m and than the rope is long, is drawn, and scaled in models"};
+inline constexpr KnownParameter kFloatDiameter{"float.diameter",
+                                               "fits volume and buoyancy, is drawn, and scaled in models"};
 inline constexpr KnownParameter kFloatArea{"float.area", "is scaled in models"};
 inline constexpr KnownParameter kRopeDensity{"rope.density",
-                                             "is no greater than that of a chain, and scaled in models"};
+                                             "is that of a material or a chain, and scaled in models"};
 inline constexpr KnownParameter kRopeSurface{"rope.surface", "if not 0, no model by Tauti's rule"};
 inline constexpr KnownParameter kTwineSurface{"twine.surface", "if not 0, no model by Tauti's rule"};
 inline constexpr KnownParameter kBoxHeight{"box.height", "if not 0, no model by Tauti's rule"};
@@ -32,8 +33,9 @@ inline constexpr KnownParameter kBedDepth{"seabed.depth",
 inline constexpr KnownParameter kBedSlopeX{"seabed.slope_x", "of that plane"};
 inline constexpr KnownParameter kBedSlopeY{"seabed.slope_y", "of that plane"};
 inline constexpr KnownParameter kBedSoftness{"seabed.softness", "how deep a gear may begin in that plane"};
-inline constexpr KnownParameter kLengthShare{"rope.length_share", "of a warp on a winch"};
-inline constexpr KnownParameter kTwineDensity{"twine.density", "is no greater than that of a chain"};
+inline constexpr KnownParameter kLengthShare{"rope.length_share",
+                                             "of a warp on a winch; is a fraction, not in per cent"};
+inline constexpr KnownParameter kTwineDensity{"twine.density", "is that of a material"};
 inline constexpr KnownParameter kTwineEA{"twine.EA", "is no less than EA_compression"};
 inline constexpr KnownParameter kTwineEACompression{"twine.EA_compression", "is no greater than EA"};
 inline constexpr KnownParameter kRopeEA{"rope.EA", "is no less than EA_compression"};

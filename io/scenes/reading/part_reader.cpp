@@ -60,11 +60,9 @@ void PartReader::read_bodies() {
   }
 }
 
-std::optional<std::size_t> PartReader::read_body_of_plan(const std::string& name,
-                                                         const std::string& name_in_plan,
-                                                         const BodyOfPlan* place) {
+std::size_t PartReader::read_body_of_plan(const std::string& name, const std::string& name_in_plan,
+                                          const BodyOfPlan* place) {
   formats::TableReader bodies = root_.table("bodies", formats::Presence::optional);
-  if (!draft_.is_sound.empty() && !draft_.is_sound.back()) return std::nullopt;
   formats::TableReader table = bodies.table(name_in_plan);
   table.has("stands");
   read_part(name, table, Home::bodies, place);

@@ -26,9 +26,9 @@ class PartReader {
   /// on its points.
   void read_bodies();
   /// Reads a body of the net plan. For a body of a pair, `name` includes the side ("port-door"),
-  /// `name_in_plan` does not ("door"). Returns the index of its part; nothing after an error.
-  std::optional<std::size_t> read_body_of_plan(const std::string& name, const std::string& name_in_plan,
-                                               const BodyOfPlan* place);
+  /// `name_in_plan` does not ("door"). Returns the index of its part, which is not sound after an error.
+  std::size_t read_body_of_plan(const std::string& name, const std::string& name_in_plan,
+                                const BodyOfPlan* place);
   /// The names and tables of riders.
   std::vector<std::pair<std::string, formats::TableReader>>& riders() { return riders_; }
 

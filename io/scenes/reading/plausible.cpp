@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/plausible.hpp"
 
-#include "framework/parameters/find_number.hpp"
-#include "io/scenes/reading/known_parameters.hpp"
+#include "io/formats/units/degrees.hpp"
+#include "io/scenes/reading/plausible_parts.hpp"
+#include "io/scenes/water/current.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace netloft::scenes {
 
@@ -15,10 +17,14 @@ namespace {
 
 // Fresh water has 1000 kg/m3, the Dead Sea 1240 kg/m3. A density of 0, for air, is allowed, too.
 constexpr double kLightestWater = 900, kHeaviestWater = 1250;  // [kg/m3]
-// The diameter of a chain is that of the wire of its links; a cylinder of this diameter has 25 000 to 28 000
-// kg/m3 (chains of the library). Footropes of the library whose density includes rollers or chain loops have
-// up to 30 000 kg/m3.
-constexpr double kHeaviestChain = 28000, kDensest = 50000;  // [kg/m3]
+// Water has 1.83e-6 m2/s at 0 degC and 35 g/kg of salt, 0.6e-6 m2/s at 45 degC without salt (ITTC
+// 7.5-02-01-03, 2011). The dynamic viscosity, in Pa s, is a thousand times greater.
+constexpr double kThinnestWater = 0.55e-6, kThickestWater = 2e-6;  // [m2/s]
+// On the ground it is 9.780 m/s2 at the equator and 9.832 m/s2 at the poles (WGS 84), and many round it to
+// 10. A gravity of 0, for a scene without weight, is allowed, too.
+constexpr double kLeastGravity = 9.75, kMostGravity = 10;  // [m/s2]
+// This rise is 45 degrees. The slopes of the continents have 3 to 6 degrees, walls of canyons up to 45.
+constexpr double kSteepestBed = 1;  // [1]
 // This speed is 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
 constexpr double kFastestTow = 10;  // [m/s]
 // This speed is 39 kn. A ship in a heavy sea moves its blocks by less than 5 m/s.
@@ -26,8 +32,6 @@ constexpr double kFastestHold = 20;  // [m/s]
 // A residual of 1 % of the largest load changes results by more than the differences between gears that
 // people compare.
 constexpr double kCoarsestTolerance = 0.01;  // [1]
-// Tolerance for the buoyancy of floats: catalogues round buoyancy, volume and mass by about 5 % each.
-constexpr double kRoundingOfFloats = 0.2;  // fraction of the weight of the displaced water [1]
 
 void check_water(const LoadedScene& loaded, formats::TableReader& root) {
   const double density = loaded.scene.water.density;
@@ -37,6 +41,40 @@ void check_water(const LoadedScene& loaded, formats::TableReader& root) {
       fmt::format("water.density = {:.4g} kg/m3: water has {:.0f} to {:.0f} kg/m3", density, kLightestWater,
                   kHeaviestWater),
       "sea water is density = \"1.025 t/m3\", or 1025 without a unit; density = 0 is air");
+}
+
+/// Warns of the viscosity of a scene. Models in a tank scale it after it was read.
+void check_viscosity(const LoadedScene& loaded, formats::TableReader& root) {
+  formats::TableReader water = root.table("water", formats::Presence::optional);
+  if (loaded.scene.water.density == 0 || !water.has("viscosity")) return;
+  const double viscosity = water.real("viscosity", {.unit = "m2/s"});
+  if (viscosity >= kThinnestWater && viscosity <= kThickestWater) return;
+  root.diagnostics().warning(water.place("viscosity"),
+                             fmt::format("water.viscosity = {:.4g} m2/s: water has {:.2g} to {:.2g} m2/s",
+                                         viscosity, kThinnestWater, kThickestWater),
+                             "the kinematic viscosity is wanted, viscosity = \"1.19 mm2/s\" in the sea, and "
+                             "not the dynamic one");
+}
+
+void check_gravity(const LoadedScene& loaded, formats::TableReader& root) {
+  const double gravity = loaded.scene.water.gravity;
+  if (gravity == 0 || (gravity >= kLeastGravity && gravity <= kMostGravity)) return;
+  root.diagnostics().warning(
+      root.table("water").place("gravity"),
+      fmt::format("water.gravity = {:.4g} m/s2: on Earth it is 9.78 to 9.83 m/s2", gravity),
+      "gravity = \"32.2 ft/s2\" states its unit; gravity = 0 is a scene without weight; left out, it is the "
+      "standard 9.80665 m/s2");
+}
+
+void check_slopes(const LoadedScene& loaded, formats::TableReader& root) {
+  const SeaBed& bed = loaded.scene.bed;
+  for (const auto& [key, slope] : {std::pair{"slope_x", bed.slope_x}, std::pair{"slope_y", bed.slope_y}})
+    if (std::abs(slope) > kSteepestBed)
+      root.diagnostics().warning(
+          root.table("bed").place(key),
+          fmt::format("bed.{} = {:.4g}: the bed rises by that many metres over one, by {:.3g} degrees", key,
+                      slope, formats::kDegreesPerRadian * std::atan(slope)),
+          fmt::format("a slope of 5 % is {} = \"5 %\", or 0.05", key));
 }
 
 void check_tolerance(const LoadedScene& loaded, formats::TableReader& root) {
@@ -63,9 +101,11 @@ void check_tow_speed(const LoadedScene& loaded, formats::TableReader& root) {
 }
 
 void check_current_speed(const LoadedScene& loaded, formats::TableReader& root) {
+  Current current = loaded.scene.current;
+  current.tow = {};
   double speed = 0;
-  for (const auto& sample : loaded.scene.current.samples)
-    speed = std::max(speed, std::hypot(sample.velocity[0], sample.velocity[1], sample.velocity[2]));
+  for (const auto& velocities : velocities_at_kinks(current))
+    for (const auto& v : velocities) speed = std::max(speed, std::hypot(v[0], v[1], v[2]));
   if (!(speed > kFastestTow)) return;
   root.diagnostics().warning(
       root.table("water").place("current"),
@@ -88,49 +128,6 @@ double fastest(const Course& course) {
   return speed;
 }
 
-void check_density(const Part& part, const KnownParameter& known, const formats::Place& place,
-                   formats::Diagnostics& diagnostics) {
-  const double density = number_or(0, part.parameters, known.name);
-  if (density > kDensest)
-    diagnostics.warning(place,
-                        fmt::format("{}: {} = {:.6g} kg/m3: even a chain, as a cylinder of its wire's "
-                                    "diameter, has no more than {:.0f} kg/m3",
-                                    part.name, known.name, density, kHeaviestChain),
-                        "density = 7850 is steel, 1140 polyamide, 950 polyethylene, in kg/m3");
-}
-
-void check_stiffness(const Part& part, const KnownParameter& tension, const KnownParameter& compression,
-                     const formats::Place& place, formats::Diagnostics& diagnostics) {
-  const double* EA = find_number(part.parameters, tension.name);
-  const double* slack = find_number(part.parameters, compression.name);
-  if (EA && slack && *slack > *EA)
-    diagnostics.error(place,
-                      fmt::format("{}: {} = {:.6g} N is greater than {} = {:.6g} N: ropes and twines are not "
-                                  "stiffer in compression than in tension",
-                                  part.name, compression.name, *slack, tension.name, *EA),
-                      "EA_compression = 0 is a rope that bears no compression; leave it out for the default");
-}
-
-/// Warns of a float whose given buoyancy does not fit its volume and mass, which then count for its inertia
-/// only. If no mass is given, any buoyancy up to the weight of the displaced water fits.
-void check_float(const LoadedScene& loaded, const Part& part, const formats::Place& place,
-                 formats::Diagnostics& diagnostics) {
-  const double given = number_or(0, part.parameters, parameter::kFloatBuoyancy.name),
-               volume = number_or(0, part.parameters, parameter::kFloatVolume.name),
-               mass = number_or(0, part.parameters, parameter::kFloatMass.name);
-  const SceneWater& water = loaded.scene.water;
-  const double lift = water.density * volume * water.gravity, follows = lift - mass * water.gravity;
-  if (given == 0 || lift == 0) return;
-  const double off = mass > 0 ? std::abs(given - follows) : given - lift;
-  if (off <= kRoundingOfFloats * lift) return;
-  diagnostics.warning(
-      place,
-      fmt::format("{}: float.buoyancy = {:.4g} N is used; float.volume = {:.4g} m3 with float.mass = {:.4g} "
-                  "kg would give {:.4g} N, and they count in motions alone",
-                  part.name, given, volume, mass, follows),
-      "leave buoyancy out to have it from volume and mass, or leave volume out");
-}
-
 }  // namespace
 
 void check_speed_of_hold(const Course& course, formats::TableReader& hold, const char* key) {
@@ -144,20 +141,14 @@ void check_speed_of_hold(const Course& course, formats::TableReader& hold, const
 }
 
 void check_plausible(const LoadedScene& loaded, formats::TableReader& root) {
-  formats::Diagnostics& diagnostics = root.diagnostics();
   check_water(loaded, root);
+  check_viscosity(loaded, root);
+  check_gravity(loaded, root);
+  check_slopes(loaded, root);
   check_tolerance(loaded, root);
   check_tow_speed(loaded, root);
   check_current_speed(loaded, root);
-  for (std::size_t p = 0; p < loaded.parts.size(); ++p) {
-    const Part& part = loaded.scene.parts[p];
-    const formats::Place& place = loaded.parts[p].place;
-    check_density(part, parameter::kRopeDensity, place, diagnostics);
-    check_density(part, parameter::kTwineDensity, place, diagnostics);
-    check_stiffness(part, parameter::kRopeEA, parameter::kRopeEACompression, place, diagnostics);
-    check_stiffness(part, parameter::kTwineEA, parameter::kTwineEACompression, place, diagnostics);
-    check_float(loaded, part, place, diagnostics);
-  }
+  check_plausible_parts(loaded, root.diagnostics());
 }
 
 }  // namespace netloft::scenes

@@ -6,8 +6,8 @@
 namespace netloft::scenes {
 
 /// Warns of numbers with which a model can compute but that nobody means, such as a density in another unit.
-/// A rope that is stiffer in compression than in tension is an error. `root` is the table of the scene. The
-/// limits and their reasons are in plausible.cpp.
+/// `root` is the table of the scene. The limits of what surrounds a gear, and their reasons, are in
+/// plausible.cpp, those of its parts in plausible_parts.cpp.
 void check_plausible(const LoadedScene& loaded, formats::TableReader& root);
 
 /// Warns of a hold that moves faster than any ship or winch; `key` is the key of its course.

@@ -43,6 +43,24 @@ void RiderReader::read(const std::string& name, formats::TableReader& table) {
   draft_.add_rider(std::move(part), table.place(), type, diagnostics_.errors() == errors_before);
 }
 
+void RiderReader::read_undivided(const std::string& name, formats::TableReader& table) {
+  const int errors_before = diagnostics_.errors();
+  const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
+  Part part;
+  part.name = name;
+  if (type) {
+    elements_.read(*type, table, part);
+    for (const char* key : {"on", "number", "each"}) table.has(key);
+    for (const auto& datum : type->data) table.has(datum.name);
+  } else {
+    for (const auto& key : table.keys()) table.raw(key);
+  }
+  Geometry none;
+  none.names.name = name;
+  none.names.place = table.place();
+  draft_.add_part(std::move(part), std::move(none), type, diagnostics_.errors() == errors_before);
+}
+
 void RiderReader::read_contacts() {
   const std::set<std::uint32_t> carried = carried_by_beds();
   if (const auto all = gear_.contacts(carried); !all.empty() && !out_.scene.bed.is_there)
@@ -64,6 +82,16 @@ void RiderReader::read_contacts() {
         root_.table("bed").place(), "the footrope passes through the bed: no part carries the gear there",
         "[elements.contact] seabed = { friction = 0.47 } lets all of the plan that touches the bed "
         "rest on it");
+}
+
+void RiderReader::read_contacts_undivided() {
+  for (const auto& [name, said] : gear_.contacts({})) {
+    const int errors_before = diagnostics_.errors();
+    formats::TableReader table(said, diagnostics_, "elements." + std::string(kContact));
+    read_undivided(name, table);
+    table.finish();
+    if (diagnostics_.errors() > errors_before) return;  // reported once, not for every rope
+  }
 }
 
 /// The nodes of all contact parts of the scene, which rest on a bed.

@@ -21,8 +21,12 @@ class RiderReader {
         gear_(gear) {}
 
   void read(const std::string& name, formats::TableReader& table);
+  /// Reads the table of a rider without the nodes and elements that it is on.
+  void read_undivided(const std::string& name, formats::TableReader& table);
   /// Makes the contact parts that keep a gear of a net plan on the bed.
   void read_contacts();
+  /// Reads `[elements.contact]` without the nodes of the contact parts.
+  void read_contacts_undivided();
   void add_companions();
   /// The element types of the companions, which are the last parts of the scene, in their order.
   const std::vector<const ElementType*>& companions() const { return companions_; }

@@ -110,14 +110,18 @@ void check_symmetry(formats::TableReader& root, const Draft& draft, const WaterR
   check_symmetric_parameters(draft, cure, root.diagnostics());
 }
 
+void check_undivided(formats::TableReader& root, const Draft& draft) {
+  check_current(draft.out.scene, root);
+  check_plausible(draft.out, root);
+}
+
 void check_scene(formats::TableReader& root, const Draft& draft,
                  const std::vector<const ElementType*>& companions, const WaterReader& water) {
   formats::Diagnostics& diagnostics = root.diagnostics();
   std::vector<const ElementType*> types = draft.types;
   types.insert(types.end(), companions.begin(), companions.end());
   check_held(draft.out, types, diagnostics);
-  check_current(draft.out.scene, root);
-  check_plausible(draft.out, root);
+  check_undivided(root, draft);
   check_ground(draft, water.says_tow(), diagnostics);
   if (!draft.out.scene.bed.is_there) check_bed(draft, diagnostics);
   check_beds(draft.out, diagnostics);

@@ -8,6 +8,9 @@ namespace netloft::scenes {
 /// Reports half a gear as an error if something in the scene differs between port and starboard.
 void check_symmetry(formats::TableReader& root, const Draft& draft, const WaterReader& water);
 
+/// Questions numbers of a scene that was read without errors, divided or not: its water, its tow, its parts.
+void check_undivided(formats::TableReader& root, const Draft& draft);
+
 /// Checks whether a scene that was read without errors can be solved: its holds, its current, its ground and
 /// bed, and parts that begin beyond the plane of symmetry.
 void check_scene(formats::TableReader& root, const Draft& draft,

@@ -22,6 +22,22 @@ namespace netloft::scenes {
 
 namespace {
 
+/// Refuses the tables of net plans in a scene that has none.
+void refuse_tables_of_plans(formats::TableReader& root) {
+  constexpr std::pair<const char*, const char*> kTables[] = {
+      {"gear", "cells of a part says how fine it is"},
+      {"ropes", "[parts.NAME] with type = \"rope/bar\" is a rope of its own"},
+      {"floats", "[parts.NAME] with type = \"float/float\" and on = \"PART\" is a float"},
+      {"points", "parts have points of their own, such as rope.end; [[hold]] at = [0, 0, -5] places them"},
+      {"hang", "[[join]] joins parts at their points and edges"},
+      {"elements", "the type of a part, and its parameters, are in [parts.NAME]"}};
+  root.has("panels");  // it may be added, so an unknown table may be meant as this one
+  const auto keys = root.keys();
+  for (const auto& [key, hint] : kTables)
+    if (std::ranges::find(keys, key) != keys.end() && root.has(key))
+      root.error(key, "belongs to a net plan, and this scene has none, because it has no [panels]", hint);
+}
+
 /// Reads one scene. The member functions are the steps, in the order of execution.
 class SceneReader {
  public:
@@ -39,10 +55,11 @@ class SceneReader {
         gear_(plan ? std::make_unique<GearParts>(*plan, root_, elements_, draft_, divisions)
                    : std::make_unique<GearSteps>()) {
     root_.has("catalogue");  // read already, by SceneCatalogue
+    if (!plan) refuse_tables_of_plans(root_);
   }
 
   LoadedScene read() {
-    if (!gear_->is_divided()) return std::move(out_);
+    if (!gear_->divide()) return std::move(out_);
     water_.read();
     gear_->read_parts(parts_);
     joins_.read();
@@ -57,6 +74,20 @@ class SceneReader {
     check_scene(root_, draft_, riders_.companions(), water_);
     holds_.report_one_sided();
     return std::move(out_);
+  }
+
+  /// Reads and checks what needs no mesh.
+  void check() {
+    water_.read();
+    gear_->read_undivided(parts_);
+    parts_.read_parts(formats::Presence::optional);
+    for (auto& [name, table] : parts_.riders()) riders_.read_undivided(name, table);
+    riders_.read_contacts_undivided();
+    if (root_.has("analysis")) out_.analysis = read_analysis(root_.table("analysis"), registry_, refused_);
+    for (const char* key : {"join", "hold", "results"}) root_.has(key);
+    root_.finish();
+    for (const Geometry& geometry : draft_.geometries) out_.parts.push_back(geometry.names);
+    if (diagnostics_.errors() == 0) check_undivided(root_, draft_);
   }
 
  private:
@@ -144,12 +175,9 @@ class SceneSource::Memory {
                        formats::Diagnostics& diagnostics, bool& refused) {
     formats::Value root = changed(changes, diagnostics);
     if (diagnostics.errors()) return {};
-    formats::Value plan_tables = gears::holds_plan(root) ? gears::tables_of_plan(root) : formats::Value{};
     SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
     std::map<std::string, Strength> strengths;
-    put_catalogue_parts(root, catalogue, registry, diagnostics, strengths);
-    std::shared_ptr<const PlanRead> plan;
-    if (gears::holds_plan(root)) plan = read_plan({std::move(plan_tables), catalogue.load()}, diagnostics);
+    const auto plan = read_plan(root, catalogue, registry, diagnostics, strengths);
     if (plan && diagnostics.errors()) return {};  // the rest of the scene cannot be checked without the gear
     LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, divisions_, file_.parent_path(),
                                      registry, diagnostics, refused)
@@ -164,6 +192,19 @@ class SceneSource::Memory {
     return loaded;
   }
 
+  gears::NetPlan check_plan(const std::vector<formats::Change>& changes, Registry& registry,
+                            formats::Diagnostics& diagnostics, bool& refused) {
+    formats::Value root = changed(changes, diagnostics);
+    if (diagnostics.errors()) return {};
+    SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
+    std::map<std::string, Strength> strengths;
+    const auto plan = read_plan(root, catalogue, registry, diagnostics, strengths);
+    if (!plan) return gears::read_plan(root, *catalogue.load(), diagnostics);  // reports that there is none
+    if (diagnostics.errors() == 0)
+      SceneReader(root, &plan->plan, divisions_, file_.parent_path(), registry, diagnostics, refused).check();
+    return plan->plan;
+  }
+
  private:
   /// The tables of the document, with the changes applied. Their places refer to the sources of
   /// `diagnostics`.
@@ -173,6 +214,17 @@ class SceneSource::Memory {
     if (const int first = diagnostics.append(said_); first != 0) formats::shift_files(root, first);
     for (const formats::Change& change : changes) formats::apply(root, change, diagnostics);
     return root;
+  }
+
+  /// Replaces the names of catalogue parts in a scene by their numbers, and reads its plan; null if there is
+  /// none.
+  std::shared_ptr<const PlanRead> read_plan(formats::Value& root, SceneCatalogue& catalogue,
+                                            Registry& registry, formats::Diagnostics& diagnostics,
+                                            std::map<std::string, Strength>& strengths) {
+    const bool is_there = gears::holds_plan(root);
+    formats::Value tables = is_there ? gears::tables_of_plan(root) : formats::Value{};
+    put_catalogue_parts(root, catalogue, registry, diagnostics, strengths);
+    return is_there ? read_plan({std::move(tables), catalogue.load()}, diagnostics) : nullptr;
   }
 
   /// Reads the plan, or returns the stored one for an equal input. After an error in the scene, the plan is
@@ -203,6 +255,11 @@ const std::filesystem::path& SceneSource::file() const { return memory_->file();
 LoadedScene SceneSource::instance(const std::vector<formats::Change>& changes, Registry& registry,
                                   formats::Diagnostics& diagnostics, bool& refused) const {
   return memory_->instance(changes, registry, diagnostics, refused);
+}
+
+gears::NetPlan SceneSource::check_plan(const std::vector<formats::Change>& changes, Registry& registry,
+                                       formats::Diagnostics& diagnostics, bool& refused) const {
+  return memory_->check_plan(changes, registry, diagnostics, refused);
 }
 
 }  // namespace netloft::scenes

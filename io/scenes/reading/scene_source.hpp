@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/registry/registry.hpp"
 #include "io/formats/toml/change.hpp"
+#include "io/gears/plan/net_plan.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
 namespace netloft::scenes {
@@ -23,6 +24,11 @@ class SceneSource {
   /// the scene names; sets `refused` if one of them is missing or was rejected.
   LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
                        formats::Diagnostics& diagnostics, bool& refused) const;
+
+  /// The net plan with `changes` applied: checks whether the net can be sewn, and reads all tables of the
+  /// scene that need no mesh. A file without a net plan is an error. The other arguments as above.
+  gears::NetPlan check_plan(const std::vector<formats::Change>& changes, Registry& registry,
+                            formats::Diagnostics& diagnostics, bool& refused) const;
 
  private:
   class Memory;

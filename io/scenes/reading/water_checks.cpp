@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/water_checks.hpp"
 
+#include "io/scenes/water/current.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace netloft::scenes {
 
@@ -25,13 +28,16 @@ Heights heights_of(const Scene& scene) {
 }
 
 /// Warns of a current whose profile lies above or below the gear. A profile is constant beyond its heights,
-/// so that only one of its values would act.
+/// so that only one of its values would act. A gear that starts at one height may lie on an end of the
+/// profile.
 void check_profile(const Scene& scene, formats::TableReader& root) {
   const auto& profile = scene.current.samples;
   if (scene.current.is_uniform() || scene.positions.empty()) return;
   const Heights gear = heights_of(scene), table{profile.front().z, profile.back().z};
-  const bool is_above = table.low >= gear.high;
-  if (!is_above && table.high > gear.low) return;
+  const bool is_flat = gear.low == gear.high;
+  const bool is_above = is_flat ? table.low > gear.high : table.low >= gear.high,
+             is_below = is_flat ? table.high < gear.low : table.high <= gear.low;
+  if (!is_above && !is_below) return;
   formats::TableReader current = root.table("water").table("current");
   current.diagnostics().warning(
       current.place("z"),
@@ -41,16 +47,21 @@ void check_profile(const Scene& scene, formats::TableReader& root) {
       "z points up and is 0 at the surface: a depth of 50 m is z = \"-50 m\"");
 }
 
-/// Warns of a current with the velocity of the tow: the water would pass the gear twice as fast as meant.
+/// Warns of a current that has the velocity of the tow, at all heights and at some time: the water would pass
+/// the gear twice as fast as meant.
 void check_tow(const Scene& scene, formats::TableReader& root) {
   // The velocities count as equal within this fraction of the towing speed. Gears are rarely towed through a
   // current of the same velocity.
   constexpr double kAlike = 0.02;
-  const auto& tow = scene.current.tow;
+  Current current = scene.current;
+  const auto tow = std::exchange(current.tow, {});
   const double speed = std::hypot(tow[0], tow[1]);
-  if (speed == 0 || scene.current.samples.size() != 1) return;
-  const auto& v = scene.current.samples[0].velocity;
-  if (std::hypot(v[0] - tow[0], v[1] - tow[1]) > kAlike * speed) return;
+  if (speed == 0) return;
+  const auto is_alike = [&](const auto& v) {
+    return std::hypot(v[0] - tow[0], v[1] - tow[1]) <= kAlike * speed;
+  };
+  const auto all = velocities_at_kinks(current);
+  if (std::ranges::none_of(all, [&](const auto& v) { return std::ranges::all_of(v, is_alike); })) return;
   root.diagnostics().warning(
       root.table("water").place("current"),
       fmt::format("water.current is the speed of the tow once more: the water passes the gear at {:.4g} m/s",

@@ -19,6 +19,14 @@ std::vector<double> read_column(formats::TableReader& profile, const char* key, 
   return column;
 }
 
+/// Refuses a table without a column of velocities, whose water would be still.
+void require_velocity(formats::TableReader& table) {
+  if (!table.has("x") && !table.has("y") && !table.has("up"))
+    table.diagnostics().error(
+        table.place(), table.path() + ": has no x, y or up, so that the water would be still",
+        "x = [1.2, 0.6] is the velocity aft, in m/s, for each number in the other column");
+}
+
 const formats::RealsSpec kTimes{
     .unit = "s", .doc = "times, ascending", .range = formats::between(-1e9, 1e9), .count = {.least = 1}};
 
@@ -34,6 +42,7 @@ bool ascend(const std::vector<double>& t, formats::TableReader& table) {
 /// Reads a current that is the same at all heights, as columns over time.
 Current read_drift(formats::TableReader table) {
   Current current;
+  require_velocity(table);
   const auto t = table.reals("t", kTimes);
   const auto x = read_column(table, "x", t.size()), y = read_column(table, "y", t.size()),
              up = read_column(table, "up", t.size());
@@ -57,6 +66,7 @@ void read_factors(formats::TableReader& profile, Current& current) {
 Current read_profile(formats::TableReader profile) {
   if (!profile.has("z") && profile.has("t")) return read_drift(profile);
   Current current;
+  require_velocity(profile);
   read_factors(profile, current);
   const auto z = profile.reals("z", {.unit = "m",
                                      .doc = "heights of the samples, 0 at the surface",
@@ -80,12 +90,32 @@ Current read_profile(formats::TableReader profile) {
 
 Current read_current(formats::TableReader& water) {
   if (!water.has("current")) return {};
-  if (water.kind("current") == formats::Kind::table) return read_profile(water.table("current"));
+  const formats::Table* table = water.raw("current")->as<formats::Table>();
+  if (table && !table->find("values")) return read_profile(water.table("current"));
   const auto v = water.reals(
       "current",
       {.unit = "m/s", .doc = "velocity of the water", .range = kSpeeds, .count = formats::exactly(3)});
   if (v.size() != 3) return {};
   return {{{0, {v[0], v[1], v[2]}}}};
+}
+
+std::vector<VelocitiesOverHeight> velocities_at_kinks(const Current& current) {
+  std::vector<double> times, heights;
+  for (const auto& factor : current.factors) times.push_back(factor.t);
+  for (const auto& drift : current.drifts) times.push_back(drift.t);
+  for (const auto& sample : current.samples) heights.push_back(sample.z);
+  if (times.empty()) times.push_back(0);
+  if (heights.empty()) heights.push_back(0);
+  std::vector<VelocitiesOverHeight> all;
+  for (const double t : times) {
+    VelocitiesOverHeight& velocities = all.emplace_back();
+    for (const double z : heights) {
+      std::array<double, 3> velocity, dz;
+      current.at(z, velocity, dz, t);
+      velocities.push_back(velocity);
+    }
+  }
+  return all;
 }
 
 }  // namespace netloft::scenes

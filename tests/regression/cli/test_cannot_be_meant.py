@@ -31,6 +31,7 @@ twine = { diameter = "3 mm", EA = "20 kN", density = 1140 }
 [[hold]]
 on = "net.fore"
 """
+LEVEL = ROPE.replace("-10]", "-5]").replace("[0.8, 0, 0]", "%s").replace('"12 m"', '"9 m"')
 FLOAT = '[parts.f]\ntype = "float/float"\non = "rope.end"\nfloat = { %s }\n'
 # A bag of two panels behind a beam, lashed to it on both sides.
 BEAM = """\
@@ -144,6 +145,8 @@ ALL = [
     Meant("float whose mass contradicts it", ROPE + FLOAT % "buoyancy = 5, volume = 0.001, mass = 0.9",
           r"would give 1.226 N", "leave buoyancy out"),
     Meant("float whose mass is not known", ROPE + FLOAT % "buoyancy = 5, volume = 0.001", r"\A\Z"),
+    Meant("displacement that is a place", changed('on = "rope.end"', 'on = "rope.end"\ndisplacement = { t = [0, 1], z = [-5, -4] }', DYNAMIC),
+          r"hold\[1\].displacement: is not zero at t = 0", "counts from where the nodes are held"),
     Meant("twine thicker than its mesh", NET, r"net.twine: diameter = 0.003 m, and bars of 0.002 m: no mesh can open", "another unit", 2),
     Meant("rope as thick as a ship", changed('"20 mm"', '"20 m"'), r"rope.rope.diameter = 20 m is outside \[0, 10\] m", "", 2),
     Meant("bed above the surface", ROPE + "[bed]\ndepth = -20\n", r"bed.depth = -20 m is outside", "", 2),
@@ -156,7 +159,21 @@ ALL = [
           r"water.current: the profile lies below the gear", "z points up"),
     Meant("current over depths", changed("current = [0.8, 0, 0]", "current = { z = [10, 100], x = [1.2, 0.4] }"),
           r"water.current: the profile lies above the gear", "z points up"),
+    Meant("current to the depth of a level gear", LEVEL % "{ z = [-5, -1], x = [1.2, 0.4] }", r"\A\Z"),
+    Meant("current from the height of a level gear", LEVEL % "{ z = [-9, -5], x = [1.2, 0.4] }", r"\A\Z"),
     Meant("tow and its own current", ROPE + "[tow]\nspeed = 0.8\n", r"water.current is the speed of the tow once more.* 1.6 m/s", "leave it out"),
+    Meant("tow and its own profile", changed("[0.8, 0, 0]", "{ z = [-20, 0], x = [0.8, 0.8] }") + "[tow]\nspeed = 0.8\n",
+          r"water.current is the speed of the tow once more", "leave it out"),
+    Meant("tow and its own factor", changed("[0.8, 0, 0]", "{ z = [-20, 0], x = [0.4, 0.4], t = [0, 9], factor = [1, 2] }") + "[tow]\nspeed = 0.8\n",
+          r"water.current is the speed of the tow once more", "leave it out"),
+    Meant("tow and its own current in time", changed("[0.8, 0, 0]", "{ t = [0, 60], x = [0, 0.8] }") + "[tow]\nspeed = 0.8\n",
+          r"water.current is the speed of the tow once more", "leave it out"),
+    Meant("tow and a current that is its own at one height", changed("[0.8, 0, 0]", "{ z = [-20, 0], x = [0.4, 0.8] }") + "[tow]\nspeed = 0.8\n", r"\A\Z"),
+    Meant("leeway in degrees without a unit", changed("[water]", "[tow]\nspeed = 1\nleeway = 3\n[water]"),
+          r"tow.leeway = 3 is in radians, which makes 171.9 degrees", '"30 deg"'),
+    Meant("polar in degrees without a unit", gear("gears/pelagic-with-doors.toml", "[bodies.board.board]\n"
+          "polar = { attack = [15, 30, 45], lift = [0.5, 1.0, 0.8], drag = [0.2, 0.5, 0.8] }\n[bodies.board.turned]\nheading = 3\n"),
+          r"(?s)polar.attack\[0\] = 15 is in radians.*turned.heading = 3 is in radians", '"30 deg"', 0, "check"),
     Meant("board misspelt", gear("gears/pelagic-with-doors.toml", '[bodies.board]\ntype = "board/otzter"\n'),
           r'bodies.board.type: the plugin "board" has no element "board/otzter"; did you mean "board/otter"', "", 4),
     Meant("held in the air", ROPE.replace("-5]", "30]").replace("-10]", "28]"), r"rope lies up to 30 m above the surface", "surface = 1", 0, "run"),
@@ -178,20 +195,135 @@ ALL = [
 ]
 
 
+
+
+def rope(**numbers):
+    """ROPE with other numbers of its material."""
+    given = dict(diameter='"20 mm"', EA='"50 kN"', density="1500") | numbers
+    return changed('diameter = "20 mm", EA = "50 kN", density = 1500', ", ".join(f"{k} = {v}" for k, v in given.items()))
+
+
+def twine(density):
+    return changed("1140", density, NET.replace('"2 mm"', '"20 mm"'))
+
+
+def current(value):
+    return changed("[0.8, 0, 0]", value)
+
+
+def water(line):
+    return changed("[water]", "[water]\n" + line)
+
+
+def moved(way):
+    return changed('on = "rope.end"', 'on = "rope.end"\n' + way, DYNAMIC)
+
+
+def towed(speed, flow):
+    return current(flow) + f"[tow]\nspeed = {speed}\n"
+
+
+def shipped(speed):
+    return gear("gears/pelagic-with-doors.toml", f"[ship]\nspeed = {speed}\n")
+
+
+def floating(numbers):
+    return ROPE + FLOAT % numbers
+
+
+def lying(z, more=""):
+    """A rope that is held straight at a height."""
+    return ROPE.replace("-5]", f"{z}]").replace("-10]", f"{z}]").replace('"12 m"', '"9 m"').replace("1500", "1025") + more
+
+
+def pulled(metres):
+    """A rope of 5 m with hardly any stiffness, held so far apart."""
+    return ROPE.replace("[0.8, 0, 0]", "[0, 0, 0]").replace("[[0, 0, -5], [5, 0, -10], [9, 0, -5]]", f"[[0, 0, -5], [{metres}, 0, -5]]").replace(
+        '"12 m"', '"5 m"').replace("1500", "1025")
+
+
+# Each limit with a number that is within a tenth of it on the silent side, and one on the other.
+LIMITS = [
+    ("lightest water", water("density = 910"), water("density = 890"), r"water.density = 890"),
+    ("heaviest water", water("density = 1240"), water("density = 1260"), r"water.density = 1260"),
+    ("thinnest water", water("viscosity = 0.56e-6"), water("viscosity = 0.54e-6"), r"water.viscosity = 5.4e-07 m2/s"),
+    ("thickest water", water("viscosity = 1.95e-6"), water("viscosity = 2.05e-6"), r"water.viscosity = 2.05e-06 m2/s"),
+    ("least gravity", water("gravity = 9.76"), water("gravity = 9.7"), r"water.gravity = 9.7 m/s2"),
+    ("most gravity", water("gravity = 10"), water("gravity = 10.1"), r"water.gravity = 10.1 m/s2"),
+    ("steepest bed along x", ROPE + "[bed]\ndepth = 60\nslope_x = -0.98\n", ROPE + "[bed]\ndepth = 60\nslope_x = -1.02\n", r"bed.slope_x = -1.02"),
+    ("steepest bed along y", ROPE + "[bed]\ndepth = 60\nslope_y = 0.98\n", ROPE + "[bed]\ndepth = 60\nslope_y = 1.02\n", r"bed.slope_y = 1.02"),
+    ("densest rope", rope(density="80000"), rope(density="81000"), r"rope.density = 81000 kg/m3: even a chain"),
+    ("lightest rope", rope(density="101"), rope(density="99"), r'rope.density = 99 kg/m3: even cork .*"99 t/m3"'),
+    ("densest twine", twine("22500"), twine("22700"), r"twine.density = 22700 kg/m3: osmium"),
+    ("lightest twine", twine("101"), twine("99"), r"twine.density = 99 kg/m3: even cork"),
+    ("thickest rope", rope(diameter="0.99"), rope(diameter="1.01"), r"rope.diameter = 1.01 m: no rope"),
+    ("stiffness in compression", rope(EA_compression='"49 kN"'), rope(EA_compression='"51 kN"'), r"EA_compression = 51000 N is greater", 2),
+    ("lightest mass of a float", floating("buoyancy = 7.1, volume = 0.001, mass = 0.5"), floating("buoyancy = 7.2, volume = 0.001, mass = 0.5"), "float.buoyancy = 7.2 N is used"),
+    ("greatest mass of a float", floating("buoyancy = 3.2, volume = 0.001, mass = 0.5"), floating("buoyancy = 3.1, volume = 0.001, mass = 0.5"), "float.buoyancy = 3.1 N is used"),
+    ("buoyancy of a float of unknown mass", floating("buoyancy = 12, volume = 0.001"), floating("buoyancy = 12.1, volume = 0.001"), "float.buoyancy = 12.1 N is used"),
+    ("longest float by its volume", floating('volume = "83 L", diameter = 0.2'), floating('volume = "84.5 L", diameter = 0.2'), "it displaces 0.0845 m3"),
+    ("longest float by its buoyancy", floating("buoyancy = 830, diameter = 0.2"), floating("buoyancy = 850, diameter = 0.2"), "it displaces 0.0845"),
+    ("weakest float", floating("buoyancy = 4.3, diameter = 0.2"), floating("buoyancy = 4.1, diameter = 0.2"), r'float.buoyancy = 4.1 N, and the water .*"4.1 kgf"'),
+    ("lightest float", floating("volume = 0.1, mass = 0.51"), floating("volume = 0.1, mass = 0.49"), "makes 4.9 kg/m3"),
+    ("densest weight", floating("volume = 0.001, mass = 22.5"), floating("volume = 0.001, mass = 22.7"), "makes 2.27e.04 kg/m3"),
+    ("most share of a length", rope(length_share="{ t = [0, 9], share = [1, 9.9] }"), rope(length_share="{ t = [0, 9], share = [1, 10.1] }"),
+     r"rope.length_share reaches 10.1 times"),
+    ("coarsest tolerance", ROPE + "[analysis]\ntolerance = 0.0099\n", ROPE + "[analysis]\ntolerance = 0.0101\n", r"analysis.tolerance = 0.0101"),
+    ("fastest tow", towed("9.9", "[0, 0, 0]"), towed("10.1", "[0, 0, 0]"), r"tow.speed = 10.1 m/s"),
+    ("fastest ship", shipped("9.9"), shipped("10.1"), r"ship.speed = 10.1 m/s"),
+    ("fastest current", current("[7, 7, 0]"), current("[7.1, 7.1, 0]"), r"water.current reaches 10.04 m/s"),
+    ("fastest profile", current("{ z = [-20, 0], x = [1, 9.9] }"), current("{ z = [-20, 0], x = [1, 10.1] }"), r"water.current reaches 10.1 m/s"),
+    ("fastest profile with a factor", current("{ z = [-20, 0], x = [1, 3.3], t = [0, 9], factor = [1, 3] }"),
+     current("{ z = [-20, 0], x = [1, 3.4], t = [0, 9], factor = [1, 3] }"), r"water.current reaches 10.2 m/s"),
+    ("fastest current in time", current("{ t = [0, 60], x = [0, -9.9] }"), current("{ t = [0, 60], x = [0, -10.1] }"), r"water.current reaches 10.1 m/s"),
+    ("current like the tow", towed("1", "[1.021, 0, 0]"), towed("1", "[1.019, 0, 0]"), r"is the speed of the tow once more"),
+    ("profile above the gear", current("{ z = [-5, 20], x = [1, 2] }"), current("{ z = [-4.9, 20], x = [1, 2] }"), r"the profile lies above the gear"),
+    ("profile below the gear", LEVEL % "{ z = [-20, -5], x = [1, 2] }", LEVEL % "{ z = [-20, -5.1], x = [1, 2] }", r"the profile lies below the gear"),
+    ("fastest hold by its velocity", moved("velocity = { t = [0, 1], x = [0, 19.5] }"), moved("velocity = { t = [0, 1], x = [0, 20.5] }"), r"moves at 20.5 m/s"),
+    ("fastest hold by its displacement", moved("displacement = { t = [0, 1], x = [0, 19.5] }"), moved("displacement = { t = [0, 1], x = [0, 20.5] }"), r"moves at 20.5 m/s"),
+    ("fewest nodes", gear("scenes/four-panel.toml", "[gear]\nnodes = 20\n"), gear("scenes/four-panel.toml", "[gear]\nnodes = 19\n"), r"gear.nodes: = 19 is outside", 2),
+    ("most outputs", DYNAMIC.replace("0.1", "99000"), DYNAMIC.replace("0.1", "101000"), r"asks for more than a million", 2),
+    ("longest step", DYNAMIC + "step = 0.1\nlongest_step = 0.1\n", DYNAMIC + "step = 0.1\nlongest_step = 0.095\n", r"analysis.step: is longer", 2),
+    ("shortest step", DYNAMIC + "step = 0.1\nshortest_step = 0.1\n", DYNAMIC + "step = 0.1\nshortest_step = 0.105\n", r"analysis.step: is shorter", 2),
+    ("shortest and longest step", DYNAMIC + "shortest_step = 0.1\nlongest_step = 0.1\n", DYNAMIC + "shortest_step = 0.1\nlongest_step = 0.095\n",
+     r"shortest_step: is longer", 2),
+    ("thickest twine", changed('"3 mm"', '"1.9 mm"', NET), changed('"3 mm"', '"2 mm"', NET), r"no mesh can open", 2),
+    ("rope as thick as long", rope(diameter="0.99").replace('"12 m"', '"1 m"').replace("cells = 12", "cells = 2"),
+     rope(diameter="1").replace('"12 m"', '"1 m"').replace("cells = 12", "cells = 2"), r"diameter = 1 m, and a length of 1 m", 2),
+    ("above the surface", lying(0.49), lying(0.52), r"rope lies up to 0.5\d* m above the surface", 0, "run"),
+    ("below the bed", lying(-5.45, "[bed]\ndepth = 5\n"), lying(-5.52, "[bed]\ndepth = 5\n"), r"rope lies up to 0.5\d* m below the bed", 0, "run"),
+    ("most strain", pulled(7.4), pulled(7.6), r"rope is stretched by 52 %", 0, "run"),
+]
+
+
 class CannotBeMeant(InFreshFolder):
+    def answer(self, command, scene):
+        self.write("scene.toml", scene)
+        said = self.netloft(command, "scene.toml", *(["--overwrite"] if command == "run" else []))
+        return said.code, said.err + (said.out if command == "run" else "")
+
     def check(self, meant):
-        self.write("scene.toml", meant.scene)
-        said = self.netloft(meant.command, "scene.toml")
-        self.assertEqual(said.code, meant.code, said.err)
-        text = said.err + (said.out if meant.command == "run" else "")
+        code, text = self.answer(meant.command, meant.scene)
+        self.assertEqual(code, meant.code, text)
         self.assertRegex(text, meant.says)
         self.assertIn(meant.cure, text)
+
+    def check_limit(self, within, beyond, says, code=0, command="plan"):
+        given, text = self.answer(command, within)
+        self.assertEqual(given, 0, text)
+        self.assertNotIn("warning", text)
+        given, text = self.answer(command, beyond)
+        self.assertEqual(given, code, text)
+        self.assertRegex(text, "(?s)" + says)
 
 
 for each in ALL:
     name = "test_" + re.sub(r"\W", "_", each.name)
     assert not hasattr(CannotBeMeant, name), f"two scenes are called {each.name}"
     setattr(CannotBeMeant, name, lambda self, each=each: self.check(each))
+
+for title, *limit in LIMITS:
+    setattr(CannotBeMeant, "test_limit_of_" + re.sub(r"\W", "_", title), lambda self, limit=limit: self.check_limit(*limit))
 
 if __name__ == "__main__":
     unittest.main()

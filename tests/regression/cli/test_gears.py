@@ -99,6 +99,76 @@ class Gears(InFreshFolder):
         self.assertIn("panels", run.err)
 
 
+BOARDS = SOURCE / "gear-library/gears/pelagic-with-doors.toml"
+
+
+class CheckedWithoutAMesh(InFreshFolder):
+    """`check` reads all of a gear file that `run` reads before it divides the gear."""
+
+    # What is added to the gear, the place in the file and the words of the answer, its hint, and the exit code.
+    WRONG = (
+        ('[bodies.board]\ntype = "board/otzter"\n', "3:8", 'bodies.board.type: the plugin "board" has no element "board/otzter"', "", 4),
+        ('[bodies.board]\ncolour = 3\n', "3:1", 'unknown key "colour" in bodies.board', "allowed here", 2),
+        ('[bodies.board.board]\nmass = "160"\n', "3:8", '"160" is a pure number', "add a unit", 2),
+        ('[bodies.board.board]\nmas = "160 kg"\n', "3:1", 'unknown key "mas" in bodies.board.board', 'did you mean "mass"?', 2),
+        ("[bodies.board.points]\nwarp = [1, 2]\n", "3:8", "bodies.board.points.warp has 2 values; 3 are expected", "", 2),
+        ("[bodies.board]\noutline = [1, 2]\n", "3:12", "bodies.board.outline", "", 2),
+        ('[bodies.board]\nside = "port"\n', "3:8", "bodies.board.side: is given by the net plan", "stands", 2),
+        ("[bodies.board.turned]\nheading = 30\n", "3:11", "heading = 30 rad is outside", '"30 deg"', 2),
+        ('[bodies.board]\nboard = { part = "cambered-vertical-5m2" }\n', "3:18", 'there is no board "cambered-vertical-5m2"', "did you mean", 2),
+        ("[gear]\nnodes = 3\n", "3:9", "gear.nodes: = 3 is outside", "", 2),
+        ('[gear]\nextent = "halve"\n', "3:10", 'gear.extent = "halve" is not one of', 'did you mean "half"?', 2),
+        ("[gear.finer]\ntop-codent = 2\n", "3:14", 'there is no panel or rope "top-codent"', "", 2),
+        ('[elements.netting]\ntype = "priour/triangles"\n', "3:8", 'no element "priour/triangles"; did you mean "priour/triangle"', "", 4),
+        ('[elements.netting]\ndrag = "hydro/morisson"\n', "3:8", 'no law "hydro/morisson"; did you mean "hydro/morison"', "", 4),
+        ('[elements.ropes]\nrope = { EA = "5 kn" }\n', "3:15", '"5 kn" is a speed (m/s); a force (N) is expected', "the kilonewton is kN", 2),
+        ("[elements.headlin]\nrope = { EA = 1e5 }\n", "2:1", 'there is nothing named "headlin" in the net plan', 'did you mean "headline"?', 2),
+        ('[elements.netting.twine]\ndiameter = "60 mm"\n', "", "diameter = 0.06 m, and bars of", "another unit", 2),
+        ("[elements.contact]\nseabed = { stiffnes = 1e4 }\n", "3:12", 'unknown key "stiffnes"', 'did you mean "stiffness"?', 2),
+        ('[floats.clump]\nfloat = { masss = "50 kg" }\n', "3:11", 'unknown key "masss"', 'did you mean "mass"?', 2),
+        ('[parts.extra]\ntype = "rope/bar"\nlength = "2 m"\n', "2:1", 'missing key "cells" in parts.extra', "", 2),
+        ('[parts.extra]\ntype = "float/float"\non = "headline"\nfloat = { mas = 3 }\n', "5:11", 'unknown key "mas"', 'did you mean "mass"?', 2),
+        ("[water]\ncurrent = { z = [0, -5] }\n", "3:11", "has no x, y or up", "", 2),
+        ("[bed]\ndepth = -20\n", "3:9", "bed.depth = -20 m is outside", "", 2),
+        ('[analysis]\nsolver = "newtn"\n', "3:10", 'there is no plugin "newtn"; did you mean "newton"?', "", 4),
+    )
+
+    def gear(self, more):
+        self.write("gear.toml", f'include = ["{BOARDS}"]\n' + more)
+        return self.netloft("check", "gear.toml", "--json")
+
+    def test_wrong_tables_are_answered_with_place_and_cure(self):
+        for more, place, words, hint, code in self.WRONG:
+            with self.subTest(more):
+                said = self.gear(more)
+                self.assertEqual(said.code, code, said.err)
+                findings = said.json()["findings"]
+                self.assertTrue(any((f["at"] == f"gear.toml:{place}" or not place) and f["severity"] == "error" and words in f["message"]
+                                    and hint in f.get("hint", "") for f in findings), findings)
+
+    def test_an_error_of_a_pair_is_told_once(self):
+        self.assertEqual(len(self.gear('[bodies.board]\ntype = "board/otzter"\n').json()["findings"]), 1)
+
+    def test_every_wrong_body_is_told(self):
+        clump = '[bodies.ball]\ntype = "body/solidd"\npoints = { eye = [0, 0, 0] }\n[ropes.tether]\nstands = "pair"\nrope = "6x19-fc-13mm"\nlength = "1 m"\n'
+        said = self.gear(clump + 'between = ["ball.eye", "footrope.end"]\n[bodies.board]\ntype = "board/otzter"\n').json()["findings"]
+        self.assertEqual([f["message"].split(":")[0] for f in said], ["bodies.ball.type", "bodies.board.type"])
+
+    def test_numbers_that_cannot_be_meant_are_questioned(self):
+        for more, words in (("[water]\ndensity = 1.025\n", "water.density = 1.025 kg/m3"), ("[ship]\nspeed = 30\n", "ship.speed = 30 m/s"),
+                            ("[elements.headline]\nrope = { density = 1.14 }\n", "headline: rope.density = 1.14 kg/m3"),
+                            ("[bodies.board.turned]\nheading = 2\n", "heading = 2 is in radians")):
+            with self.subTest(more):
+                said = self.gear(more)
+                self.assertEqual(said.code, 0)
+                self.assertIn(words, said.err)
+
+    def test_a_right_gear_is_silent_in_both_extents(self):
+        for extent in ("half", "whole"):
+            said = self.gear(f'[gear]\nextent = "{extent}"\n')
+            self.assertEqual((said.code, said.err), (0, ""))
+
+
 FLUME = SOURCE / "gear-library/scenes/83-112-flume-3.0kn.toml"
 
 

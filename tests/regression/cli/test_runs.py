@@ -67,8 +67,8 @@ class Runs(InFreshFolder):
         self.assertLessEqual(again["factorisations"], 1)
         np.testing.assert_allclose(points(self.folder / "b.hdf"), points(self.folder / "a.hdf"), atol=1e-9)
         finer = ["--set", "parts.net.cells=[16,16]", "--json"]
-        fresh = self.run_panel(*finer, "-o", "c.hdf").json()
-        led = self.run_panel(*finer, "--start-from", "a.hdf", "-o", "d.hdf").json()
+        fresh = self.netloft("run", str(PANEL), *finer, "-o", "c.hdf").json()
+        led = self.netloft("run", str(PANEL), *finer, "--start-from", "a.hdf", "-o", "d.hdf").json()
         self.assertLess(led["factorisations"], fresh["factorisations"])
         np.testing.assert_allclose(led["energy"], fresh["energy"], rtol=1e-9)
 

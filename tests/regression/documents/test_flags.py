@@ -43,7 +43,7 @@ COMMANDS = (
     (f"netloft test float --seconds 50 --verbose {COMMON}", "float/float"),
     ("netloft new law square_plate", "square_plate.cpp"),
     (f"netloft catalogue twine {PRINTED}", "pe-braided-4mm"),
-    (f"netloft check {GEAR} --set ropes.headline.length=7 {PRINTED}", '"findings"'),
+    (f"netloft check {GEAR} --set ropes.headline.length=7 --scene-plugins {COMMON}", '"findings"'),
     (f"netloft draw {GEAR} --set ropes.headline.length=7 {PRINTED} --mesh --nodes 200 -o mesh.svg; ls mesh.svg", "mesh.svg"),
     ("netloft draw rope.hdf --view side --field part --state 0 --width 300 --fit all --dark --output rope.png; ls rope.png", "rope.png"),
     ("netloft draw rope.hdf --log --elements --dimensions -o tension.png; ls tension.png", "tension.png"),

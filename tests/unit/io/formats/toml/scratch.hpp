@@ -52,14 +52,17 @@ struct Input {
       : document(Document::parse(text, "net.toml", overrides, diagnostics)),
         reader(document.root(), diagnostics) {}
 
-  /// The first error as "line:column: message"; "" if there is none.
+  /// The first error or warning as "line:column: message"; "" if there is none.
   std::string error() const {
     const auto all = diagnostics.sorted();
     if (all.empty()) return {};
     return std::to_string(all[0].place.line) + ':' + std::to_string(all[0].place.column) + ": " +
            all[0].message;
   }
-  std::string hint() const { return diagnostics.errors() == 0 ? "" : diagnostics.sorted()[0].hint; }
+  std::string hint() const {
+    const auto all = diagnostics.sorted();
+    return all.empty() ? "" : all[0].hint;
+  }
 
   Diagnostics diagnostics;
   Document document;

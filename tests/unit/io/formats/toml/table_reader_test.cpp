@@ -148,6 +148,69 @@ TEST(TableReader, WantsAnArrayWhereOneIsDue) {
   in.reader.reals("z", {.unit = "m"});
   EXPECT_EQ(in.error(), "1:5: z is the integer 3; an array of values in m is expected");
 }
+const RealsSpec kSpeeds{.unit = "m/s", .doc = "speeds", .range = between(-50, 50)};
+TEST(TableReader, ReadsAnArrayWithOneUnit) {
+  const auto read = Input("v = { unit = \"cm/s\", values = [35, 80.5] }").reader.reals("v", kSpeeds);
+  EXPECT_EQ(read, (std::vector<double>{0.35, 0.805}));
+}
+TEST(TableReader, RefusesAnArrayWithoutItsUnit) {
+  Input empty("v = { unit = \"\", values = [0, 3] }"), missing("v = { values = [0, 3] }");
+  empty.reader.reals("v", kSpeeds);
+  EXPECT_EQ(empty.error(), "1:14: v.unit: is empty");
+  EXPECT_EQ(empty.hint(), "such as unit = \"m/s\"; SI numbers need no table: v = [0, 1]");
+  EXPECT_EQ(empty.diagnostics.errors(), 1);
+  missing.reader.reals("v", kSpeeds);
+  EXPECT_EQ(missing.error(), "1:5: missing key \"unit\" in v: a text (unit of the values, such as m/s)");
+}
+TEST(TableReader, RefusesAnEmptyUnitOfPureNumbers) {
+  Input in("f = { unit = \"\", values = [0, 1] }");
+  in.reader.reals("f", {});
+  EXPECT_EQ(in.hint(), "numbers without a unit need no table: f = [0, 1]");
+}
+TEST(TableReader, RefusesAWrongUnitOfAnArrayOnceAndNotItsValues) {
+  Input in("v = { unit = \"kg\", values = [0, 300] }");
+  in.reader.reals("v", kSpeeds);
+  in.reader.finish();
+  EXPECT_EQ(in.error(), "1:14: v.unit: \"1 kg\" is a mass (kg); a speed (m/s) is expected");
+  EXPECT_EQ(in.diagnostics.errors(), 1);
+}
+TEST(TableReader, SaysTheUnitOfALimit) {
+  Input in("v = { unit = \"kn\", values = [0, 180] }");
+  in.reader.reals("v", kSpeeds);
+  EXPECT_EQ(in.error(), "1:33: v.values[1] = 180 kn = 92.6 m/s is outside [-50, 50] m/s (speeds)");
+}
+TEST(TableReader, RefusesASecondUnitBesideThatOfTheArray) {
+  Input in("v = { unit = \"kn\", values = [0, \"3 m/s\"] }");
+  in.reader.reals("v", kSpeeds);
+  EXPECT_EQ(in.error(), "1:33: v.values[1] is the text \"3 m/s\"; a number in kn is expected (speeds)");
+}
+
+const RealSpec kAngle{.unit = "rad", .range = between(-10, 10)};
+TEST(TableReader, QuestionsWholeRadians) {
+  Input in("a = 3");
+  EXPECT_EQ(in.reader.real("a", kAngle), 3);
+  EXPECT_EQ(in.error(), "1:5: a = 3 is in radians, which makes 171.9 degrees");
+  EXPECT_EQ(in.hint(), "an angle in degrees is written \"30 deg\"");
+  EXPECT_EQ(in.diagnostics.errors(), 0);
+}
+TEST(TableReader, QuestionsWholeRadiansOfAnArrayOnce) {
+  Input in("a = [0, 5.0, 10, 15]");
+  in.reader.reals("a", {.unit = "rad"});
+  EXPECT_EQ(in.error(), "1:9: a[1] = 5 is in radians, which makes 286.5 degrees");
+  EXPECT_EQ(in.diagnostics.warnings(), 1);
+}
+TEST(TableReader, TakesRadiansThatAreMeant) {
+  Input in("a = 0\nb = 0.5\nc = \"3 rad\"\nd = { unit = \"rad\", values = [1, 2] }");
+  for (const char* key : {"a", "b", "c"}) in.reader.real(key, kAngle);
+  EXPECT_EQ(in.reader.reals("d", {.unit = "rad"}), (std::vector<double>{1, 2}));
+  EXPECT_EQ(in.diagnostics.warnings() + in.diagnostics.errors(), 0);
+}
+TEST(TableReader, SuggestsDegreesForManyRadians) {
+  Input in("a = 30");
+  in.reader.real("a", kAngle);
+  EXPECT_EQ(in.error(), "1:5: a = 30 rad is outside [-10, 10] rad");
+  EXPECT_EQ(in.hint(), "an angle in degrees is written \"30 deg\"");
+}
 TEST(TableReader, ReadsRows) {
   Input in("sketch = [[-16, 0, 0], [\"16 m\", 0, -34]]");
   EXPECT_EQ(in.reader.rows("sketch", {.unit = "m", .columns = exactly(3)}),

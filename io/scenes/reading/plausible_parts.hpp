@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/diagnostics.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
+
+namespace netloft::scenes {
+
+/// Warns of densities, diameters and floats that no material or maker has; an error is a rope that is stiffer
+/// in compression than in tension. The limits and their reasons are in plausible_parts.cpp.
+void check_plausible_parts(const LoadedScene& loaded, formats::Diagnostics& diagnostics);
+
+}  // namespace netloft::scenes
