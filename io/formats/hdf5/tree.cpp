@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/formats/hdf5/transfer.hpp"
+#include "io/formats/text/utf8.hpp"
 
 namespace netloft::formats {
 namespace {
@@ -32,22 +33,6 @@ Handle open_group(hid_t parent, const std::string& name, hid_t links) {
 
 /// The part of the path after the last slash.
 std::string name_in(const std::string& path) { return path.substr(path.rfind('/') + 1); }
-
-/// Length of the UTF-8 sequence at the beginning of `text` (RFC 3629, table 3-7 of Unicode), 0 if it begins
-/// with none.
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xC2 && lead <= 0xDF ? 2 : (lead & 0xF0) == 0xE0 ? 3 : 4;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  const bool overlong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xF0 && byte(1) < 0x90);
-  const bool surrogate = lead == 0xED && byte(1) > 0x9F;
-  const bool too_large = lead == 0xF4 && byte(1) > 0x8F;
-  return overlong || surrogate || too_large ? 0 : length;
-}
 
 bool is_utf8_without_nul(std::string_view text) {
   while (!text.empty()) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "io/formats/text/printable.hpp"
+
 namespace netloft::formats {
 namespace {
 
@@ -10,17 +12,6 @@ constexpr std::size_t kWindow = 100;     // characters shown of a long line
 constexpr std::size_t kBeforeSpot = 40;  // characters that are shown before the marked place
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
-
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (is_control(c)) c = c == '\t' ? ' ' : '?';
-  // Some terminals also interpret U+0080…U+009F as control characters.
-  for (std::size_t i = 0; i + 1 < text.size(); ++i)
-    if (text[i] == '\xC2' && static_cast<unsigned char>(text[i + 1]) < 0xA0) text.replace(i, 2, "?");
-  return text;
-}
-
 std::vector<std::string> characters_of(const std::string& text) {
   std::vector<std::string> characters;
   for (const char c : text) {
@@ -108,22 +99,26 @@ std::string Diagnostics::source_line(const Place& place) const {
   return line;
 }
 
-/// The line and its underline, cut to a window around the marked place.
+/// The line and its underline, cut to a window around the marked place. A control character is as wide as
+/// its printable form.
 std::string Diagnostics::excerpt(const Place& place) const {
-  const std::vector<std::string> line = characters_of(printable(source_line(place)));
+  const std::vector<std::string> line = characters_of(source_line(place));
   if (line.empty()) return {};
   const std::size_t spot = static_cast<std::size_t>(std::max(place.column, 1)) - 1;
   const std::size_t begin =
       line.size() > kWindow && spot > kBeforeSpot ? std::min(spot, line.size()) - kBeforeSpot : 0;
   const std::size_t end = std::min(line.size(), begin + kWindow);
-  std::string shown = begin > 0 ? "..." : "";
-  std::string under(shown.size() + std::min(spot, line.size()) - begin, ' ');
-  for (std::size_t i = begin; i < end; ++i) shown += line[i];
+  const std::size_t marked = spot + static_cast<std::size_t>(std::max(place.length, 1));
+  std::string shown = begin > 0 ? "..." : "", under(shown.size(), ' ');
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::string character = printable_in_line(line[i]);
+    shown += character;
+    if (i == spot) under += '^';
+    const std::size_t width = has_control_characters(line[i]) ? character.size() : 1;
+    if (i < marked) under.append(i == spot ? width - 1 : width, i < spot ? ' ' : '~');
+  }
+  if (spot >= end) under += '^';
   if (end < line.size()) shown += "...";
-  under += '^';
-  for (std::size_t i = spot + 1;
-       i < std::min(spot + static_cast<std::size_t>(std::max(place.length, 1)), end); ++i)
-    under += '~';
   const std::string number = std::to_string(place.line);
   return "  " + number + " | " + shown + "\n  " + std::string(number.size(), ' ') + " | " + under + '\n';
 }
@@ -134,13 +129,15 @@ std::string Diagnostics::render(bool color, std::size_t limit) const {
   const std::vector<Diagnostic> all = sorted();
   for (std::size_t i = 0; i < std::min(limit, all.size()); ++i) {
     const Diagnostic& entry = all[i];
-    const std::string at = printable(where(entry.place));
+    const std::string at = printable_in_line(where(entry.place));
     if (!at.empty()) text += style.bold + at + ':' + style.off + ' ';
     text += (entry.severity == Severity::error ? style.red : style.yellow) +
             std::string(word_for(entry.severity));
-    text += std::string(":") + style.off + ' ' + printable(entry.message) + '\n' + excerpt(entry.place);
+    text +=
+        std::string(":") + style.off + ' ' + printable_in_line(entry.message) + '\n' + excerpt(entry.place);
     if (!entry.hint.empty())
-      text += std::string("  ") + style.cyan + "hint:" + style.off + ' ' + printable(entry.hint) + '\n';
+      text +=
+          std::string("  ") + style.cyan + "hint:" + style.off + ' ' + printable_in_line(entry.hint) + '\n';
   }
   if (all.size() > limit) text += "… and " + std::to_string(all.size() - limit) + " more\n";
   return text;

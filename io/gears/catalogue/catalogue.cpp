@@ -2,7 +2,9 @@
 #include "io/gears/catalogue/catalogue.hpp"
 
 #include "framework/scene/standard_gravity.hpp"
+#include "io/formats/text/name_fault.hpp"
 #include "io/formats/toml/table_reader.hpp"
+#include "io/formats/units/in_quotes.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -143,6 +145,8 @@ void Catalogue::read_file(const std::filesystem::path& file, std::size_t first_o
   for (const auto& kind : part_kinds()) {
     formats::TableReader tables = root.table(kind.name, formats::Presence::optional);
     for (const auto& name : tables.keys()) {
+      if (const std::string fault = formats::name_fault(name); !fault.empty())
+        tables.error(name, "the name of a part, " + formats::in_quotes(name) + ", " + fault);
       formats::TableReader table = tables.table(name, formats::Presence::required, "a part of the catalogue");
       CataloguePart part = read_part(name, kind, head, table);
       part.file = file.string();

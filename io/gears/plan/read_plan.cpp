@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/read_plan.hpp"
 
+#include "io/formats/text/name_fault.hpp"
+#include "io/formats/units/in_quotes.hpp"
 #include "io/gears/catalogue/folders.hpp"
 #include "io/gears/plan/outline.hpp"
 #include "io/gears/plan/plan_reader.hpp"
@@ -105,10 +107,11 @@ class PlanReader {
   /// A dot separates a name from its edges and points, so names must not contain one; and each name is used
   /// once.
   void check_name(const std::string& name, formats::TableReader& tables) {
-    if (name.find('.') != std::string::npos || name.empty())
-      diagnostics_.error(
-          tables.place(name),
-          "the name \"" + name + "\" must not be empty or contain a dot, which separates names of edges");
+    const bool has_dot = name.find('.') != std::string::npos;
+    const std::string fault =
+        has_dot ? "must not hold a dot, which leads to its edges (bag.fore)" : formats::name_fault(name);
+    if (!fault.empty())
+      diagnostics_.error(tables.place(name), "the name " + formats::in_quotes(name) + " " + fault);
     if (!names_.insert(name).second)
       diagnostics_.error(tables.place(name), "there is something named \"" + name + "\" already",
                          "names of panels, ropes, floats and points must all be different");

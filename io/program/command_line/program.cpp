@@ -6,6 +6,7 @@
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/last_words.hpp"
 #include "io/program/session/options.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <fcntl.h>
@@ -26,8 +27,8 @@ namespace {
 
 /// Reports an error on standard error and, with --json, as an object on standard output. Returns the code.
 int fail(const std::string& message, int code, bool json) {
-  std::fprintf(stderr, "netloft: %s\n", message.c_str());
-  if (json) std::puts(error_json(message, code).c_str());
+  print_error("netloft: " + message);
+  if (json) print_line(error_json(message, code));
   return code;
 }
 
@@ -53,14 +54,14 @@ int explain(const CLI::App& app, const CLI::ParseError& error, bool json) {
   if (const std::string fault = unknown_option(app); is_error && !fault.empty())
     return fail(fault, kWrongInput, json);
   app.exit(error);
-  if (is_error && json) std::puts(error_json(error.what(), kWrongInput).c_str());
+  if (is_error && json) print_line(error_json(error.what(), kWrongInput));
   return is_error ? kWrongInput : kDone;
 }
 
 int read_and_work(CLI::App& app, int argc, char** argv, const std::function<int()>& work) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty() && app.get_require_subcommand_min() > 0) {
-    std::fputs(app.help().c_str(), stdout);
+    print(app.help());
     return kDone;
   }
   const bool json = std::ranges::find(words, "--json") != words.end();
@@ -86,7 +87,7 @@ void guard_streams() {
 /// Returns the exit code: a failure to print the answer is an error.
 int after_printing(int code) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush()) return code;
-  std::fprintf(stderr, "netloft: standard output cannot be written: %s\n", std::strerror(errno));
+  print_error(std::string("netloft: standard output cannot be written: ") + std::strerror(errno));
   return code == kDone ? kOther : code;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/commands/studies.hpp"
 #include "io/program/session/memory_room.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/studies/calibration/calibration.hpp"
-
-#include <cstdio>
 
 namespace netloft::program {
 
@@ -28,7 +27,7 @@ int calibrate_command(const CalibrateOptions& options) {
         diagnostics,
         checked.refused ? runs::PreparedScene::State::refused : runs::PreparedScene::State::wrong_input,
         terminal);
-  if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
+  if (diagnostics.warnings()) terminal.say(diagnostics);
   catch_interrupts();
   const auto on_solve = [&](std::size_t solves, const std::string& scene) {
     terminal.progress_in_steps("solves", solves, 0, scene);
@@ -36,7 +35,7 @@ int calibrate_command(const CalibrateOptions& options) {
   const studies::Calibration done =
       studies::calibrate(std::move(file), checked, folder, registry, watch, on_solve);
   terminal.clear();
-  std::puts(options.json ? studies::calibration_json(done).c_str() : studies::calibration_text(done).c_str());
+  print_line(options.json ? studies::calibration_json(done) : studies::calibration_text(done));
   if (done.is_interrupted)
     return end_interrupted(terminal, done.fit.parameters.empty()
                                          ? "no step of the search was finished"

@@ -5,12 +5,11 @@
 #include "io/gears/catalogue/folders.hpp"
 #include "io/program/commands/gears.hpp"
 #include "io/program/session/error_json.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cstdio>
 
 namespace netloft::program {
 
@@ -81,8 +80,8 @@ int catalogue_command(const CatalogueOptions& options) {
       gears::Catalogue::load(gears::catalogue_folders(diagnostics), diagnostics);
   if (diagnostics.errors()) {
     Terminal terminal(options);
-    terminal.say(diagnostics.render(terminal.color()));
-    if (options.json) std::puts(error_json("the catalogue has errors", kWrongInput).c_str());
+    terminal.say(diagnostics);
+    if (options.json) print_line(error_json("the catalogue has errors", kWrongInput));
     return kWrongInput;
   }
   const auto parts = asked_for(catalogue, options.name);
@@ -90,10 +89,9 @@ int catalogue_command(const CatalogueOptions& options) {
   Json all = Json::array();
   for (const auto* part : parts) {
     all.push_back(json_of(*part));
-    if (!options.json) std::puts((part->name == options.name ? page_of(*part) : line_of(*part)).c_str());
+    if (!options.json) print_line(part->name == options.name ? page_of(*part) : line_of(*part));
   }
-  if (options.json)
-    std::puts(Json{{"parts", all}}.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  if (options.json) print_line(Json{{"parts", all}}.dump(2, ' ', false, Json::error_handler_t::replace));
   return kDone;
 }
 

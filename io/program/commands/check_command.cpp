@@ -3,6 +3,7 @@
 #include "io/gears/plan/outline.hpp"
 #include "io/program/commands/gears.hpp"
 #include "io/program/session/find_plugins.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/scenes/reading/scene_source.hpp"
@@ -11,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace netloft::program {
 
@@ -51,18 +51,16 @@ void print_json(const gears::NetPlan& plan, const formats::Diagnostics& diagnost
   json["panels"] = Json::array();
   if (code == kDone)
     for (const auto& panel : plan.panels) json["panels"].push_back(panel_json(panel));
-  std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  print_line(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 void print_panels(const gears::NetPlan& plan) {
-  std::puts(
-      fmt::format("{:<24} {:>9} {:>8} {:>8} {:>8}  {}", "panel", "mesh [mm]", "fore", "aft", "depth", "twine")
-          .c_str());
+  print_line(fmt::format("{:<24} {:>9} {:>8} {:>8} {:>8}  {}", "panel", "mesh [mm]", "fore", "aft", "depth",
+                         "twine"));
   for (const auto& p : plan.panels)
-    std::puts(fmt::format("{:<24} {:>9.1f} {:>8} {:>8} {:>8}  {}", p.name, 1e3 * p.mesh,
-                          gears::in_meshes(p.count(p.fore)), gears::in_meshes(p.count(p.aft)),
-                          gears::in_meshes(p.depth), p.twine_name)
-                  .c_str());
+    print_line(fmt::format("{:<24} {:>9.1f} {:>8} {:>8} {:>8}  {}", p.name, 1e3 * p.mesh,
+                           gears::in_meshes(p.count(p.fore)), gears::in_meshes(p.count(p.aft)),
+                           gears::in_meshes(p.depth), p.twine_name));
 }
 
 std::string counted(std::size_t number, const char* one, const char* more) {
@@ -77,11 +75,11 @@ std::size_t ropes_of(const gears::NetPlan& plan) {
 
 void print_summary(const gears::NetPlan& plan, const formats::Diagnostics& diagnostics) {
   print_panels(plan);
-  std::puts(fmt::format("{}, {}, {}: {}, {}", counted(plan.panels.size(), "panel", "panels"),
-                        counted(plan.joins.size(), "seam", "seams"), counted(ropes_of(plan), "rope", "ropes"),
-                        counted(static_cast<std::size_t>(diagnostics.errors()), "error", "errors"),
-                        counted(static_cast<std::size_t>(diagnostics.warnings()), "warning", "warnings"))
-                .c_str());
+  print_line(fmt::format("{}, {}, {}: {}, {}", counted(plan.panels.size(), "panel", "panels"),
+                         counted(plan.joins.size(), "seam", "seams"),
+                         counted(ropes_of(plan), "rope", "ropes"),
+                         counted(static_cast<std::size_t>(diagnostics.errors()), "error", "errors"),
+                         counted(static_cast<std::size_t>(diagnostics.warnings()), "warning", "warnings")));
 }
 
 }  // namespace
@@ -94,7 +92,7 @@ int check_command(const CheckOptions& options) {
   formats::Diagnostics diagnostics;
   bool refused = false;
   const gears::NetPlan plan = source.scene.check_plan(source.changes, registry, diagnostics, refused);
-  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
+  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics);
   const int code = diagnostics.errors() == 0 ? kDone : refused ? kRefused : kWrongInput;
   if (options.json)
     print_json(plan, diagnostics, code);

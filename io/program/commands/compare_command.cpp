@@ -3,6 +3,7 @@
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/numerics.hpp"
 #include "io/program/session/memory_room.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace netloft::program {
@@ -172,7 +172,7 @@ void write_files(const studies::Comparison& result, const CompareOptions& o) {
   if (o.plot.empty()) return;
   const formats::LinePlot plot = studies::comparison_plot(result);
   formats::write_whole(o.plot,
-                       o.plot.ends_with(".html") ? formats::draw_html(plot) : formats::draw_svg(plot));
+                         o.plot.ends_with(".html") ? formats::draw_html(plot) : formats::draw_svg(plot));
 }
 
 /// The files that an interrupted comparison does not write.
@@ -207,8 +207,7 @@ int run_comparison(const CompareOptions& options) {
                           .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   const studies::Comparison result = studies::compare(source, registry, task, watch);
   terminal.clear();
-  std::puts(options.json ? studies::comparison_json(result).c_str()
-                         : studies::comparison_text(result).c_str());
+  print_line(options.json ? studies::comparison_json(result) : studies::comparison_text(result));
   if (result.is_interrupted)
     return end_interrupted(terminal, "the table is of what was done before" + unwritten(options));
   const bool is_well = result.any_converged() && !result.any_failed();

@@ -2,26 +2,26 @@
 #include "io/program/commands/plugins.hpp"
 #include "io/program/session/components.hpp"
 #include "io/program/session/find_plugins.hpp"
+#include "io/program/session/print.hpp"
+#include "io/program/session/terminal.hpp"
 #include "io/scenes/reading/dynamics.hpp"
 #include "io/scenes/reading/keys.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
 namespace netloft::program {
 
 namespace {
 
-void print(const Json& json) { std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str()); }
+void print_json(const Json& json) { print_line(json.dump(2, ' ', false, Json::error_handler_t::replace)); }
 
 /// Describes a table that belongs to no plugin: "water", "waves", "tow", "bed", "analysis" or "gear".
 int describe_keys(const std::string& name, std::span<const netloft_parameter> table, bool json) {
   if (json) {
-    print({{"type", name}, {"kind", "table"}, {"parameters", parameter_json(table)}});
+    print_json({{"type", name}, {"kind", "table"}, {"parameters", parameter_json(table)}});
     return kDone;
   }
-  std::puts(("[" + name + "]: a table of the scene\n" + parameter_text(table)).c_str());
+  print_line("[" + name + "]: a table of the scene\n" + parameter_text(table));
   return kDone;
 }
 
@@ -42,13 +42,13 @@ int list_command(const PluginOptions& options) {
   for (const auto& name : registry.available()) try {
       for (const auto& c : components_of(registry.plugin(name))) {
         rows.push_back({{"type", c.type}, {"kind", c.kind}, {"doc", c.doc}});
-        if (!options.json) std::puts(fmt::format("{:<24} {:<8} {}", c.type, c.kind, c.doc).c_str());
+        if (!options.json) print_line(fmt::format("{:<24} {:<8} {}", c.type, c.kind, c.doc));
       }
     } catch (const PluginRefused& e) {
       refused += std::string(e.what()) + "\n";
     }
-  if (options.json) print({{"components", rows}, {"refused", refused}});
-  std::fputs(refused.c_str(), stderr);
+  if (options.json) print_json({{"components", rows}, {"refused", refused}});
+  if (!refused.empty()) Terminal(options).say(refused);
   return refused.empty() ? kDone : kRefused;
 }
 
@@ -66,10 +66,10 @@ int describe_command(const DescribeOptions& options) {
   for (const auto& c : components_of(registry.plugin(options.type.substr(0, options.type.find('/'))))) {
     if (!whole && c.type != options.type) continue;
     all.push_back(c.json());
-    if (!options.json) std::puts(c.text().c_str());
+    if (!options.json) print_line(c.text());
   }
   if (all.empty()) registry.element(options.type);  // throws with a list of the known types
-  if (options.json) print(all.size() == 1 ? all[0] : all);
+  if (options.json) print_json(all.size() == 1 ? all[0] : all);
   return kDone;
 }
 

@@ -2,10 +2,9 @@
 #include "io/formats/hdf5/handle.hpp"
 #include "io/program/commands/results.hpp"
 #include "io/program/session/last_words.hpp"
+#include "io/program/session/print.hpp"
 #include "io/results/diff/report_diff.hpp"
 #include "io/results/file/read_result.hpp"
-
-#include <cstdio>
 
 namespace netloft::program {
 
@@ -32,7 +31,7 @@ int diff_command(const DiffOptions& options) {
   results::ResultDiff diff =
       results::compare_results(read(options.before, options.json), read(options.after, options.json));
   diff.move = move_between(options);
-  std::puts(options.json ? results::diff_json(diff).c_str() : results::diff_text(diff).c_str());
+  print_line(options.json ? results::diff_json(diff) : results::diff_text(diff));
   return diff.both_are_answers() ? kDone : kNotConverged;
 }
 

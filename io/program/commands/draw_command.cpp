@@ -7,12 +7,12 @@
 #include "io/program/commands/gears.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/meshing_progress.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -44,15 +44,15 @@ std::vector<std::string> files_of(const gears::NetPlan& plan) {
 
 /// Reports the errors and warnings about a file. Returns the exit code.
 int say(const formats::Diagnostics& diagnostics, Terminal& terminal) {
-  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
+  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics);
   if (diagnostics.errors() == 0) return kDone;
-  if (terminal.json()) std::puts(errors_json(diagnostics, kWrongInput).c_str());
+  if (terminal.json()) print_line(errors_json(diagnostics, kWrongInput));
   return kWrongInput;
 }
 
 void report_written(const std::string& output, Terminal& terminal) {
   if (terminal.json())
-    std::puts(done_json(output).c_str());
+    print_line(done_json(output));
   else
     terminal.say("written to " + output);
 }

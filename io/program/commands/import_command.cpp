@@ -2,14 +2,13 @@
 //
 // Converts gears of other programs into scenes.
 #include "io/program/commands/gears.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/scenes/import/import.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cstdio>
 
 namespace netloft::program {
 
@@ -18,9 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-void print_import(const Json& json) {
-  std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-}
+void print_import(const Json& json) { print_line(json.dump(2, ' ', false, Json::error_handler_t::replace)); }
 
 Json findings_json(const formats::Diagnostics& diagnostics) {
   Json all = Json::array();
@@ -38,14 +35,13 @@ std::string verdict_of(const scenes::FolderCheck::Gear& gear) {
 
 void print_check(const scenes::FolderCheck& check) {
   for (const auto& gear : check.gears) {
-    std::puts(fmt::format("{:<50} {}", gear.name, verdict_of(gear)).c_str());
-    for (const auto& line : gear.lines) std::puts(("    " + line).c_str());
+    print_line(fmt::format("{:<50} {}", gear.name, verdict_of(gear)));
+    for (const auto& line : gear.lines) print_line("    " + line);
   }
   for (const auto& [feature, gears] : check.features)
-    std::puts(fmt::format("needed in {:>5}: {}", gears, feature).c_str());
-  for (const auto& [need, gears] : check.needs)
-    std::puts(fmt::format("left out in {:>3}: {}", gears, need).c_str());
-  std::puts(fmt::format("{} of {} convert without a line left out", check.whole, check.gears.size()).c_str());
+    print_line(fmt::format("needed in {:>5}: {}", gears, feature));
+  for (const auto& [need, gears] : check.needs) print_line(fmt::format("left out in {:>3}: {}", gears, need));
+  print_line(fmt::format("{} of {} convert without a line left out", check.whole, check.gears.size()));
 }
 
 int check_gears(const ImportOptions& options) {
@@ -91,7 +87,7 @@ int import_gear(const ImportOptions& options) {
   formats::Diagnostics diagnostics;
   const scenes::ImportedGear gear = import_of(options.format)(
       {options.gear, options.mesh, to.mesh.filename().string(), options.divide, options.motion}, diagnostics);
-  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics.render(terminal.color()));
+  if (diagnostics.errors() + diagnostics.warnings() > 0) terminal.say(diagnostics);
   const int code = diagnostics.errors() ? kWrongInput : kDone;
   if (code == kDone) {
     const std::vector<std::string> sources{options.gear, options.mesh};

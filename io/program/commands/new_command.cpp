@@ -2,6 +2,7 @@
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/plugins.hpp"
 #include "io/program/session/find_plugins.hpp"
+#include "io/program/session/print.hpp"
 #include "netloft_templates.hpp"
 
 #include <fmt/format.h>
@@ -79,12 +80,12 @@ std::string renamed(const std::string& text, const std::string& kind, const std:
 }
 
 void say_what_next(const std::string& name) {
-  fmt::print(
-      "{0}/ holds {0}.cpp, a test, a scene and a README. It works as it is:\n"
-      "  cmake -S {0} -B {0}/build && cmake --build {0}/build\n"
-      "  ctest --test-dir {0}/build --output-on-failure\n"
-      "  netloft run {0}/{0}.toml --plugins {0}/build\n",
-      name);
+  print(
+      fmt::format("{0}/ holds {0}.cpp, a test, a scene and a README. It works as it is:\n"
+                  "  cmake -S {0} -B {0}/build && cmake --build {0}/build\n"
+                  "  ctest --test-dir {0}/build --output-on-failure\n"
+                  "  netloft run {0}/{0}.toml --plugins {0}/build\n",
+                  name));
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/commands/scenes.hpp"
 #include "io/program/session/memory_room.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
-
-#include <cstdio>
 
 namespace netloft::program {
 
@@ -16,10 +15,9 @@ int plan_command(const MethodOptions& options) {
   extras.memory = memory.total();
   extras.factor_memory = memory.factor;
   extras.stability_memory = memory.stability;
-  std::puts(options.json ? results::plan_json(scene.loaded().scene, scene.plan(), extras).c_str()
-                         : (results::plan_text(scene.plan(), extras) +
-                            memory_text(memory, runs::memory_within_reach()))
-                               .c_str());
+  print_line(options.json ? results::plan_json(scene.loaded().scene, scene.plan(), extras)
+                          : (results::plan_text(scene.plan(), extras) +
+                             memory_text(memory, runs::memory_within_reach())));
   return kDone;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/commands/numerics.hpp"
 #include "io/program/session/memory_room.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/studies/compare/refinement.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <stdexcept>
 
 namespace netloft::program {
@@ -60,8 +60,7 @@ int run_refinement(const RefineOptions& options) {
       studies::refine(source_of(options), session.scene().registry(), levels, watch);
   session.terminal().clear();
   refinement.scene = loaded.scene.name;
-  std::puts(options.json ? studies::refinement_json(refinement).c_str()
-                         : studies::refinement_text(refinement).c_str());
+  print_line(options.json ? studies::refinement_json(refinement) : studies::refinement_text(refinement));
   if (refinement.is_interrupted)
     return end_interrupted(session.terminal(), fmt::format("the table has {} of {} meshes",
                                                            refinement.meshes.size(), levels.size()));

@@ -9,6 +9,7 @@
 #include "io/program/commands/results.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/last_words.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/results/file/read_result.hpp"
@@ -17,7 +18,6 @@
 #include "io/results/text/tables.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -51,7 +51,7 @@ void write_and_report(const CommonOptions& options, const std::string& output, c
                       const std::vector<std::string>& sources, const std::vector<std::string>& endings = {}) {
   replace_file(output, content, sources, endings);
   if (options.json)
-    std::puts(done_json(output).c_str());
+    print_line(done_json(output));
   else
     Terminal(options).say("written to " + output);
 }
@@ -62,11 +62,9 @@ int report(const ReportOptions& options) {
     write_and_report(options, output_or(options.output, options.result, ".html"),
                      pictures::report_page(results::StoredShape(options.result)), {options.result}, kPage);
   else
-    std::fputs((options.json  ? results::result_json(result) + "\n"
-                : options.csv ? results::result_csv(result)
-                              : results::result_text(result))
-                   .c_str(),
-               stdout);
+    print(options.json  ? results::result_json(result) + "\n"
+          : options.csv ? results::result_csv(result)
+                        : results::result_text(result));
   return result.is_answer() ? kDone : kNotConverged;
 }
 

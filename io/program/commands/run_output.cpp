@@ -5,9 +5,9 @@
 #include "io/formats/hdf5/journal.hpp"
 #include "io/formats/hdf5/read.hpp"
 #include "io/results/file/write_result.hpp"
+#include "io/program/session/print.hpp"
 #include "io/results/text/result_text.hpp"
 
-#include <cstdio>
 #include <filesystem>
 
 namespace netloft::program {
@@ -67,8 +67,7 @@ std::string name_by_outcome(const formats::ResultFile& file, const Solution& sol
 
 void print_result(const RunOptions& options, Terminal& terminal, const results::Result& result) {
   terminal.clear();
-  std::fputs((options.json ? results::result_json(result) + "\n" : results::result_text(result)).c_str(),
-             stdout);
+  print(options.json ? results::result_json(result) + "\n" : results::result_text(result));
 }
 
 }  // namespace netloft::program

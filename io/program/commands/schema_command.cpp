@@ -4,11 +4,11 @@
 #include "io/program/schema/schema_words.hpp"
 #include "io/program/session/components.hpp"
 #include "io/program/session/find_plugins.hpp"
+#include "io/program/session/print.hpp"
 #include "io/scenes/reading/analysis.hpp"
 #include "io/scenes/reading/dynamics.hpp"
 #include "io/scenes/reading/keys.hpp"
 
-#include <cstdio>
 #include <limits>
 
 namespace netloft::program {
@@ -232,7 +232,7 @@ Json scene_schema(Registry& registry) {
 int schema_command(const PluginOptions& options) {
   Registry registry;
   find_plugins(options, registry);
-  std::puts(scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  print_line(scene_schema(registry).dump(2, ' ', false, Json::error_handler_t::replace));
   return kDone;
 }
 

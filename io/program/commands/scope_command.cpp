@@ -2,6 +2,7 @@
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/studies.hpp"
 #include "io/program/session/memory_room.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
@@ -163,16 +164,16 @@ void require_lengths_given(const scenes::LoadedScene& loaded) {
         "scope goes through lengths of warp, and this scene looks for one; leave out ship.warp.tension"};
 }
 
-void print(const ScopeOptions& o, const std::vector<studies::ScopeRow>& rows, const char* status,
-           const studies::ScopeRequest& request) {
-  std::fputs((o.json ? json_of(rows, status) + "\n" : text_of(rows, request)).c_str(), stdout);
+void print_table(const ScopeOptions& o, const std::vector<studies::ScopeRow>& rows, const char* status,
+                 const studies::ScopeRequest& request) {
+  print(o.json ? json_of(rows, status) + "\n" : text_of(rows, request));
 }
 
 int end_early(const ScopeOptions& o, Session& session, const std::vector<studies::ScopeRow>& rows,
               const studies::ScopeRequest& request) {
   const auto whole =
       std::ranges::count_if(rows, [&](const studies::ScopeRow& row) { return is_whole(row, request); });
-  print(o, rows, "interrupted", request);
+  print_table(o, rows, "interrupted", request);
   return end_interrupted(session.terminal(),
                          fmt::format("the table has {} of {} depths{}", whole, request.depths.size(),
                                      o.output.empty() ? "" : ", and " + o.output + " is not written"));
@@ -200,7 +201,7 @@ int run_scope(const ScopeOptions& o) {
   session.terminal().clear();
   if (interrupt_flag()) return end_early(o, session, rows, request);
   const bool is_done = has_found_all(rows);
-  print(o, rows, is_done ? "done" : "not converged", request);
+  print_table(o, rows, is_done ? "done" : "not converged", request);
   return write_last(session.terminal(), is_done ? kDone : kNotConverged, [&] {
     if (!o.output.empty())
       formats::write_whole(o.output, studies::draw_scope(loaded.scene.name, rows, is_page(o.output)));

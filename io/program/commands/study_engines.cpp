@@ -2,13 +2,13 @@
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/study_shared.hpp"
 #include "io/program/session/prefix.hpp"
+#include "io/program/session/print.hpp"
 #include "io/studies/sweep/engine_script.hpp"
 #include "io/studies/sweep/study_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace netloft::program {
 
@@ -33,7 +33,7 @@ int study_missing_command(const StudyOptions& o) {
   const studies::Study study = read_study(o.folder);
   std::string fault;
   for (const studies::StudyItem& item : study.items)
-    if (!studies::find_record(o.folder, item, fault)) std::printf("%zu\n", item.id);
+    if (!studies::find_record(o.folder, item, fault)) print_line(std::to_string(item.id));
   return kDone;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/study_shared.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
 #include "io/studies/sweep/estimate.hpp"
 #include "io/studies/sweep/figure_indices.hpp"
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <optional>
 
 namespace netloft::program {
@@ -62,7 +62,7 @@ int study_show_command(const StudyShowOptions& o) {
         "-o {}: a picture has one plot, and {} figures vary; name one with --figure, or write .html",
         page.string(), plots.size())};
   formats::write_whole(page, ending == ".svg" ? formats::draw_svg(plots.front())
-                                              : formats::draw_html("Study " + study.name, plots));
+                                                : formats::draw_html("Study " + study.name, plots));
   print_answer(o, {{"output", page.string()}, {"plots", plots.size()}},
                fmt::format("{} written to {}", count_of(plots.size(), "plot"), page.string()));
   return kDone;
@@ -81,8 +81,8 @@ int study_estimate_command(const StudyEstimateOptions& o) {
   if (!found) return report_unready(diagnostics, runs::PreparedScene::State::wrong_input, terminal);
   if (const std::string changed = what_changed(study, o.folder); !changed.empty())
     terminal.say("netloft: " + changed + "; estimates are of what was planned");
-  std::puts((o.json ? studies::estimate_json(study.name, *found) : studies::estimate_text(study.name, *found))
-                .c_str());
+  print_line(o.json ? studies::estimate_json(study.name, *found)
+                    : studies::estimate_text(study.name, *found));
   return kDone;
 }
 
@@ -102,8 +102,7 @@ int study_sobol_command(const StudySobolOptions& o) {
   if (!o.output.empty()) write_bars(o, *found);
   if (const std::string changed = what_changed(study, o.folder); !changed.empty())
     terminal.say("netloft: " + changed + "; indices are of what was planned");
-  std::puts((o.json ? studies::indices_json(study.name, *found) : studies::indices_text(study.name, *found))
-                .c_str());
+  print_line(o.json ? studies::indices_json(study.name, *found) : studies::indices_text(study.name, *found));
   return kDone;
 }
 

@@ -86,7 +86,7 @@ int study_plan_command(const StudyPlanOptions& o) {
         diagnostics,
         scenes.refused ? runs::PreparedScene::State::refused : runs::PreparedScene::State::wrong_input,
         terminal);
-  if (diagnostics.warnings()) terminal.say(diagnostics.render(terminal.color()));
+  if (diagnostics.warnings()) terminal.say(diagnostics);
   const fs::path folder = folder_for(o);
   for (auto& [path, hash] : scenes.files) path = seen_from(folder, path);
   const studies::Study study =

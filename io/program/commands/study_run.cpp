@@ -2,6 +2,7 @@
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/study_shared.hpp"
 #include "io/program/session/memory_room.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/program/session/worker_pool.hpp"
@@ -63,7 +64,7 @@ void note_failure(const fs::path& folder, const studies::StudyItem& item, const 
 /// Records the failure of an item whose plugin call never returned.
 int end_item(const fs::path& folder, const studies::StudyItem& item, const Overdue& overdue) {
   if (!overdue.interrupted) note_failure(folder, item, overdue.sentence);
-  std::fprintf(stderr, "netloft: %s; item %zu has no record\n", overdue.sentence.c_str(), item.id);
+  print_error(fmt::format("netloft: {}; item {} has no record", overdue.sentence, item.id));
   return overdue.interrupted ? kInterrupted : kNotConverged;
 }
 

@@ -3,11 +3,10 @@
 
 #include "io/formats/files/whole_file.hpp"
 #include "io/formats/toml/document.hpp"
+#include "io/program/session/print.hpp"
 #include "io/studies/sweep/study_table.hpp"
 
 #include <fmt/format.h>
-
-#include <cstdio>
 
 namespace netloft::program {
 
@@ -28,7 +27,7 @@ std::string what_changed(const studies::Study& study, const std::filesystem::pat
 
 void print_answer(const CommonOptions& options, const nlohmann::ordered_json& json, const std::string& text) {
   using Json = nlohmann::ordered_json;
-  std::puts(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace).c_str() : text.c_str());
+  print_line(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) : text);
 }
 
 std::string count_of(std::size_t n, const char* what) {

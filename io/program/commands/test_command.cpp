@@ -4,6 +4,7 @@
 #include "io/program/session/find_plugins.hpp"
 #include "io/program/session/last_words.hpp"
 #include "io/program/session/memory_room.hpp"
+#include "io/program/session/print.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -55,10 +56,8 @@ std::string verdict(const CheckResult& c) { return c.skipped ? "skipped" : c.pas
 void print_check(const CheckResult& c) {
   const std::string figure =
       c.limit == 0 && c.figure == 0 ? "" : fmt::format("{:.2e} of {:.2e}", c.figure, c.limit);
-  std::puts(
-      fmt::format("  {:<8} {:<32} {:<22} {}", verdict(c), c.name, figure, c.passed ? "" : c.detail).c_str());
-  if (!c.passed && !c.skipped && !c.hint.empty())
-    std::puts(fmt::format("           usually: {}", c.hint).c_str());
+  print_line(fmt::format("  {:<8} {:<32} {:<22} {}", verdict(c), c.name, figure, c.passed ? "" : c.detail));
+  if (!c.passed && !c.skipped && !c.hint.empty()) print_line(fmt::format("           usually: {}", c.hint));
 }
 
 /// Prints "12 checks do not apply, 3 checks depend on one that failed: --verbose lists them".
@@ -72,16 +71,16 @@ void print_number_of_skipped(const ConformanceReport& report) {
   };
   add(idle, "check does not apply", "checks do not apply");
   add(depending, "check depends on one that failed", "checks depend on one that failed");
-  if (!text.empty()) std::puts(fmt::format("  {}: --verbose lists them", text).c_str());
+  if (!text.empty()) print_line(fmt::format("  {}: --verbose lists them", text));
 }
 
 void print_report(const ConformanceReport& report, bool verbose) {
-  std::puts(fmt::format("{}: {}", report.type, report.passed() ? "conforms" : "does not conform").c_str());
+  print_line(fmt::format("{}: {}", report.type, report.passed() ? "conforms" : "does not conform"));
   for (const auto& c : report.checks)
     if (verbose || !c.skipped) print_check(c);
   if (!verbose) print_number_of_skipped(report);
   for (const auto& t : report.timings)
-    std::puts(fmt::format("  {:>8.1f} ns per {}: {}, {}", t.nanoseconds, t.per, t.term, t.want).c_str());
+    print_line(fmt::format("  {:>8.1f} ns per {}: {}, {}", t.nanoseconds, t.per, t.term, t.want));
 }
 
 Json report_json(const ConformanceReport& report) {
@@ -128,7 +127,7 @@ int test_command(const TestOptions& options) {
   if (options.json) {
     Json lines = Json::array();
     for (const auto& report : reports) lines.push_back(report_json(report));
-    std::puts(Json{{"passed", passed}, {"elements", lines}}.dump(2).c_str());
+    print_line(Json{{"passed", passed}, {"elements", lines}}.dump(2));
   }
   return passed ? kDone : kOther;
 }

@@ -3,6 +3,7 @@
 
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/plugin_call.hpp"
+#include "io/formats/text/printable.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/options.hpp"
 #include "io/program/session/terminal.hpp"
@@ -209,7 +210,8 @@ void explain_crashes_of(const std::string& type, double seconds) {
 }
 
 DamagedFileWatch::DamagedFileWatch(const std::string& path, bool json) {
-  const std::string message = "cannot read " + path + ": the HDF5 library crashed on it; the file is damaged";
+  const std::string message = "cannot read " + formats::printable_in_line(path) +
+                              ": the HDF5 library crashed on it; the file is damaged";
   damaged_as_json.set(json ? error_json(message, kWrongInput) + "\n" : "");
   damaged.set("netloft: " + message + "\n");
 }

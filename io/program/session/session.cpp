@@ -2,10 +2,10 @@
 #include "io/program/session/session.hpp"
 
 #include "io/program/session/error_json.hpp"
+#include "io/program/session/print.hpp"
 #include "io/runs/equilibrium.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 #include <thread>
 
@@ -69,15 +69,15 @@ int Session::open() {
     throw UsageError{
         "--strategy finds equilibria, and this motion does not begin at one; --set "
         "analysis.start=equilibrium lets it"};
-  if (diagnostics.warnings()) terminal_.say(diagnostics.render(terminal_.color()));
+  if (diagnostics.warnings()) terminal_.say(diagnostics);
   return kDone;
 }
 
 int report_unready(const formats::Diagnostics& diagnostics, runs::PreparedScene::State state,
                    Terminal& terminal) {
-  terminal.say(diagnostics.render(terminal.color()));
+  terminal.say(diagnostics);
   const int code = state == runs::PreparedScene::State::refused ? kRefused : kWrongInput;
-  if (terminal.json()) std::puts(errors_json(diagnostics, code).c_str());
+  if (terminal.json()) print_line(errors_json(diagnostics, code));
   return code;
 }
 

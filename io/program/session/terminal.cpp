@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/session/terminal.hpp"
 
+#include "io/formats/text/printable.hpp"
 #include "io/program/session/error_json.hpp"
+#include "io/program/session/print.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -61,8 +63,12 @@ Terminal::Terminal(const CommonOptions& options)
 
 void Terminal::say(const std::string& text) {
   clear();
-  std::fputs(text.c_str(), stderr);
-  if (!text.empty() && text.back() != '\n') std::fputc('\n', stderr);
+  if (!text.empty()) print_error(text.ends_with('\n') ? text.substr(0, text.size() - 1) : text);
+}
+
+void Terminal::say(const formats::Diagnostics& diagnostics) {
+  clear();
+  std::fputs(diagnostics.render(color_).c_str(), stderr);
 }
 
 /// Seconds between two updates.
@@ -77,12 +83,12 @@ bool Terminal::is_due(double now) {
 
 void Terminal::show(const std::string& bar, const std::string& pairs, const std::string& object) {
   if (json_)
-    std::fputs((object + "\n").c_str(), stderr);
+    print_error(object);
   else if (is_terminal_) {
-    std::fputs(("\r\033[K" + bar).c_str(), stderr);
+    std::fputs(("\r\033[K" + formats::printable_in_line(bar)).c_str(), stderr);
     drawn_ = true;
   } else
-    std::fputs(("progress " + pairs + "\n").c_str(), stderr);
+    print_error("progress " + pairs);
   std::fflush(stderr);
 }
 

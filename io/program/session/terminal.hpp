@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/balance/statistics.hpp"
+#include "io/formats/toml/diagnostics.hpp"
 #include "io/program/session/options.hpp"
 
 #include <atomic>
@@ -18,9 +19,10 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  bool color() const { return color_; }
   bool json() const { return json_; }
   void say(const std::string& text);
+  /// Shows all messages, in colour if the terminal has it.
+  void say(const formats::Diagnostics& diagnostics);
 
   /// Shows the progress of a search after the first second: a line that is redrawn on a terminal, a line of
   /// key=value per minute in a log, a JSON object per second for programs. A new stage begins when the

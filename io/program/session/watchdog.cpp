@@ -4,6 +4,7 @@
 #include "framework/balance/statistics.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/options.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <fmt/format.h>
@@ -131,7 +132,7 @@ void Watchdog::end(bool interrupted, const CallFrame& frame, double waited) {
   try {
     code = last_act_({interrupted, sentence});
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "netloft: what was found could not be written: %s\n", e.what());
+    print_error(std::string("netloft: what was found could not be written: ") + e.what());
   }
   std::fflush(stdout);
   std::fflush(stderr);
@@ -144,7 +145,7 @@ std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, st
     const std::string said = overdue.sentence + "; " + left;
     const int code = exit_code(overdue.interrupted);
     terminal.say("netloft: " + said);
-    if (terminal.json()) std::puts(error_json(said, code).c_str());
+    if (terminal.json()) print_line(error_json(said, code));
     return code;
   };
 }

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/text/csv.hpp"
 #include "io/results/text/result_text.hpp"
-#include "io/results/text/tables.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace netloft::results {
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+using formats::csv_field, formats::csv_number;
 
 std::string result_csv(const Result& result) {
   std::string text = "name,value,unit,solver_error,mesh_error,doc\n";

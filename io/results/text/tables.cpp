@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/text/tables.hpp"
 
+#include "io/formats/text/csv.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +10,8 @@
 namespace netloft::results {
 
 namespace {
+
+using formats::csv_field, formats::csv_number;
 
 std::string with_unit(const std::string& name, const std::string& unit) {
   return csv_field(unit == "1" ? name : name + " [" + unit + "]");

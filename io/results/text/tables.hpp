@@ -14,9 +14,4 @@ std::string nodes_csv(const StoredShape& stored, std::size_t state);
 /// field.
 std::string elements_csv(const StoredShape& stored, std::size_t state);
 
-/// Quotes a text as a field of a CSV line (RFC 4180).
-std::string csv_field(const std::string& text);
-/// Formats a number for a CSV line; empty if it is not known.
-std::string csv_number(double value);
-
 }  // namespace netloft::results

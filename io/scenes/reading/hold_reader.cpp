@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/hold_reader.hpp"
 
+#include "io/formats/text/name_fault.hpp"
 #include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/reading/plausible.hpp"
 #include "io/scenes/reading/read_bodies.hpp"
@@ -81,6 +82,8 @@ void HoldReader::check_guides() {
 
 void HoldReader::check_hold_name(const HoldEntry& entry, formats::TableReader& table) {
   const char* key = table.has("name") ? "name" : "on";
+  if (const std::string fault = formats::name_fault(entry.name); table.has("name") && !fault.empty())
+    table.error("name", "the name of a hold, " + formats::in_quotes(entry.name) + ", " + fault);
   const auto [earlier, is_new] = hold_names_.emplace(entry.name, table.place(key));
   if (!is_new && !entry.name.empty())
     table.error(key,

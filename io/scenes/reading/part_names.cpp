@@ -10,10 +10,6 @@ namespace netloft::scenes {
 
 namespace {
 
-constexpr std::size_t kLongestName = 100;
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
-
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& n : names) text += (text.empty() ? "" : ", ") + n;
@@ -27,15 +23,6 @@ std::vector<std::string> set_names(const PartGeometry& part) {
 }
 
 }  // namespace
-
-std::string name_fault(const std::string& name) {
-  if (name.empty()) return "must not be empty";
-  if (name.size() > kLongestName) return "is longer than " + std::to_string(kLongestName) + " bytes";
-  if (name.find('/') != std::string::npos) return "must not hold a slash, which leads into a result file";
-  if (name.find_first_not_of('.') == std::string::npos) return "must not be made of dots only";
-  if (std::any_of(name.begin(), name.end(), is_control)) return "must not hold control characters";
-  return {};
-}
 
 bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::string& name,
                     std::vector<std::uint32_t>& own) {

@@ -8,9 +8,6 @@
 
 namespace netloft::scenes {
 
-/// The fault in the name of a part or a result, as the end of a sentence; empty if the name is allowed.
-std::string name_fault(const std::string& name);
-
 /// Finds nodes of a part by the name of a set or by "node-17", and sets `own` to their numbers within the
 /// part. Returns false if there are none.
 bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::string& name,

@@ -2,6 +2,7 @@
 #include "io/scenes/reading/part_reader.hpp"
 
 #include "framework/parameters/nearest.hpp"
+#include "io/formats/text/name_fault.hpp"
 #include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/reading/idle_keys.hpp"
 #include "io/scenes/reading/own_data.hpp"
@@ -72,7 +73,7 @@ std::size_t PartReader::read_body_of_plan(const std::string& name, const std::st
 void PartReader::check_part_name(const std::string& name, formats::TableReader& parts) {
   const bool has_dot = name.find('.') != std::string::npos;
   const std::string fault =
-      has_dot ? "must not hold a dot, which leads to its edges (net.fore)" : name_fault(name);
+      has_dot ? "must not hold a dot, which leads to its edges (net.fore)" : formats::name_fault(name);
   if (!fault.empty())
     diagnostics_.error(parts.place(name), "the name of a part, " + formats::in_quotes(name) + ", " + fault);
   if (gear_.has_name(name))

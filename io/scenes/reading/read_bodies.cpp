@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/read_bodies.hpp"
 
+#include "io/formats/text/name_fault.hpp"
 #include "io/scenes/reading/geometry_keys.hpp"
 #include "io/scenes/reading/part_names.hpp"
 
@@ -46,7 +47,7 @@ void read_named_points(formats::TableReader& table, BodyGeometry& body) {
   for (const auto& name : points.keys()) {
     const auto at = points.reals(
         name, {.unit = "m", .doc = kPoints.doc, .range = kPoints.range, .count = formats::exactly(3)});
-    std::string fault = name_fault(name);
+    std::string fault = formats::name_fault(name);
     if (fault.empty() && name.find('.') != std::string::npos) fault = "must not hold a dot";
     if (fault.empty() && (name == "origin" || name.starts_with("node-"))) fault = "has a meaning already";
     if (!fault.empty()) points.error(name, "the name of a point, " + formats::in_quotes(name) + ", " + fault);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/result_reader.hpp"
 
+#include "io/formats/text/name_fault.hpp"
 #include "io/formats/units/in_quotes.hpp"
 #include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/part_names.hpp"
@@ -14,7 +15,7 @@ void ResultReader::read() {
   const bool holds_are_known = diagnostics_.errors() == 0;
   formats::TableReader results = root_.table("results", formats::Presence::optional);
   for (const auto& name : results.keys()) {
-    if (const std::string fault = name_fault(name); !fault.empty())
+    if (const std::string fault = formats::name_fault(name); !fault.empty())
       diagnostics_.error(results.place(name),
                          "the name of a result, " + formats::in_quotes(name) + ", " + fault);
     formats::TableReader entry =

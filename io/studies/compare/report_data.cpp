@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/text/csv.hpp"
 #include "io/studies/compare/report.hpp"
 
 #include <fmt/format.h>
@@ -12,35 +13,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
-/// A text as a cell of a CSV table: in quotes if it contains a comma, a quote or a line break.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
+using formats::csv_field, formats::csv_number;
 
 std::string status_of(const Trial& t) { return t.outcome(); }
 
 std::string trial_csv(const Comparison& c, const MethodResult& m, const Trial& t) {
   return fmt::format(
       "{},{},{},,{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.is_of_motions ? "motion" : "solver",
-      cell(m.method.specification), t.tolerance, c.unknowns, status_of(t), cell(t.error), cell(t.estimate),
-      t.tried ? cell(t.cpu_seconds) : "",
-      t.tried && c.factorisation_seconds > 0 ? cell(t.cpu_seconds / c.factorisation_seconds) : "",
+      csv_field(m.method.specification), t.tolerance, c.unknowns, status_of(t), csv_number(t.error),
+      csv_number(t.estimate), t.tried ? csv_number(t.cpu_seconds) : "",
+      t.tried && c.factorisation_seconds > 0 ? csv_number(t.cpu_seconds / c.factorisation_seconds) : "",
       t.statistics.iterations, t.statistics.factorisations, t.statistics.residuals, t.statistics.solves,
-      m.reference ? cell(m.reference->method.specification) : "", m.other ? "yes" : "no",
+      m.reference ? csv_field(m.reference->method.specification) : "", m.other ? "yes" : "no",
       c.is_of_motions ? std::to_string(t.steps) : "", c.is_of_motions ? std::to_string(t.rejected) : "");
 }
 
 std::string mesh_csv(const MeshResult& level) {
   const Trial& t = level.trial;
   return fmt::format("discretisation,,{},{},{},{},{},{},{},,{},{},{},{},,,,\n", t.tolerance, level.cells,
-                     level.unknowns, status_of(t), cell(level.error), cell(t.estimate), cell(t.cpu_seconds),
-                     t.statistics.iterations, t.statistics.factorisations, t.statistics.residuals,
-                     t.statistics.solves);
+                     level.unknowns, status_of(t), csv_number(level.error), csv_number(t.estimate),
+                     csv_number(t.cpu_seconds), t.statistics.iterations, t.statistics.factorisations,
+                     t.statistics.residuals, t.statistics.solves);
 }
 
 Json trial_json(const Comparison& c, const Trial& t) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/hdf5/image.hpp"
-#include "io/results/text/tables.hpp"
+#include "io/formats/text/csv.hpp"
+#include "io/formats/text/printable.hpp"
 #include "io/studies/sweep/study_table.hpp"
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace netloft::studies {
 namespace {
 
 std::string csv_heading(const std::string& name, const std::string& unit) {
-  return results::csv_field(unit.empty() || unit == "1" ? name : name + " [" + unit + "]");
+  return formats::csv_field(unit.empty() || unit == "1" ? name : name + " [" + unit + "]");
 }
 
 std::string joined(const std::vector<std::string>& sentences) {
@@ -21,8 +22,8 @@ std::string joined(const std::vector<std::string>& sentences) {
 }
 
 std::string value_field(const StudyColumn& column, const VariableValue& value) {
-  return column.is_number && value.number ? results::csv_number(*value.number)
-                                          : results::csv_field(value.text);
+  return column.is_number && value.number ? formats::csv_number(*value.number)
+                                          : formats::csv_field(value.text);
 }
 
 std::string row_csv(const StudyTable& table, const StudyRow& row) {
@@ -31,10 +32,10 @@ std::string row_csv(const StudyTable& table, const StudyRow& row) {
   for (std::size_t v = 0; v < row.values.size(); ++v)
     text += "," + value_field(table.columns[v], row.values[v]);
   const PointRecord& r = row.record;
-  text += "," + results::csv_field(r.status) + "," + results::csv_field(r.reason) + "," +
-          results::csv_field(r.start) + "," + results::csv_field(joined(r.events)) + "," +
+  text += "," + formats::csv_field(r.status) + "," + formats::csv_field(r.reason) + "," +
+          formats::csv_field(r.start) + "," + formats::csv_field(joined(r.events)) + "," +
           std::to_string(r.iterations) + "," + std::to_string(r.factorisations);
-  for (const double value : row.figures) text += "," + results::csv_number(value);
+  for (const double value : row.figures) text += "," + formats::csv_number(value);
   return text + "\n";
 }
 
@@ -59,7 +60,7 @@ class Columns {
   template <class Take>
   void write_texts(const std::string& path, const std::string& doc, const Take& take) {
     std::vector<std::string> values;
-    for (const StudyRow& row : table_.rows) values.push_back(take(row));
+    for (const StudyRow& row : table_.rows) values.push_back(formats::printable(take(row)));
     tree_.write_strings(path, values, doc);
   }
 
@@ -136,9 +137,9 @@ std::string costs_csv(const Study& study, const std::filesystem::path& folder) {
   std::string text = "item,wall [s],cpu [s],host,started,program\n", unused;
   for (const StudyItem& item : study.items)
     if (const auto record = find_record(folder, item, unused))
-      text += std::to_string(item.id) + "," + results::csv_number(record->cost.wall_seconds) + "," +
-              results::csv_number(record->cost.cpu_seconds) + "," + results::csv_field(record->cost.host) +
-              "," + results::csv_field(record->cost.started) + "," + results::csv_field(record->program) +
+      text += std::to_string(item.id) + "," + formats::csv_number(record->cost.wall_seconds) + "," +
+              formats::csv_number(record->cost.cpu_seconds) + "," + formats::csv_field(record->cost.host) +
+              "," + formats::csv_field(record->cost.started) + "," + formats::csv_field(record->program) +
               "\n";
   return text;
 }

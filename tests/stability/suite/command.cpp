@@ -4,6 +4,7 @@
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/find_plugins.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/terminal.hpp"
@@ -87,7 +88,7 @@ std::vector<Column> find_columns(const Suite& suite, const SuiteOptions& options
 /// page cannot be written.
 int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const std::vector<Row>& rows,
                  program::Terminal& terminal, int code) {
-  std::puts((options.json ? matrix_json(title, rows) : matrix_text(title, rows)).c_str());
+  print_line(options.json ? matrix_json(title, rows) : matrix_text(title, rows));
   const std::string& page = options.html;
   if (page.empty() || code == program::kInterrupted) return code;
   return program::write_last(terminal, code, [&] { formats::write_whole(page, matrix_html(title, rows)); });
@@ -158,8 +159,8 @@ int run_hard_cases(const SuiteOptions& o) {
   const std::filesystem::path folder = o.suite;
   const Suite suite = read_suite(folder, o.seed, diagnostics);
   if (diagnostics.errors()) {
-    terminal.say(diagnostics.render(terminal.color()));
-    if (o.json) std::puts(program::errors_json(diagnostics, program::kWrongInput).c_str());
+    terminal.say(diagnostics);
+    if (o.json) print_line(program::errors_json(diagnostics, program::kWrongInput));
     return program::kWrongInput;
   }
   const auto columns = find_columns(suite, o, registry, terminal);

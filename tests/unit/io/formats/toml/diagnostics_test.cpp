@@ -95,9 +95,13 @@ TEST(Diagnostics, AreColoredOnlyWhenAsked) {
 
 TEST(Diagnostics, PassNoControlCharactersOn) {
   Diagnostics diagnostics;
-  const int file = diagnostics.add_source("a.toml", "a = \033[2J");
-  diagnostics.error({file, 1, 5}, "saw \033[2J", "no \a");
-  EXPECT_EQ(diagnostics.render(false).find_first_of("\033\a"), std::string::npos);
+  const int file = diagnostics.add_source("a\033.toml", "a =\t\033[2J\u009b1 # ok");
+  diagnostics.error({file, 1, 5, 4}, "saw \033[2J\nall is well", "no \a");
+  EXPECT_EQ(diagnostics.render(false),
+            "a\\u001b.toml:1:5: error: saw \\u001b[2J\\u000aall is well\n"
+            "  1 | a = \\u001b[2J\\u009b1 # ok\n"
+            "    |     ^~~~~~~~~\n"
+            "  hint: no \\u0007\n");
 }
 
 TEST(Diagnostics, SayHowManyWereLeftOut) {
