@@ -9,7 +9,7 @@ rooms=(framework plugins solvers io)
 breaches=0
 
 checks=(check_top_level check_arrows check_floors check_doors check_readmes check_first_lines check_documents check_component_names
-        check_linear_algebra check_function_lengths check_words check_openings check_page_lengths check_comment_lengths check_promises
+        check_linear_algebra check_doors_of_others check_function_lengths check_words check_openings check_page_lengths check_comment_lengths check_promises
         check_one_definition)
 
 main() {
@@ -183,6 +183,26 @@ check_linear_algebra() {
   breach_lines 'linear algebra in io' < <(
     code_of io | grep -vE "${exempt%|}" |
       grep -E 'factorise\(|[Cc]holesky|\b(cholmod|umfpack)_|__m(128|256|512)|\b_mm(256|512)?_|[<"]Eigen/|factorisation/registers'
+  )
+}
+
+# What comes from others has one way in and one way out: HDF5 files are opened where links and data elsewhere are refused, and
+# texts reach a terminal through functions that escape control characters. Exempt, with the reason:
+printers=(
+  io/program/session/print.cpp         # the functions
+  io/program/session/terminal.cpp      # a progress line that is redrawn, and messages that are rendered in colour
+  io/program/templates/.*              # tests to begin with
+  io/formats/units/write_known_words.cpp  # a program of the build
+)
+
+check_doors_of_others() {
+  local exempt
+  printf -v exempt '^%s:|' "${printers[@]}"
+  breach_lines 'HDF5 files of others are opened in io/formats/hdf5/open.cpp' < <(
+    code_of io | grep -v '^io/formats/hdf5/open\.cpp:' | grep -E '\bH5(Fopen|Fis_|Pset_file_image)'
+  )
+  breach_lines 'print with io/program/session/print.hpp' < <(
+    code_of io | grep -vE "${exempt%|}" | grep -E '\b(puts|fputs|f?printf|putchar|fputc)\(|fmt::print\(|std::c(out|err) *<<'
   )
 }
 

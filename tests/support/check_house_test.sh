@@ -26,7 +26,7 @@ expect() {
   rm "$kept"
 }
 
-"$copy/tests/support/check_house.sh" check_floors check_doors check_openings check_page_lengths check_comment_lengths >/dev/null || { echo 'the copy breaks the rules as it is' && exit 1; }
+"$copy/tests/support/check_house.sh" check_floors check_doors check_doors_of_others check_openings check_page_lengths check_comment_lengths >/dev/null || { echo 'the copy breaks the rules as it is' && exit 1; }
 wings=(formats gears scenes runs results pictures studies program)
 for ((i = 0; i + 1 < ${#wings[@]}; ++i)); do
   file=$(cd "$copy" && find "io/${wings[i]}" -name '*.hpp' | sort | head -n 1)
@@ -35,6 +35,8 @@ done
 expect check_floors framework/balance/scales.hpp '#include "framework/motion/time_march.hpp"'
 expect check_floors framework/judging/verdict.hpp '#include "framework/motion/time_march.hpp"'
 expect check_doors io/results/text/tables.hpp '#include "io/formats/hdf5/fold_that_is_nobodys.hpp"'
+expect check_doors_of_others io/results/file/read_result.cpp 'static const hid_t file = H5Fopen("a.hdf", H5F_ACC_RDONLY, H5P_DEFAULT);'
+expect check_doors_of_others io/program/commands/plan_command.cpp 'static const int said = std::puts("done");'
 expect check_openings framework/balance/scales.hpp "$(printf '/// Of what there is the rest.\n%.0s' {1..100})"
 expect check_page_lengths framework/balance/README.md "$(printf 'word %.0s' {1..500})"
 expect check_comment_lengths framework/balance/scales.hpp "$(printf '/// A line.\n%.0s' {1..31})"$'\nstruct Long;'

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "io/formats/hdf5/image.hpp"
+#include "io/formats/hdf5/open.hpp"
 #include "io/formats/hdf5/result_file.hpp"
 
 namespace netloft::formats {
@@ -63,9 +63,7 @@ void write_last_row(Tree& tree, const SeriesJournal& journal) {
 
 void copy_origins(const std::string& image, hid_t file) {
   if (image.empty()) return;
-  const Handle access = access_in_memory();
-  check(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()));  // HDF5 copies the image
-  const Handle origins(H5Fopen("origins", H5F_ACC_RDONLY, access), H5Fclose);
+  const Handle origins = open_image(image);
   const Handle group(H5Gopen2(origins, kRoot.c_str(), H5P_DEFAULT), H5Gclose);
   std::vector<std::string> names;
   const auto append_name = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
@@ -149,6 +147,7 @@ Handle unfold(const std::filesystem::path& part) {
     if (journal.size() > 0) fold_series(journal, file, "a temporary file");
     write_last_row(tree, journal);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL));
+    require_own_data(file);  // names in the journal may lead to groups as deep as they are long
     return file;
   });
 }

@@ -6,35 +6,15 @@
 #include <limits>
 
 #include "io/formats/hdf5/fold.hpp"
+#include "io/formats/hdf5/open.hpp"
 #include "io/formats/hdf5/result_file.hpp"
 #include "io/formats/hdf5/seal.hpp"
 #include "io/formats/hdf5/transfer.hpp"
+#include "io/formats/text/printable.hpp"
 
 namespace netloft::formats {
 namespace fs = std::filesystem;
 namespace {
-
-/// Replaces HDF5's messages for common failures by sentences for the user.
-std::string explain(const std::string& reason) {
-  if (reason.find("truncated") != std::string::npos)
-    return "it is truncated: a copy that was cut short, or a writer that died before its first output (" +
-           reason + ")";
-  if (reason.find("flag values don't match") != std::string::npos) return "this process is writing it";
-  if (reason.find("unable to lock") != std::string::npos ||
-      reason.find("temporarily unavailable") != std::string::npos)
-    return "another process is writing it; HDF5_USE_FILE_LOCKING=FALSE in the environment reads it all the "
-           "same";
-  return reason;
-}
-
-Handle open_hdf5(const fs::path& path) {
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (id >= 0) return Handle(id, H5Fclose);
-  const std::string reason = hdf5_message();
-  if (H5Fis_hdf5(path.c_str()) == 0)
-    throw FileError("cannot read " + path.string() + ": it is not an HDF5 file, nor the journal of a motion");
-  throw FileError("cannot read " + path.string() + ": " + explain(reason));
-}
 
 Handle open_file(const fs::path& path) {
   std::error_code ignored;
@@ -43,7 +23,7 @@ Handle open_file(const fs::path& path) {
   if (!fs::is_regular_file(path, ignored))
     throw FileError("cannot read " + path.string() + ": it is a pipe, a device or similar, not a file");
   check_seal(path);
-  return open_hdf5(path);
+  return open_for_reading(path);
 }
 
 std::string parent_of(const std::string& path) {
@@ -120,7 +100,7 @@ Reader::Reader(fs::path path, Handle file) : path_(std::move(path)), file_(std::
 
 Reader Reader::of_own(fs::path path) {
   silence_hdf5();
-  Handle file = open_hdf5(path);
+  Handle file = open_for_reading(path);
   return {std::move(path), std::move(file)};
 }
 
@@ -237,6 +217,16 @@ std::vector<std::string> Reader::strings(const std::string& path) const {
           check(H5Dread(data, memory_type, H5S_ALL, H5S_ALL, make_transfer(data, memory_type), buffer));
         });
   });
+}
+
+std::vector<std::string> Reader::names(const std::string& path) const {
+  std::vector<std::string> names = strings(path);
+  for (const std::string& name : names)
+    if (has_control_characters(name))
+      throw FileError("cannot read " + path_.string() + ": " + path +
+                      " has a name with control characters, " + printable_in_line(name) +
+                      ", and no result has such names");
+  return names;
 }
 
 std::string Reader::text(const std::string& path) const {

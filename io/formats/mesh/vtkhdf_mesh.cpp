@@ -112,7 +112,7 @@ class VtkHdfMesh {
       cells_.arrays[name] = {components, array(name)};
     }
     if (reader_.has(kGridGroup + "/FieldData/region_names"))
-      cells_.names = reader_.strings(kGridGroup + "/FieldData/region_names");
+      cells_.names = reader_.names(kGridGroup + "/FieldData/region_names");
   }
 
   /// Makes regions from the parts of a result of Netloft. Leaves out netting without panel coordinates, bars
@@ -120,7 +120,7 @@ class VtkHdfMesh {
   /// lengths.
   void take_parts() {
     const std::size_t count = cells_.types.size();
-    cells_.names = reader_.strings("/netloft/parts/name");
+    cells_.names = reader_.names("/netloft/parts/name");
     cells_.arrays["region"] = {1, field("part", -1)};
     const auto strain = field(output::kStrain.name, std::nan("")),
                twines = field(output::kTwineArea.name, std::nan(""));

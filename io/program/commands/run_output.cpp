@@ -3,6 +3,7 @@
 
 #include "io/formats/hdf5/fold.hpp"
 #include "io/formats/hdf5/journal.hpp"
+#include "io/formats/hdf5/open.hpp"
 #include "io/formats/hdf5/read.hpp"
 #include "io/results/file/write_result.hpp"
 #include "io/program/session/print.hpp"
@@ -18,8 +19,7 @@ namespace {
 /// and can be replaced, because it has no results until the equilibrium is found. Motions of earlier versions
 /// are also HDF5 files, but have a checkpoint.
 bool is_worthless_hdf5(const std::string& part) {
-  formats::silence_hdf5();
-  if (H5Fis_hdf5(part.c_str()) <= 0) return false;
+  if (!formats::is_hdf5_file(part)) return false;
   try {
     return !formats::Reader(part).has("/netloft/checkpoint");
   } catch (const formats::FileError&) {

@@ -44,9 +44,9 @@ void visit_inputs(File&& file, AnyResult& r) {
     return [member](auto& row) -> auto& { return row.item.*member; };
   };
   using Item = scenes::BillItem;
-  file.column("bill/kind", bill, item(&Item::kind), "");
-  file.column("bill/name", bill, item(&Item::name), "");
-  file.column("bill/part", bill, item(&Item::part_name), "", "in the catalogue; empty: written in the plan");
+  file.names("bill/kind", bill, item(&Item::kind));
+  file.names("bill/name", bill, item(&Item::name));
+  file.names("bill/part", bill, item(&Item::part_name), "in the catalogue; empty: written in the plan");
   file.column("bill/number", bill, item(&Item::number), "1", "in the whole gear");
   file.column("bill/length", bill, item(&Item::length), "m", "of one rope, unstretched");
   file.column("bill/diameter", bill, item(&Item::diameter), "m", "of a twine, a rope or a piece");

@@ -13,31 +13,26 @@ namespace netloft::results {
 
 namespace {
 
-// Limit of nested groups, because a damaged file may have a group that contains itself.
-constexpr std::ptrdiff_t kDeepestGroup = 16;
-
 void require_result(const formats::Reader& reader, const std::string& path) {
   if (!reader.has("/netloft"))
     throw formats::FileError(path + " is not a result of netloft: it has no group /netloft");
   reader.require_known_format();
 }
 
-std::vector<std::string> strings_or_nothing(const formats::Reader& reader, const std::string& at) {
-  return reader.has(at) ? reader.strings(at) : std::vector<std::string>{};
+std::vector<std::string> names_or_nothing(const formats::Reader& reader, const std::string& at) {
+  return reader.has(at) ? reader.names(at) : std::vector<std::string>{};
 }
 
 /// Calls `take` with the name (relative to `group`) and the full path of every dataset below a group, at any
 /// depth.
 template <class Take>
-void walk(const formats::Reader& reader, const std::string& group, const std::string& path, const Take& take,
+void walk(const formats::Reader& reader, const std::string& group, const Take& take,
           const std::string& below = "") {
   if (!reader.has(group + below)) return;
-  if (std::count(below.begin(), below.end(), '/') >= kDeepestGroup)
-    throw formats::FileError(path + " is damaged: " + group + below + " holds itself");
   for (const auto& member : reader.list(group + below)) {
     const std::string name = below + member;
     if (reader.is_group(group + name))
-      walk(reader, group, path, take, name + "/");
+      walk(reader, group, take, name + "/");
     else
       take(name, group + name);
   }
@@ -59,14 +54,14 @@ void put_in_order(const std::vector<std::string>& order, std::vector<NamedScalar
 std::vector<NamedScalar> read_scalars(const formats::Reader& reader, const std::string& path,
                                       const std::string& group, const std::string& errors) {
   std::vector<NamedScalar> scalars;
-  walk(reader, kRoot + group + "/", path, [&](const std::string& name, const std::string& at) {
+  walk(reader, kRoot + group + "/", [&](const std::string& name, const std::string& at) {
     NamedScalar scalar{name, "1", "", reader.real(at)};
     if (reader.has_attribute(at, "unit")) scalar.unit = reader.text_attribute(at, "unit");
     if (reader.has_attribute(at, "doc")) scalar.doc = reader.text_attribute(at, "doc");
     visit_errors(RecordReader(reader, path), errors, scalar);
     scalars.push_back(scalar);
   });
-  put_in_order(strings_or_nothing(reader, kRoot + "order/" + group), scalars);
+  put_in_order(names_or_nothing(reader, kRoot + "order/" + group), scalars);
   return scalars;
 }
 
@@ -76,14 +71,14 @@ void read_forces(const formats::Reader& reader, Result& result) {
   const auto row_of = [](const std::vector<double>& rows, std::size_t row) {
     return std::array<double, 3>{rows[3 * row], rows[3 * row + 1], rows[3 * row + 2]};
   };
-  const auto parts = strings_or_nothing(reader, kRoot + "parts/name");
+  const auto parts = names_or_nothing(reader, kRoot + "parts/name");
   for (const auto& term : reader.list(at)) {
     if (term == "held_name" || term == "balance" || term == "held") continue;
     const auto rows = reader.reals(at + term);
     for (std::size_t p = 0; p < parts.size() && 3 * p + 2 < rows.size(); ++p)
       result.part_forces.push_back({parts[p], term, row_of(rows, p)});
   }
-  const auto names = strings_or_nothing(reader, at + "held_name");
+  const auto names = names_or_nothing(reader, at + "held_name");
   const auto held = reader.has(at + "held") ? reader.reals(at + "held") : std::vector<double>{};
   for (std::size_t h = 0; h < names.size() && 3 * h + 2 < held.size(); ++h)
     result.hold_forces.push_back({names[h], row_of(held, h)});
@@ -93,8 +88,8 @@ void read_forces(const formats::Reader& reader, Result& result) {
 }
 
 /// Reads the last value of every energy series.
-void read_energies(const formats::Reader& reader, const std::string& path, Motion& motion) {
-  walk(reader, kRoot + "series/energy/", path, [&](const std::string& name, const std::string& at) {
+void read_energies(const formats::Reader& reader, Motion& motion) {
+  walk(reader, kRoot + "series/energy/", [&](const std::string& name, const std::string& at) {
     if (const auto values = reader.reals(at); !values.empty()) motion.energies[name] = values.back();
   });
 }
@@ -103,7 +98,7 @@ void read_energies(const formats::Reader& reader, const std::string& path, Motio
 std::map<std::string, double> read_twine_tensions(const formats::Reader& reader) {
   std::map<std::string, double> largest;
   if (!reader.has("/VTKHDF/Types") || !reader.has("/VTKHDF/Steps")) return largest;
-  const auto names = strings_or_nothing(reader, kRoot + "parts/name");
+  const auto names = names_or_nothing(reader, kRoot + "parts/name");
   const auto types = reader.integers("/VTKHDF/Types");
   const auto parts = reader.field(formats::Location::kCell, "part", 0);
   for (const auto name : kTensions) {
@@ -147,7 +142,7 @@ Result read_result(const formats::Reader& reader, const std::filesystem::path& p
   read_forces(reader, result);
   if (reader.has(kRoot + "series")) {
     visit_motion(file, result.motion.emplace());
-    read_energies(reader, result.path, *result.motion);
+    read_energies(reader, *result.motion);
   }
   if (!result.materials.empty()) add_loads(result.figures, read_twine_tensions(reader), result.materials);
   if (!reader.has(kRoot + "cost/work")) result.warnings = load_warnings(result.materials);

@@ -59,6 +59,11 @@ class RecordWriter {
     else
       tree_.write_reals(kRoot + at, gathered<double>(rows, member), unit, doc);
   }
+  /// Writes a column of names.
+  template <class Row, class Member>
+  void names(const std::string& at, const std::vector<Row>& rows, Member member, const char* doc = "") {
+    column(at, rows, member, "", doc);
+  }
   /// Writes a part of the result if the result has it. The reader expects this part if the dataset, group or
   /// attribute `at` exists.
   template <class Part, class Visit>
@@ -119,6 +124,10 @@ class RecordReader {
       spread(at, reader_.integers(kRoot + at), rows, member);
     else
       spread(at, reader_.reals(kRoot + at), rows, member);
+  }
+  template <class Row, class Member>
+  void names(const std::string& at, std::vector<Row>& rows, Member member, const char* = "") const {
+    if (has_data(at)) spread(at, reader_.names(kRoot + at), rows, member);
   }
   template <class Part, class Visit>
   void sometimes(const std::string& at, std::optional<Part>& part, const Visit& visit) const {

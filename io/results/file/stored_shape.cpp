@@ -14,8 +14,6 @@ namespace netloft::results {
 
 namespace {
 
-// Limit of nested groups, because a damaged file may have a group that contains itself.
-constexpr std::ptrdiff_t kDeepest = 16;
 StoredPart nameless_part() {
   StoredPart part;
   part.diameter = part.bar = kNone;
@@ -51,8 +49,8 @@ double StoredShape::known(const std::string& at) const {
   return reader_.has(at) && !reader_.is_group(at) ? reader_.real(at) : kNone;
 }
 
-std::vector<std::string> StoredShape::strings_or_nothing(const std::string& at) const {
-  return reader_.has(at) ? reader_.strings(at) : std::vector<std::string>{};
+std::vector<std::string> StoredShape::names_or_nothing(const std::string& at) const {
+  return reader_.has(at) ? reader_.names(at) : std::vector<std::string>{};
 }
 
 std::vector<double> StoredShape::reals_or_nothing(const std::string& at) const {
@@ -61,7 +59,7 @@ std::vector<double> StoredShape::reals_or_nothing(const std::string& at) const {
 
 void StoredShape::read_parts() {
   const std::string at = kRoot + "parts/";
-  const auto names = strings_or_nothing(at + "name"), types = strings_or_nothing(at + "type");
+  const auto names = names_or_nothing(at + "name"), types = names_or_nothing(at + "type");
   const auto diameters = reals_or_nothing(at + "diameter"), bars = reals_or_nothing(at + "bar"),
              axes = reals_or_nothing(at + "twine_axes"), sheet = reals_or_nothing(at + "sheet");
   for (std::size_t p = 0; p < names.size(); ++p) {
@@ -81,7 +79,7 @@ void StoredShape::read_parts() {
 void StoredShape::read_mesh() {
   times = reader_.times();
   require(!times.empty(), path_, "it counts no states");
-  stages = strings_or_nothing(kRoot + "stages");
+  stages = names_or_nothing(kRoot + "stages");
   if (stages.size() != times.size()) stages.clear();
   mesh.n_points = static_cast<std::size_t>(reader_.integer("/VTKHDF/NumberOfPoints"));
   mesh.n_cells = static_cast<std::size_t>(reader_.integer("/VTKHDF/NumberOfCells"));
@@ -146,7 +144,7 @@ void StoredShape::read_cells() {
 void StoredShape::read_bodies() {
   const std::string at = kRoot + "bodies/";
   if (!reader_.has(at)) return;
-  const auto names = reader_.strings(at + "name");
+  const auto names = reader_.names(at + "name");
   const auto nodes = reader_.integers(at + "origin");
   const auto sides = reals_or_nothing(at + "side");
   require(nodes.size() == names.size(), path_, "its rigid bodies are cut off");
@@ -196,7 +194,6 @@ void StoredShape::read_relief() {
 void StoredShape::read_series(const std::string& below) {
   const std::string folder = kRoot + "series/" + below;
   if (!reader_.has(folder)) return;
-  require(std::count(below.begin(), below.end(), '/') < kDeepest, path_, folder + " holds itself");
   for (const auto& member : reader_.list(folder)) {
     const std::string at = folder + member;
     if (reader_.is_group(at)) {

@@ -118,7 +118,7 @@ class StoredShape {
   void read_series(const std::string& below = "");
   std::vector<double> whole(std::vector<double> values, std::size_t count, const std::string& what) const;
   double known(const std::string& path) const;
-  std::vector<std::string> strings_or_nothing(const std::string& path) const;
+  std::vector<std::string> names_or_nothing(const std::string& path) const;
   std::vector<double> reals_or_nothing(const std::string& path) const;
 
   std::filesystem::path path_;
