@@ -3,6 +3,7 @@
 
 #include "io/formats/files/whole_file.hpp"
 #include "io/formats/hdf5/read.hpp"
+#include "io/formats/svg/svg.hpp"
 
 #include <fmt/format.h>
 
@@ -53,9 +54,10 @@ std::vector<SteppedArray> fields_of(const formats::Reader& reader, const std::st
                         path = std::string("/VTKHDF/") + group + "/" + name;
       SteppedArray array = array_at(reader, path, offsets, rows, file);
       if (!reader.holds_reals(path) || (array.columns != 1 && array.columns != 3)) continue;
-      array.before = fmt::format("<Attribute Name=\"{}\" Center=\"{}\" AttributeType=\"{}\">", name, center,
-                                 array.columns == 1 ? "Scalar" : "Vector") +
-                     array.before;
+      array.before =
+          fmt::format("<Attribute Name=\"{}\" Center=\"{}\" AttributeType=\"{}\">",
+                      formats::escape_markup(name), center, array.columns == 1 ? "Scalar" : "Vector") +
+          array.before;
       array.after += "</Attribute>\n";
       arrays.push_back(std::move(array));
     }
@@ -78,7 +80,7 @@ void write_xdmf(const std::filesystem::path& result) {
   const formats::Reader reader = formats::Reader::of_own(result);
   const auto times = reader.times();
   if (times.size() < 2) return;
-  const std::string file = result.filename().string();
+  const std::string file = formats::escape_markup(result.filename().string());
   std::string out =
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
       "<Grid Name=\"series\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
