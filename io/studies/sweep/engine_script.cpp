@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace netloft::studies {
@@ -19,6 +21,16 @@ std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
+}
+
+/// A word for a comment of Slurm, which splits it at blanks and knows no quotes of the shell.
+std::string plain_word(std::string word) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
+  };
+  std::replace_if(
+      word.begin(), word.end(), [&](char c) { return !is_plain(c); }, '_');
+  return word;
 }
 
 std::string flags(const ScriptOptions& options) {
@@ -36,7 +48,7 @@ set -uo pipefail
 cd "$(dirname "${{BASH_SOURCE[0]}}")"
 netloft={program}
 "$netloft" study missing . |
-  parallel --jobs {jobs} --workdir "$PWD" --joblog parallel.log --halt never "$@" "$netloft study run . --items {{}}{flags}"
+  parallel --jobs {jobs} --workdir "$PWD" --joblog parallel.log --halt never "$@" {command}
 "$netloft" study collect .
 )sh";
 
@@ -45,7 +57,7 @@ constexpr const char* kSlurm = R"sh(#!/usr/bin/env bash
 # {why_chunk}
 #   sbatch --wait slurm.sh; netloft study collect .          in this folder; again to go on after a kill or a failure
 # What is done is known by the records in items/: tasks whose items are done end at once.
-#SBATCH --job-name={name}
+#SBATCH --job-name={job}
 #SBATCH --array=1-{tasks}
 #SBATCH --cpus-per-task=1
 #SBATCH --output=slurm-%A_%a.log
@@ -62,11 +74,13 @@ std::string script_name(Engine engine) { return engine == Engine::slurm ? "slurm
 std::string engine_script(Engine engine, const Study& study, const ScriptOptions& options) {
   const std::size_t items = study.items.size(), tasks = (items + options.chunk - 1) / options.chunk;
   const std::string jobs = options.jobs > 0 ? std::to_string(options.jobs) : "100%";
-  return fmt::format(fmt::runtime(engine == Engine::slurm ? kSlurm : kParallel), fmt::arg("name", study.name),
-                     fmt::arg("items", items), fmt::arg("points", study.point_count()),
-                     fmt::arg("program", quoted(options.program)), fmt::arg("jobs", jobs),
-                     fmt::arg("tasks", tasks), fmt::arg("chunk", options.chunk),
-                     fmt::arg("why_chunk", options.why_chunk), fmt::arg("flags", flags(options)));
+  return fmt::format(
+      fmt::runtime(engine == Engine::slurm ? kSlurm : kParallel), fmt::arg("name", study.name),
+      fmt::arg("items", items), fmt::arg("points", study.point_count()),
+      fmt::arg("program", quoted(options.program)), fmt::arg("jobs", jobs), fmt::arg("tasks", tasks),
+      fmt::arg("chunk", options.chunk), fmt::arg("why_chunk", options.why_chunk),
+      fmt::arg("flags", flags(options)), fmt::arg("job", plain_word(study.name)),
+      fmt::arg("command", quoted(quoted(options.program) + " study run . --items {}" + flags(options))));
 }
 
 std::size_t items_per_minute(const Study& study, const std::filesystem::path& folder,

@@ -2,9 +2,14 @@
 #include "io/studies/sweep/manifest.hpp"
 
 #include "io/formats/files/whole_file.hpp"
+#include "io/formats/hdf5/checksum.hpp"
+#include "io/formats/text/name_fault.hpp"
+#include "io/formats/units/in_quotes.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -15,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
+const std::string kSum = "crc32";  // of the first line without this entry, and of all items
 
 std::string line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -44,6 +50,10 @@ Json head_json(const Study& study) {
           {"sampling", study.sampling},   {"seed", study.seed},
           {"files", std::move(files)},    {"items", study.items.size()},
           {"points", study.point_count()}};
+}
+
+std::string sum_of(const Json& head_without_sum, std::string_view items) {
+  return fmt::format("{:08x}", formats::checksum(items, formats::checksum(line(head_without_sum))));
 }
 
 /// Returns the text and the number of a value. Only for sampled values does the number determine the text.
@@ -86,6 +96,9 @@ std::vector<VariableValue> read_values(const Json& json) {
 StudyColumn read_column(const Json& json) {
   StudyColumn column;
   json.at("name").get_to(column.variable.name);
+  if (!is_variable_name(column.variable.name))
+    throw StudyError("the name of a variable, " + formats::in_quotes(column.variable.name) +
+                     ", must consist of letters, digits, - and _");
   json.at("unit").get_to(column.variable.unit);
   json.at("is_number").get_to(column.is_number);
   json.at("in_path").get_to(column.is_in_path);
@@ -101,6 +114,8 @@ void read_head(const Json& json, Study& study) {
     throw StudyError("it has format " + std::to_string(format) + ", and this version of Netloft reads " +
                      std::to_string(kFormat));
   json.at("name").get_to(study.name);
+  if (const std::string fault = formats::name_fault(study.name); !fault.empty())
+    throw StudyError("the name of the study, " + formats::in_quotes(study.name) + ", " + fault);
   json.at("scene").get_to(study.scene);
   json.at("set").get_to(study.set);
   json.at("figures").get_to(study.figures);
@@ -109,6 +124,28 @@ void read_head(const Json& json, Study& study) {
   for (const Json& column : json.at("variables")) study.columns.push_back(read_column(column));
   for (const Json& file : json.at("files"))
     study.files.emplace_back(file.at("path").get<std::string>(), file.at("hash").get<std::string>());
+}
+
+/// Checks that values, which tables show, are those that are set, from which results follow. The values
+/// belong to the columns from `first` on.
+void require_set(const Study& study, std::size_t first, const std::vector<VariableValue>& values,
+                 const std::vector<std::string>& set) {
+  std::vector<std::string> expected;
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    const StudyColumn& column = study.columns[first + v];
+    const VariableValue& value = values[v];
+    const auto wrong = [&](const char* why) {
+      return StudyError("the value " + formats::in_quotes(value.text) + " of " + column.variable.name + " " +
+                        why);
+    };
+    if (column.is_number && !value.number) throw wrong("has no number");
+    if (value.number && number_in_unit(value.text, column.variable.unit) != value.number)
+      throw wrong("is another number");
+    for (const FollowingKey& key : column.variable.keys)
+      if (!key.follows_as_it_is() && !value.number) throw wrong("has no number that a key can follow");
+    for (std::string& word : column.variable.overrides(value)) expected.push_back(std::move(word));
+  }
+  if (set != expected) throw StudyError("the values of an item are not those that it sets");
 }
 
 StudyItem read_item(const Json& json, const Study& study) {
@@ -123,6 +160,10 @@ StudyItem read_item(const Json& json, const Study& study) {
   for (const StudyPoint& point : item.points)
     if (item.values.size() + point.values.size() != study.columns.size())
       throw StudyError("a point has another number of values than there are variables");
+  if (item.values.size() > study.columns.size())
+    throw StudyError("an item has more values than there are variables");
+  require_set(study, 0, item.values, item.set);
+  for (const StudyPoint& point : item.points) require_set(study, item.values.size(), point.values, point.set);
   if (item.id != study.items.size() + 1) throw StudyError("items are not numbered one by one");
   if (item.hash != hash_of(study, item)) throw StudyError("an item does not match its hash");
   return item;
@@ -140,21 +181,27 @@ std::string text_of_manifest(const fs::path& path) {
 }  // namespace
 
 std::string manifest_text(const Study& study) {
-  std::string text = line(head_json(study));
-  for (const StudyItem& item : study.items) text += line(item_json(study, item));
-  return text;
+  std::string items;
+  for (const StudyItem& item : study.items) items += line(item_json(study, item));
+  Json head = head_json(study);
+  head[kSum] = sum_of(head, items);
+  return line(head) + items;
 }
 
 Study read_manifest(const fs::path& path) {
-  std::istringstream in(text_of_manifest(path));
+  const std::string whole = text_of_manifest(path);
+  std::istringstream in(whole);
   Study study;
-  std::size_t number = 0, items = 0;
+  Json head;
+  std::size_t number = 0, items = 0, begin_of_items = 0;
   for (std::string text; std::getline(in, text);) try {
       ++number;
-      const Json json = Json::parse(text);
+      Json json = Json::parse(text);
       if (number == 1) {
         read_head(json, study);
         json.at("items").get_to(items);
+        head = std::move(json);
+        begin_of_items = std::min(text.size() + 1, whole.size());
       } else
         study.items.push_back(read_item(json, study));
     } catch (const std::exception& e) {
@@ -163,6 +210,11 @@ Study read_manifest(const fs::path& path) {
     }
   if (number == 0 || study.items.size() != items)
     throw StudyError(path.string() + ": the manifest is not complete; plan the study again");
+  const Json sum = std::exchange(head[kSum], nullptr);
+  head.erase(kSum);
+  if (sum != sum_of(head, std::string_view(whole).substr(begin_of_items)))
+    throw StudyError(path.string() +
+                     ": the manifest is damaged (it does not match its checksum); plan the study again");
   return study;
 }
 

@@ -16,7 +16,9 @@ class StudyError : public std::runtime_error {
 /// item. Equal studies give equal bytes.
 std::string manifest_text(const Study& study);
 
-/// Reads a manifest that manifest_text() wrote. Throws StudyError with the line number if it is damaged.
+/// Reads a manifest that manifest_text() wrote. Throws StudyError, with the line number if there is one, if
+/// it is damaged or contradicts itself: its checksum covers all of it, its names may become files and lines
+/// of scripts, and the values in its tables are those that are set.
 Study read_manifest(const std::filesystem::path& path);
 
 /// Paths of files in the folder of a study.

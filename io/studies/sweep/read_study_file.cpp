@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/parameters/nearest.hpp"
-#include "io/formats/units/units.hpp"
+#include "io/formats/text/name_fault.hpp"
+#include "io/formats/units/in_quotes.hpp"
 #include "io/studies/sweep/study_file.hpp"
 #include "io/studies/variables/read_variable.hpp"
 
@@ -56,16 +57,11 @@ class StudyReader {
     refuse_shared_keys();
   }
 
-  /// Checks the name of a variable, which becomes a column of tables and a name in result files.
   void check_name(const Variable& variable) {
-    const bool is_word =
-        !variable.name.empty() && std::all_of(variable.name.begin(), variable.name.end(), [](char c) {
-          return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-                 c == '-';
-        });
-    if (!is_word)
-      root_.diagnostics().error(variable.place, "the name of a variable, \"" + variable.name +
-                                                    "\", must consist of letters, digits, - and _");
+    if (!is_variable_name(variable.name))
+      root_.diagnostics().error(variable.place, "the name of a variable, " +
+                                                    formats::in_quotes(variable.name) +
+                                                    ", must consist of letters, digits, - and _");
   }
 
   void refuse_shared_keys() {
@@ -184,6 +180,11 @@ StudyFile read_study_file(const std::filesystem::path& path, formats::Diagnostic
   if (diagnostics.errors()) return {};
   StudyFile study = StudyReader(document.root(), diagnostics).read();
   study.name = path.stem().string();
+  if (const std::string fault = formats::name_fault(study.name); !fault.empty())
+    diagnostics.error({0, 0, 0},
+                      "the name of the file, " + formats::in_quotes(study.name) +
+                          ", becomes the name of the study, and " + fault,
+                      "rename the file");
   return study;
 }
 

@@ -2,9 +2,11 @@
 #include "io/studies/sweep/record.hpp"
 
 #include "io/formats/files/whole_file.hpp"
+#include "io/formats/hdf5/checksum.hpp"
+#include "io/formats/text/printable.hpp"
+#include "io/formats/units/in_quotes.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -17,9 +19,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string sum_line(std::string_view text) {
-  const auto* bytes = reinterpret_cast<const Bytef*>(text.data());
-  return fmt::format("crc32 {:08x}\n", crc32_z(0, bytes, text.size()));
+std::string sum_line(std::string_view text) { return fmt::format("crc32 {:08x}\n", formats::checksum(text)); }
+
+/// Checks the name of a figure, which becomes a path in the table of the study, and its unit.
+void require_plain(const StudyFigure& figure) {
+  const std::string& name = figure.name;
+  const bool is_path =
+      !name.empty() && name.front() != '/' && name.back() != '/' && name.find("//") == std::string::npos;
+  if (!is_path || formats::has_control_characters(name + figure.unit))
+    throw StudyError("a figure cannot be called " + formats::in_quotes(name) + " with the unit " +
+                     formats::in_quotes(figure.unit));
 }
 
 /// The names of all figures of a record, each once, in the order of first occurrence.
@@ -104,7 +113,8 @@ ItemRecord read_record(const std::string& text, const StudyItem& item) {
     json.at("program").get_to(record.program);
     std::vector<StudyFigure> names;
     for (const Json& f : json.at("figures"))
-      names.push_back({f.at("name").get<std::string>(), f.at("unit").get<std::string>(), 0});
+      require_plain(names.emplace_back(
+          StudyFigure{f.at("name").get<std::string>(), f.at("unit").get<std::string>(), 0}));
     for (const Json& point : json.at("points")) record.points.push_back(read_point(point, names));
     const Json& cost = json.at("cost");
     cost.at("wall_seconds").get_to(record.cost.wall_seconds);

@@ -27,6 +27,13 @@ struct Interval {
   bool contains(double number) const { return number >= low && number <= high; }
 };
 
+/// Whether a text consists of letters, digits, - and _. Such texts are names of variables, which become
+/// columns of tables, paths in result files, and options such as --at NAME=VALUE.
+bool is_variable_name(const std::string& text);
+
+/// The number of a value such as "2.5 kn" in a unit; empty if it is no number of its dimension.
+std::optional<double> number_in_unit(const std::string& text, const std::string& unit);
+
 /// An input of a scene, or several inputs that change together, with its listed values or its interval.
 struct Variable {
   std::string name;      // name in tables, plots and messages

@@ -2,6 +2,7 @@
 """One study by the pool of the program, by GNU parallel and by Slurm on this machine: one table, to the bit."""
 import contextlib
 import os
+import shlex
 import shutil
 import signal
 import subprocess
@@ -113,7 +114,11 @@ class Scripts(Engines):
 
     def test_plugins_are_handed_on(self):
         (self.folder / "it's mine").mkdir()
-        self.assertIn("""--plugins 'it'\\''s mine'""", self.script("parallel", "--plugins", "it's mine"))
+        script = self.script("parallel", "--plugins", "it's mine")
+        line = next(line for line in script.splitlines() if line.startswith("  parallel "))
+        command = shlex.split(line)[-1]  # for the shell that GNU parallel starts
+        self.assertEqual(shlex.split(command)[-2:], ["--plugins", "it's mine"])
+        self.assertIn("""--plugins 'it'\\''s mine'""", self.script("slurm", "--plugins", "it's mine"))
 
     def test_wrong_engines_are_refused(self):
         self.study("submit", "other", "--engine", "condor", code=2)

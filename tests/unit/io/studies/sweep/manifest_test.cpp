@@ -42,15 +42,52 @@ TEST_F(ManifestTest, IsRefusedWhereItIsDamaged) {
   const std::size_t last_line = text.rfind('\n', text.size() - 2);
   EXPECT_NE(refusal(text.substr(0, last_line + 1)).find("not complete"), std::string::npos);
   std::string changed = text;
-  changed.replace(changed.rfind("0.1 kn"), 6, "0.2 kn");
-  EXPECT_EQ(refusal(changed), "");  // the text of a value is for display only
-  changed = text;
   changed.replace(changed.rfind("key.speed=2 kn"), 14, "key.speed=3 kn");
-  EXPECT_NE(refusal(changed).find(":5: the manifest is damaged (an item does not match its hash)"),
+  EXPECT_NE(
+      refusal(changed).find(":5: the manifest is damaged (the values of an item are not those that it sets)"),
+      std::string::npos);
+  changed = text;
+  changed.replace(changed.find("gear.nodes=500"), 14, "gear.nodes=501");
+  EXPECT_NE(refusal(changed).find(":2: the manifest is damaged (an item does not match its hash)"),
             std::string::npos);
+  changed = text;
+  changed.replace(changed.find("latin"), 5, "latim");
+  EXPECT_NE(refusal(changed).find("(it does not match its checksum)"), std::string::npos);
   EXPECT_NE(refusal(""), "");
   EXPECT_NE(refusal("{}"), "");
   EXPECT_NE(refusal("{\"netloft_study\": 1}\n").find("it has format 1"), std::string::npos);
+}
+TEST_F(ManifestTest, IsRefusedWhereverABitIsFlipped) {
+  const std::string text = manifest_text(sample());
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    std::string changed = text;
+    changed[at] = static_cast<char>(changed[at] ^ 1 << at % 8);
+    EXPECT_NE(refusal(changed), "") << "byte " << at << ", " << text[at];
+  }
+}
+// All of these have right checksums and hashes.
+TEST_F(ManifestTest, IsRefusedIfItsTableWouldSayWhatWasNotSet) {
+  Study text = sample(), number = sample(), both = sample(), none = sample();
+  text.items[0].points[0].values[0].text = "3 kn";
+  EXPECT_NE(refusal(manifest_text(text)).find("the value \"3 kn\" of speed is another number"),
+            std::string::npos);
+  number.items[0].values[1].number = number.items[0].values[1].number.value_or(0) + 1;
+  EXPECT_NE(refusal(manifest_text(number)).find("is another number"), std::string::npos);
+  both.items[0].points[0].values[0] = {"3 kn", 3};
+  EXPECT_NE(refusal(manifest_text(both)).find("the values of an item are not those that it sets"),
+            std::string::npos);
+  none.items[0].points[0].values[0].number.reset();
+  EXPECT_NE(refusal(manifest_text(none)).find("has no number"), std::string::npos);
+}
+TEST_F(ManifestTest, IsRefusedIfItsNamesLeadElsewhere) {
+  for (const char* name : {"../../pwned", "/tmp/pwned", "x\ntouch EXECUTED; #", "..", "x\x1b[31m"}) {
+    Study study = sample();
+    study.name = name;
+    EXPECT_NE(refusal(manifest_text(study)).find("the name of the study"), std::string::npos) << name;
+    study = sample();
+    study.columns[0].variable.name = name;
+    EXPECT_NE(refusal(manifest_text(study)).find("the name of a variable"), std::string::npos) << name;
+  }
 }
 TEST_F(ManifestTest, SurvivesNonsense) {
   const std::string text = manifest_text(sample());

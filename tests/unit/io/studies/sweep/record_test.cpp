@@ -56,6 +56,16 @@ TEST(ItemRecord, IsRefusedWhereAnyByteIsDamaged) {
   }
   for (std::size_t length = 0; length < text.size(); ++length) EXPECT_NE(refusal(text.substr(0, length)), "");
 }
+TEST(ItemRecord, IsRefusedIfAFigureIsNoPathOrHoldsControlCharacters) {
+  for (const char* name : {"", "/", "/gear/x", "gear/", "gear//x", "gear/\x1b[31mx", "gear/x\ny"}) {
+    ItemRecord record = sample();
+    record.points[0].figures[0].name = name;
+    EXPECT_NE(refusal(record_text(record)).find("a figure cannot be called"), std::string::npos) << name;
+  }
+  ItemRecord record = sample();
+  record.points[0].figures[0].unit = std::string("m\0", 2);
+  EXPECT_NE(refusal(record_text(record)), "");
+}
 TEST(ItemRecord, IsRefusedForAnotherItem) {
   StudyItem other = two_points();
   other.hash = "fnv1a64:0000000000000000";
