@@ -16,10 +16,15 @@ bool names(const netloft_parameter& p, std::string_view kind) {
   return p.kind == NETLOFT_TEXT && p.unit == kind;
 }
 
-std::span<const netloft_parameter> table_of(const std::string& name, const netloft_parameter& named_by,
-                                            Registry& registry) {
-  if (names(named_by, "solver")) return registry.solver(name).parameters;
-  return registry.strategy(name).parameters;
+struct NamedComponent {
+  std::string type;
+  std::span<const netloft_parameter> parameters;
+};
+
+NamedComponent find_component(const std::string& name, const netloft_parameter& named_by,
+                              Registry& registry) {
+  const auto of = [](const auto& type) { return NamedComponent{type.type, type.parameters}; };
+  return names(named_by, "solver") ? of(registry.solver(name)) : of(registry.strategy(name));
 }
 
 bool is_empty_by_default(const netloft_parameter& p) { return !p.fallback_text || !*p.fallback_text; }
@@ -28,17 +33,26 @@ bool is_empty_by_default(const netloft_parameter& p) { return !p.fallback_text |
 
 bool names_component(const netloft_parameter& p) { return names(p, "solver") || names(p, "strategy"); }
 
-void check_named(const netloft_parameter& p, const std::string& text, Registry& registry) {
+void check_named(const netloft_parameter& p, const std::string& text, Registry& registry,
+                 const GivenValues& given, std::set<std::string> callers) {
   if (text.empty() && is_empty_by_default(p)) return;
   const Specification word = specification_of(text);
-  if (word.name.empty())
-    throw std::invalid_argument(std::string(p.name) + " = \"" + text + "\" names no " + p.unit + " (" +
-                                p.doc + ")");
-  const auto table = table_of(word.name, p, registry);
-  const Values values = parse_parameters(table, word.parameters);
-  for (const auto& row : table)
-    if (const auto given = values.find(row.name); given != values.end() && names_component(row))
-      check_named(row, std::get<std::string>(given->second), registry);
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(std::string(p.name) + " = \"" + text + "\" " + why + " (" + p.doc + ")");
+  };
+  if (word.name.empty()) refuse(std::string("names no ") + p.unit);
+  const NamedComponent named = find_component(word.name, p, registry);
+  if (callers.contains(named.type))
+    refuse("leads back to " + named.type + ", which would call itself without an end");
+  Values values;
+  if (const auto prevailing = given.find(named.type); prevailing != given.end()) {
+    values = prevailing->second;
+    callers.insert(named.type);
+  }
+  values.merge(parse_parameters(named.parameters, word.parameters));
+  for (const auto& row : named.parameters)
+    if (const auto value = values.find(row.name); value != values.end() && names_component(row))
+      check_named(row, std::get<std::string>(value->second), registry, given, callers);
 }
 
 }  // namespace netloft

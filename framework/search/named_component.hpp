@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/parameters/parameter_values.hpp"
 #include "framework/registry/registry.hpp"
 
+#include <map>
+#include <set>
 #include <string>
 
 namespace netloft {
@@ -9,10 +12,16 @@ namespace netloft {
 /// Whether a parameter of a strategy names a solver or another strategy (netloft/strategy.hpp).
 bool names_component(const netloft_parameter& parameter);
 
+/// Parameters that a user gives for components, by their types. They prevail over those of a specification,
+/// also where one component calls another.
+using GivenValues = std::map<std::string, Values>;
+
 /// Checks that the component named by a parameter exists and that its own parameters are valid, such as
 /// "auto:restarts=0;slice=100". If one of these parameters names a component, that component is checked, too.
+/// `callers` are the types of the strategies that lead to this component; none of them may be named again.
 /// Throws PluginRefused if a component is missing, std::invalid_argument with a sentence if a value is
 /// invalid.
-void check_named(const netloft_parameter& parameter, const std::string& specification, Registry& registry);
+void check_named(const netloft_parameter& parameter, const std::string& specification, Registry& registry,
+                 const GivenValues& given = {}, std::set<std::string> callers = {});
 
 }  // namespace netloft

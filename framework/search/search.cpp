@@ -14,6 +14,8 @@ namespace netloft {
 
 namespace {
 
+constexpr std::size_t kLongestPlan = 4096;  // room for the plan of a strategy [bytes]
+
 ParameterBlock block_of(const StrategyUse& use) {
   std::vector<std::string> faults;
   ParameterBlock block(use.type->parameters, use.type->strategy.parameter_bytes, use.parameters, faults);
@@ -143,11 +145,20 @@ std::string explain_strategy(const VariantSource& source, const SearchOptions& o
   SearchHost host(source, options);
   const ParameterBlock parameters = block_of(strategy);
   RunningSearch search(host, as_written(), options.limits.tolerance, options.work, nullptr);
-  std::string text(4096, '\0');
+  std::string text(kLongestPlan, '\0');
   const PluginCall call({strategy.type->type.c_str(), "explain", nullptr, CallFrame::Kind::method});
   const int status = strategy.type->strategy.explain(parameters.data(), &search.interface(), text.data(),
                                                      static_cast<std::uint32_t>(text.size()));
-  text.resize(status == NETLOFT_OK ? text.find('\0') : 0);
+  const std::string who = "the strategy " + strategy.type->type;
+  if (status != NETLOFT_OK) {
+    const std::string why = search.interface().message;
+    throw std::runtime_error(who + " failed to explain what it does" + (why.empty() ? "" : ": " + why));
+  }
+  const auto end = text.find('\0');
+  if (end == std::string::npos)
+    throw std::runtime_error(who + " explains what it does with more than " + std::to_string(kLongestPlan) +
+                             " characters");
+  text.resize(end);
   return text;
 }
 

@@ -276,9 +276,11 @@ int explain_strategy(const void* parameters, netloft_search* search, char* text,
     const std::string words = S::explain(OwnParameters<S>::from(parameters), s);
     std::snprintf(text, size, "%s", words.c_str());
     return NETLOFT_OK;
+  } catch (const std::exception& e) {
+    if (search->message && e.what()[0]) std::snprintf(search->message, search->message_size, "%s", e.what());
   } catch (...) {
-    return NETLOFT_ERROR;
   }
+  return NETLOFT_ERROR;
 }
 }  // namespace detail
 

@@ -154,12 +154,14 @@ bool is_strategy(Registry& registry, const std::string& name) {
 }
 
 /// Checks the names of solvers and strategies in the parameters of a strategy.
-void check_named_by(const StrategyType& strategy, const Values& values, formats::TableReader own,
+void check_named_by(const StrategyType& strategy, const GivenValues& given, formats::TableReader own,
                     Registry& registry, bool& refused) {
+  const Values& values = given.at(strategy.type);
   for (const auto& parameter : strategy.parameters) {
     if (!names_component(parameter) || own.kind(parameter.name) != formats::Kind::text) continue;
     try {
-      check_named(parameter, std::get<std::string>(values.at(parameter.name)), registry);
+      check_named(parameter, std::get<std::string>(values.at(parameter.name)), registry, given,
+                  {strategy.type});
     } catch (const PluginRefused& e) {
       refused = true;
       report_refusal(own, parameter.name, e.what());
@@ -174,7 +176,7 @@ void check_named_by(const StrategyType& strategy, const Values& values, formats:
 void check_names(formats::TableReader& table, Registry& registry, const Analysis& a, bool& refused) {
   for (const auto& [type, values] : a.given)
     for (const auto& strategy : registry.plugin(table_of_component(type).plugin).strategies)
-      if (strategy.type == type) check_named_by(strategy, values, own_table(table, type), registry, refused);
+      if (strategy.type == type) check_named_by(strategy, a.given, own_table(table, type), registry, refused);
 }
 
 /// Reads the tables of solvers, integrators and strategies that the scene does not choose itself, because a
@@ -218,6 +220,7 @@ Analysis read_analysis(formats::TableReader table, Registry& registry, bool& ref
   }
   if (const auto names = registry.available();
       std::find(names.begin(), names.end(), a.solver) != names.end() && is_strategy(registry, a.solver)) {
+    refused = true;
     table.error("solver", "\"" + a.solver + "\" is a strategy, not a solver",
                 "--strategy " + a.solver + ", or strategy = \"" + a.solver + "\" in [analysis]");
     return a;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/stability/suite/column.hpp"
 
+#include "io/formats/toml/document.hpp"
+#include "io/formats/toml/table_reader.hpp"
 #include "io/runs/prepared_scene.hpp"
+#include "io/scenes/reading/analysis.hpp"
 
 namespace netloft::hard_cases {
 
@@ -47,6 +50,17 @@ std::vector<std::string> overrides_of(const Column& column) {
   choose("solver", column.solver);
   choose("strategy", column.strategy);
   return all;
+}
+
+bool check_settings(const Column& column, Registry& registry, formats::Diagnostics& diagnostics) {
+  std::vector<std::string> settings = overrides_of(column);
+  std::erase_if(settings, [](const std::string& text) { return !text.starts_with("analysis."); });
+  const auto document = formats::Document::parse("", column.head(), settings, diagnostics);
+  formats::TableReader root(document.root(), diagnostics);
+  bool refused = false;
+  scenes::read_analysis(root.table("analysis", formats::Presence::optional), registry, refused);
+  root.finish();
+  return refused;
 }
 
 }  // namespace netloft::hard_cases

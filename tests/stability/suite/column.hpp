@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/registry/registry.hpp"
+#include "io/formats/toml/diagnostics.hpp"
+
 #include <string>
 #include <vector>
 
@@ -29,5 +32,9 @@ std::string component_of(const std::string& specification);
 /// Settings, path=value, that replace the analysis of a scene by that of the column. Throws
 /// std::invalid_argument with a sentence if a specification is not understood.
 std::vector<std::string> overrides_of(const Column& column);
+
+/// Reports wrong settings of the analysis, which would be wrong in every case. Returns whether a plugin was
+/// refused.
+bool check_settings(const Column& column, Registry& registry, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::hard_cases

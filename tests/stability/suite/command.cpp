@@ -158,12 +158,14 @@ int run_hard_cases(const SuiteOptions& o) {
   program::require_place(o.html, {});
   const std::filesystem::path folder = o.suite;
   const Suite suite = read_suite(folder, o.seed, diagnostics);
-  if (diagnostics.errors()) {
-    terminal.say(diagnostics);
-    if (o.json) print_line(program::errors_json(diagnostics, program::kWrongInput));
-    return program::kWrongInput;
-  }
+  if (diagnostics.errors())
+    return program::report_unready(diagnostics, PreparedScene::State::wrong_input, terminal);
   const auto columns = find_columns(suite, o, registry, terminal);
+  bool refused = false;
+  for (const auto& column : columns) refused |= check_settings(column, registry, diagnostics);
+  if (diagnostics.errors())
+    return program::report_unready(
+        diagnostics, refused ? PreparedScene::State::refused : PreparedScene::State::wrong_input, terminal);
   References references(suite.folder / "references.json");
   program::catch_interrupts();
   const MatrixTitle title{folder.string(), o.seed};

@@ -48,6 +48,30 @@ TEST(NamedComponent, IsOneThatIsThereWithParametersThatAreRight) {
   check("coarse-to-fine", "then", "");
 }
 
+TEST(NamedComponent, IsRefusedWhereItLeadsBackToACaller) {
+  const auto by = [](const char* strategy) { return Values{{"by", std::string(strategy)}}; };
+  const auto why = [](const std::string& specification, const GivenValues& given) -> std::string {
+    try {
+      check_named(parameter_of("coarse-to-fine", "by"), specification, shipped_plugins(), given,
+                  {"coarse-to-fine/coarse-to-fine"});
+      return "";
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+  };
+  const std::string itself =
+      "leads back to coarse-to-fine/coarse-to-fine, which would call itself without an end";
+  EXPECT_NE(why("coarse-to-fine", {}).find(itself), std::string::npos);
+  EXPECT_NE(why("deflation", {{"deflation/deflation", by("coarse-to-fine")}}).find(itself),
+            std::string::npos);
+  EXPECT_NE(why("deflation:by=coarse-to-fine", {}).find(itself), std::string::npos);
+  // What the user gives prevails over the specification.
+  EXPECT_NE(why("deflation:by=direct", {{"deflation/deflation", by("coarse-to-fine")}}).find(itself),
+            std::string::npos);
+  EXPECT_EQ(why("deflation:by=coarse-to-fine", {{"deflation/deflation", by("direct")}}), "");
+  EXPECT_EQ(why("deflation:by=auto", {}), "");
+}
+
 TEST(NamedComponent, IsRefusedWhereItIsNotThere) {
   EXPECT_THROW(check("relaxed", "solver", "newtn"), UnknownComponent);
   EXPECT_THROW(check("relaxed", "solver", "direct"), UnknownComponent);

@@ -148,6 +148,42 @@ TEST(ASearch, RefusesStrategiesThatCallThemselvesWithoutEnd) {
   EXPECT_TRUE(why.ends_with("does it call itself?")) << why;
 }
 
+/// A strategy whose plan is a function of the test, without the layer of strategy.hpp if it is `bare`.
+struct Explained : ByHand {
+  static inline std::function<std::string()> plan;
+  static std::string explain(const Parameters&, Search&) { return plan(); }
+};
+
+std::string explain(int (*bare)(const void*, netloft_search*, char*, std::uint32_t) = nullptr) {
+  const Scene scene = taut_bars();
+  Registry& registry = shipped_plugins();
+  const ScenePlan plan = make_scene_plan(scene, registry);
+  Assembler assembler(scene, plan, 1);
+  SearchOptions options;
+  options.solver.type = &registry.solver("newton");
+  StrategyType type;
+  type.type = "test/explained", type.strategy = StrategyTable<Explained>("explained", "a test").descriptor();
+  if (bare) type.strategy.explain = bare;
+  try {
+    return explain_strategy({&scene, &assembler, &registry, nullptr, make_factorisation}, options,
+                            {&type, {}});
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+}
+
+TEST(ASearch, SaysThatItsStrategyCannotExplainIt) {
+  Explained::plan = [] { return std::string("all of it\n"); };
+  EXPECT_EQ(explain(), "all of it\n");
+  Explained::plan = []() -> std::string { throw std::runtime_error("no idea"); };
+  EXPECT_EQ(explain(), "the strategy test/explained failed to explain what it does: no idea");
+  EXPECT_EQ(explain([](const void*, netloft_search*, char* text, std::uint32_t size) -> int {
+              std::memset(text, 'x', size);
+              return NETLOFT_OK;
+            }),
+            "the strategy test/explained explains what it does with more than 4096 characters");
+}
+
 TEST(ASearch, PrefersAStableAnswerToAnUnstableOne) {
   const Solution s = search(compressed_bars(), [](Search& of) {
     const Stage straight = of.solve({.name = "straight"}, of.start());
