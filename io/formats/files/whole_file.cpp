@@ -62,8 +62,10 @@ class FileBeside {
     }
   }
 
-  void sync_and_rename() {
+  void sync() {
     if (fsync(fd_) != 0 && errno != EINVAL) fail(path_, errno);
+  }
+  void rename_to_path() {
     if (rename(beside_.c_str(), path_.c_str()) != 0) fail(path_, errno);
     is_named_ = true;
     if (close(std::exchange(fd_, -1)) != 0) fail(path_, errno);
@@ -75,15 +77,56 @@ class FileBeside {
   bool is_named_ = false;
 };
 
-}  // namespace
-
-void write_whole(const fs::path& path, std::string_view content) {
+/// Writes the file beside, calls `before_renaming`, and renames it.
+template <class Action>
+void write_beside(const fs::path& path, std::string_view content, const Action& before_renaming) {
   std::error_code none;
   if (fs::exists(path, none) && !fs::is_regular_file(path, none))
     throw WriteError(path.string() + " is a folder, a device or similar, not a file that may be replaced");
   FileBeside file(path);
   file.write(content);
-  file.sync_and_rename();
+  file.sync();
+  before_renaming();
+  file.rename_to_path();
+}
+
+[[noreturn]] void fail_to_keep(const fs::path& path, const fs::path& backup, int error) {
+  throw WriteError("cannot keep " + path.string() + " as " + backup.string() + ": " +
+                   std::generic_category().message(error));
+}
+
+bool has_content(const fs::path& path, std::string_view content) {
+  try {
+    return read_whole(path) == content;
+  } catch (const ReadError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+void write_whole(const fs::path& path, std::string_view content) {
+  write_beside(path, content, [] {});
+}
+
+void write_keeping(const fs::path& path, std::string_view content) {
+  write_beside(path, content, [&] {
+    if (!has_content(path, content)) keep_as_backup(path);
+  });
+}
+
+void keep_as_backup(const fs::path& path) {
+  const fs::path backup = path.string() + "~", link_path = path.string() + "~.new";
+  unlink(link_path.c_str());
+  if (link(path.c_str(), link_path.c_str()) == 0) {
+    const int error = rename(link_path.c_str(), backup.c_str()) == 0 ? 0 : errno;
+    unlink(link_path.c_str());  // rename() leaves it when both names already meant the same file
+    if (error != 0) fail_to_keep(path, backup, error);
+    return;
+  }
+  if (errno == ENOENT) return;
+  // On file systems without hard links, only the name PATH~ exists for a moment.
+  if (rename(path.c_str(), backup.c_str()) != 0) fail_to_keep(path, backup, errno);
 }
 
 std::optional<std::string> read_whole(const fs::path& path) {

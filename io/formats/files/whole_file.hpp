@@ -21,6 +21,14 @@ class WriteError : public std::runtime_error {
 /// folder or device are refused.
 void write_whole(const std::filesystem::path& path, std::string_view content);
 
+/// The same for a file that a user names: what is replaced may be anything, so it is kept as PATH~ unless it
+/// has the same content.
+void write_keeping(const std::filesystem::path& path, std::string_view content);
+
+/// Keeps the file `path`, if there is one, as its backup PATH~, which replaces an earlier backup. The file
+/// has at least one name at every moment. Throws WriteError.
+void keep_as_backup(const std::filesystem::path& path);
+
 /// A file that cannot be read; what() is a sentence for the user.
 class ReadError : public std::runtime_error {
  public:

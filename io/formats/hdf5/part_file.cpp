@@ -7,6 +7,7 @@
 
 #include <cerrno>
 
+#include "io/formats/files/whole_file.hpp"
 #include "io/formats/hdf5/seal.hpp"
 
 namespace netloft::formats {
@@ -31,24 +32,13 @@ Handle create_hdf5(const fs::path& part, const Descriptor& lock) {
   return with_context("cannot create " + part.string(), [&] { return Handle(id, H5Fclose); });
 }
 
-/// Keeps `path` as the backup NAME.hdf~. The file has at least one name at every moment.
-void keep_as_backup(const fs::path& path) {
-  const fs::path backup = with_suffix(path, "~");
-  const fs::path link_path = with_suffix(path, "~.new");
-  unlink(link_path.c_str());
-  if (link(path.c_str(), link_path.c_str()) == 0) {
-    if (rename(link_path.c_str(), backup.c_str()) != 0) {
-      const std::string reason = system_reason();
-      unlink(link_path.c_str());
-      throw FileError("cannot keep " + path.string() + " as " + backup.string() + ": " + reason);
-    }
-    unlink(link_path.c_str());  // rename() leaves this link if both names already meant the same file
-    return;
+/// Keeps an earlier result as NAME.hdf~.
+void keep_earlier(const fs::path& path) {
+  try {
+    keep_as_backup(path);
+  } catch (const WriteError& e) {
+    throw FileError(e.what());
   }
-  if (errno == ENOENT) return;  // no earlier result
-  // On file systems without hard links, only the name NAME.hdf~ exists for a moment.
-  if (rename(path.c_str(), backup.c_str()) != 0)
-    throw FileError("cannot keep " + path.string() + " as " + backup.string() + ": " + system_reason());
 }
 
 }  // namespace
@@ -90,7 +80,7 @@ void PartFile::finish() {
   });
   if (fsync(lock_.get()) != 0 && errno != EINVAL)
     throw FileError("cannot write " + part_.string() + ": " + system_reason());
-  keep_as_backup(final_);
+  keep_earlier(final_);
   if (rename(part_.c_str(), final_.c_str()) != 0)
     throw FileError("cannot rename " + part_.string() + " to " + final_.string() + ": " + system_reason());
   sync_folder_of(final_);

@@ -8,8 +8,6 @@ namespace {
 
 enum Kind : std::uint32_t { kLayout = 1, kOutput = 2, kRewind = 3, kStatus = 4 };
 
-const SeriesStatus kRunning = {"running", "the run that writes this file has not ended, or was killed"};
-
 void put(ByteWriter& to, const FieldSpec& spec) {
   to.put(spec.name);
   to.put(spec.unit);

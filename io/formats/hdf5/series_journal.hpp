@@ -36,6 +36,8 @@ struct SeriesState {
 struct SeriesStatus {
   std::string outcome, sentence;
 };
+inline const SeriesStatus kRunning = {"running",
+                                      "the run that writes this file has not ended, or was killed"};
 
 /// The outputs of a motion that is running or was killed, in the journal NAME.hdf.part (journal.hpp). The
 /// kinds of its records:

@@ -168,10 +168,10 @@ class Inspection {
 };
 
 void write_files(const studies::Comparison& result, const CompareOptions& o) {
-  if (!o.csv.empty()) formats::write_whole(o.csv, studies::comparison_csv(result));
+  if (!o.csv.empty()) formats::write_keeping(o.csv, studies::comparison_csv(result));
   if (o.plot.empty()) return;
   const formats::LinePlot plot = studies::comparison_plot(result);
-  formats::write_whole(o.plot,
+  formats::write_keeping(o.plot,
                          o.plot.ends_with(".html") ? formats::draw_html(plot) : formats::draw_svg(plot));
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/commands/run_output.hpp"
 
+#include "framework/motion/march_ending.hpp"
 #include "io/formats/hdf5/fold.hpp"
 #include "io/formats/hdf5/journal.hpp"
 #include "io/formats/hdf5/open.hpp"
 #include "io/formats/hdf5/read.hpp"
-#include "io/results/file/write_result.hpp"
 #include "io/program/session/print.hpp"
+#include "io/results/file/write_result.hpp"
 #include "io/results/text/result_text.hpp"
 
 #include <filesystem>
@@ -25,6 +26,13 @@ bool is_worthless_hdf5(const std::string& part) {
   } catch (const formats::FileError&) {
     return true;
   }
+}
+
+/// How the run of a journal ended, as the end of a sentence.
+std::string how_it_ended(const std::string& outcome) {
+  if (outcome == formats::kRunning.outcome || outcome == name_of(MarchStatus::interrupted))
+    return "did not end; --resume goes on from them";
+  return "has ended (" + outcome + "); --resume completes its result, or its index";
 }
 
 }  // namespace
@@ -49,8 +57,8 @@ void protect_outputs(const RunOptions& options, const std::string& part) {
   try {
     if (is_worthless_hdf5(part)) return;
     if (const auto left = formats::SeriesJournal::read(part); left.size() > 0)
-      throw UsageError{part + " holds " + std::to_string(left.size()) +
-                       " outputs of a run that did not end; --resume goes on from them" + cure};
+      throw UsageError{part + " holds " + std::to_string(left.size()) + " outputs of a run that " +
+                       how_it_ended(left.status().outcome) + cure};
   } catch (const formats::FileError& e) {
     throw UsageError{std::string(e.what()) + ". A run that did not end left it" + cure};
   }

@@ -204,7 +204,7 @@ int run_scope(const ScopeOptions& o) {
   print_table(o, rows, is_done ? "done" : "not converged", request);
   return write_last(session.terminal(), is_done ? kDone : kNotConverged, [&] {
     if (!o.output.empty())
-      formats::write_whole(o.output, studies::draw_scope(loaded.scene.name, rows, is_page(o.output)));
+      formats::write_keeping(o.output, studies::draw_scope(loaded.scene.name, rows, is_page(o.output)));
   });
 }
 

@@ -47,7 +47,7 @@ int study_submit_command(const StudySubmitOptions& o) {
   if (o.chunk > 0) script.chunk = std::min(static_cast<std::size_t>(o.chunk), study.items.size());
   script.why_chunk = why_chunk(o, script.chunk, seconds);
   const fs::path path = folder / studies::script_name(engine);
-  formats::write_whole(path, studies::engine_script(engine, study, script));
+  formats::write_keeping(path, studies::engine_script(engine, study, script));
   const std::string start = engine == studies::Engine::slurm ? "sbatch --wait slurm.sh" : "bash parallel.sh";
   print_answer(
       o, {{"script", path.string()}, {"items_per_task", engine == studies::Engine::slurm ? script.chunk : 1}},

@@ -39,7 +39,7 @@ void write_bars(const StudySobolOptions& o, const studies::StudyIndices& found) 
     throw UsageError{
         fmt::format("-o {}: {} figures do not fit on one picture, {} do; name them with --figure", o.output,
                     bars.groups.size(), kMostBarGroups)};
-  formats::write_whole(o.output, formats::draw_svg(bars));
+  formats::write_keeping(o.output, formats::draw_svg(bars));
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ int study_show_command(const StudyShowOptions& o) {
     throw UsageError{fmt::format(
         "-o {}: a picture has one plot, and {} figures vary; name one with --figure, or write .html",
         page.string(), plots.size())};
-  formats::write_whole(page, ending == ".svg" ? formats::draw_svg(plots.front())
+  formats::write_keeping(page, ending == ".svg" ? formats::draw_svg(plots.front())
                                                 : formats::draw_html("Study " + study.name, plots));
   print_answer(o, {{"output", page.string()}, {"plots", plots.size()}},
                fmt::format("{} written to {}", count_of(plots.size(), "plot"), page.string()));

@@ -44,7 +44,7 @@ void replace_file(const std::string& output, const std::string& content,
     if (fs::equivalent(output, source, none))
       throw UsageError{output + " is an input of this command; name another file with -o"};
   if (!has_one_of(output, endings)) throw UsageError{output + ": this is written as " + list_of(endings)};
-  formats::write_whole(output, content);
+  formats::write_keeping(output, content);
 }
 
 void require_place(const std::string& file, const std::vector<std::string>& sources) {

@@ -8,8 +8,8 @@ namespace netloft::program {
 
 class Terminal;
 
-/// Replaces the file `output` by `content` completely or not at all: the new file is written beside it and
-/// renamed (io/formats/files). Throws UsageError if `output` is a folder, a device or one of `sources`, or
+/// Replaces the file `output` by `content` completely or not at all, and keeps what was there
+/// (formats::write_keeping). Throws UsageError if `output` is a folder, a device or one of `sources`, or
 /// has none of the `endings`, such as ".svg" (without `endings`, all are allowed). Throws WriteError if the
 /// system refuses.
 void replace_file(const std::string& output, const std::string& content,

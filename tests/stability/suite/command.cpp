@@ -91,7 +91,7 @@ int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const st
   print_line(options.json ? matrix_json(title, rows) : matrix_text(title, rows));
   const std::string& page = options.html;
   if (page.empty() || code == program::kInterrupted) return code;
-  return program::write_last(terminal, code, [&] { formats::write_whole(page, matrix_html(title, rows)); });
+  return program::write_last(terminal, code, [&] { formats::write_keeping(page, matrix_html(title, rows)); });
 }
 
 /// Whether the first column got all cases right.

@@ -43,6 +43,25 @@ TEST_F(WholeFile, IsWrittenAndReplaced) {
   EXPECT_EQ(content(folder_ / "a"), "second");
   EXPECT_EQ(count_files(), 1u);
 }
+TEST_F(WholeFile, KeepsWhatItReplacesUnlessThatIsTheSame) {
+  write_keeping(folder_ / "a", "first");
+  EXPECT_EQ(count_files(), 1u);
+  write_keeping(folder_ / "a", "first");
+  EXPECT_EQ(count_files(), 1u);
+  write_keeping(folder_ / "a", "second");
+  EXPECT_EQ(content(folder_ / "a"), "second");
+  EXPECT_EQ(content(folder_ / "a~"), "first");
+  write_keeping(folder_ / "a", "third");
+  EXPECT_EQ(content(folder_ / "a~"), "second");
+  EXPECT_EQ(count_files(), 2u);
+}
+TEST_F(WholeFile, IsNotReplacedWhereItCannotBeKept) {
+  write_whole(folder_ / "a", "first");
+  fs::create_directories(folder_ / "a~" / "full");
+  EXPECT_THROW(write_keeping(folder_ / "a", "second"), WriteError);
+  EXPECT_EQ(content(folder_ / "a"), "first");
+  EXPECT_EQ(count_files(), 2u);
+}
 TEST_F(WholeFile, IsReadOrThereIsNone) {
   EXPECT_EQ(read_whole(folder_ / "a"), std::nullopt);
   const std::string bytes("longer than a block\0and with a null", 35);
