@@ -2,17 +2,21 @@
 // Nonsense for whoever reads the journal of a motion, NAME.hdf.part. Each input says how a good one is
 // changed: records left out, repeated, of another kind, with other bytes in them, all with the right
 // checksums, and then bytes of the file. It is read and reported as a result, and a run goes on from it. What
-// HDF5 itself reads of a journal, the image of what was known at the start, stays whole.
+// HDF5 itself reads of a journal, the image of what was known at the start, stays whole, or leads to another
+// file.
 #include "io/formats/hdf5/series_journal.hpp"
 #include "io/results/motion/checkpoint.hpp"
 #include "io/results/text/result_text.hpp"
 #include "io/results/text/tables.hpp"
 #include "tests/fuzz/choices.hpp"
+#include "tests/fuzz/lead_elsewhere.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -77,6 +81,23 @@ void change(Record& record, fuzz::Choices& source) {
   }
 }
 
+/// Changes the image in one of the ways of lead_elsewhere().
+void change_image(Record& record, fuzz::Choices& source) {
+  formats::ByteReader from(record.content);
+  const std::size_t begin = sizeof(std::uint64_t) + from.text().size();
+  const std::string image(from.text());
+  const auto path =
+      fuzz::write_scratch("image.h5", reinterpret_cast<const std::uint8_t*>(image.data()), image.size());
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  fuzz::lead_elsewhere(file, "/netloft/elsewhere", source.in<int>(1, fuzz::kWaysElsewhere));
+  H5Fclose(file);
+  std::ifstream in(path, std::ios::binary);
+  const std::string changed{std::istreambuf_iterator<char>(in), {}};
+  const std::uint64_t size = changed.size();
+  record.content.replace(begin, sizeof size + image.size(),
+                         std::string(reinterpret_cast<const char*>(&size), sizeof size) + changed);
+}
+
 void write_changed(const fs::path& path, const GoodJournal& good, fuzz::Choices& source) {
   formats::Journal journal = formats::Journal::create(path);
   for (Record record : good.records) {
@@ -84,6 +105,7 @@ void write_changed(const fs::path& path, const GoodJournal& good, fuzz::Choices&
     if (what == 1) continue;
     if (what == 2) record.kind = source.in<std::uint32_t>(0, 5);
     if (what == 3 || what == 4) change(record, source);
+    if (what == 6 && record.kind == kLayout) change_image(record, source);
     for (int n = what == 5 ? 2 : 1; n > 0; --n) journal.append(record.kind, record.content);
   }
 }

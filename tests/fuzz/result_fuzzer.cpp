@@ -2,12 +2,14 @@
 // Nonsense for whoever reads a result. HDF5 itself crashes on some damaged bytes, so the bytes of the file
 // stay whole: each input says how a good result is changed through HDF5: objects and attributes removed,
 // renamed, replaced by others of another type or extent, numbers overwritten. Then it is read, reported and
-// drawn as any other.
+// drawn as any other. The first byte also says whether the points are replaced by something in another file,
+// which has to be refused.
 #include "io/formats/mesh/mesh.hpp"
 #include "io/results/file/read_result.hpp"
 #include "io/results/text/result_text.hpp"
 #include "io/results/text/tables.hpp"
 #include "tests/fuzz/choices.hpp"
+#include "tests/fuzz/lead_elsewhere.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 
 #include <hdf5.h>
@@ -167,7 +169,8 @@ void stand_on(const fs::path& path) {
   }
 }
 
-void look_at(const fs::path& path) {
+/// Whether it could be read.
+bool look_at(const fs::path& path) {
   try {
     const results::Result result = results::read_result(path);
     fuzz::use(results::result_text(result).size() + results::result_json(result).size() +
@@ -175,8 +178,10 @@ void look_at(const fs::path& path) {
     const results::StoredShape shape(path);
     for (const std::size_t state : {std::size_t{0}, shape.times.size() - 1})
       fuzz::use(results::nodes_csv(shape, state).size() + results::elements_csv(shape, state).size());
+    return true;
   } catch (const formats::FileError& e) {
     fuzz::use(std::strlen(e.what()));
+    return false;
   }
 }
 
@@ -186,11 +191,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   formats::silence_hdf5();
   fuzz::Choices source(data, size);
   const auto path = fuzz::scratch_folder() / "r.hdf";
-  fs::copy_file(good_results() / source.pick(kResults), path, fs::copy_options::overwrite_existing);
+  const int first = source.any<std::uint8_t>(), way = first / 4 % 16;
+  fs::copy_file(good_results() / kResults[first % 4], path, fs::copy_options::overwrite_existing);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const bool leads_elsewhere = way > 0 && way <= fuzz::kWaysElsewhere;
+  if (leads_elsewhere) fuzz::lead_elsewhere(file, "/VTKHDF/Points", way);
+  const bool is_changed = source.left() > 0;
   for (int n = 0; n < 8 && source.left() > 0; ++n) change(file, source);
   H5Fclose(file);
-  look_at(path);
+  if (look_at(path) && leads_elsewhere && !is_changed) std::abort();
   stand_on(path);
   return 0;
 }

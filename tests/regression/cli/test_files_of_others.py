@@ -1,0 +1,435 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results, journals and studies that somebody else made: every command answers each of them, and reads, writes, prints and runs nothing
+that is not the file's own. Each hostile file is made here, out of a good one."""
+import csv
+import io
+import json
+import os
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree
+import zlib
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from program import GOOD, SOURCE, InFreshFolder, changed
+
+sys.path.append(str(SOURCE / "tests" / "support"))
+import journal  # noqa: E402
+
+MOTION = [str(SOURCE / "gear-library/scenes/dynamics/released-rope.toml"), "--set", "analysis.output_interval=0.5", "--set",
+          "analysis.duration=2", "--set", "parts.rope.cells=4"]
+SECRET = "TOP SECRET: the password is hunter2; "
+ESCAPES = "\x1b]0;owned\x07\x1b[31mred\x9b31m\x7f"
+CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+UNSEEN = 987654.3125  # in files that nobody was given
+SCENE = changed(GOOD, ("[results]\n", '[results]\n"=2+3" = { of = "rope", take = "max z" }\n'))
+
+
+def replaced(path, make):
+    """A change: another dataset of the same extents, with the same attributes."""
+    def change(f):
+        old = f[path]
+        shape, dtype, attributes = old.shape, old.dtype, dict(old.attrs)
+        del f[path]
+        make(f, path, shape, dtype)
+        if isinstance(f.get(path, getlink=True), h5py.HardLink):
+            f[path].attrs.update(attributes)
+    return change
+
+
+def external(file):
+    return replaced("VTKHDF/Points", lambda f, path, shape, dtype: f.create_dataset(
+        path, shape=shape, dtype="f8", external=[(file, 0, h5py.h5f.UNLIMITED)]))
+
+
+def virtual(file):
+    def make(f, path, shape, dtype):
+        layout = h5py.VirtualLayout(shape=shape, dtype="f8")
+        layout[...] = h5py.VirtualSource(file, "x", shape=shape)
+        f.create_virtual_dataset(path, layout)
+    return replaced("VTKHDF/Points", make)
+
+
+def link(target):
+    def change(f):
+        del f["VTKHDF/Points"]
+        f["VTKHDF/Points"] = target
+    return change
+
+
+def texts(path, text):
+    return replaced(path, lambda f, path, shape, dtype: f.create_dataset(
+        path, data=np.array([text + str(i) for i in range(shape[0])], dtype=object), dtype=h5py.string_dtype()))
+
+
+def nested(f):
+    group = f["netloft"].create_group("gear")
+    for _ in range(3000):
+        group = group.create_group("a")
+
+
+def names(f):
+    f.create_dataset("netloft/scalars/" + ESCAPES, data=1.0).attrs["unit"] = "m"
+
+
+# What each is refused for.
+OUTSIDE = {
+    "external-text": (external("../secret.txt"), r"/VTKHDF/Points has its numbers in another file, \.\./secret\.txt \(external storage\)"),
+    "external-pipe": (external("../pipe"), r"/VTKHDF/Points has its numbers in another file, \.\./pipe \(external storage\)"),
+    "virtual": (virtual("../other.h5"), r"/VTKHDF/Points is made of datasets of other files \(a virtual dataset\)"),
+    "virtual-pipe": (virtual("../pipe"), r"/VTKHDF/Points is made of datasets of other files \(a virtual dataset\)"),
+    "external-link": (link(h5py.ExternalLink("../other.h5", "/points")), r"/VTKHDF/Points is an external link"),
+    "link-to-a-pipe": (link(h5py.ExternalLink("../pipe", "/points")), r"/VTKHDF/Points is an external link"),
+    "soft-link": (link(h5py.SoftLink("/VTKHDF/Types")), r"/VTKHDF/Points is a soft link")}
+CURE = "; only data in the file itself are read, so ask for a file that holds all its data"
+REFUSED = {
+    **{name: (change, why + CURE) for name, (change, why) in OUTSIDE.items()},
+    "nested-groups": (nested, "/netloft/gear(/a)+ is nested deeper than 16 groups"),
+    "names-of-objects": (names, r"the name of /netloft/scalars/\\u001b\]0;owned\\u0007\\u001b\[31mred\\u009b31m\\u007f has control characters"),
+    "names-of-holds": (texts("netloft/forces/held_name", ESCAPES), r"/netloft/forces/held_name has a name with control characters, \\u001b"),
+    "names-of-parts": (texts("netloft/parts/name", ESCAPES), r"/netloft/parts/name has a name with control characters, \\u001b")}
+
+
+def commands_on(name):
+    """Each with the files that it may write."""
+    return ([], "report", name), ([], "report", name, "--json"), ([], "report", name, "--csv"), (["o.html"], "report", name, "-o", "o.html"), \
+        (["o.html"], "view", name, "-o", "o.html"), (["o.svg"], "draw", name, "-o", "o.svg"), (["o.png"], "draw", name, "-o", "o.png"), \
+        (["o.csv"], "export", name, "o.csv"), (["o.csv"], "export", name, "o.csv", "--table", "elements"), (["o.glb"], "export", name, "o.glb"), \
+        (["o.mesh"], "export", name, "o.mesh"), (["o.vtk"], "export", name, "o.vtk"), ([], "diff", name, "good.hdf"), ([], "diff", "good.hdf", name), \
+        (["o.hdf"], "run", "scene.toml", "--start-from", name, "-o", "o.hdf"), ([], "plan", "mesh.toml"), (["o.hdf"], "run", "mesh.toml", "-o", "o.hdf")
+
+
+class OfOthers(InFreshFolder):
+    def setUp(self):
+        super().setUp()
+        self.outer = self.folder
+        self.folder = self.outer / "work"
+        self.folder.mkdir()
+        (self.outer / "secret.txt").write_text(SECRET * 400)
+        os.mkfifo(self.outer / "pipe")
+        with h5py.File(self.outer / "other.h5", "w") as f:
+            f["points"] = f["x"] = np.full((1000, 3), UNSEEN)
+        self.write("scene.toml", SCENE)
+
+    def good_result(self):
+        self.assertEqual(self.netloft("run", "scene.toml", "-o", "good.hdf").code, 0)
+        return (self.folder / "good.hdf").read_bytes()
+
+    def everything(self):
+        return {str(p.relative_to(self.outer)): p.read_bytes() for p in self.outer.rglob("*") if p.is_file()}
+
+    def expect_no_formulas(self, table):
+        cells = [cell for row in csv.reader(io.StringIO(table)) for cell in row]
+        for cell in cells:
+            self.assertTrue(not re.match(r"[=+@\t-]", cell) or re.fullmatch(r"-?[\d.e+-]+", cell), cell)
+        return cells
+
+    def answer(self, *words, writes=()):
+        """What a command says. It ends, writes at most these files, and neither shows anything foreign nor speaks to the terminal."""
+        before = self.everything()
+        ended = self.netloft(*words)
+        after = self.everything()
+        for name in set(after) - {f"work/{one}{ending}" for one in writes for ending in ("", "~")}:
+            self.assertEqual(after[name], before.get(name), f"{words} wrote {name}")
+        for text in (ended.out, ended.err):
+            self.assertIsNone(CONTROL.search(text), f"{words}: {text!r}")
+            self.assertNotIn("hunter2", text)
+            self.assertNotIn(str(UNSEEN)[:6], text)
+        for name in writes:
+            (self.folder / name).unlink(missing_ok=True)
+        return ended
+
+
+class Results(OfOthers):
+    def hostile(self, good, name, change):
+        """Without its checksums, as a result of an older version: whoever makes such a file leaves them out."""
+        (self.folder / name).write_bytes(good[:good.rindex(b"netloft checksums 1\n")])
+        with h5py.File(self.folder / name, "r+") as f:
+            change(f)
+        self.write("mesh.toml", changed(SCENE, ('panel = { across = 4, along = 4, bar = "0.6 m" }\ncells = [4, 4]\n'
+                                                'sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]',
+                                                f'panel = {{ bar = "0.6 m" }}\nmesh = "{name}"')))
+
+    def expect_refused(self, name, why, *words):
+        ended = self.answer(*words)
+        self.assertIn(ended.code, (1, 2), f"{words}: {ended.out}{ended.err}")
+        self.assertRegex(ended.err, f"(?m)^(netloft: |{re.escape(name)}: error: ).*cannot read {re.escape(name)}: {why}", words)
+        if "--json" not in words:
+            self.assertEqual(ended.out, "", words)
+
+    def test_that_lead_elsewhere_are_refused_by_every_command(self):
+        good = self.good_result()
+        for kind, (change, why) in REFUSED.items():
+            name = f"{kind}.hdf"
+            self.hostile(good, name, change)
+            for _, *words in commands_on(name):
+                if kind == "names-of-holds" and "mesh.toml" in words:
+                    continue  # a mesh has no holds
+                with self.subTest(kind=kind, command=words):
+                    self.expect_refused(name, why, *words)
+
+    def test_that_lead_elsewhere_are_refused_as_what_a_run_has_left(self):
+        good = self.good_result()
+        for kind, (change, why) in REFUSED.items():
+            with self.subTest(kind=kind):
+                self.hostile(good, "left.hdf.part", change)
+                self.expect_refused("left.hdf.part", why, "report", "left.hdf.part")
+
+    @unittest.skipUnless(shutil.which("cc"), "needs a C compiler")
+    def test_load_no_filters(self):
+        """HDF5 would look for one that it does not know among the plugins of its own, which it opens to see what they are."""
+        self.write("filter.c", '#include <stdio.h>\n__attribute__((constructor)) static void run(void) { fclose(fopen("EXECUTED", "w")); }\n')
+        subprocess.run(["cc", "-shared", "-fPIC", "filter.c", "-o", "libfilter.so"], cwd=self.folder, check=True)
+
+        def filtered(f, path, shape, dtype):
+            how = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+            how.set_chunk(shape)
+            how.set_filter(32015, h5py.h5z.FLAG_OPTIONAL, ())
+            made = h5py.h5d.create(f.id, path.encode(), h5py.h5t.IEEE_F64LE, h5py.h5s.create_simple(shape), how)
+            made.write_direct_chunk((0, 0), b"\0" * 8 * shape[0] * shape[1])
+        self.hostile(self.good_result(), "filter.hdf", replaced("VTKHDF/Points", filtered))
+        ended = self.netloft("export", "filter.hdf", "o.csv", environment=self.environment(HDF5_PLUGIN_PATH=str(self.folder)))
+        self.assertEqual(ended.code, 2, ended.out)
+        self.assertIn("cannot read /VTKHDF/Points in filter.hdf", ended.err)
+        self.assertFalse((self.folder / "EXECUTED").exists())
+
+    def test_with_escapes_in_their_texts_do_not_speak_to_the_terminal(self):
+        good = self.good_result()
+
+        def change(f):
+            for path in ("netloft/provenance/files/path", "netloft/provenance/files/text", "netloft/provenance/plugins/name"):
+                texts(path, ESCAPES)(f)
+            f.create_dataset("netloft/diagnostics", data=np.array([ESCAPES], dtype=object), dtype=h5py.string_dtype())
+            f["netloft/status"].attrs["outcome"] = ESCAPES
+            f["netloft/status"].attrs["sentence"] = ESCAPES
+            for dataset in f["netloft/scalars"].values():
+                dataset.attrs["unit"] = dataset.attrs["doc"] = ESCAPES
+        self.hostile(good, "texts.hdf", change)
+        shown = 0
+        for writes, *words in commands_on("texts.hdf"):
+            with self.subTest(command=words):
+                ended = self.answer(*words, writes=writes)
+                self.assertIn(ended.code, (0, 2, 3), ended.err)
+                shown += "\\u001b" in ended.out
+        self.assertGreaterEqual(shown, 5)
+        json.loads(self.answer("report", "texts.hdf", "--json").out)
+
+    def test_with_many_figures_are_answered(self):
+        good = self.good_result()
+
+        def change(f):
+            for i in range(5000):
+                f.create_dataset(f"netloft/gear/x{i}", data=1.0).attrs["unit"] = "m"
+        self.hostile(good, "many.hdf", change)
+        for _, *words in (([], "report", "many.hdf"), ([], "diff", "many.hdf", "good.hdf")):
+            self.assertEqual(self.answer(*words).code, 0)
+
+    def test_hold_no_formulas_in_their_tables(self):
+        self.good_result()
+        said = self.answer("report", "good.hdf", "--csv").out
+        self.assertIn("'=2+3", self.expect_no_formulas(said))
+
+    def test_have_an_index_that_is_xml_whatever_they_are_called(self):
+        name = "a<b>&\"c.hdf"
+        ended = self.netloft("run", *MOTION, "-o", name)
+        self.assertEqual(ended.code, 0, ended.err)
+        index = xml.etree.ElementTree.parse(self.folder / "a<b>&\"c.xdmf")
+        self.assertEqual({item.text for item in index.iter("DataItem")}, {name})
+
+
+class Journals(OfOthers):
+    def rewritten(self, part, change):
+        """A journal with right checksums whose record of the layout `change` has changed."""
+        data = bytearray(part.read_bytes()[:16])
+        for kind, content in journal.records_of(part.read_bytes()):
+            content = change(content) if kind == journal.LAYOUT else content
+            head = struct.pack("<QI", len(content), kind)
+            data += head + struct.pack("<I", zlib.crc32(head)) + content + struct.pack("<I", zlib.crc32(content))
+        part.write_bytes(data)
+
+    def test_whose_inputs_lead_elsewhere_are_refused(self):
+        def in_image(change):
+            def change_layout(content):
+                c = journal.Content(content)
+                identity, image = c.bytes(), c.bytes()
+                with open(self.outer / "image", "wb") as f:
+                    f.write(image)
+                with h5py.File(self.outer / "image", "r+") as f:
+                    change(f)
+                image = (self.outer / "image").read_bytes()
+                return struct.pack("<Q", len(identity)) + identity + struct.pack("<Q", len(image)) + image + content[c.at:]
+            return change_layout
+
+        def outside(f):
+            f.create_dataset("netloft/secret", shape=(5,), dtype="f8", external=[("../pipe", 0, h5py.h5f.UNLIMITED)])
+
+        def links(f):
+            f["netloft/secret"] = h5py.ExternalLink("../pipe", "/x")
+        for change, why in ((outside, r"/netloft/secret has its numbers in another file, \.\./pipe"), (links, "/netloft/secret is an external link")):
+            part = self.folder / "r.hdf.part"
+            (self.folder / "r.hdf.new").mkdir()  # its outputs stay a journal
+            self.assertEqual(self.netloft("run", *MOTION, "-o", "r.hdf").code, 1)
+            (self.folder / "r.hdf.new").rmdir()
+            self.rewritten(part, in_image(change))
+            for words in (["report", part.name], ["view", part.name, "-o", "o.html"], ["diff", part.name, part.name], ["export", part.name, "o.csv"]):
+                with self.subTest(why=why, command=words):
+                    ended = self.answer(*words)
+                    self.assertEqual(ended.code, 2, ended.err)
+                    self.assertRegex(ended.err, f"cannot read r.hdf.part.*{why}")
+            part.unlink()
+
+
+STUDY = """\
+scene = "scene.toml"
+[variables.water]
+key = "water.density"
+values = [1000, 1010]
+[variables.twine]
+key = "parts.net.twine.EA"
+range = ["8 kN", "12 kN"]
+[design]
+samples = 4
+"""
+
+
+def actions_on(folder):
+    return (["run", folder], ["missing", folder], ["submit", folder, "--engine", "parallel"], ["submit", folder, "--engine", "slurm"],
+            ["collect", folder], ["show", folder], ["estimate", folder, "--at", "water=1005"], ["sobol", folder])
+
+
+class Studies(OfOthers):
+    def good_study(self):
+        self.write("s.toml", STUDY)
+        self.assertEqual(self.netloft("study", "plan", "s.toml").code, 0)
+        self.assertEqual(self.netloft("study", "run", "s.study").code, 0)
+
+    def copy(self, name):
+        return Path(shutil.copytree(self.folder / "s.study", self.folder / name))
+
+    def renamed(self, name, change):
+        """A copy whose first line is changed, with the right checksum."""
+        place = self.copy(name) / "manifest.jsonl"
+        first, rest = place.read_bytes().split(b"\n", 1)
+        head = json.loads(first)
+        del head["crc32"]
+        change(head)
+        dump = lambda: json.dumps(head, separators=(",", ":"), ensure_ascii=False).encode() + b"\n"  # noqa: E731
+        head["crc32"] = f"{zlib.crc32(rest, zlib.crc32(dump())):08x}"
+        place.write_bytes(dump() + rest)
+
+    def expect_refused(self, folder, why):
+        for words in actions_on(folder):
+            with self.subTest(folder=folder, action=words[0]):
+                ended = self.answer("study", *words)
+                self.assertEqual(ended.code, 2, ended.out + ended.err)
+                self.assertRegex(ended.err, rf"(?m)^netloft: {folder}/manifest\.jsonl:(\d+:)? the manifest is damaged \({why}")
+
+    def test_whose_names_lead_elsewhere_are_refused(self):
+        self.good_study()
+        for folder, name in (("outside", "../../pwned"), ("absolute", str(self.outer / "pwned")), ("command", "x\ntouch EXECUTED; #"), ("escape", ESCAPES)):
+            self.renamed(f"{folder}.study", lambda head: head.update(name=name))
+            self.expect_refused(f"{folder}.study", "the name of the study, ")
+        self.renamed("variable.study", lambda head: head["variables"][0].update(name="../x\n=2+3"))
+        self.expect_refused("variable.study", "the name of a variable, ")
+
+    def test_whose_values_are_not_those_that_were_set_are_refused(self):
+        self.good_study()
+        manifest = self.copy("values.study") / "manifest.jsonl"
+        text = manifest.read_text()
+        manifest.write_text(text.replace('["1010",1010.0]', '["1010",1011.0]', 1))
+        self.expect_refused("values.study", 'the value "1010" of water is another number')
+        manifest.write_text(text.replace('["1010",1010.0]', '["1011",1011.0]', 1))
+        self.expect_refused("values.study", "the values of an item are not those that it sets")
+        manifest.write_text(text.replace('"seed":1', '"seed":3'))
+        self.expect_refused("values.study", "it does not match its checksum")
+        manifest.write_text(text.replace('"name":"twine"', '"name":"twina"'))
+        self.expect_refused("values.study", "it does not match its checksum")
+
+    def test_with_escapes_in_their_records_do_not_speak_to_the_terminal(self):
+        self.good_study()
+        study = self.copy("escape.study")
+        records = sorted((study / "items").glob("*.json"))
+        records[0].with_suffix(".failed").write_text(ESCAPES)
+        records[0].unlink()
+        for record, place in ((records[1], "reason"), (records[2], "figures")):
+            text = json.loads(record.read_text().rsplit("crc32 ", 1)[0])
+            if place == "figures":
+                text["figures"][0]["name"] = "gear/" + ESCAPES
+            else:
+                text["points"][0].update(reason=ESCAPES, status="=2+3")
+                text["cost"]["host"] = "@" + ESCAPES
+            content = json.dumps(text, ensure_ascii=False).encode() + b"\n"
+            record.write_bytes(content + f"crc32 {zlib.crc32(content):08x}\n".encode())
+        ended = self.netloft("study", "collect", "escape.study")
+        self.assertEqual(ended.code, 1, ended.err)
+        self.assertIn("\\u001b", ended.err)
+        self.assertIn("a figure cannot be called", ended.err)
+        for name in ("table.csv", "costs.csv"):
+            table = (study / name).read_bytes().decode()
+            self.assertIsNone(CONTROL.search(table), name)
+            self.expect_no_formulas(table)
+        own = [f"escape.study/{name}" for name in ("table.csv", "table.hdf", "costs.csv", "s.html", "parallel.sh", "slurm.sh")]
+        for words in actions_on("escape.study")[1:]:
+            self.answer("study", *words, writes=own)
+
+    def test_whose_file_is_called_like_a_command_run_none(self):
+        """The name of a study file becomes that of the study, a comment of its scripts, and a word for Slurm."""
+        name = "$(touch EXECUTED) `touch EXECUTED` '; touch EXECUTED; --wrap=x"
+        self.write(f"{name}.toml", STUDY)
+        planned = self.netloft("study", "plan", f"{name}.toml", "-o", "c.study")
+        self.assertEqual(planned.code, 0, planned.err)
+        tools = self.outer / "tools"
+        tools.mkdir()
+        # GNU parallel with one job: the last word is a command for a shell, once for each line.
+        (tools / "parallel").write_text('#!/usr/bin/env bash\nfor last; do :; done\n'
+                                        'while read -r item; do bash -c "${last//\\{\\}/$item}" || exit; done\n')
+        (tools / "parallel").chmod(0o755)
+        for engine, script in (("parallel", "parallel.sh"), ("slurm", "slurm.sh")):
+            odd = str(self.folder / "$(touch EXECUTED) and 'more'")
+            Path(odd).mkdir(exist_ok=True)
+            ended = self.netloft("study", "submit", "c.study", "--engine", engine, "--plugins", odd)
+            self.assertEqual(ended.code, 0, ended.err)
+            text = (self.folder / "c.study" / script).read_text()
+            self.assertEqual([line for line in text.splitlines() if "--wrap" in line and not line.startswith("# ")],
+                             ["#SBATCH --job-name=__touch_EXECUTED___touch_EXECUTED_____touch_EXECUTED__--wrap_x"] if engine == "slurm" else [])
+            environment = self.environment(PATH=f"{tools}:{os.environ['PATH']}", SLURM_ARRAY_TASK_ID="1")
+            subprocess.run(["bash", script], cwd=self.folder / "c.study", env=environment, capture_output=True, timeout=120)
+            self.assertEqual([p for p in self.outer.rglob("EXECUTED*")], [])
+        self.assertEqual(self.netloft("study", "missing", "c.study").out, "")
+
+    def test_whose_file_cannot_be_a_name_are_not_planned(self):
+        self.write("x\ntouch EXECUTED; #.toml", STUDY)
+        ended = self.answer("study", "plan", "x\ntouch EXECUTED; #.toml")
+        self.assertEqual(ended.code, 2)
+        self.assertRegex(ended.err, r"becomes the name of the study, and must not hold control characters\n  hint: rename the file")
+
+
+class Scenes(OfOthers):
+    def test_do_not_speak_to_the_terminal(self):
+        """Nor do their names become those of results."""
+        for old, new, says in (("[parts.rope]", '[parts."ro\\u009b31mpe"]', "must not hold control characters"),
+                               ('"=2+3"', '"\\u001b[31m"', "must not hold control characters"),
+                               ('type = "rope/bar"', 'type = "rope/\\u009b31m"', "\\\\u009b31m")):
+            self.write("odd.toml", changed(SCENE, (old, new)))
+            for words in (["plan", "odd.toml"], ["run", "odd.toml"], ["plan", "odd.toml", "--json"], ["run", "odd.toml", "--json"]):
+                with self.subTest(new=new, command=words):
+                    ended = self.answer(*words)
+                    self.assertIn(ended.code, (2, 4), ended.err)
+                    self.assertRegex(ended.err, says)
+
+    def test_with_escapes_in_their_text_are_shown_without(self):
+        self.write("raw.toml", SCENE.replace("[water]", "[water]\n# \x1b[31m\x9b31m\nd\x9bensty = 3"))
+        self.write("raw2.toml", SCENE + '"\x1b" = 3\n')
+        for name in ("raw.toml", "raw2.toml"):
+            self.assertEqual(self.answer("plan", name).code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
