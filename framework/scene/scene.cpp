@@ -188,6 +188,14 @@ double RigidBody::arm() const {
 }
 
 std::optional<std::size_t> Scene::body_at(std::uint32_t origin) const {
+  // Bodies are made in the order of their nodes, so that halving finds nearly all; joins may change that
+  // order.
+  std::size_t first = 0, last = bodies.size();
+  while (last - first > 1) {
+    const std::size_t middle = first + (last - first) / 2;
+    (bodies[middle].origin > origin ? last : first) = middle;
+  }
+  if (first < last && bodies[first].origin == origin) return first;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (bodies[b].origin == origin) return b;
   return {};

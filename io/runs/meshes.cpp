@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/runs/meshes.hpp"
 
+#include "io/formats/work/long_work.hpp"
 #include "io/runs/coarser.hpp"
 
 #include <utility>
@@ -59,11 +60,15 @@ std::unique_ptr<scenes::LoadedScene> Meshes::read_halved(const scenes::LoadedSce
   formats::append(changes, halved);
   formats::Diagnostics diagnostics;
   bool refused = false;
-  auto coarse =
-      std::make_unique<scenes::LoadedScene>(source_.scene.instance(changes, registry_, diagnostics, refused));
-  if (refused || diagnostics.errors() || !start_like(finer, *coarse)) return nullptr;
-  source_.changes = std::move(changes);
-  return coarse;
+  try {
+    auto coarse = std::make_unique<scenes::LoadedScene>(
+        source_.scene.instance(changes, registry_, diagnostics, refused));
+    if (refused || diagnostics.errors() || !start_like(finer, *coarse)) return nullptr;
+    source_.changes = std::move(changes);
+    return coarse;
+  } catch (const formats::Interrupted&) {
+    return nullptr;  // the search is interrupted, too, and ends without this mesh
+  }
 }
 
 std::vector<double> Meshes::carry(unsigned from, std::span<const double> positions, unsigned to) {

@@ -3,6 +3,7 @@
 
 #include "framework/balance/work.hpp"
 #include "framework/search/settings.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/runs/idle_choices.hpp"
 #include "io/runs/inertia.hpp"
 #include "io/runs/material_damping.hpp"
@@ -37,8 +38,11 @@ PreparedScene::PreparedScene(CaseSource source, Registry& registry, MakeFactoris
 PreparedScene::~PreparedScene() = default;
 
 PreparedScene::State PreparedScene::prepare(const std::function<void(scenes::LoadedScene&)>& change) {
+  const std::string file = source_.scene.file().string();
+  const formats::LongWork work({"reading", file});
   if (const State state = read(); state != State::ready) return state;
   if (change) change(loaded_);
+  formats::report({"assembling", loaded_.scene.name, loaded_.scene.node_count(), "nodes"});
   return assemble();
 }
 

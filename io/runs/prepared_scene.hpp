@@ -46,7 +46,8 @@ class PreparedScene {
   PreparedScene& operator=(const PreparedScene&) = delete;
 
   /// Reads, checks and assembles. `change` may alter the scene between reading and planning, for example its
-  /// start or its water. If the state is not `ready`, diagnostics() has the reasons.
+  /// start or its water. If the state is not `ready`, diagnostics() has the reasons. Throws
+  /// formats::Interrupted if the user interrupts.
   State prepare(const std::function<void(scenes::LoadedScene&)>& change = {});
   const formats::Diagnostics& diagnostics() const { return diagnostics_; }
 

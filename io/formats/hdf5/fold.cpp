@@ -8,6 +8,7 @@
 
 #include "io/formats/hdf5/open.hpp"
 #include "io/formats/hdf5/result_file.hpp"
+#include "io/formats/work/long_work.hpp"
 
 namespace netloft::formats {
 namespace {
@@ -108,6 +109,7 @@ void fold_series(const SeriesJournal& journal, hid_t file, const std::string& fi
   with_misfits_of("cannot write " + file_name, [&] {
     VtkHdf grid(file, layout.mesh, layout.changing, layout.fixed, journal.size(), journal.stored());
     for (std::size_t i = 0; i < journal.size(); ++i) {
+      report({"writing", file_name, i, "outputs"});
       const SeriesState state = journal.stored_state(i);
       const std::vector<std::span<const double>> fields(state.fields.begin(), state.fields.end());
       if (state.row.size() != rows.columns)
@@ -126,6 +128,7 @@ void fold_series(const SeriesJournal& journal, hid_t file, const std::string& fi
 
 void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,
                  const std::function<void(Tree&)>& rest) {
+  const LongWork writing({"writing", final_path.native()});
   ResultFile file(final_path, final_path.string() + ".new");
   try {
     fold_series(journal, file.part().id(), file.part_path().string());

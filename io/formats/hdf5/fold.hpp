@@ -14,7 +14,8 @@ namespace netloft::formats {
 void fold_series(const SeriesJournal& journal, hid_t file, const std::string& file_name);
 
 /// Makes the result `final_path` from a journal, with the data that `rest` adds. The file is written as
-/// NAME.hdf.new, and renamed once it is complete and on the disk; the journal may be removed afterwards.
+/// NAME.hdf.new, and renamed once it is complete and on the disk; the journal may be removed afterwards. If
+/// the user interrupts, throws Interrupted and leaves no file.
 void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,
                  const std::function<void(Tree&)>& rest);
 

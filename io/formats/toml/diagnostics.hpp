@@ -31,6 +31,7 @@ struct Diagnostic {
 class Diagnostics {
  public:
   enum class Source { file, command_line };
+  static constexpr std::size_t kMostShown = 100;
 
   /// Adds a source and returns its index. Messages are sorted by the order of sources: the root file comes
   /// first. Messages show only the name of a command line, without the line and column.
@@ -50,6 +51,9 @@ class Diagnostics {
   const std::vector<Diagnostic>& messages() const { return entries_; }
 
   int errors() const { return errors_; }
+  /// Whether the next error is still among those that are shown. If not, nobody reads its hint, which may
+  /// take long to find.
+  bool wants_hints() const { return errors_ < static_cast<int>(kMostShown); }
   int warnings() const { return static_cast<int>(entries_.size()) - errors_; }
 
   /// All messages, sorted by source, line and column.
@@ -61,7 +65,7 @@ class Diagnostics {
   /// All messages as text. Each consists of `codend.toml:41:13: error: message`, the source line with the
   /// place underlined, and `  hint: …`. At most `limit` messages are shown, followed by the number of the
   /// others. Control characters are replaced, so that none reaches a terminal.
-  std::string render(bool color, std::size_t limit = 100) const;
+  std::string render(bool color, std::size_t limit = kMostShown) const;
 
  private:
   struct Text {

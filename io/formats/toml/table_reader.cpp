@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 #include <unordered_map>
 
 #include "framework/parameters/nearest.hpp"
@@ -128,7 +129,7 @@ constexpr const char* kDegrees = "an angle in degrees is written \"30 deg\"";
 /// each states its own.
 struct Wanted {
   const std::string& unit;
-  const Range& range;
+  Range range;
   const std::string& doc;
   std::string written = {};
 };
@@ -263,16 +264,31 @@ struct TableReader::State {
   Place place;
   std::string path;
   Diagnostics* diagnostics;
-  bool silent = false;                  // true for a table whose absence has been reported
-  std::vector<std::string> known = {};  // keys that have been requested
+  bool silent = false;                            // true for a table whose absence has been reported
+  std::vector<std::string> known = {};            // keys that have been requested, in this order
+  std::set<std::string, std::less<>> asked = {};  // the same keys, to be found among many
+  std::vector<const Member*> by_key = {};         // the members of the table, sorted by their keys
   std::unordered_map<const Value*, std::shared_ptr<State>> opened = {};
 
   const Table& table() const {
     static const Table kEmpty;
     return value ? *value->as<Table>() : kEmpty;
   }
+  /// Finds a member by its key. Some tables, such as `[parts]`, have very many.
+  const Member* find(std::string_view key) {
+    if (by_key.empty()) {
+      for (const Member& member : table().members) by_key.push_back(&member);
+      std::stable_sort(by_key.begin(), by_key.end(), [](auto* a, auto* b) { return a->key < b->key; });
+    }
+    const auto at =
+        std::lower_bound(by_key.begin(), by_key.end(), key,
+                         [](const Member* member, std::string_view k) { return member->key < k; });
+    return at != by_key.end() && (*at)->key == key ? *at : nullptr;
+  }
   void learn(std::string_view key) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) known.emplace_back(key);
+    if (asked.contains(key)) return;
+    asked.emplace(key);
+    known.emplace_back(key);
   }
   void report_unknown(const Member& member) const {
     const std::string in = path.empty() ? "" : " in " + path;
@@ -286,8 +302,7 @@ struct TableReader::State {
   void finish() const {
     int unknown = 0;
     for (const Member& member : table().members) {
-      const bool is_known = std::find(known.begin(), known.end(), member.key) != known.end();
-      if (!is_known && ++unknown <= kMostUnknownKeys) report_unknown(member);
+      if (!asked.contains(member.key) && ++unknown <= kMostUnknownKeys) report_unknown(member);
     }
     for (const auto& [value_opened, child] : opened) child->finish();
   }
@@ -300,7 +315,7 @@ TableReader::TableReader(const Value& table, Diagnostics& diagnostics, std::stri
 
 const Value* TableReader::ask(std::string_view key) {
   state_->learn(key);
-  const Member* member = state_->table().find(key);
+  const Member* member = state_->find(key);
   return member ? &member->value : nullptr;
 }
 
@@ -367,14 +382,14 @@ std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& sp
   const Value* value = ask(key, !spec.fallback, "an array, each " + wanted_real(spec.unit), spec.doc);
   std::optional<std::vector<double>> result;
   if (const auto in = value ? numbers_in(*value, key, spec.unit, spec.doc) : std::nullopt)
-    result = read_reals({*in->values, in->path, diagnostics()}, {spec.unit, spec.range, spec.doc, in->unit},
-                        spec.count);
+    result = read_reals({*in->values, in->path, diagnostics()},
+                        {spec.unit, in->is_known ? spec.range : Range{}, spec.doc, in->unit}, spec.count);
   if (!result) result = spec.fallback;
   return result ? *result : std::vector<double>(stand_in_size(spec.count), within(spec.range));
 }
 
 /// Opens { unit = "deg", values = [0, 5, 10] }, which has one unit for all numbers. Any other value is
-/// returned as it is, without a unit. After an error in the unit, the numbers are taken to be in SI units, so
+/// returned as it is, without a unit. After an error in the unit, only their count is of use, so
 /// that other keys of which there must be as many are not reported, too.
 std::optional<TableReader::Numbers> TableReader::numbers_in(const Value& value, std::string_view key,
                                                             const std::string& si_unit,
@@ -394,7 +409,7 @@ std::optional<TableReader::Numbers> TableReader::numbers_in(const Value& value, 
     is_known = one.ok();
     if (!is_known) own.error("unit", one.error, one.hint);
   }
-  return values ? std::optional(Numbers{is_known ? unit : si_unit, values, own.path("values")})
+  return values ? std::optional(Numbers{is_known ? unit : si_unit, values, own.path("values"), is_known})
                 : std::nullopt;
 }
 
@@ -406,7 +421,8 @@ std::vector<std::vector<double>> TableReader::rows(std::string_view key, const R
   if (const auto in = value ? numbers_in(*value, key, spec.unit, spec.doc) : std::nullopt)
     result = read_array<std::vector<double>>(
         {*in->values, in->path, diagnostics()}, spec.rows, "row", "arrays", spec.doc, [&](const Spot& row) {
-          return read_reals(row, {spec.unit, spec.range, spec.doc, in->unit}, spec.columns);
+          return read_reals(row, {spec.unit, in->is_known ? spec.range : Range{}, spec.doc, in->unit},
+                            spec.columns);
         });
   if (!result) result = spec.fallback;
   const std::vector<double> row(stand_in_size(spec.columns), within(spec.range));
@@ -499,7 +515,7 @@ void TableReader::error(std::string_view key, const std::string& message, const 
 Place TableReader::place() const { return state_->place; }
 
 Place TableReader::place(std::string_view key) const {
-  const Member* member = state_->table().find(key);
+  const Member* member = state_->find(key);
   return member ? member->value.place : state_->place;
 }
 

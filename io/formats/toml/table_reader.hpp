@@ -160,6 +160,7 @@ class TableReader {
     std::string unit;
     const Value* values;
     std::string path;
+    bool is_known = true;  // false: after an error in the unit, so that no range applies
   };
   std::optional<Numbers> numbers_in(const Value& value, std::string_view key, const std::string& si_unit,
                                     const std::string& doc);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/drawing/drawing.hpp"
 
+#include "io/formats/work/long_work.hpp"
+
 #include "io/formats/svg/svg.hpp"
 #include "io/formats/units/degrees.hpp"
 #include "io/gears/drawing/plan_layout.hpp"
@@ -311,6 +313,7 @@ class Draughtsman {
 std::string draw_plan(const NetPlan& plan) { return Draughtsman(plan).draw(); }
 
 std::string draw_mesh(const NetPlan& plan, const Gear& gear, const GearMesh& mesh) {
+  const formats::LongWork drawing({"drawing", "the mesh"});
   return Draughtsman(plan).draw(gear, mesh);
 }
 

@@ -123,6 +123,7 @@ class Cutter {
     const PanelPoint a = spread(panel, side.from), b = spread(panel, side.to);
     side.length = std::hypot(b.x - a.x, b.y - a.y);
     cloth.sides.push_back(all_.sides.size());
+    all_.of_panel[cloth.panel].push_back(all_.sides.size());
     all_.sides.push_back(side);
   }
 

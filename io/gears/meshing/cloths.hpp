@@ -42,6 +42,7 @@ PanelPoint spread(const Panel& panel, PanelPoint point);
 struct Cloths {
   std::vector<Cloth> cloths;
   std::vector<ClothSide> sides;
+  std::map<std::size_t, std::vector<std::size_t>> of_panel;  // the sides of each panel, in increasing order
 };
 
 Cloths cloths_of(const Gear& gear);

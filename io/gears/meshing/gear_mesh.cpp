@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/gear_mesh.hpp"
 
+#include "io/formats/work/long_work.hpp"
 #include "io/gears/meshing/gear_size.hpp"
 #include "io/gears/meshing/knots.hpp"
 #include "io/gears/meshing/seam_lines.hpp"
@@ -36,13 +37,11 @@ struct Border {
 /// Divides one gear with one element size; the member functions are steps in the order of execution.
 class Divider {
  public:
-  Divider(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size,
-          const OnMeshing& on_meshing)
+  Divider(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size)
       : gear_(gear),
         cloths_(cloths),
         fineness_(fineness),
         size_(size),
-        on_meshing_(on_meshing),
         lines_(seam_lines(gear, cloths, fineness, size)) {}
 
   GearMesh divide() {
@@ -139,10 +138,14 @@ class Divider {
     }
   }
 
+  void report(const Cloth& cloth, std::size_t inside) const {
+    formats::report({"meshing", gear_.panels[cloth.panel].name, mesh_.nodes + inside, "nodes"});
+  }
+
   void fill_cloths() {
     std::size_t inside = 0;
     for (const auto& cloth : cloths_.cloths) {
-      if (on_meshing_) on_meshing_(gear_.panels[cloth.panel].name, mesh_.nodes + inside);
+      report(cloth, inside);
       borders_.push_back(border_of(cloth));
       planes_.push_back(fill(cloth, borders_.back()));
       inside += planes_.back().points.size() - borders_.back().nodes.size();
@@ -219,7 +222,7 @@ class Divider {
 
   void add_cloth(std::size_t c) {
     const Cloth& cloth = cloths_.cloths[c];
-    if (on_meshing_) on_meshing_(gear_.panels[cloth.panel].name, mesh_.nodes);
+    report(cloth, 0);
     const PlaneMesh& plane = planes_[c];
     const auto own = add_own_nodes(cloth, *gear_.panels[cloth.panel].panel, borders_[c], plane);
     for (auto t : plane.triangles) {
@@ -262,13 +265,14 @@ class Divider {
 
   std::uint32_t own_node(const Cloth& cloth, std::uint32_t node, std::array<double, 2> meshes) {
     PanelMesh& panel = mesh_.panels[cloth.panel];
-    const bool is_shared = cloth.sign < 0 && meshes[0] == 0;
-    if (is_shared)
-      for (std::size_t k = 0; k < panel.nodes.size(); ++k)
-        if (panel.nodes[k] == node && panel.meshes[k][0] == 0) return static_cast<std::uint32_t>(k);
+    const auto own = static_cast<std::uint32_t>(panel.nodes.size());
+    if (meshes[0] == 0) {
+      const auto [first, is_new] = in_middle_[cloth.panel].emplace(node, own);
+      if (!is_new && cloth.sign < 0) return first->second;
+    }
     panel.nodes.push_back(node);
     panel.meshes.push_back({meshes[0] == 0 ? 0 : meshes[0], meshes[1]});
-    return static_cast<std::uint32_t>(panel.nodes.size() - 1);
+    return own;
   }
 
   void rate(const PlaneMesh& plane, const std::array<std::uint32_t, 3>& t) {
@@ -309,16 +313,11 @@ class Divider {
     const auto k = static_cast<std::size_t>(std::find(cloth.sides.begin(), cloth.sides.end(), side) -
                                             cloth.sides.begin());
     const std::uint32_t node = own[border.side_starts[k]];
-    for (const auto& [known, point] : lines_.points)
-      if (point == border.nodes[border.side_starts[k]] && names_corner(cloth, known, name))
-        mesh_.panels[cloth.panel].sets[known.substr(known.find('.') + 1)] = {node};
-  }
-
-  /// Whether a name such as "body.port-fore-outer" denotes the corner "fore-outer" of a port half.
-  bool names_corner(const Cloth& cloth, const std::string& known, const std::string& corner) const {
-    const std::string& panel = gear_.panels[cloth.panel].name;
-    return known == panel + "." + corner ||
-           known == panel + (cloth.is_port ? ".port-" : ".starboard-") + corner;
+    // In half a middle panel the corner "fore-outer" may be named "body.port-fore-outer".
+    for (const std::string& corner : {name, (cloth.is_port ? "port-" : "starboard-") + name})
+      if (const auto known = lines_.points.find(gear_.panels[cloth.panel].name + "." + corner);
+          known != lines_.points.end() && known->second == border.nodes[border.side_starts[k]])
+        mesh_.panels[cloth.panel].sets[corner] = {node};
   }
 
   void add_rope(std::size_t r) {
@@ -371,32 +370,34 @@ class Divider {
   const Cloths& cloths_;
   const Fineness& fineness_;
   double size_;
-  const OnMeshing& on_meshing_;
   SeamLines lines_;
   std::vector<std::vector<std::uint32_t>> line_nodes_;
   std::vector<Border> borders_;    // one per cloth
   std::vector<PlaneMesh> planes_;  // one per cloth
-  std::vector<int> senses_;        // one per cloth
+  // For each panel, its own numbers of the nodes in its middle, by node of the gear
+  std::map<std::size_t, std::map<std::uint32_t, std::uint32_t>> in_middle_;
+  std::vector<int> senses_;  // one per cloth
   GearMesh mesh_;
 };
 
 }  // namespace
 
-GearMesh divide(const Gear& gear, const Fineness& fineness, const OnMeshing& on_meshing) {
+GearMesh divide(const Gear& gear, const Fineness& fineness) {
+  const formats::LongWork meshing({"meshing", "the gear"});
   const Cloths cloths = cloths_of(gear);
   if (fineness.knots) {
     check_knots(gear);
-    return Divider(gear, cloths, fineness, shortest_bar(gear), on_meshing).divide();
+    return Divider(gear, cloths, fineness, shortest_bar(gear)).divide();
   }
   if (fineness.size > 0) {
     check_size(gear, fineness);
-    return Divider(gear, cloths, fineness, fineness.size, on_meshing).divide();
+    return Divider(gear, cloths, fineness, fineness.size).divide();
   }
   double size = size_for(gear, fineness);
   GearMesh best;
   double nearest = 1e300;
   for (int trial = 0; trial < kTrials && nearest > std::log1p(kNear); ++trial) {
-    GearMesh mesh = Divider(gear, cloths, fineness, size, on_meshing).divide();
+    GearMesh mesh = Divider(gear, cloths, fineness, size).divide();
     const double ratio =
         static_cast<double>(mesh.nodes) / static_cast<double>(std::max<std::size_t>(fineness.nodes, 3));
     size *= std::sqrt(ratio);

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -55,10 +54,6 @@ struct GearMesh {
   MeshQuality quality;
 };
 
-/// A function that is called while a gear is divided, with the name of the panel or step that begins and the
-/// number of nodes so far.
-using OnMeshing = std::function<void(const std::string& step, std::size_t nodes)>;
-
 /// Divides every panel into triangles, in coordinates counted in meshes (section 2.2 of the trawl-gear
 /// paper), and ropes into bars.
 ///
@@ -70,6 +65,6 @@ using OnMeshing = std::function<void(const std::string& step, std::size_t nodes)
 ///
 /// Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and
 /// for a size that would give millions of nodes.
-GearMesh divide(const Gear& gear, const Fineness& fineness, const OnMeshing& on_meshing = {});
+GearMesh divide(const Gear& gear, const Fineness& fineness);
 
 }  // namespace netloft::gears

@@ -50,10 +50,12 @@ bool is_to_port(const GearPanel& panel, double U) {
 
 Girth::Girth(const Gear& gear, const GearMesh& mesh)
     : sense_(gear.panels.size(), 0),
+      folds_(gear.panels.size()),
       side_(mesh.nodes, 1),
       covered_(mesh.nodes, false),
       closed_(mesh.nodes, false) {
   find_senses(gear);
+  find_folds(gear);
   find_sides(gear, mesh);
   find_closed(gear, mesh);
   solve_fields(gear, mesh);
@@ -63,21 +65,25 @@ Girth::Girth(const Gear& gear, const GearMesh& mesh)
 /// Finds for each panel whether the distance from the top along the girth increases outwards (+1) or
 /// decreases (-1). Walks over the seams from the first panel, which is assumed to be on top.
 void Girth::find_senses(const Gear& gear) {
+  std::vector<std::vector<const Seam*>> seams(gear.panels.size());  // by panel
+  for (const auto& seam : gear.seams)
+    for (const auto& row : seam.edges)
+      for (const auto& ref : row)
+        if (!closes(gear, seam) && (seams[ref.panel].empty() || seams[ref.panel].back() != &seam))
+          seams[ref.panel].push_back(&seam);
   for (std::size_t first = 0; first < sense_.size(); ++first) {
     if (sense_[first]) continue;
     sense_[first] = 1;
     std::vector<std::size_t> reached{first};
     for (std::size_t k = 0; k < reached.size(); ++k)
-      for (const auto& seam : gear.seams) {
-        if (closes(gear, seam)) continue;
+      for (const Seam* seam : seams[reached[k]])
         for (const int way : {0, 1})
-          for (const auto& from : seam.edges[static_cast<std::size_t>(way)])
-            for (const auto& to : seam.edges[static_cast<std::size_t>(1 - way)]) {
+          for (const auto& from : seam->edges[static_cast<std::size_t>(way)])
+            for (const auto& to : seam->edges[static_cast<std::size_t>(1 - way)]) {
               if (from.panel != reached[k] || sense_[to.panel]) continue;
-              sense_[to.panel] = turns(gear, seam, from, to) ? -sense_[from.panel] : sense_[from.panel];
+              sense_[to.panel] = turns(gear, *seam, from, to) ? -sense_[from.panel] : sense_[from.panel];
               reached.push_back(to.panel);
             }
-      }
   }
 }
 
@@ -131,6 +137,10 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
     if (sense_[p] > 0 && gear.panels[p].panel->stands == Standing::middle)
       for (std::size_t own = 0; own < panel.nodes.size(); ++own)
         if (std::abs(panel.meshes[own][0]) < 1e-6) top.push_back({panel.nodes[own], 0});
+    for (const EdgeRef& fold : folds_[p])
+      if (!is_below(gear, fold))
+        for (const auto own : panel.sets.at(gear.panels[p].outline.edges[fold.edge].name))
+          top.push_back({panel.nodes[own], 0});
     if (start.empty() && !panel.nodes.empty()) start.push_back({panel.nodes[0], 0});
   }
   for (const auto& rope : mesh.ropes)
@@ -142,9 +152,28 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
   around_ = by_gains(mesh.nodes, around, top.empty() ? start : top);
 }
 
-/// Fills `bottom_` with the distances aft at which the half girth S is known, and with S. S is known at nodes
-/// of a lower middle panel and at nodes on the side edges of a tube, which meet in the middle below. A net
-/// without such nodes is open below; S is then twice the largest distance from the top, everywhere.
+/// Finds the side edges that are sewn to their mirror image: those of tubes, and of pairs of panels that meet
+/// in the middle. In half a gear they lie on the plane of symmetry.
+void Girth::find_folds(const Gear& gear) {
+  for (const auto& seam : gear.seams)
+    for (const auto& row : seam.edges)
+      for (const auto& ref : row)
+        if (seam.is_to_itself && is_lateral(kind_of(gear, ref))) folds_[ref.panel].push_back(ref);
+  for (std::size_t p = 0; p < gear.panels.size(); ++p)
+    for (std::size_t e = 0; e < gear.panels[p].outline.edges.size(); ++e)
+      if (const auto& edge = gear.panels[p].outline.edges[e]; edge.is_on_plane && is_lateral(edge.kind))
+        folds_[p].push_back({p, e});
+}
+
+/// Whether a fold lies below. If the distance from the top increases outwards, the outer side does, else the
+/// inner side.
+bool Girth::is_below(const Gear& gear, const EdgeRef& fold) const {
+  return (kind_of(gear, fold) == EdgeKind::outer) == (sense_[fold.panel] > 0);
+}
+
+/// Fills `bottom_` with the distances aft at which the half girth S is known, and with S. It is known at
+/// nodes of a lower middle panel and at nodes on folds below. A net without such nodes is open below; S is
+/// then twice the largest distance from the top, everywhere.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);
@@ -158,19 +187,19 @@ void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
       if (is_bottom && !closed_[node])
         bottom_.push_back({aft_[node], own_[node] = around_[node] + wide * std::abs(panel.meshes[own][0])});
     }
-    if (gear.panels[p].panel->is_round) measure_tube(gear.panels[p], panel);
+    for (const EdgeRef& fold : folds_[p])
+      if (is_below(gear, fold)) measure_below(gear, mesh, fold);
   }
   if (bottom_.empty()) bottom_.push_back({0, std::max(2 * most, 1e-3)});
   std::sort(bottom_.begin(), bottom_.end());
 }
 
-/// Adds the half girth S at nodes on the sides of a tube, which lie in the middle below.
-void Girth::measure_tube(const GearPanel& tube, const PanelMesh& mesh) {
-  for (const auto& edge : tube.outline.edges) {
-    const auto set = mesh.sets.find(edge.name);
-    if (!is_lateral(edge.kind) || set == mesh.sets.end()) continue;
-    for (const auto own : set->second)
-      bottom_.push_back({aft_[mesh.nodes[own]], own_[mesh.nodes[own]] = around_[mesh.nodes[own]]});
+/// Adds the half girth S at nodes on a fold in the middle below.
+void Girth::measure_below(const Gear& gear, const GearMesh& mesh, const EdgeRef& fold) {
+  const PanelMesh& panel = mesh.panels[fold.panel];
+  for (const auto own : panel.sets.at(gear.panels[fold.panel].outline.edges[fold.edge].name)) {
+    const auto node = panel.nodes[own];
+    bottom_.push_back({aft_[node], own_[node] = around_[node]});
   }
 }
 

@@ -30,10 +30,14 @@ class Girth {
   void find_closed(const Gear& gear, const GearMesh& mesh);
   void find_sides(const Gear& gear, const GearMesh& mesh);
   void solve_fields(const Gear& gear, const GearMesh& mesh);
+  void find_folds(const Gear& gear);
+  bool is_below(const Gear& gear, const EdgeRef& fold) const;
   void measure_bottom(const Gear& gear, const GearMesh& mesh);
-  void measure_tube(const GearPanel& tube, const PanelMesh& mesh);
+  void measure_below(const Gear& gear, const GearMesh& mesh, const EdgeRef& fold);
 
   std::vector<int> sense_;  // per panel: 1 if the distance from the top increases outwards, else -1
+  // Side edges that are sewn to their mirror image, by panel: the girth begins or ends there, in the middle
+  std::vector<std::vector<EdgeRef>> folds_;
   std::vector<double> aft_, around_;
   std::vector<double> own_;  // half girth through the node; 0: unknown
   std::vector<int> side_;

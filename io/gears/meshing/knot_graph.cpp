@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/knot_graph.hpp"
 
+#include "io/formats/work/long_work.hpp"
+
 #include <Eigen/SparseCholesky>
 
 namespace netloft::gears {
@@ -87,6 +89,7 @@ class GainFactors {
 
 std::vector<double> by_gains(std::size_t nodes, const std::vector<Gain>& gains,
                              const std::vector<std::pair<std::uint32_t, double>>& fixed) {
+  formats::report({"placing", "the gear", nodes, "nodes"});
   Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Index>(nodes));
   for (const auto& [from, to, gain, weight] : gains) {
     load[static_cast<Index>(from)] -= weight * gain;
@@ -98,6 +101,7 @@ std::vector<double> by_gains(std::size_t nodes, const std::vector<Gain>& gains,
 HarmonicFields::HarmonicFields(const GearMesh& mesh) : nodes_(mesh.nodes), sides_(level_sides(mesh)) {}
 
 std::vector<double> HarmonicFields::with(const std::vector<std::pair<std::uint32_t, double>>& fixed) {
+  formats::report({"placing", "the gear", nodes_, "nodes"});
   const auto factors = factors_.of(nodes_of(fixed), [&](const auto& nodes) {
     return std::make_shared<GainFactors>(nodes_, sides_, nodes);
   });

@@ -113,10 +113,13 @@ class LineMaker {
 
   void share_lines(const std::array<Row, 2>& seam) {
     const auto a = runs_of(seam[0]), b = runs_of(seam[1]);
-    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+    if (a.size() != b.size()) throw cannot_sew(gear_, cloths_, seam);
+    for (std::size_t k = 0; k < a.size(); ++k) {
       const std::size_t line = add_line();
       use(line, a[k].side, a[k].run);
+      const auto ends = all_.lines[line].ends;
       use(line, b[k].side, b[k].run);
+      if (all_.lines[line].ends != ends) throw cannot_sew(gear_, cloths_, seam);
     }
   }
 

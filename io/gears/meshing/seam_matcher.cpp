@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace netloft::gears {
 
@@ -49,12 +51,12 @@ class Sewer {
 
   /// Joins both halves of middle panels along the line between them.
   void join_halves() {
-    for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
-      for (std::size_t t = s + 1; t < cloths_.sides.size(); ++t) {
-        const auto &a = cloths_.sides[s], &b = cloths_.sides[t];
-        if (a.is_inside && b.is_inside && a.edge.panel == b.edge.panel)
-          borders_.seams.push_back({Row{{s, true}}, Row{{t, true}}});
-      }
+    std::map<std::size_t, std::size_t> first;  // by panel
+    for (std::size_t s = 0; s < cloths_.sides.size(); ++s) {
+      if (!cloths_.sides[s].is_inside) continue;
+      const auto [half, is_first] = first.emplace(cloths_.sides[s].edge.panel, s);
+      if (!is_first) borders_.seams.push_back({Row{{half->second, true}}, Row{{s, true}}});
+    }
     join_tips();
   }
 
@@ -193,11 +195,14 @@ class Sewer {
     const std::array<std::vector<double>, 2> ends{fractions(rows[0], counted), fractions(rows[1], counted)};
     std::array<std::vector<Knot>, 2> knots{knots_of(rows[0], ends[0]), knots_of(rows[1], ends[1])};
     unite_near(knots, snap_ / std::max(length_of(rows[0]), length_of(rows[1])));
-    const auto own = knots;
-    for (std::size_t r = 0; r < 2; ++r)
-      for (const auto& knot : own[1 - r])
-        if (!has(own[r], knot))
-          insert(rows[r], ends[r], {moved(knot.fraction, own[1 - r], own[r]), knot.point});
+    const auto common = common_knots(knots);
+    for (std::size_t r = 0; r < 2; ++r) {
+      std::set<std::size_t> own;
+      for (const auto& knot : knots[r]) own.insert(borders_.points.root(knot.point));
+      for (const auto& knot : knots[1 - r])
+        if (!own.contains(borders_.points.root(knot.point)))
+          insert(rows, r, ends[r], {moved(knot.fraction, common, 1 - r), knot.point});
+    }
   }
 
   bool is_counted(const std::array<Row, 2>& rows) const {
@@ -264,30 +269,38 @@ class Sewer {
       }
   }
 
-  bool has(const std::vector<Knot>& knots, const Knot& knot) {
-    return std::any_of(knots.begin(), knots.end(),
-                       [&](const Knot& k) { return borders_.points.are_one(k.point, knot.point); });
+  /// The fractions of both rows at the points that they have in common.
+  std::vector<std::array<double, 2>> common_knots(const std::array<std::vector<Knot>, 2>& knots) {
+    std::map<std::size_t, std::vector<double>> others;
+    for (const auto& knot : knots[1]) others[borders_.points.root(knot.point)].push_back(knot.fraction);
+    std::vector<std::array<double, 2>> common;
+    for (const auto& knot : knots[0])
+      if (const auto at = others.find(borders_.points.root(knot.point)); at != others.end())
+        for (const double other : at->second) common.push_back({knot.fraction, other});
+    return common;
   }
 
-  /// Converts a fraction of row `from` to a fraction of row `to`, linearly between common points.
-  double moved(double fraction, const std::vector<Knot>& from, const std::vector<Knot>& to) {
+  /// Converts a fraction of row `from` to a fraction of the other row, linearly between common points.
+  static double moved(double fraction, const std::vector<std::array<double, 2>>& common, std::size_t from) {
     double a = 0, b = 1, at_a = 0, at_b = 1;
-    for (const auto& k : from)
-      for (const auto& other : to) {
-        if (!borders_.points.are_one(k.point, other.point)) continue;
-        if (k.fraction < fraction && k.fraction > a) {
-          a = k.fraction;
-          at_a = other.fraction;
-        }
-        if (k.fraction > fraction && k.fraction < b) {
-          b = k.fraction;
-          at_b = other.fraction;
-        }
+    for (const auto& knot : common) {
+      const double here = knot[from], there = knot[1 - from];
+      if (here < fraction && here > a) {
+        a = here;
+        at_a = there;
       }
+      if (here > fraction && here < b) {
+        b = here;
+        at_b = there;
+      }
+    }
     return at_a + (fraction - a) / (b - a) * (at_b - at_a);
   }
 
-  void insert(const Row& row, const std::vector<double>& ends, const Knot& knot) {
+  void insert(const std::array<Row, 2>& rows, std::size_t r, const std::vector<double>& ends,
+              const Knot& knot) {
+    if (!(knot.fraction > 0 && knot.fraction < 1)) throw cannot_sew(gear_, cloths_, rows);
+    const Row& row = rows[r];
     std::size_t k = 0;
     while (k + 1 < row.size() && ends[k + 1] < knot.fraction) ++k;
     double fraction = (knot.fraction - ends[k]) / (ends[k + 1] - ends[k]);
@@ -308,9 +321,15 @@ class Sewer {
 
 Borders sew(const Gear& gear, const Cloths& cloths, double snap) { return Sewer(gear, cloths, snap).sew(); }
 
+std::invalid_argument cannot_sew(const Gear& gear, const Cloths& cloths, const std::array<Row, 2>& rows) {
+  const auto name = [&](const Row& row) { return gear.name_of(cloths.sides[row.front().side].edge); };
+  return std::invalid_argument("the seam of " + name(rows[0]) + " and " + name(rows[1]) +
+                               " would join points of one edge to each other: are the right edges sewn?");
+}
+
 Row sides_of(const Cloths& cloths, const EdgeRef& edge) {
   Row row;
-  for (std::size_t s = 0; s < cloths.sides.size(); ++s)
+  for (const std::size_t s : cloths.of_panel.at(edge.panel))
     if (const auto& side = cloths.sides[s]; !side.is_inside && side.edge == edge)
       row.push_back({s, !side.is_reversed});
   const auto begins = [&](const DirectedSide& s) {

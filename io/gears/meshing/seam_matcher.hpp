@@ -3,6 +3,8 @@
 #include "io/gears/meshing/cloths.hpp"
 #include "io/gears/meshing/equal_points.hpp"
 
+#include <stdexcept>
+
 namespace netloft::gears {
 
 /// A point at a fraction of the length of a side.
@@ -34,6 +36,10 @@ struct Borders {
 
 /// Finds the common points of all seams; corners closer than `snap` [m] along a seam are merged.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
+
+/// An error, with a sentence for the user, about a seam that joins points of one of its edges to each other,
+/// so that its rows cannot lie side by side.
+std::invalid_argument cannot_sew(const Gear& gear, const Cloths& cloths, const std::array<Row, 2>& rows);
 
 /// The sides that form an edge, in the direction of the edge. An edge across the middle may have two sides.
 Row sides_of(const Cloths& cloths, const EdgeRef& edge);

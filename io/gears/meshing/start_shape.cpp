@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/start_shape.hpp"
 
+#include "io/formats/work/long_work.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <queue>
+#include <set>
+#include <unordered_map>
 
 namespace netloft::gears {
 
@@ -66,15 +70,21 @@ class Shaper {
  public:
   Shaper(const Gear& gear, const GearMesh& mesh, const Girth& girth, HarmonicFields& fields,
          const std::vector<KnownCoordinate>& known)
-      : gear_(gear),
-        mesh_(mesh),
+      : mesh_(mesh),
         girth_(girth),
         fields_(fields),
         known_(known),
         positions_(3 * mesh.nodes, 0.0),
-        placed_(mesh.nodes, false) {}
+        placed_(mesh.nodes, false) {
+    for (const auto& k : known) known_at_.emplace(at(k.node, k.axis), k.value);
+    for (const auto& point : gear.points)
+      if (const auto node = mesh.points.find(point.name);
+          node != mesh.points.end() && point.point->name.find('.') != std::string::npos)
+        of_bodies_.insert(node->second);
+  }
 
   std::vector<double> make() {
+    formats::report({"placing", "the gear", mesh_.nodes, "nodes"});
     put_on_rings();
     stand_as_a_whole();
     put_ropes();
@@ -123,9 +133,8 @@ class Shaper {
   }
 
   std::optional<double> known_at(std::uint32_t node, int axis) const {
-    for (const auto& k : known_)
-      if (k.node == node && k.axis == axis) return k.value;
-    return {};
+    const auto known = known_at_.find(at(node, axis));
+    return known == known_at_.end() ? std::nullopt : std::optional(known->second);
   }
 
   /// The shift aft [m] at which the ropes from known points to the netting are straight on average.
@@ -160,8 +169,8 @@ class Shaper {
   }
 
   void append_leads(std::uint32_t from, const Neighbours& neighbours, std::vector<Lead>& leads) const {
-    std::vector<double> best(mesh_.nodes, std::numeric_limits<double>::infinity());
-    std::vector<std::uint32_t> before(mesh_.nodes, from);
+    std::unordered_map<std::uint32_t, double> best;
+    std::unordered_map<std::uint32_t, std::uint32_t> before;
     using Reached = std::pair<double, std::uint32_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
     best[from] = 0;
@@ -175,7 +184,7 @@ class Shaper {
         continue;  // paths end at the netting
       }
       for (const auto& [next, step] : neighbours[node])
-        if (length + step < best[next]) {
+        if (const auto known = best.find(next); known == best.end() || length + step < known->second) {
           before[next] = node;
           queue.push({best[next] = length + step, next});
         }
@@ -188,11 +197,29 @@ class Shaper {
     const auto leads = find_leads();
     for (const auto& k : known_) complete(k.node);
     put_on_leads(leads);
-    for (bool goes_on = true; goes_on;) {
-      goes_on = false;
-      for (const bool between : {true, false})
-        for (const auto& rope : mesh_.ropes)
-          if (!goes_on) goes_on = put_stretch(rope, between);
+    put_stretches();
+  }
+
+  /// Places stretches of ropes one by one: the first between two placed nodes, or if there is none the first
+  /// from one placed node. A rope is looked at again only after one of its nodes has been placed.
+  void put_stretches() {
+    std::unordered_map<std::uint32_t, std::vector<std::size_t>> ropes_at;
+    std::set<std::size_t> between, from_one;  // ropes that may have such a stretch
+    for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) {
+      for (const auto node : mesh_.ropes[r].nodes) ropes_at[node].push_back(r);
+      between.insert(r);
+      from_one.insert(r);
+    }
+    while (!between.empty() || !from_one.empty()) {
+      const bool is_between = !between.empty();
+      auto& candidates = is_between ? between : from_one;
+      fresh_.clear();
+      if (!put_stretch(mesh_.ropes[*candidates.begin()], is_between)) candidates.erase(candidates.begin());
+      for (const auto node : fresh_)
+        for (const auto rope : ropes_at[node]) {
+          between.insert(rope);
+          from_one.insert(rope);
+        }
     }
   }
 
@@ -210,13 +237,7 @@ class Shaper {
     }
   }
 
-  bool is_of_body(std::uint32_t node) const {
-    return std::any_of(gear_.points.begin(), gear_.points.end(), [&](const GearPoint& point) {
-      const auto at = mesh_.points.find(point.name);
-      return point.point->name.find('.') != std::string::npos && at != mesh_.points.end() &&
-             at->second == node;
-    });
-  }
+  bool is_of_body(std::uint32_t node) const { return of_bodies_.contains(node); }
 
   /// Marks a node beside the netting as placed once all its coordinates are known.
   void complete(std::uint32_t node) {
@@ -243,19 +264,15 @@ class Shaper {
     return false;
   }
 
-  double length_between(const RopeMesh& rope, std::size_t first, std::size_t last) const {
-    double length = 0;
-    for (std::size_t i = first; i < last; ++i) length += rope.rest_lengths[i];
-    return length;
-  }
-
   void put_between(const RopeMesh& rope, std::size_t first, std::size_t last) {
-    const double whole = length_between(rope, first, last);
+    double whole = 0, length = 0;
+    for (std::size_t i = first; i < last; ++i) whole += rope.rest_lengths[i];
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double t = length_between(rope, first, i) / whole;
+      length += rope.rest_lengths[i - 1];
+      const double t = length / whole;
       for (int axis = 0; axis < 3; ++axis)
         x(rope.nodes[i], axis) = (1 - t) * x(rope.nodes[first], axis) + t * x(rope.nodes[last], axis);
-      placed_[rope.nodes[i]] = true;
+      put(rope.nodes[i]);
     }
   }
 
@@ -267,9 +284,14 @@ class Shaper {
       x(there, 0) = x(here, 0) - rope.rest_lengths[std::min(i, next)];
       x(there, 1) = x(here, 1);
       x(there, 2) = x(here, 2);
-      placed_[there] = true;
+      put(there);
       i = next;
     }
+  }
+
+  void put(std::uint32_t node) {
+    placed_[node] = true;
+    fresh_.push_back(node);
   }
 
   /// Adds displacements that are harmonic on the net and bring every known coordinate to its value.
@@ -295,13 +317,15 @@ class Shaper {
       }
   }
 
-  const Gear& gear_;
   const GearMesh& mesh_;
   const Girth& girth_;
   HarmonicFields& fields_;
   const std::vector<KnownCoordinate>& known_;
+  std::unordered_map<std::size_t, double> known_at_;  // by at(node, axis)
+  std::set<std::uint32_t> of_bodies_;                 // the nodes at points of bodies
   std::vector<double> positions_;
   std::vector<bool> placed_;
+  std::vector<std::uint32_t> fresh_;  // the nodes that put_stretch() has placed
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "io/gears/meshing/triangulation.hpp"
 
 #include "io/formats/units/degrees.hpp"
+#include "io/formats/work/long_work.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -80,6 +81,7 @@ class Filler {
  private:
   PlaneMesh finish() {
     for (int round = 0; round < kRounds; ++round) {
+      formats::hear_interruption();
       smooth();
       connect();
       collect();
@@ -111,7 +113,8 @@ class Filler {
   void refine() {
     Mesher mesher(cdt_, Criteria(kShape, kLongest * size_));
     mesher.clear_seeds();  // sets a flag that CGAL 5.5 reads and sets nowhere else
-    mesher.refine_mesh();
+    mesher.init();
+    while (mesher.step_by_step_refine_mesh()) formats::hear_interruption();
     std::uint32_t next = static_cast<std::uint32_t>(border_);
     for (const auto v : cdt_.finite_vertex_handles()) {
       const PlanePoint point{v->point().x(), v->point().y()};

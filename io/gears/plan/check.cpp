@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/check.hpp"
 
+#include "io/formats/work/long_work.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +10,7 @@
 namespace netloft::gears {
 
 void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits) {
+  const formats::LongWork checking({"checking", "the net plan"});
   check_panels(plan, limits, diagnostics);
   const int errors_before = diagnostics.errors();
   check_joins(plan, limits, diagnostics);

@@ -188,13 +188,13 @@ void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const 
 
 std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]", key, i); }
 
-double hung_on(const NetPlan& plan, const Rope& rope) {
+double hung_on(const NetPlan& plan, const HangingsByRope& hangings, const Rope& rope) {
   double sum = 0;
   formats::Diagnostics silent;
-  for (const auto& h : plan.hangings) {
-    if (h.rope != rope.name) continue;
-    const EdgeSet edge = find_edge(plan, h.edge, {}, "", silent);
-    if (!edge.edges.empty()) sum += length_taken(h, edge, rope);
+  const auto [first, last] = hangings.equal_range(rope.name);
+  for (auto h = first; h != last; ++h) {
+    const EdgeSet edge = find_edge(plan, h->second->edge, {}, "", silent);
+    if (!edge.edges.empty()) sum += length_taken(*h->second, edge, rope);
   }
   return sum;
 }
@@ -222,9 +222,9 @@ void check_thickness(const Rope& rope, formats::Diagnostics& diagnostics) {
         "one of the two may be in another unit");
 }
 
-void check_rope_length(const NetPlan& plan, const Rope& rope, const CheckLimits& limits,
+void check_rope_length(double hung, const Rope& rope, const CheckLimits& limits,
                        formats::Diagnostics& diagnostics) {
-  const double hung = hung_on(plan, rope), missing = hung - rope.length;
+  const double missing = hung - rope.length;
   check_thickness(rope, diagnostics);
   if (missing <= limits.rounding * rope.length) return;
   const std::string message =
@@ -318,13 +318,6 @@ class Connections {
 
 std::string owner(const std::string& name) { return name.substr(0, name.find('.')); }
 
-/// Whether a rope of the plan leads to this part or point.
-bool is_tied(const NetPlan& plan, const std::string& name) {
-  return std::any_of(plan.ropes.begin(), plan.ropes.end(), [&](const Rope& rope) {
-    return owner(rope.between[0]) == name || owner(rope.between[1]) == name;
-  });
-}
-
 void connect_join(Connections& all, const Join& join) {
   const std::string first = join.edges[0].empty() ? "" : owner(join.edges[0][0]);
   for (const auto& row : join.edges)
@@ -369,8 +362,9 @@ void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Dia
 }
 
 void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
+  const HangingsByRope hangings = hangings_by_rope(plan);
   for (const auto& rope : plan.ropes)
-    if (const double hung = hung_on(plan, rope); hung > 0 && hung < limits.loose_rope * rope.length)
+    if (const double hung = hung_on(plan, hangings, rope); hung > 0 && hung < limits.loose_rope * rope.length)
       say_loose(rope, hung, diagnostics);
 }
 
@@ -390,8 +384,9 @@ void check_roles(const NetPlan& plan, formats::Diagnostics& diagnostics) {
 
 void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   check_roles(plan, diagnostics);
+  const HangingsByRope hangings = hangings_by_rope(plan);
   for (const auto& rope : plan.ropes) {
-    check_rope_length(plan, rope, limits, diagnostics);
+    check_rope_length(hung_on(plan, hangings, rope), rope, limits, diagnostics);
     for (const auto& end : rope.between)
       if (!end.empty()) {
         check_end(plan, rope, end, diagnostics);
@@ -402,12 +397,15 @@ void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
 
 void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   Connections all;
+  std::set<std::string> tied;  // the parts and points to which ropes lead
+  for (const auto& rope : plan.ropes)
+    for (const auto& end : rope.between) tied.insert(owner(end));
   for (const auto& panel : plan.panels) all.add(panel.name, panel.place);
   for (const auto& rope : plan.ropes) all.add(rope.name, rope.place);
   for (const auto& point : plan.points)
     if (!plan.find_body(owner(point.name))) all.add(point.name, point.place);
   for (const auto& body : plan.bodies)
-    if (is_tied(plan, body.name))
+    if (tied.contains(body.name))
       all.add(body.name, body.place);  // the scene may attach bodies without ropes
   for (const auto& join : plan.joins) connect_join(all, join);
   for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);

@@ -4,6 +4,8 @@
 #include "io/gears/plan/names.hpp"
 
 #include <algorithm>
+#include <map>
+#include <ranges>
 
 namespace netloft::gears {
 
@@ -55,7 +57,9 @@ Outline both_halves(const Outline& half) {
 /// Makes a gear from a plan; the member functions are steps in the order of execution.
 class GearMaker {
  public:
-  GearMaker(const NetPlan& plan, Extent extent) : plan_(plan) { gear_.extent = extent; }
+  GearMaker(const NetPlan& plan, Extent extent) : plan_(plan), hangings_(hangings_by_rope(plan)) {
+    gear_.extent = extent;
+  }
 
   Gear make() {
     for (const auto& panel : plan_.panels) add_panel(panel);
@@ -80,9 +84,11 @@ class GearMaker {
   void add_panel(const Panel& panel) {
     const Outline outline = outline_of(panel);
     const bool doubled = is_whole() && panel.stands == Standing::middle;
-    for (const Side side : sides_of(panel.stands))
+    for (const Side side : sides_of(panel.stands)) {
+      pieces_[&panel].push_back(gear_.panels.size());
       gear_.panels.push_back(
           {prefix(side) + panel.name, &panel, side == Side::port, doubled ? both_halves(outline) : outline});
+    }
   }
 
   /// The edges that a name of the plan means on one side of the gear. An edge that exists once belongs to
@@ -91,9 +97,10 @@ class GearMaker {
     formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan_, name, {}, "", silent);
     std::vector<EdgeRef> refs;
+    const auto pieces = pieces_.find(set.panel);
+    if (pieces == pieces_.end()) return refs;
     for (const auto& edge : set.edges)
-      for (std::size_t p = 0; p < gear_.panels.size(); ++p)
-        if (gear_.panels[p].panel == set.panel) append_edges(refs, p, edge, side);
+      for (const std::size_t p : pieces->second) append_edges(refs, p, edge, side);
     return refs;
   }
 
@@ -207,10 +214,10 @@ class GearMaker {
   std::vector<HungEdge> hung_on(const Rope& rope, Side side) const {
     const bool across = is_whole() && rope.stands == Standing::middle;
     std::vector<HungEdge> port, starboard;
-    for (const auto& hanging : plan_.hangings) {
-      if (hanging.rope != rope.name) continue;
-      append_hung(starboard, hanging, edges_of(hanging.edge, across ? Side::starboard : side));
-      if (across) append_hung(port, hanging, edges_to_port(hanging.edge));
+    const auto [first, last] = hangings_.equal_range(rope.name);
+    for (const auto& [name, hanging] : std::ranges::subrange(first, last)) {
+      append_hung(starboard, *hanging, edges_of(hanging->edge, across ? Side::starboard : side));
+      if (across) append_hung(port, *hanging, edges_to_port(hanging->edge));
     }
     port = {port.rbegin(), port.rend()};
     port.insert(port.end(), starboard.begin(), starboard.end());
@@ -294,6 +301,8 @@ class GearMaker {
   Standing standing_of(const std::string& owner) const { return netloft::gears::standing_of(plan_, owner); }
 
   const NetPlan& plan_;
+  const HangingsByRope hangings_;
+  std::map<const Panel*, std::vector<std::size_t>> pieces_;  // the panels of the gear that it became
   Gear gear_;
 };
 
@@ -302,13 +311,13 @@ class GearMaker {
 Gear make_gear(const NetPlan& plan, Extent extent) { return GearMaker(plan, extent).make(); }
 
 const GearPanel* Gear::find_panel(const std::string& name) const {
-  const auto at = std::find_if(panels.begin(), panels.end(), [&](const auto& p) { return p.name == name; });
-  return at == panels.end() ? nullptr : &*at;
+  const auto at = panel_names_.find(name, panels, [](const GearPanel& panel) { return panel.name; });
+  return at ? &panels[*at] : nullptr;
 }
 
 const GearRope* Gear::find_rope(const std::string& name) const {
-  const auto at = std::find_if(ropes.begin(), ropes.end(), [&](const auto& r) { return r.name == name; });
-  return at == ropes.end() ? nullptr : &*at;
+  const auto at = rope_names_.find(name, ropes, [](const GearRope& rope) { return rope.name; });
+  return at ? &ropes[*at] : nullptr;
 }
 
 std::optional<std::size_t> Gear::last_of_ring(const std::vector<EdgeRef>& row) const {

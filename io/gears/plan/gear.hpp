@@ -116,6 +116,9 @@ struct Gear {
   /// has two panels across the middle, such as the upper and the lower panel before a tube: it goes from the
   /// middle of the first panel outwards, and along the last panel back to the middle.
   std::optional<std::size_t> last_of_ring(const std::vector<EdgeRef>& row) const;
+
+ private:
+  mutable formats::NameIndex panel_names_, rope_names_;
 };
 
 /// Makes the gear of a plan without errors (check.hpp).

@@ -42,28 +42,37 @@ std::vector<std::string> edge_names(const Panel& panel) {
 }
 
 template <class T>
-void append_names(std::vector<std::string>& names, const std::vector<T>& all) {
-  for (const auto& one : all) names.push_back(one.name);
-}
-
-const Panel* find_panel_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
-                               const std::string& path, formats::Diagnostics& diagnostics) {
-  const Panel* panel = plan.find_panel(name);
+std::vector<std::string> names_of(const std::vector<T>& all) {
   std::vector<std::string> names;
-  append_names(names, plan.panels);
-  if (!panel)
-    diagnostics.error(place, path + ": there is no panel \"" + name + "\"",
-                      plan.find_rope(name) ? "\"" + name + "\" is a rope" : near_names(name, names));
-  return panel;
+  for (const auto& one : all) names.push_back(one.name);
+  return names;
 }
 
-}  // namespace
-
+/// A hint for a wrong name: "did you mean …" with the nearest of `names`, or a list of all names.
 std::string near_names(const std::string& name, const std::vector<std::string>& names) {
   if (const auto near = nearest(name, names)) return "did you mean \"" + *near + "\"?";
   std::string text;
   for (const auto& n : names) text += (text.empty() ? "there are " : ", ") + n;
   return text.empty() ? "there are none" : text;
+}
+
+const Panel* find_panel_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
+                               const std::string& path, formats::Diagnostics& diagnostics) {
+  const Panel* panel = plan.find_panel(name);
+  if (!panel)
+    diagnostics.error(place, path + ": there is no panel \"" + name + "\"",
+                      plan.find_rope(name)        ? "\"" + name + "\" is a rope"
+                      : diagnostics.wants_hints() ? near_names(name, names_of(plan.panels))
+                                                  : "");
+  return panel;
+}
+
+}  // namespace
+
+HangingsByRope hangings_by_rope(const NetPlan& plan) {
+  HangingsByRope all;
+  for (const Hanging& hanging : plan.hangings) all.emplace(hanging.rope, &hanging);
+  return all;
 }
 
 double EdgeSet::meshes() const {
@@ -158,8 +167,9 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
     if (rope->stands != Standing::middle) known.insert(known.begin(), rope->name + ".start");
   } else {
     if (plan.find_point(name) || is_on_both_sides(plan, name)) return name;
-    append_names(known, plan.points);
-    for (const auto& r : plan.ropes) known.push_back(r.name + ".end");
+    if (diagnostics.wants_hints()) known = names_of(plan.points);
+    for (std::size_t r = 0; diagnostics.wants_hints() && r < plan.ropes.size(); ++r)
+      known.push_back(plan.ropes[r].name + ".end");
   }
   diagnostics.error(place, path + ": there is no point \"" + name + "\"", near_names(name, known));
   return {};
@@ -168,11 +178,11 @@ std::string find_point_owner(const NetPlan& plan, const std::string& name, const
 const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
                              const std::string& path, formats::Diagnostics& diagnostics) {
   const Rope* rope = plan.find_rope(name);
-  std::vector<std::string> names;
-  for (const auto& r : plan.ropes) names.push_back(r.name);
   if (!rope)
     diagnostics.error(place, path + ": there is no rope \"" + name + "\"",
-                      plan.find_panel(name) ? "\"" + name + "\" is a panel" : near_names(name, names));
+                      plan.find_panel(name)       ? "\"" + name + "\" is a panel"
+                      : diagnostics.wants_hints() ? near_names(name, names_of(plan.ropes))
+                                                  : "");
   return rope;
 }
 

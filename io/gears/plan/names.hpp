@@ -2,6 +2,8 @@
 #pragma once
 #include "io/gears/plan/outline.hpp"
 
+#include <map>
+
 namespace netloft::gears {
 
 /// The edges of one panel that a name means, in the order from the middle outwards, or aft.
@@ -27,6 +29,10 @@ struct EdgeSet {
 EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::Place& place,
                   const std::string& path, formats::Diagnostics& diagnostics);
 
+/// The hangings of a plan by their rope; those of one rope keep the order of the plan.
+using HangingsByRope = std::multimap<std::string, const Hanging*>;
+HangingsByRope hangings_by_rope(const NetPlan& plan);
+
 /// The rope of this name. If there is none, the result is null and an error is reported.
 const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
                              const std::string& path, formats::Diagnostics& diagnostics);
@@ -49,8 +55,5 @@ bool is_corner_in_middle(const std::string& corner);
 /// The names of the corners of a panel: fore-outer, fore-inner, aft-outer, aft-inner, and the aft ends of the
 /// cuts of a side with several cuts, such as breast-cut-aft.
 std::vector<std::string> corner_names(const Panel& panel);
-
-/// A hint for a wrong name: "did you mean …" with the nearest of `names`, or a list of all names.
-std::string near_names(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::gears

@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/scene/winch.hpp"
 #include "io/formats/toml/document.hpp"
+#include "io/formats/toml/name_index.hpp"
 #include "io/formats/toml/value.hpp"
 #include "io/gears/plan/cutting.hpp"
 
@@ -219,6 +220,9 @@ struct NetPlan {
   const Rope* find_rope(const std::string& name) const;
   const Point* find_point(const std::string& name) const;
   const PlanBody* find_body(const std::string& name) const;
+
+ private:
+  mutable formats::NameIndex panel_names_, rope_names_, point_names_, body_names_;
 };
 
 }  // namespace netloft::gears

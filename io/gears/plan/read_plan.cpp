@@ -3,6 +3,7 @@
 
 #include "io/formats/text/name_fault.hpp"
 #include "io/formats/units/in_quotes.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/gears/catalogue/folders.hpp"
 #include "io/gears/plan/outline.hpp"
 #include "io/gears/plan/plan_reader.hpp"
@@ -99,6 +100,7 @@ class PlanReader {
     formats::TableReader tables = root_.table(key, presence, doc);
     for (const auto& name : tables.keys()) {
       check_name(name, tables);
+      formats::report({"reading", name});
       formats::TableReader table = tables.table(name);
       if (table.diagnostics().errors() == 0 || tables.kind(name) == formats::Kind::table) read(name, table);
     }
@@ -136,10 +138,9 @@ class PlanReader {
 };
 
 template <class T>
-const T* find_named(const std::vector<T>& all, const std::string& name) {
-  for (const auto& one : all)
-    if (one.name == name) return &one;
-  return nullptr;
+const T* find_named(const std::vector<T>& all, const std::string& name, formats::NameIndex& names) {
+  const auto at = names.find(name, all, [](const T& one) { return one.name; });
+  return at ? &all[*at] : nullptr;
 }
 
 }  // namespace
@@ -172,6 +173,7 @@ void drop(formats::Value& value, std::span<const char* const> keys) {
 
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   formats::Diagnostics& diagnostics) {
+  const formats::LongWork reading({"reading", file.native()});
   const formats::Document document = formats::Document::load(file, overrides, diagnostics);
   if (diagnostics.errors()) return {};
   return read_document(document, catalogue_of(document, file.parent_path(), diagnostics), diagnostics);
@@ -209,10 +211,19 @@ NetPlan read_plan_text(const std::string& text, const std::string& name, const C
   return read_document(document, catalogue, diagnostics);
 }
 
-const Panel* NetPlan::find_panel(const std::string& name) const { return find_named(panels, name); }
-const Rope* NetPlan::find_rope(const std::string& name) const { return find_named(ropes, name); }
-const Point* NetPlan::find_point(const std::string& name) const { return find_named(points, name); }
-const BodyPoint* PlanBody::find_point(const std::string& point) const { return find_named(points, point); }
-const PlanBody* NetPlan::find_body(const std::string& name) const { return find_named(bodies, name); }
+const Panel* NetPlan::find_panel(const std::string& name) const {
+  return find_named(panels, name, panel_names_);
+}
+const Rope* NetPlan::find_rope(const std::string& name) const { return find_named(ropes, name, rope_names_); }
+const Point* NetPlan::find_point(const std::string& name) const {
+  return find_named(points, name, point_names_);
+}
+const BodyPoint* PlanBody::find_point(const std::string& point) const {
+  const auto found = std::ranges::find(points, point, &BodyPoint::name);
+  return found == points.end() ? nullptr : &*found;
+}
+const PlanBody* NetPlan::find_body(const std::string& name) const {
+  return find_named(bodies, name, body_names_);
+}
 
 }  // namespace netloft::gears

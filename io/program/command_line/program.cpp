@@ -2,6 +2,7 @@
 #include "io/program/command_line/program.hpp"
 
 #include "framework/registry/registry.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/program/command_line/command_line.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/last_words.hpp"
@@ -37,6 +38,8 @@ int guarded(bool json, const std::function<int()>& work) {
   end_on_interrupts(json);
   try {
     return work();
+  } catch (const formats::Interrupted&) {
+    return fail("interrupted; nothing has been solved", kInterrupted, json);
   } catch (const UsageError& e) {
     return fail(e.message, kWrongInput, json);
   } catch (const PluginRefused& e) {

@@ -15,7 +15,8 @@ int calibrate_command(const CalibrateOptions& options) {
   studies::CalibrationFile file = studies::read_calibration_file(options.file, diagnostics);
   Registry registry;
   find_plugins(options, registry);
-  Watchdog watchdog(ending_with_a_sentence(terminal, "the calibration ends here without an answer"));
+  Watchdog watchdog(terminal,
+                    ending_with_a_sentence(terminal, "the calibration ends here without an answer"));
   const std::filesystem::path folder = std::filesystem::path(options.file).parent_path();
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_budget = [&](double seconds) { watchdog.allow(seconds); }};

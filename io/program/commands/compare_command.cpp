@@ -196,7 +196,7 @@ int run_comparison(const CompareOptions& options) {
   if (const int code = Inspection(options, registry, terminal).check(source, task); code != kDone)
     return code;
   catch_interrupts();
-  Watchdog watchdog(ending_with_a_sentence(terminal, "the comparison ends here without a table"));
+  Watchdog watchdog(terminal, ending_with_a_sentence(terminal, "the comparison ends here without a table"));
   const double tightest = task.tolerances.back();
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tightest); },

@@ -6,7 +6,6 @@
 #include "io/program/commands/draw_polars.hpp"
 #include "io/program/commands/gears.hpp"
 #include "io/program/session/error_json.hpp"
-#include "io/program/session/meshing_progress.hpp"
 #include "io/program/session/print.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
@@ -68,17 +67,12 @@ int draw_polars_command(const DrawOptions& options) {
   return kDone;
 }
 
-gears::GearMesh divide(const gears::Gear& gear, const gears::Fineness& fineness, Terminal& terminal) {
-  const MeshingProgress progress(terminal);
-  return gears::divide(gear, fineness, progress.observer());
-}
-
-std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes, Terminal& terminal) {
+std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes) {
   const gears::Gear gear = gears::make_gear(plan, gears::Extent::whole);
   gears::Fineness fineness;
   fineness.nodes = nodes;
   try {
-    return gears::draw_mesh(plan, gear, divide(gear, fineness, terminal));
+    return gears::draw_mesh(plan, gear, gears::divide(gear, fineness));
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
@@ -92,7 +86,7 @@ int draw_plan(const DrawOptions& options) {
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
   if (const int code = say(diagnostics, terminal); code != kDone) return code;
   const std::string output = output_of(options);
-  replace_file(output, options.mesh ? draw_divided(plan, options.nodes, terminal) : gears::draw_plan(plan),
+  replace_file(output, options.mesh ? draw_divided(plan, options.nodes) : gears::draw_plan(plan),
                files_of(plan), {".svg"});
   report_written(output, terminal);
   return kDone;

@@ -48,7 +48,8 @@ int run_refinement(const RefineOptions& options) {
   Session session(options);
   if (const int code = session.open(); code != kDone) return code;
   catch_interrupts();
-  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the refinement ends here without a table"));
+  Watchdog watchdog(session.terminal(),
+                    ending_with_a_sentence(session.terminal(), "the refinement ends here without a table"));
   const scenes::LoadedScene& loaded = session.scene().loaded();
   const auto levels = wanted_levels(options, loaded);
   const double tolerance = loaded.analysis.limits.tolerance;
@@ -57,7 +58,7 @@ int run_refinement(const RefineOptions& options) {
       .on_iteration = [&](const IterationRecord& r) { session.terminal().progress(r, tolerance); },
       .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   studies::Refinement refinement =
-      studies::refine(source_of(options), session.scene().registry(), levels, watch);
+      studies::refine(session.scene().source(), session.scene().registry(), levels, watch);
   session.terminal().clear();
   refinement.scene = loaded.scene.name;
   print_line(options.json ? studies::refinement_json(refinement) : studies::refinement_text(refinement));

@@ -35,11 +35,11 @@ int run_command(const RunOptions& options) {
   results::RunContext context{options.words, results::utc_now(), {}, ""};
   Session session(options);
   if (const int code = session.open(); code != kDone) return code;
-  catch_interrupts();
   runs::PreparedScene& scene = session.scene();
   context.plugins = scene.registry().opened();
   context.plan_text = results::plan_text(scene.plan(), plan_extras(scene));
   check_memory(session);
+  catch_interrupts();
   const bool moves = scene.loaded().analysis.kind == AnalysisKind::dynamics;
   return moves ? run_motion(options, session, context) : run_equilibrium(options, session, context);
 }

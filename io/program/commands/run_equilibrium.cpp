@@ -68,14 +68,15 @@ class EquilibriumRun {
         file_(output_file(options, scene_.loaded())) {}
 
   int run(const std::optional<std::vector<double>>& start) {
-    Watchdog watchdog([&](const Overdue& overdue) { return end_early(overdue); });
+    Watchdog watchdog(terminal_, [&](const Overdue& overdue) { return end_early(overdue); });
     const auto on_budget = [&](double seconds) { watchdog.allow(seconds); };
     solve(start, on_budget);
     results::Result result = results::make_result(scene_.loaded(), scene_.assembler(), solution_);
     if (options_.error)
-      studies::find_mesh_errors(source_of(options_), scene_.registry(), scene_, solution_, levels_,
+      studies::find_mesh_errors(scene_.source(), scene_.registry(), scene_, solution_, levels_,
                                 {.interrupt = &interrupt_flag(), .on_budget = on_budget}, result);
     context_.plugins = scene_.registry().opened();
+    watchdog.let_finish("the result is being written; a second interruption ends without it");
     finish(scene_.assembler(), std::move(result));
     return options_.error && interrupt_flag() ? kInterrupted : exit_code(solution_.status);
   }

@@ -190,14 +190,15 @@ int run_scope(const ScopeOptions& o) {
   require_lengths_given(loaded);
   require_place(o.output, paths_of(loaded));
   catch_interrupts();
-  Watchdog watchdog(ending_with_a_sentence(session.terminal(), "the table ends here"));
+  Watchdog watchdog(session.terminal(), ending_with_a_sentence(session.terminal(), "the table ends here"));
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   const auto on_point = [&](std::size_t solved, const studies::ScopeRow& row, const studies::ScopePoint& p) {
     session.terminal().progress_in_steps("lengths", solved, request.depths.size() * request.scopes.size(),
                                          fmt::format("{:.4g} m at {:.4g} m", p.warp, row.depth));
   };
-  const auto rows = studies::find_scope(source_of(o), session.scene().registry(), request, watch, on_point);
+  const auto rows =
+      studies::find_scope(session.scene().source(), session.scene().registry(), request, watch, on_point);
   session.terminal().clear();
   if (interrupt_flag()) return end_early(o, session, rows, request);
   const bool is_done = has_found_all(rows);

@@ -69,11 +69,12 @@ int end_item(const fs::path& folder, const studies::StudyItem& item, const Overd
 }
 
 /// Solves one item in this process.
-int compute(const StudyRunOptions& o, const studies::Study& study, const studies::StudyItem& item) {
+int compute(const StudyRunOptions& o, Terminal& terminal, const studies::Study& study,
+            const studies::StudyItem& item) {
   Registry registry;
   find_plugins(o, registry);
   const fs::path folder = o.folder;
-  Watchdog watchdog([&](const Overdue& overdue) { return end_item(folder, item, overdue); });
+  Watchdog watchdog(terminal, [&](const Overdue& overdue) { return end_item(folder, item, overdue); });
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
   const studies::PathContext context{folder, &registry, watch, std::max(o.threads, 1)};
@@ -111,7 +112,7 @@ class Campaign {
   int alone() {
     const studies::StudyItem& item = study_.items[left_.front()];
     try {
-      const int code = compute(o_, study_, item);
+      const int code = compute(o_, terminal_, study_, item);
       done_ = code == kDone;
       return code == kNotConverged ? code : finish();
     } catch (const studies::StudyError& e) {

@@ -51,8 +51,10 @@ std::string error_json(const std::string& message, int exit_code) {
   return dump({{"status", status_of(exit_code)}, {"reason", message}, {"errors", Json::array({error})}});
 }
 
+std::string json_text(const std::string& text) { return dump(text, -1); }
+
 std::string done_json(const std::string& output) {
-  return "{\"status\": \"done\", \"output\": " + dump(output, -1) + "}";
+  return "{\"status\": \"done\", \"output\": " + json_text(output) + "}";
 }
 
 }  // namespace netloft::program

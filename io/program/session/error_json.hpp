@@ -10,6 +10,8 @@ namespace netloft::program {
 std::string errors_json(const formats::Diagnostics& diagnostics, int exit_code);
 /// Such an object for a single error without a place.
 std::string error_json(const std::string& message, int exit_code);
+/// A text as JSON writes it, in quotes.
+std::string json_text(const std::string& text);
 /// One JSON object that names a file written without errors.
 std::string done_json(const std::string& output);
 

@@ -25,8 +25,11 @@ void refuse_undone(const std::vector<std::string>& set) {
   const auto changes = formats::read_changes(set);
   for (std::size_t later = 1; later < changes.size(); ++later)
     for (std::size_t i = 0; i < later; ++i)
-      if (formats::undoes(changes[later], changes[i]))
-        throw UsageError{"--set " + set[later] + " undoes --set " + set[i] + "; leave out one of them"};
+      if (formats::undoes(changes[later], changes[i])) {
+        if (changes[later].steps != changes[i].steps)
+          throw UsageError{"--set " + set[later] + " undoes --set " + set[i] + "; leave out one of them"};
+        print_error("netloft: --set " + set[later] + " takes the place of --set " + set[i]);
+      }
 }
 
 runs::CaseSource source_of(const SceneOptions& options) {

@@ -4,6 +4,7 @@
 #include "io/formats/text/printable.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/print.hpp"
+#include "io/program/session/reading_progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -48,10 +49,19 @@ std::string bar_of(double fraction) {
 /// Formats a number for JSON; null if it is not finite, because JSON has no infinity.
 std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.3e}", value) : "null"; }
 
+/// A name as a part of a line: without control characters, and cut if it is long.
+std::string on_a_line(std::string_view name) {
+  constexpr std::size_t kLongest = 40;
+  std::string text(name.substr(0, kLongest));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7F) c = '?';
+  return text;
+}
+
 // seconds between two updates of progress
 constexpr double kRedraw = 0.1, kEvent = 1, kLogLine = 60;
 
-constexpr double kSilentMeshing = 2;  // seconds before meshing shows progress
+constexpr double kSilentReading = 2;  // seconds before reading a scene shows progress
 
 }  // namespace
 
@@ -59,7 +69,13 @@ Terminal::Terminal(const CommonOptions& options)
     : is_terminal_(isatty(2) == 1),
       color_(wants_color(options.color, is_terminal_)),
       json_(options.json),
-      begun_(wall_seconds()) {}
+      begun_(wall_seconds()),
+      reading_(std::make_unique<ReadingProgress>(*this)) {}
+
+Terminal::~Terminal() {
+  reading_.reset();
+  clear();
+}
 
 void Terminal::say(const std::string& text) {
   clear();
@@ -143,14 +159,18 @@ void Terminal::progress_in_steps(const std::string& things, std::size_t done, st
                    done, all ? of : "null", seconds, left.empty() ? "null" : left));
 }
 
-void Terminal::progress_in_meshing(const std::string& step, std::size_t nodes) {
-  const double now = wall_seconds(), seconds = now - begun_;
-  if (seconds < kSilentMeshing || now - last_of_meshing_ < pause()) return;
-  last_of_meshing_ = now;
-  show(fmt::format("meshing {}: {} nodes, {:.1f} s gone", step, nodes, seconds),
-       fmt::format("meshing=\"{}\" nodes={} seconds={:.1f}", step, nodes, seconds),
-       fmt::format(R"({{"event": "progress", "meshing": "{}", "nodes": {}, "seconds": {:.1f}}})", step, nodes,
-                   seconds));
+void Terminal::progress_in_reading(const formats::Step& step, double seconds) {
+  const double now = wall_seconds();
+  if (seconds < kSilentReading || now - last_of_reading_ < pause()) return;
+  last_of_reading_ = now;
+  const std::string of = on_a_line(step.of);
+  const auto counted = [&](const char* form) {
+    return step.unit.empty() ? std::string() : fmt::format(fmt::runtime(form), step.unit, step.done);
+  };
+  show(fmt::format("{} {}{}, {:.1f} s gone", step.deed, of, counted(": {1} {0}"), seconds),
+       fmt::format("{}=\"{}\"{} seconds={:.1f}", step.deed, of, counted(" {}={}"), seconds),
+       fmt::format(R"({{"event": "progress", "{}": {}{}, "seconds": {:.1f}}})", step.deed, json_text(of),
+                   counted(R"(, "{}": {})"), seconds));
 }
 
 void Terminal::clear() {

@@ -2,12 +2,16 @@
 #pragma once
 #include "framework/balance/statistics.hpp"
 #include "io/formats/toml/diagnostics.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/program/session/options.hpp"
 
 #include <atomic>
+#include <memory>
 #include <string>
 
 namespace netloft::program {
+
+class ReadingProgress;
 
 /// Standard error: messages and a progress line.
 class Terminal {
@@ -15,7 +19,7 @@ class Terminal {
   /// --color auto means colour on a terminal that is not dumb, unless NO_COLOR is set. With --json, progress
   /// is written as one JSON object per line.
   explicit Terminal(const CommonOptions& options);
-  ~Terminal() { clear(); }
+  ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
@@ -23,6 +27,8 @@ class Terminal {
   void say(const std::string& text);
   /// Shows all messages, in colour if the terminal has it.
   void say(const formats::Diagnostics& diagnostics);
+  /// The progress of what is read while this terminal exists; it shows itself.
+  const ReadingProgress& reading() const { return *reading_; }
 
   /// Shows the progress of a search after the first second: a line that is redrawn on a terminal, a line of
   /// key=value per minute in a log, a JSON object per second for programs. A new stage begins when the
@@ -35,9 +41,8 @@ class Terminal {
   /// step that was done last.
   void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
                          const std::string& last);
-  /// Shows the progress of meshing after two seconds: the current panel or step, and the number of nodes so
-  /// far.
-  void progress_in_meshing(const std::string& step, std::size_t nodes);
+  /// Shows the progress of reading a scene once that has taken two of the `seconds`.
+  void progress_in_reading(const formats::Step& step, double seconds);
   void clear();
 
  private:
@@ -46,9 +51,10 @@ class Terminal {
   void show(const std::string& bar, const std::string& pairs, const std::string& object);
 
   bool is_terminal_, color_, json_, drawn_ = false;
-  double begun_, last_ = 0, last_of_meshing_ = 0;
+  double begun_, last_ = 0, last_of_reading_ = 0;
   int stage_ = 1, last_iteration_ = -1;
   double first_residual_ = 0, stage_begun_ = 0;
+  std::unique_ptr<ReadingProgress> reading_;
 };
 
 /// Sets the handler of interruptions: SIGINT, SIGTERM, SIGQUIT, and SIGHUP unless `nohup` made it ignored.

@@ -5,6 +5,7 @@
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/options.hpp"
 #include "io/program/session/print.hpp"
+#include "io/program/session/reading_progress.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <utility>
 
 namespace netloft::program {
 
@@ -23,6 +25,7 @@ namespace {
 constexpr double kLook = 0.1;  // [s] between two inspections
 // [s] that a plugin call may take after the time is over; factorisations of the host do not count
 constexpr double kGrace = 2;
+constexpr double kGraceOfReading = 0.5;  // [s] that reading a scene may still take
 // Calls of the host that a method may still make after the time is over. Built-in solvers check the time at
 // least ten times within as many calls.
 constexpr std::uint64_t kCallbacks = 1000;
@@ -54,8 +57,8 @@ CallFrame caller_for_ever(const CallStack& calls) {
 
 }  // namespace
 
-Watchdog::Watchdog(std::function<int(const Overdue&)> last_act)
-    : last_act_(std::move(last_act)), thread_([this] { watch(); }) {}
+Watchdog::Watchdog(Terminal& terminal, std::function<int(const Overdue&)> last_act)
+    : terminal_(terminal), last_act_(std::move(last_act)), thread_([this] { watch(); }) {}
 
 Watchdog::~Watchdog() {
   {
@@ -71,6 +74,11 @@ void Watchdog::allow(double seconds) {
   deadline_ = cpu_seconds() + seconds;
 }
 
+void Watchdog::let_finish(std::string sentence) {
+  const std::lock_guard lock(mutex_);
+  if (!interrupt_flag()) to_finish_ = std::move(sentence);
+}
+
 bool Watchdog::is_over(bool& interrupted) {
   interrupted = interrupt_flag();
   return interrupted || cpu_seconds() > deadline_;
@@ -80,11 +88,22 @@ void Watchdog::watch() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, std::chrono::duration<double>(kLook), [this] { return stop_; })) {
     bool interrupted = false;
+    if (interrupt_flag()) look_at_interruption(wall_seconds());
     if (is_over(interrupted))
       look(interrupted, wall_seconds());
     else
       seen_.clear();
   }
+}
+
+/// Most steps of reading hear an interruption by themselves; some take long, such as a factorisation for the
+/// initial shape of a large gear.
+void Watchdog::look_at_interruption(double now) {
+  if (!to_finish_.empty()) terminal_.say("netloft: " + std::exchange(to_finish_, {}));
+  if (interrupted_at_ == 0) interrupted_at_ = now;
+  const std::string under_way = terminal_.reading().under_way();
+  if (!under_way.empty() && now - interrupted_at_ > kGraceOfReading)
+    end(true, under_way + " did not end with the interruption");
 }
 
 /// Compares the calls of all threads with those at the last inspection.
@@ -124,10 +143,13 @@ void Watchdog::look_at(Seen& seen, bool interrupted, double now) {
 }
 
 void Watchdog::end(bool interrupted, const CallFrame& frame, double waited) {
-  limit_last_act();
-  const std::string sentence =
+  end(interrupted,
       fmt::format("{}, did not come back for {:.0f} s after {}", text_of(frame), waited,
-                  interrupted ? "the interruption" : "its processor time was over (analysis.max_seconds)");
+                  interrupted ? "the interruption" : "its processor time was over (analysis.max_seconds)"));
+}
+
+void Watchdog::end(bool interrupted, const std::string& sentence) {
+  limit_last_act();
   int code = exit_code(interrupted);
   try {
     code = last_act_({interrupted, sentence});

@@ -14,28 +14,32 @@ namespace netloft::program {
 
 class Terminal;
 
-/// A plugin that continued after its time was over.
+/// A plugin, or the reading of a scene, that continued after its time was over.
 struct Overdue {
   bool interrupted = false;  // true: by the user; false: the processor time of the analysis is used up
   std::string sentence;      // "loops/forever, solve, did not come back for 2 s after Ctrl-C"
 };
 
-/// Ends a run whose plugin does not return. Solvers check for interruptions and for the time limit between
-/// steps, but a call of a plugin may never return. The watchdog runs in its own thread and calls `last_act`,
-/// which writes what was found so far, if, after an interruption or the limit,
+/// Ends a run that does not hear an interruption. Solvers check for interruptions and for the time limit
+/// between steps, but a call of a plugin may never return. The watchdog runs in its own thread and calls
+/// `last_act`, which writes what was found so far, if, after an interruption or the limit,
 ///   the same call of a plugin has gone on for 2 s, or
-///   a method has called the host 1000 times, and 2 s have passed.
+///   a method has called the host 1000 times, and 2 s have passed, or
+///   a scene that was being read at the interruption is still being read half a second later.
 /// All other threads then wait at the boundary of plugins or are inside a plugin, so that the host can write
 /// its results. The program ends with the code that `last_act` returns, or after ten seconds without it.
 class Watchdog {
  public:
-  explicit Watchdog(std::function<int(const Overdue&)> last_act);
+  Watchdog(Terminal& terminal, std::function<int(const Overdue&)> last_act);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
   /// Sets the processor time that is allowed from now on [s].
   void allow(double seconds);
+  /// Makes an interruption from now on lead to a sentence, and to no end: what is left is short, and worth
+  /// it.
+  void let_finish(std::string sentence);
 
  private:
   struct Seen {
@@ -46,10 +50,15 @@ class Watchdog {
   void watch();
   bool is_over(bool& interrupted);
   void look(bool interrupted, double now);
+  void look_at_interruption(double now);
   [[noreturn]] void end(bool interrupted, const CallFrame& frame, double waited);
+  [[noreturn]] void end(bool interrupted, const std::string& sentence);
   void look_at(Seen& seen, bool interrupted, double now);
 
+  Terminal& terminal_;
   std::function<int(const Overdue&)> last_act_;
+  double interrupted_at_ = 0;  // [s]; 0: not interrupted
+  std::string to_finish_;      // the sentence of let_finish(); empty: there is none, or it has been said
   double deadline_ = std::numeric_limits<double>::infinity();
   double over_since_ = 0;
   std::vector<Seen> seen_;

@@ -3,6 +3,8 @@
 #include "io/runs/march.hpp"
 
 #include "io/formats/hdf5/image.hpp"
+#include "io/formats/work/long_work.hpp"
+#include "io/results/figures/fallen_boards.hpp"
 #include "io/results/figures/materials.hpp"
 #include "io/results/file/grid_fields.hpp"
 #include "io/results/file/provenance.hpp"
@@ -45,7 +47,7 @@ class MotionRun {
                              if (options_.on_step) options_.on_step(step);
                              return false;
                            }};
-    const MarchResult march =
+    MarchResult march =
         runs::march(scene_, watch, {.interrupt = options_.interrupt, .on_iteration = options_.on_iteration},
                     from_ ? &*from_ : nullptr);
     note_march(march);
@@ -276,7 +278,7 @@ class MotionRun {
     m.loss = watch_.findings().loss;
   }
 
-  void finish(const MarchResult& march) {
+  void finish(MarchResult& march) {
     result_.states = outputs_;
     result_.materials = find_bill(loaded_);
     add_loads(result_.figures, largest_twine_tensions(loaded_.scene, scene_.assembler(), answer_.outputs),
@@ -287,6 +289,20 @@ class MotionRun {
       result_.path = part_path();
       return;
     }
+    try {
+      make_file();
+    } catch (
+        const formats::Interrupted&) {  // the journal has all, and makes the file when the run is resumed
+      march.status = MarchStatus::interrupted;
+      march.reason = "interrupted while the result was written";
+      result_.outcome = name_of(march.status);
+      result_.sentence = march.reason;
+      journal_->set_status({result_.outcome, result_.sentence});
+      result_.path = part_path();
+    }
+  }
+
+  void make_file() {
     const auto name = name_beside_better(options_.output, result_.outcome);
     result_.path = name.string();
     result_.origins.finished = utc_now();

@@ -94,6 +94,11 @@ std::vector<std::uint32_t> Draft::scene_nodes(const Joiner::Ends& ends) const {
   return nodes;
 }
 
+const NodeElements& Draft::node_elements() const {
+  if (!node_elements_) node_elements_.emplace(out.scene, types);
+  return *node_elements_;
+}
+
 void Draft::refuse_rider(const Mention& m, const std::string& name) {
   diagnostics_.error(
       m.place,
@@ -102,9 +107,7 @@ void Draft::refuse_rider(const Mention& m, const std::string& name) {
 }
 
 std::optional<std::size_t> Draft::part_number(const std::string& name) const {
-  for (std::size_t p = 0; p < geometries.size(); ++p)
-    if (geometries[p].names.name == name) return p;
-  return {};
+  return numbers_.find(name, geometries, [](const Geometry& geometry) { return geometry.names.name; });
 }
 
 std::vector<Mention> Draft::expand(const Mention& m) {
@@ -134,20 +137,26 @@ std::vector<Mention> Draft::both_sides(const Mention& m) const {
 
 std::optional<std::size_t> Draft::find_part(const Mention& m, const std::string& name) {
   if (const auto p = part_number(name)) return p;
-  std::vector<std::string> names, owners;
-  for (const auto& geometry : geometries) {
-    names.push_back(geometry.names.name);
-    if (geometry.names.sets.contains(name)) owners.push_back(geometry.names.name + "." + name);
-  }
-  for (const auto& [point, ends] : points) names.push_back(point);
   if (riders_.contains(name))
     refuse_rider(m, name);
   else if (m.name.empty())
     diagnostics_.error(m.place, m.path + " is empty; a part, an edge or a point is expected (net.fore)");
   else
     diagnostics_.error(m.place, m.path + ": there is no part " + formats::in_quotes(name),
-                       owners.empty() ? name_hint(name, names) : "did you mean \"" + owners[0] + "\"?");
+                       diagnostics_.wants_hints() ? part_hint(name) : "");
   return {};
+}
+
+/// A hint for the name of a part that is not there: another part, or the part that has such an edge.
+std::string Draft::part_hint(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const auto& geometry : geometries) {
+    if (geometry.names.sets.contains(name))
+      return "did you mean \"" + geometry.names.name + "." + name + "\"?";
+    names.push_back(geometry.names.name);
+  }
+  for (const auto& [point, ends] : points) names.push_back(point);
+  return name_hint(name, names);
 }
 
 }  // namespace netloft::scenes

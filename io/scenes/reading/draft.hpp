@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/formats/toml/name_index.hpp"
 #include "io/scenes/reading/geometry.hpp"
 #include "io/scenes/reading/joiner.hpp"
+#include "io/scenes/reading/node_elements.hpp"
 
 #include <optional>
 #include <set>
@@ -49,6 +51,8 @@ class Draft {
   std::optional<Joiner::Ends> find_nodes(const Mention& m);
   /// Converts numbers within a part to numbers of the scene, in which nodes must be numbered already.
   std::vector<std::uint32_t> scene_nodes(const Joiner::Ends& ends) const;
+  /// The elements at the nodes of the scene, without those of riders; nodes must be numbered.
+  const NodeElements& node_elements() const;
   void refuse_rider(const Mention& m, const std::string& name);
   std::optional<std::size_t> part_number(const std::string& name) const;
   /// Expands "*.middle" to the names "PART.middle" of all parts that have this edge or point, and reports an
@@ -67,11 +71,14 @@ class Draft {
 
  private:
   std::optional<std::size_t> find_part(const Mention& m, const std::string& name);
+  std::string part_hint(const std::string& name) const;
   bool has(const std::string& name) const;
   PartGeometry& names_of(std::size_t part);
 
   formats::Diagnostics& diagnostics_;
   std::set<std::string> riders_;
+  mutable formats::NameIndex numbers_;  // of geometries
+  mutable std::optional<NodeElements> node_elements_;
 };
 
 }  // namespace netloft::scenes

@@ -2,6 +2,7 @@
 #include "io/scenes/reading/gear_parts.hpp"
 
 #include "io/formats/toml/merge.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/gears/catalogue/part_kinds.hpp"
 #include "io/gears/plan/twine_coordinates.hpp"
 #include "io/scenes/reading/gear_model.hpp"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace netloft::scenes {
 
@@ -40,7 +42,11 @@ bool GearParts::is_seam(formats::TableReader& join) const {
 
 GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice,
                      Draft& draft, gears::Divisions& divisions)
-    : plan_(plan), draft_(draft), diagnostics_(root.diagnostics()), divisions_(divisions) {
+    : plan_(plan),
+      draft_(draft),
+      diagnostics_(root.diagnostics()),
+      place_(root.place("gear")),
+      divisions_(divisions) {
   for (const char* key : {"panels", "ropes", "hang", "floats", "points", "bodies", "ship"}) root.has(key);
   const int errors_before = diagnostics_.errors();
   GearInScene& in_scene = draft_.out.gear.emplace();
@@ -55,6 +61,7 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
   } else {
     gear_ = gears::make_gear(plan, gears::Extent::whole);  // for the names of its parts
   }
+  insert_names();
   formats::TableReader table = root.table("elements", formats::Presence::optional);
   elements_.emplace(plan, gear_, table, choice);
   is_sound_ = diagnostics_.errors() == errors_before;
@@ -62,7 +69,12 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
 
 bool GearParts::divide() {
   if (!is_sound_) return false;
-  division_ = divisions_.of(plan_, gear_.extent, fineness_);
+  try {
+    division_ = divisions_.of(plan_, gear_.extent, fineness_);
+  } catch (const std::invalid_argument& cannot_be_meshed) {
+    diagnostics_.error(place_, cannot_be_meshed.what());
+    return false;
+  }
   if (fineness_.knots) draft_.out.gear->nodes = mesh().nodes;
   own_.resize(mesh().nodes);
   return mesh().nodes > 0;
@@ -104,6 +116,17 @@ void GearParts::read_undivided(PartReader& parts) {
     none.names.place = pieces.pieces->place;
     draft_.add_part(std::move(part), std::move(none), elements_->type_of("floats"), is_sound);
   }
+}
+
+void GearParts::insert_names() {
+  const auto insert = [&](const auto& all) {
+    for (const auto& one : all) names_.insert(one.name);
+  };
+  insert(gear_.panels);
+  insert(gear_.ropes);
+  insert(gear_.pieces);
+  insert(gear_.points);
+  insert(gear_.bodies);
 }
 
 /// The initial guess for a board: as deep as such boards usually go behind warps of this length, but not
@@ -256,43 +279,45 @@ bool GearParts::read_pieces(const gears::GearPieces& pieces, Part& part) const {
 }
 
 void GearParts::put_pieces(const gears::GearPieces& pieces) {
+  formats::report({"reading", pieces.name, draft_.geometries.size(), "parts"});
   Part part;
   const bool is_sound = read_pieces(pieces, part);
-  std::vector<double> carried(draft_.out.scene.node_count(), 0.0);
-  ride_on_nodes(nodes_of(pieces, carried), carried, pieces.number, part);
+  const std::map<std::uint32_t, double> carried = carried_by(pieces);
+  std::vector<std::uint32_t> nodes;
+  std::vector<double> lengths;
+  for (const auto& [node, length] : carried) {
+    nodes.push_back(node);
+    lengths.push_back(length);
+  }
+  ride_on_nodes(nodes, lengths, pieces.number, part);
   draft_.out.gear->pieces.push_back(static_cast<std::uint32_t>(draft_.out.scene.parts.size()));
   draft_.add_rider(std::move(part), pieces.pieces->place, elements_->type_of("floats"), is_sound);
 }
 
-/// The nodes to which floats or weights are attached. Adds to `carried` the length of rope or edge [m] that
-/// each of these nodes represents.
-std::vector<std::uint32_t> GearParts::nodes_of(const gears::GearPieces& pieces,
-                                               std::vector<double>& carried) const {
-  std::vector<std::uint32_t> nodes;
+/// The nodes to which floats or weights are attached, each with the length of rope or edge that it represents
+/// [m].
+std::map<std::uint32_t, double> GearParts::carried_by(const gears::GearPieces& pieces) const {
+  std::map<std::uint32_t, double> carried;
   const auto carry = [&](std::uint32_t from, std::uint32_t to, double length) {
-    carried[from] += length / 2;
-    carried[to] += length / 2;
+    carried[scene_node(from)] += length / 2;
+    carried[scene_node(to)] += length / 2;
   };
-  if (!pieces.point.empty()) return {scene_node(mesh().points.at(pieces.point))};
+  if (!pieces.point.empty()) return {{scene_node(mesh().points.at(pieces.point)), 0.0}};
   if (!pieces.rope.empty()) {
     const gears::RopeMesh& rope =
         mesh().ropes[static_cast<std::size_t>(gear_.find_rope(pieces.rope) - gear_.ropes.data())];
-    for (const auto node : rope.nodes) nodes.push_back(scene_node(node));
-    for (std::size_t i = 1; i < nodes.size(); ++i) carry(nodes[i - 1], nodes[i], rope.rest_lengths[i - 1]);
+    for (std::size_t i = 1; i < rope.nodes.size(); ++i)
+      carry(rope.nodes[i - 1], rope.nodes[i], rope.rest_lengths[i - 1]);
   }
   for (const auto& ref : pieces.edges) {
     const gears::PanelMesh& panel = mesh().panels[ref.panel];
     const auto& edge = panel.sets.at(gear_.panels[ref.panel].outline.edges[ref.edge].name);
-    for (std::size_t i = 0; i < edge.size(); ++i) {
-      nodes.push_back(scene_node(panel.nodes[edge[i]]));
-      if (i == 0) continue;
+    for (std::size_t i = 1; i < edge.size(); ++i) {
       const auto &a = panel.meshes[edge[i - 1]], &b = panel.meshes[edge[i]];
-      carry(nodes[nodes.size() - 2], nodes.back(), std::hypot(b[0] - a[0], b[1] - a[1]));
+      carry(panel.nodes[edge[i - 1]], panel.nodes[edge[i]], std::hypot(b[0] - a[0], b[1] - a[1]));
     }
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
+  return carried;
 }
 
 /// Stores the roles that the plan gives its ropes in `gear`.
@@ -324,11 +349,10 @@ std::string GearParts::point_name(const std::string& name) const {
 /// Whether all nodes of a rope of the plan are in `carried`. For a pair of ropes the starboard one decides.
 bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
   if (carried.empty()) return false;
-  for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
-    if (gear_.ropes[r].rope->name == rope)
-      return std::ranges::all_of(mesh().ropes[r].nodes,
-                                 [&](auto node) { return carried.contains(scene_node(node)); });
-  return false;
+  const gears::GearRope* one = gear_.find_rope(rope);
+  if (!one) one = gear_.find_rope("starboard-" + rope);
+  return one && std::ranges::all_of(mesh().ropes[static_cast<std::size_t>(one - gear_.ropes.data())].nodes,
+                                    [&](auto node) { return carried.contains(scene_node(node)); });
 }
 
 bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const {
@@ -475,13 +499,6 @@ void GearParts::complete_winches(Registry& registry) const {
   ready_winches(plan_, registry, draft_.out, diagnostics_);
 }
 
-bool GearParts::has_name(const std::string& name) const {
-  const auto is_it = [&](const auto& one) { return one.name == name; };
-  return std::any_of(gear_.panels.begin(), gear_.panels.end(), is_it) ||
-         std::any_of(gear_.ropes.begin(), gear_.ropes.end(), is_it) ||
-         std::any_of(gear_.pieces.begin(), gear_.pieces.end(), is_it) ||
-         std::any_of(gear_.points.begin(), gear_.points.end(), is_it) ||
-         std::any_of(gear_.bodies.begin(), gear_.bodies.end(), is_it);
-}
+bool GearParts::has_name(const std::string& name) const { return names_.contains(name); }
 
 }  // namespace netloft::scenes

@@ -6,6 +6,7 @@
 #include "io/scenes/reading/plan_elements.hpp"
 #include "io/scenes/reading/read_bodies.hpp"
 
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -48,6 +49,7 @@ class GearParts : public GearSteps {
   bool is_carried_at(const std::string& point, const std::set<std::uint32_t>& carried) const;
 
   void read_bodies(PartReader& parts);
+  void insert_names();
   void add_panel(const gears::GearPanel& panel, const gears::PanelMesh& mesh);
   void add_netting(const gears::GearPanel& panel, Geometry geometry, const std::vector<std::uint32_t>& nodes);
   void add_rope(const gears::GearRope& rope, const gears::RopeMesh& mesh);
@@ -65,7 +67,7 @@ class GearParts : public GearSteps {
   void hold_blocks();
   void name_points();
   void put_pieces(const gears::GearPieces& pieces);
-  std::vector<std::uint32_t> nodes_of(const gears::GearPieces& pieces, std::vector<double>& carried) const;
+  std::map<std::uint32_t, double> carried_by(const gears::GearPieces& pieces) const;
   void name_lines(GearInScene& gear) const;
   void set_winches();
   std::string point_name(const std::string& name) const;
@@ -74,12 +76,14 @@ class GearParts : public GearSteps {
   const gears::NetPlan& plan_;
   Draft& draft_;
   formats::Diagnostics& diagnostics_;
+  formats::Place place_;  // of `[gear]`
   gears::Gear gear_;
+  std::set<std::string> names_;           // names of everything in the gear
   std::optional<PlanElements> elements_;  // empty until `[elements]` is read
   gears::Divisions& divisions_;
   gears::Fineness fineness_;
   bool is_sound_ = false;                      // false after an error in `[gear]` or `[elements]`
-  std::shared_ptr<gears::Division> division_;  // null before divide()
+  std::shared_ptr<gears::Division> division_;  // null before divide() and after an error
   // Coordinates that the points of bodies fix, for the initial shape.
   std::vector<gears::KnownCoordinate> known_;
   std::vector<double> start_;  // initial positions, 3 per node of the gear

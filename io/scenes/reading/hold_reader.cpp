@@ -3,6 +3,7 @@
 
 #include "io/formats/text/name_fault.hpp"
 #include "io/formats/units/in_quotes.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/scenes/reading/plausible.hpp"
 #include "io/scenes/reading/read_bodies.hpp"
 #include "io/scenes/reading/tow.hpp"
@@ -16,6 +17,7 @@ void HoldReader::read() {
   for (auto& table : root_.tables("hold")) {
     const int errors_before = diagnostics_.errors();
     HoldEntry entry = read_hold(table);
+    formats::report({"holding", entry.name, out_.holds.size(), "holds"});
     check_hold_name(entry, table);
     entry.course = read_course(table);
     if (table.kind("on") != formats::Kind::text && table.kind("on") != formats::Kind::array) continue;

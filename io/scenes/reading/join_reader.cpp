@@ -2,6 +2,7 @@
 #include "io/scenes/reading/join_reader.hpp"
 
 #include "io/formats/units/in_quotes.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/scenes/reading/element_choice.hpp"
 
 namespace netloft::scenes {
@@ -30,6 +31,7 @@ void JoinReader::read_join(formats::TableReader& table, Joiner& joiner) {
       table.texts("points", {.doc = "points or edges that become one: two or more, or one that is gathered",
                              .count = {.least = together ? 1u : 2u}});
   if (diagnostics_.errors() > errors_before) return;
+  formats::report({"joining", points[0], joins_.size(), "joins"});
   std::vector<Joiner::Ends> sets;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (auto set = draft_.find_nodes(mention_of_item(points[i], table, "points", i))) sets.push_back(*set);
@@ -40,6 +42,7 @@ void JoinReader::read_join(formats::TableReader& table, Joiner& joiner) {
 
 bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
                                formats::TableReader& table, bool together) {
+  std::set<std::pair<std::size_t, std::vector<std::uint32_t>>> seen;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     if (!draft_.is_sound[sets[s].part]) return false;  // the number of nodes may be wrong
     if (!together && sets[s].own.size() != sets[0].own.size()) {
@@ -51,30 +54,39 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
                   "gather all in one");
       return false;
     }
-    for (std::size_t t = 0; t < s; ++t)
-      if (sets[s].part == sets[t].part && sets[s].own == sets[t].own) {
-        table.error("points", formats::in_quotes(points[s]) + " is joined to itself");
-        return false;
-      }
+    if (!seen.emplace(sets[s].part, sets[s].own).second) {
+      table.error("points", formats::in_quotes(points[s]) + " is joined to itself");
+      return false;
+    }
   }
   return true;
 }
 
-/// Reports, as an error, the first join that merges two nodes of an element. To find this join, makes all
-/// joins again, one by one.
+/// The first element with two nodes in one if only the first `number` joins are made.
+std::optional<Joiner::Collapse> JoinReader::find_collapse(std::size_t number) const {
+  formats::hear_interruption();
+  Joiner joiner(draft_.geometries);
+  join_by_others(joiner);
+  for (std::size_t j = 0; j < number; ++j) joins_[j].make(joiner);
+  return joiner.find_collapse(nodes_per_element(draft_.types));
+}
+
+/// Reports a join that makes two nodes of an element one, as an error. To find it, halves the list of joins:
+/// the joins before it alone do no harm.
 void JoinReader::check_joins(Joiner& joiner) const {
-  if (!joiner.find_collapse(nodes_per_element(draft_.types))) return;
-  Joiner again(draft_.geometries);
-  join_by_others(again);
-  for (const auto& join : joins_) {
-    join.make(again);
-    if (const auto fault = again.find_collapse(nodes_per_element(draft_.types)))
-      return diagnostics_.error(
-          join.at.place,
-          join.at.path + ": " + formats::in_quotes(draft_.out.scene.parts[fault->part].name) + " element " +
-              std::to_string(fault->element) + " would have two of its corners in one node, and no size",
-          "join nodes that are no neighbours: more cells make room");
+  if (joins_.empty() || !joiner.find_collapse(nodes_per_element(draft_.types))) return;
+  std::size_t without = 0, with = joins_.size();
+  while (with - without > 1) {
+    const std::size_t middle = without + (with - without) / 2;
+    (find_collapse(middle) ? with : without) = middle;
   }
+  const Mention& at = joins_[with - 1].at;
+  const Joiner::Collapse fault = *find_collapse(with);
+  diagnostics_.error(at.place,
+                     at.path + ": " + formats::in_quotes(draft_.out.scene.parts[fault.part].name) +
+                         " element " + std::to_string(fault.element) +
+                         " would have two of its corners in one node, and no size",
+                     "join nodes that are no neighbours: more cells make room");
 }
 
 /// Numbers the nodes of the scene, and converts the elements of parts to these numbers.

@@ -28,6 +28,7 @@ class JoinReader {
   bool can_be_joined(const std::vector<Joiner::Ends>& sets, const std::vector<std::string>& points,
                      formats::TableReader& table, bool together);
   void check_joins(Joiner& joiner) const;
+  std::optional<Joiner::Collapse> find_collapse(std::size_t number) const;
   void number(Joiner& joiner);
 
   formats::TableReader& root_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,13 +57,15 @@ class Joiner {
     std::size_t part, element;
   };
   std::optional<Collapse> find_collapse(const std::vector<int>& nodes_per_element) {
+    std::set<std::uint32_t> gathered;  // leaders of the nodes in which netting is gathered
+    for (const auto& nodes : gathered_) gathered.insert(find(nodes[0]));
     for (std::size_t p = 0; p < geometries_.size(); ++p) {
       const auto width = static_cast<std::size_t>(nodes_per_element[p]);
       const auto& own = geometries_[p].elements;
       for (std::size_t i = 0; i < own.size(); i += width) {
         std::vector<std::uint32_t> corners;
         for (std::size_t k = i; k < i + width; ++k) corners.push_back(find(first_[p] + own[k]));
-        if (is_collapsed(corners)) return Collapse{p, i / width};
+        if (is_collapsed(corners, gathered)) return Collapse{p, i / width};
       }
     }
     return std::nullopt;
@@ -101,17 +104,14 @@ class Joiner {
 
   /// Whether joins have reduced an element to a point, a bar to zero length, or a triangle to a line. A
   /// triangle with two equal corners where netting is gathered does not count.
-  bool is_collapsed(const std::vector<std::uint32_t>& corners) {
+  static bool is_collapsed(const std::vector<std::uint32_t>& corners,
+                           const std::set<std::uint32_t>& gathered) {
     std::size_t twins = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
-        if (corners[i] == corners[k] && (++twins > 1 || corners.size() < 3 || !is_gathered(corners[i])))
+        if (corners[i] == corners[k] && (++twins > 1 || corners.size() < 3 || !gathered.contains(corners[i])))
           return true;
     return false;
-  }
-  bool is_gathered(std::uint32_t leader) {
-    return std::any_of(gathered_.begin(), gathered_.end(),
-                       [&](const auto& nodes) { return find(nodes[0]) == leader; });
   }
 
   const double* position(std::uint32_t node) const {

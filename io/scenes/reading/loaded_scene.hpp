@@ -4,6 +4,7 @@
 #include "framework/scene/scene.hpp"
 #include "framework/scene/scene_plan.hpp"
 #include "io/formats/toml/document.hpp"
+#include "io/formats/toml/name_index.hpp"
 #include "io/scenes/reading/dynamics.hpp"
 
 #include <array>
@@ -133,10 +134,12 @@ struct LoadedScene {
 
   /// The place of a part in the file, for messages; line 0 if there is no such part.
   formats::Place place_of(const std::string& part) const {
-    for (const auto& p : parts)
-      if (p.name == part) return p.place;
-    return {0, 0, 0};
+    const auto at = names_.find(part, parts, [](const PartGeometry& p) { return p.name; });
+    return at ? parts[*at].place : formats::Place{0, 0, 0};
   }
+
+ private:
+  mutable formats::NameIndex names_;  // of parts
 };
 
 }  // namespace netloft::scenes

@@ -4,6 +4,7 @@
 #include "framework/parameters/nearest.hpp"
 #include "io/formats/text/name_fault.hpp"
 #include "io/formats/units/in_quotes.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/scenes/reading/idle_keys.hpp"
 #include "io/scenes/reading/own_data.hpp"
 #include "io/scenes/reading/part_names.hpp"
@@ -95,6 +96,7 @@ const ElementType* PartReader::find_type(Part& part, formats::TableReader& table
 
 void PartReader::read_part(const std::string& name, formats::TableReader& table, Home home,
                            const BodyOfPlan* place) {
+  formats::report({"reading", name, draft_.geometries.size(), "parts"});
   const int errors_before = diagnostics_.errors();
   Geometry geometry;
   Part part;
@@ -156,7 +158,7 @@ void PartReader::read_extra_data(const ElementType& type, Geometry& geometry, fo
 
 std::string read_type_name(const Draft& draft, const std::string& name, formats::TableReader& table) {
   std::vector<std::string> others;
-  if (!table.has("type"))
+  if (!table.has("type") && table.diagnostics().wants_hints())
     for (const auto& part : draft.geometries) others.push_back(part.names.name);
   if (const auto near = nearest(name, others)) {
     table.error("type", "is missing: element type, plugin/element, such as priour/triangle",

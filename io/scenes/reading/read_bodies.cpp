@@ -8,6 +8,8 @@
 #include <netloft/attitude.hpp>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace netloft::scenes {
 
@@ -116,16 +118,16 @@ std::string shown(const RigidBody& body, std::size_t point, const BodyGeometry& 
 /// Reports an error if a point of the body belongs to another body, too, or is the origin of one, because
 /// this would couple their rotations.
 void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& geometry,
-                 formats::Place place, formats::Diagnostics& diagnostics) {
+                 const std::map<std::uint32_t, std::size_t>& origins, formats::Place place,
+                 formats::Diagnostics& diagnostics) {
   const Scene& scene = draft.out.scene;
+  std::set<std::uint32_t> own{body.origin};
   for (std::size_t k = 0; k < body.points.size(); ++k) {
     const std::uint32_t node = body.points[k].node;
     const RigidBody* other = body_that_carries(scene, node);
-    for (const auto& b : scene.bodies)
-      if (b.origin == node) other = &b;
-    const bool is_own = node == body.origin ||
-                        std::any_of(body.points.begin(), body.points.begin() + static_cast<std::ptrdiff_t>(k),
-                                    [&](const auto& p) { return p.node == node; });
+    if (const auto origin = origins.find(node); origin != origins.end())
+      other = &scene.bodies[origin->second];
+    const bool is_own = !own.insert(node).second;
     if (other || is_own)
       diagnostics.error(place,
                         shown(body, k, geometry) + " is joined to a point of " +
@@ -144,6 +146,7 @@ void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& 
 
 void add_bodies(Draft& draft, formats::Diagnostics& diagnostics) {
   Scene& scene = draft.out.scene;
+  std::map<std::uint32_t, std::size_t> origins;  // of the bodies so far
   for (std::size_t p = 0; p < draft.geometries.size(); ++p) {
     if (!draft.geometries[p].body) continue;
     const BodyGeometry& geometry = *draft.geometries[p].body;
@@ -155,7 +158,8 @@ void add_bodies(Draft& draft, formats::Diagnostics& diagnostics) {
                    .points = {}};
     for (std::size_t k = 0; k < geometry.r.size(); ++k)
       body.points.push_back({names.nodes[k + 1], geometry.r[k]});
-    check_alone(draft, body, geometry, names.place, diagnostics);
+    check_alone(draft, body, geometry, origins, names.place, diagnostics);
+    origins[body.origin] = scene.bodies.size();
     scene.add_body(std::move(body));
     draft.out.bodies.push_back(
         {static_cast<std::uint32_t>(p), geometry.side, geometry.names, geometry.outline});
@@ -173,6 +177,7 @@ void place_points(Scene& scene) {
 }
 
 const RigidBody* body_that_carries(const Scene& scene, std::uint32_t node) {
+  if (scene.carried.empty() || !scene.carried[node]) return nullptr;
   for (const auto& body : scene.bodies)
     for (const auto& point : body.points)
       if (point.node == node) return &body;

@@ -3,6 +3,7 @@
 
 #include "io/formats/text/name_fault.hpp"
 #include "io/formats/units/in_quotes.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/part_names.hpp"
 #include "io/scenes/reading/result_request.hpp"
@@ -25,6 +26,7 @@ void ResultReader::read() {
 }
 
 void ResultReader::read_result(const std::string& name, formats::TableReader& entry, bool holds_are_known) {
+  formats::hear_interruption();
   ResultRequest request;
   request.name = name;
   request.of = read_name(entry, "of", "a part, an edge or a point");

@@ -2,6 +2,7 @@
 #include "io/scenes/reading/rider_reader.hpp"
 
 #include "framework/scene/pairs.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/scenes/reading/keys.hpp"
 #include "io/scenes/reading/part_reader.hpp"
 #include "io/scenes/reading/standing_riders.hpp"
@@ -30,6 +31,7 @@ void keep_own_parameters(Part& part, const ElementType& type) {
 }  // namespace
 
 void RiderReader::read(const std::string& name, formats::TableReader& table) {
+  formats::report({"reading", name, draft_.geometries.size(), "parts"});
   const int errors_before = diagnostics_.errors();
   const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
   Part part;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/riding.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace netloft::scenes {
 
@@ -18,18 +19,16 @@ double twine_length(const std::vector<double>& u, const std::vector<double>& v, 
 
 }  // namespace
 
-std::vector<double> carried_length(const Scene& scene, const Part& part, const ElementType& type) {
-  std::vector<double> carried(scene.node_count(), 0.0);
+double carried_length(const Part& part, const ElementType& type, std::span<const NodeElements::At> at_node) {
   const auto of = [&](const HostDatum& datum) { return find_data(part.data, datum); };
   const auto *rest = of(datum::kRestLength), *parallel = of(datum::kParallel), *u = of(datum::kU),
              *v = of(datum::kV), *bar = of(datum::kBarLength);
-  const auto corners = static_cast<std::size_t>(type.nodes());
-  for (std::size_t e = 0; e * corners < part.nodes.size(); ++e) {
+  double carried = 0;
+  for (const auto& [p, e] : at_node) {
     const double length = rest            ? (*rest)[e] * (parallel ? (*parallel)[e] : 1)
                           : u && v && bar ? twine_length(*u, *v, (*bar)[e], e)
                                           : 0;
-    for (std::size_t c = 0; c < corners; ++c)
-      carried[part.nodes[e * corners + c]] += length / static_cast<double>(corners);
+    carried += length / static_cast<double>(type.nodes());
   }
   return carried;
 }
@@ -37,12 +36,12 @@ std::vector<double> carried_length(const Scene& scene, const Part& part, const E
 void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<double>& carried, double number,
                    Part& rider) {
   double total = 0;
-  for (const auto node : nodes) total += carried[node];
-  for (const auto node : nodes) {
-    rider.nodes.push_back(node);
+  for (const double length : carried) total += length;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    rider.nodes.push_back(nodes[i]);
     rider.data[datum::kPieces.name].push_back(
-        number * (total > 0 ? carried[node] / total : 1 / static_cast<double>(nodes.size())));
-    rider.data[datum::kLength.name].push_back(carried[node]);
+        number * (total > 0 ? carried[i] / total : 1 / static_cast<double>(nodes.size())));
+    rider.data[datum::kLength.name].push_back(carried[i]);
   }
 }
 
@@ -52,31 +51,38 @@ void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, 
   rider.data[datum::kLength.name].assign(nodes.size(), 0.0);
 }
 
-void ride_on_bars_at(const Part& rope, const std::vector<std::uint32_t>& nodes, Part& rider) {
-  const auto is_there = [&](std::uint32_t node) {
-    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-  };
-  for (std::size_t b = 0; 2 * b < rope.nodes.size(); ++b) {
-    const std::uint32_t first = rope.nodes[2 * b], second = rope.nodes[2 * b + 1];
-    if (is_there(first) == is_there(second)) continue;
-    rider.nodes.push_back(is_there(first) ? first : second);
-    rider.nodes.push_back(is_there(first) ? second : first);
-    for (const auto& [name, values] : rope.data) rider.data[name].push_back(values[b]);
+void ride_on_bars_at(const Scene& scene, std::size_t rope, const NodeElements& elements,
+                     const std::vector<std::uint32_t>& nodes, Part& rider) {
+  const std::set<std::uint32_t> ends(nodes.begin(), nodes.end());
+  std::set<std::uint32_t> bars;
+  for (const auto node : ends)
+    for (const auto& [part, bar] : elements.at(node, rope)) bars.insert(bar);
+  for (const std::size_t b : bars) {
+    const std::uint32_t first = scene.parts[rope].nodes[2 * b], second = scene.parts[rope].nodes[2 * b + 1];
+    if (ends.contains(first) == ends.contains(second)) continue;
+    rider.nodes.push_back(ends.contains(first) ? first : second);
+    rider.nodes.push_back(ends.contains(first) ? second : first);
+    for (const auto& [name, values] : scene.parts[rope].data) rider.data[name].push_back(values[b]);
   }
 }
 
-void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider) {
-  for (std::size_t a = 0; 2 * a < first.nodes.size(); ++a)
-    for (std::size_t b = 0; 2 * b < second.nodes.size(); ++b)
-      for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t end = i / 2, begin = i % 2;  // end: the shared end of bar a, begin: that of bar b
-        if (first.nodes[2 * a + end] != second.nodes[2 * b + begin]) continue;
-        rider.nodes.insert(rider.nodes.end(), {first.nodes[2 * a + 1 - end], first.nodes[2 * a + end],
-                                               second.nodes[2 * b + 1 - begin]});
-        for (const auto& [name, values] : first.data)
-          if (const auto others = second.data.find(name); others != second.data.end())
-            rider.data[name].insert(rider.data[name].end(), {values[a], others->second[b]});
-      }
+void ride_on_meeting_bars(const Scene& scene, std::size_t first, std::size_t second,
+                          const NodeElements& elements, Part& rider) {
+  const Part &one = scene.parts[first], &other = scene.parts[second];
+  for (std::size_t a = 0; 2 * a < one.nodes.size(); ++a) {
+    std::set<std::array<std::size_t, 3>> meetings;  // bar b, and the ends of a and b that are one node
+    for (const std::size_t end : {0u, 1u})
+      for (const auto& [part, b] : elements.at(one.nodes[2 * a + end], second))
+        for (const std::size_t begin : {0u, 1u})
+          if (other.nodes[2 * b + begin] == one.nodes[2 * a + end]) meetings.insert({b, end, begin});
+    for (const auto& [b, end, begin] : meetings) {
+      rider.nodes.insert(rider.nodes.end(), {one.nodes[2 * a + 1 - end], one.nodes[2 * a + end],
+                                             other.nodes[2 * b + 1 - begin]});
+      for (const auto& [name, values] : one.data)
+        if (const auto others = other.data.find(name); others != other.data.end())
+          rider.data[name].insert(rider.data[name].end(), {values[a], others->second[b]});
+    }
+  }
 }
 
 void ride_on_elements(const Part& part, Part& rider) {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "framework/registry/descriptors.hpp"
-#include "framework/scene/scene.hpp"
+#include "io/scenes/reading/node_elements.hpp"
 
 namespace netloft::scenes {
 
 /// The functions below make the elements of riders, parts without nodes whose elements are on the nodes or
 /// elements of other parts: floats along a headline, pressure on a cod-end, contact under a footrope.
 
-/// The length of rope or twine of one part that each node of the scene represents [m]: half of each of its
-/// bars, a third of the twines of each of its triangles; zero at nodes outside the part.
-std::vector<double> carried_length(const Scene& scene, const Part& part, const ElementType& type);
+/// The length of rope or twine of one part that a node of the scene represents [m]: half of each of its bars,
+/// a third of the twines of each of its triangles; zero at nodes outside the part. `at_node`: the elements of
+/// the part at this node.
+double carried_length(const Part& part, const ElementType& type, std::span<const NodeElements::At> at_node);
 
-/// Puts one element on each of `nodes`. `carried` is the length of rope or twine that each node of the scene
+/// Puts one element on each of `nodes`. `carried` is the length of rope or twine that each of them
 /// represents. Data of the elements: `pieces`, the fraction of `number` that belongs to the node, in
 /// proportion to this length (equal fractions if all lengths are zero); `length`, this length [m].
 void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<double>& carried, double number,
@@ -22,14 +22,16 @@ void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<do
 /// `length` is zero.
 void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider);
 
-/// Copies the bars of `rope`, with their data, that have exactly one end among `nodes`; this end is the first
-/// node of the copy.
-void ride_on_bars_at(const Part& rope, const std::vector<std::uint32_t>& nodes, Part& rider);
+/// Copies the bars of the rope with index `rope`, with their data, that have exactly one end among `nodes`;
+/// this end is the first node of the copy.
+void ride_on_bars_at(const Scene& scene, std::size_t rope, const NodeElements& elements,
+                     const std::vector<std::uint32_t>& nodes, Part& rider);
 
-/// Adds an element with three nodes for every bar of `first` and bar of `second` that share a node: the free
-/// end of the first bar, the shared node, and the free end of the second. Each datum of bars has two values,
-/// one per bar.
-void ride_on_meeting_bars(const Part& first, const Part& second, Part& rider);
+/// Adds an element with three nodes for every bar of the rope `first` and bar of the rope `second` that share
+/// a node: the free end of the first bar, the shared node, and the free end of the second. Each datum of bars
+/// has two values, one per bar.
+void ride_on_meeting_bars(const Scene& scene, std::size_t first, std::size_t second,
+                          const NodeElements& elements, Part& rider);
 
 /// Copies the elements of another part with their data.
 void ride_on_elements(const Part& part, Part& rider);

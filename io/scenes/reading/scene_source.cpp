@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/scene_source.hpp"
 
+#include "io/formats/work/long_work.hpp"
 #include "io/gears/meshing/recent.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
@@ -254,6 +255,8 @@ const std::filesystem::path& SceneSource::file() const { return memory_->file();
 
 LoadedScene SceneSource::instance(const std::vector<formats::Change>& changes, Registry& registry,
                                   formats::Diagnostics& diagnostics, bool& refused) const {
+  const std::string file = memory_->file().string();
+  const formats::LongWork reading({"reading", file});
   return memory_->instance(changes, registry, diagnostics, refused);
 }
 

@@ -8,6 +8,8 @@
 #include "io/scenes/reading/riding.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace netloft::scenes {
 
@@ -22,16 +24,21 @@ class RiderMaker {
         table_(table),
         draft_(draft),
         rider_(rider),
-        on_nodes_(type.element.stencil == NETLOFT_NODE),
-        carried_(draft.out.scene.node_count(), 0.0) {}
+        on_nodes_(type.element.stencil == NETLOFT_NODE) {}
 
   void stand() {
     const int errors_before = table_.diagnostics().errors();
     read_names();
     if (table_.diagnostics().errors() > errors_before) return;
-    for (std::size_t n = 0; n < names_.size(); ++n)
-      for (const auto& named : draft_.expand(mention_of_item(names_[n], table_, "on", n)))
-        for (const auto& at : draft_.both_sides(named)) stand_on(n, at);
+    std::set<std::string> named;
+    for (std::size_t n = 0; n < names_.size(); ++n) {
+      const Mention own = mention_of_item(names_[n], table_, "on", n);
+      if (!named.insert(names_[n]).second)
+        table_.diagnostics().error(own.place,
+                                   own.path + ": " + formats::in_quotes(names_[n]) + " is named twice");
+      for (const auto& one : draft_.expand(own))
+        for (const auto& at : draft_.both_sides(one)) stand_on(at);
+    }
     drop_repeats(nodes_);
     if (on_nodes_) stand_on_nodes();
     if (!corners_.empty()) stand_between_points();
@@ -71,7 +78,7 @@ class RiderMaker {
     const double number = table_.real(
         "number", {.doc = "pieces, shared out along what it stands on", .range = pieces, .fallback = 1.0});
     if (!table_.has("each")) {
-      if (!nodes_.empty()) ride_on_nodes(nodes_, carried_, number, rider_);
+      if (!nodes_.empty()) ride_on_nodes(nodes_, carried(), number, rider_);
       return;
     }
     if (table_.has("number"))
@@ -81,12 +88,8 @@ class RiderMaker {
     ride_on_every_node(nodes_, each, rider_);
   }
 
-  void stand_on(std::size_t n, const Mention& at) {
+  void stand_on(const Mention& at) {
     const std::string& name = at.name;
-    if (const auto begin = names_.begin(), here = begin + static_cast<std::ptrdiff_t>(n);
-        std::find(begin, here, names_[n]) != here)
-      table_.diagnostics().error(at.place,
-                                 at.path + ": " + formats::in_quotes(names_[n]) + " is named twice");
     const auto set = draft_.find_nodes(at);
     if (!set || !draft_.is_sound[set->part] || !draft_.types[set->part]) return;
     const bool is_whole = name.find('.') == std::string::npos;
@@ -97,7 +100,7 @@ class RiderMaker {
     else if (type_.element.stencil == NETLOFT_BAR_PAIR && is_whole && is_rope(set->part))
       ropes_.push_back(set->part);
     else if (!is_whole && type_.element.stencil == NETLOFT_BAR && is_rope(set->part))
-      ride_on_bars_at(draft_.out.scene.parts[set->part], draft_.scene_nodes(*set), rider_);
+      ride_on_bars_at(draft_.out.scene, set->part, draft_.node_elements(), draft_.scene_nodes(*set), rider_);
     else if (set->own.size() == 1 && is_one_of_corners())
       corners_.push_back(draft_.scene_nodes(*set)[0]);
     else if (!is_whole || !add_elements(set->part))
@@ -143,7 +146,7 @@ class RiderMaker {
       return table_.error("on", "names " + std::to_string(ropes_.size()) + " ropes; " + type_.type +
                                     " stands between two that meet");
     const auto& parts = draft_.out.scene.parts;
-    ride_on_meeting_bars(parts[ropes_[0]], parts[ropes_[1]], rider_);
+    ride_on_meeting_bars(draft_.out.scene, ropes_[0], ropes_[1], draft_.node_elements(), rider_);
     if (rider_.nodes.empty())
       table_.error("on",
                    formats::in_quotes(parts[ropes_[0]].name) + " and " +
@@ -152,11 +155,26 @@ class RiderMaker {
   }
 
   void add_nodes(const Joiner::Ends& set) {
-    const Part& ground = draft_.out.scene.parts[set.part];
-    const auto lengths = carried_length(draft_.out.scene, ground, *draft_.types[set.part]);
-    for (std::size_t i = 0; i < carried_.size(); ++i) carried_[i] += lengths[i];
+    grounds_.emplace(set.part, grounds_.size());
     const auto nodes = draft_.scene_nodes(set);
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  }
+
+  /// The length of rope or twine that each node represents [m]: of all parts that `on` names, each once.
+  std::vector<double> carried() const {
+    std::vector<double> lengths;
+    for (const auto node : nodes_) {
+      std::map<std::size_t, std::size_t> parts;  // parts at the node, in the order in which they were named
+      for (const auto& at : draft_.node_elements().at(node))
+        if (const auto ground = grounds_.find(at.part); ground != grounds_.end())
+          parts.emplace(ground->second, at.part);
+      double length = 0;
+      for (const auto& [order, part] : parts)
+        length += carried_length(draft_.out.scene.parts[part], *draft_.types[part],
+                                 draft_.node_elements().at(node, part));
+      lengths.push_back(length);
+    }
+    return lengths;
   }
 
   /// Copies the elements of a part if they have the shape (stencil) of the rider's elements, or else the
@@ -195,10 +213,10 @@ class RiderMaker {
   bool on_nodes_;
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
-  std::vector<double> carried_;
-  std::vector<PanelBelow> panels_;      // panels whose elements the rider copies
-  std::vector<std::size_t> ropes_;      // indices of the ropes, for elements on pairs of bars
-  std::vector<std::uint32_t> corners_;  // nodes of one element, named in `on`
+  std::map<std::size_t, std::size_t> grounds_;  // parts of these nodes, and their order in `on`
+  std::vector<PanelBelow> panels_;              // panels whose elements the rider copies
+  std::vector<std::size_t> ropes_;              // indices of the ropes, for elements on pairs of bars
+  std::vector<std::uint32_t> corners_;          // nodes of one element, named in `on`
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/calibration/scene_model.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "io/runs/tangent.hpp"
 
@@ -83,7 +84,7 @@ std::vector<std::string> SceneModel::unstable() const {
 /// The measured figures of one scene, in the order of the file. `from` is its previous solution.
 std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
                                                        const std::vector<double>& parameters, Solved& from,
-                                                       bool keep) {
+                                                       bool keep) try {
   runs::CaseSource source = sources_[scene];
   formats::append(source.changes, formats::read_changes(values_of(file_, scene, parameters)));
   auto prepared = std::make_unique<runs::PreparedScene>(std::move(source), registry_);
@@ -106,6 +107,8 @@ std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
   if (!all_finite(figures)) return trouble_ += "a figure has no value there", std::nullopt;
   if (keep) from = {std::move(prepared), found.x, found.status == SolveStatus::converged};
   return figures;
+} catch (const formats::Interrupted&) {
+  return std::nullopt;
 }
 
 std::optional<std::vector<double>> SceneModel::predict(const std::vector<double>& parameters) {

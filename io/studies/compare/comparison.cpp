@@ -2,6 +2,7 @@
 #include "io/studies/compare/comparison.hpp"
 
 #include "framework/judging/correction.hpp"
+#include "io/formats/work/long_work.hpp"
 
 #include <fmt/format.h>
 
@@ -57,17 +58,24 @@ class Comparing {
 
   Comparison run() {
     describe();
-    for (const Method& method : task_.methods)
-      if (!is_interrupted())
-        out_.methods.push_back(task_.is_of_motions ? run_in_time(method) : run_method(method));
-    if (!is_interrupted() && !task_.is_of_motions) time_factorisation();
-    if (task_.cells && !is_interrupted()) find_discretisation();
+    try {
+      run_all();
+    } catch (const formats::Interrupted&) {  // while a scene was read; the methods before it stay
+    }
     out_.is_interrupted = is_interrupted();
     return std::move(out_);
   }
 
  private:
   bool is_interrupted() const { return watch_.interrupt && watch_.interrupt->load(); }
+
+  void run_all() {
+    for (const Method& method : task_.methods)
+      if (!is_interrupted())
+        out_.methods.push_back(task_.is_of_motions ? run_in_time(method) : run_method(method));
+    if (!is_interrupted() && !task_.is_of_motions) time_factorisation();
+    if (task_.cells && !is_interrupted()) find_discretisation();
+  }
 
   void describe() {
     out_.scene = own_.loaded().scene.name;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/compare/numbers_on_mesh.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/runs/equilibrium.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,8 @@ NumbersOnMesh numbers_of(runs::PreparedScene& solved, const Solution& solution,
 }
 
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
-                                      Registry& registry, const runs::Watch& watch, std::string& why_not) {
+                                      Registry& registry, const runs::Watch& watch,
+                                      std::string& why_not) try {
   runs::CaseSource divided = source;
   formats::append(divided.changes, level.changes);
   runs::PreparedScene one(divided, registry);
@@ -42,6 +44,9 @@ std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSo
     return {};
   }
   return numbers_of(one, solution, results::make_result(one.loaded(), one.assembler(), solution));
+} catch (const formats::Interrupted&) {
+  why_not = "a mesh was not read: the user interrupted";
+  return {};
 }
 
 Trend find_trend_of(const std::string& name, NumberGroup numbers, const std::vector<NumbersOnMesh>& meshes,

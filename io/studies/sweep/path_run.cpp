@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/path_run.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/runs/equilibrium.hpp"
 
 #include "framework/balance/statistics.hpp"
@@ -44,7 +45,7 @@ class PathRun {
         branch_(
             variables_of_path(study), [this](const auto& values) { return open_at(values); }, watch_) {}
 
-  std::optional<ItemRecord> run() {
+  std::optional<ItemRecord> run() try {
     ItemRecord record;
     record.hash = item_.hash;
     record.program = results::program_version();
@@ -58,6 +59,8 @@ class PathRun {
     record.cost.wall_seconds = wall_seconds() - wall;
     record.cost.cpu_seconds = cpu_seconds() - cpu;
     return record;
+  } catch (const formats::Interrupted&) {
+    return std::nullopt;
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include "io/formats/svg/plot.hpp"
 #include "io/formats/units/degrees.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/studies/sweep/branch.hpp"
 #include "io/studies/sweep/path_run.hpp"
 #include "solvers/factorisation/kept_analyses.hpp"
@@ -104,10 +105,10 @@ class ScopeRun {
     for (std::size_t d = 0; d < request_.depths.size() && !is_interrupted(); ++d) {
       ScopeRow& row = rows.emplace_back();
       row.depth = request_.depths[d];
-      solve(row, request_.scopes[0], shortest_);
-      Branch longer = shortest_;
-      for (std::size_t k = 1; k < request_.scopes.size() && !is_interrupted(); ++k)
-        solve(row, request_.scopes[k], longer);
+      try {
+        solve(row);
+      } catch (const formats::Interrupted&) {  // while a scene was read; the points before it stay
+      }
       if (row.points.size() == request_.scopes.size()) find_lengths(request_, row);
     }
     if (!was_read_ && !rows.empty() && !rows.front().points.empty())
@@ -129,6 +130,13 @@ class ScopeRun {
   std::shared_ptr<runs::PreparedScene> open(const std::vector<VariableValue>& values) const {
     auto scene = make_case(values);
     return scene->prepare() == runs::PreparedScene::State::ready ? scene : nullptr;
+  }
+
+  void solve(ScopeRow& row) {
+    solve(row, request_.scopes[0], shortest_);
+    Branch longer = shortest_;
+    for (std::size_t k = 1; k < request_.scopes.size() && !is_interrupted(); ++k)
+      solve(row, request_.scopes[k], longer);
   }
 
   void solve(ScopeRow& row, double scope, Branch& branch) {

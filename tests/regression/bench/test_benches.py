@@ -30,6 +30,8 @@ COMMANDS = {  # what it is called with
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
     "estimates.py": (PROGRAM, "ropes", "--places", "1"),
     "steering.py": (SOURCE,),
+    # A search through all others for each thing would make ten thousand take thirty times as long as one thousand, or more.
+    "reading.py": (PROGRAM, "--most", "10000", "--check", "20"),
 }
 # Minutes on the least that they take, compiling among it, and an independent integrator that is not built everywhere.
 NOT_HERE = {"cold_start.py", "time_schemes.py", "real_time.py", "trawl_in_motion.py", "stability_limit.py"}

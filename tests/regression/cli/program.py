@@ -3,6 +3,7 @@
 
 NETLOFT_PROGRAM names the program, NETLOFT_SOURCE_DIR the source tree.
 """
+import importlib.util
 import json
 import os
 import re
@@ -57,6 +58,14 @@ def changed(text, *changes):
         assert text.count(old) >= 1, f"not in the scene: {old}"
         text = text.replace(old, new, 1)
     return text
+
+
+def write_many_parts(folder, number):
+    """scene.toml of a chain of so many ropes, written as the bench of reading does."""
+    spec = importlib.util.spec_from_file_location("reading", SOURCE / "tests/bench/reading.py")
+    bench = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(bench)
+    bench.write(folder, bench.ropes(number))
 
 
 class Finished:

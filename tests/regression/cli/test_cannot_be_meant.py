@@ -277,7 +277,7 @@ LIMITS = [
      current("{ z = [-20, 0], x = [1, 3.4], t = [0, 9], factor = [1, 3] }"), r"water.current reaches 10.2 m/s"),
     ("fastest current in time", current("{ t = [0, 60], x = [0, -9.9] }"), current("{ t = [0, 60], x = [0, -10.1] }"), r"water.current reaches 10.1 m/s"),
     ("current like the tow", towed("1", "[1.021, 0, 0]"), towed("1", "[1.019, 0, 0]"), r"is the speed of the tow once more"),
-    ("profile above the gear", current("{ z = [-5, 20], x = [1, 2] }"), current("{ z = [-4.9, 20], x = [1, 2] }"), r"the profile lies above the gear"),
+    ("profile above the gear", current("{ z = [-5.1, 20], x = [1, 2] }"), current("{ z = [-4.9, 20], x = [1, 2] }"), r"the profile lies above the gear"),
     ("profile below the gear", LEVEL % "{ z = [-20, -5], x = [1, 2] }", LEVEL % "{ z = [-20, -5.1], x = [1, 2] }", r"the profile lies below the gear"),
     ("fastest hold by its velocity", moved("velocity = { t = [0, 1], x = [0, 19.5] }"), moved("velocity = { t = [0, 1], x = [0, 20.5] }"), r"moves at 20.5 m/s"),
     ("fastest hold by its displacement", moved("displacement = { t = [0, 1], x = [0, 19.5] }"), moved("displacement = { t = [0, 1], x = [0, 20.5] }"), r"moves at 20.5 m/s"),

@@ -117,7 +117,7 @@ class CheckedWithoutAMesh(InFreshFolder):
         ("[bodies.board.turned]\nheading = 30\n", "3:11", "heading = 30 rad is outside", '"30 deg"', 2),
         ('[bodies.board]\nboard = { part = "cambered-vertical-5m2" }\n', "3:18", 'there is no board "cambered-vertical-5m2"', "did you mean", 2),
         ("[gear]\nnodes = 3\n", "3:9", "gear.nodes: = 3 is outside", "", 2),
-        ('[gear]\nextent = "halve"\n', "3:10", 'gear.extent = "halve" is not one of', 'did you mean "half"?', 2),
+        ('[gear]\nextent = "halve"\n', "3:10", 'gear.extent = "halve" is not one of "whole", "half"', "", 2),
         ("[gear.finer]\ntop-codent = 2\n", "3:14", 'there is no panel or rope "top-codent"', "", 2),
         ('[elements.netting]\ntype = "priour/triangles"\n', "3:8", 'no element "priour/triangles"; did you mean "priour/triangle"', "", 4),
         ('[elements.netting]\ndrag = "hydro/morisson"\n', "3:8", 'no law "hydro/morisson"; did you mean "hydro/morison"', "", 4),

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ctrl-C while a command solves many scenes: it says so, ends with 130, shows what it has and replaces no file."""
 import json
+import os
 import signal
 import subprocess
 import time
 import unittest
 from pathlib import Path
 
-from program import SOURCE, InFreshFolder
+from program import SOURCE, InFreshFolder, write_many_parts
 
 PANEL = str(SOURCE / "gear-library/scenes/dead-weight-panel.toml")
 AT_SEA = str(SOURCE / "gear-library/scenes/gov-like-67m.toml")
@@ -19,6 +20,12 @@ VARIABLE = '[variables.density]\nkey = "parts.net.twine.density"\nrange = ["1000
 def catches_interrupts(pid):
     caught = next(line for line in Path(f"/proc/{pid}/status").read_text().splitlines() if line.startswith("SigCgt:"))
     return bool(int(caught.split()[1], 16) & 1 << signal.SIGINT - 1)
+
+
+def seconds_of(pid):
+    """Processor time of a process so far [s]."""
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 class Interrupted(InFreshFolder):
@@ -104,6 +111,36 @@ class Interrupted(InFreshFolder):
         _, err = process.communicate(timeout=100)
         self.assertEqual(process.returncode, 130, err)
         self.assertIn(b"netloft: interrupted; 1 of 1 item left; `netloft study run s.study` goes on", err)
+
+    def stopped_at(self, deed, number, *words):
+        """What a command said that got a signal at this deed; it hears that within a second of its own time."""
+        process = subprocess.Popen(self.command(*words, "--json"), cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, env=self.environment())
+        self.addCleanup(process.kill)
+        while deed not in (line := process.stderr.readline()):
+            self.assertTrue(line, "it ended by itself")
+        before = seconds_of(process.pid)
+        process.send_signal(number)
+        out, err = process.stdout.read().decode(), process.stderr.read().decode()
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 130, out + err)
+        self.assertLess(used.ru_utime + used.ru_stime - before, 1)
+        return out, err
+
+    def test_a_scene_that_is_read_after_others_is_left_as_well(self):
+        """Then there is something to lose, so that the signal does not end the program at once."""
+        scene = str(SOURCE / "gear-library/scenes/two-panel.toml")
+        for number in (signal.SIGINT, signal.SIGTERM):
+            out, err = self.stopped_at(b'"meshing"', number, "refine", scene, "--nodes", "100,900000")
+            self.assertEqual(json.loads(out)["status"], "interrupted", err)
+            self.assertRegex(err, "the table has 1 of 2 meshes|the refinement ends here without a table")
+
+    def test_a_scene_of_very_many_parts_is_left(self):
+        write_many_parts(self.folder, 100000)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            out, err = self.stopped_at(b'"reading"', number, "plan", "scene.toml")
+            self.assertEqual(json.loads(out)["status"], "interrupted", err)
 
     def test_a_scene_that_is_being_read_is_left(self):
         """It has so many nodes that meshing takes far longer than to see that interruptions are caught."""

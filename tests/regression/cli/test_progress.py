@@ -7,7 +7,7 @@ import re
 import subprocess
 import unittest
 
-from program import SOURCE, InFreshFolder
+from program import SOURCE, InFreshFolder, write_many_parts
 
 PANEL = str(SOURCE / "gear-library/scenes/dead-weight-panel.toml")
 NEVER = ["--set", "parts.net.cells=[200,200]", "--set", "analysis.tolerance=1e-16"]
@@ -51,6 +51,13 @@ class Progress(InFreshFolder):
         self.assertGreater(event["nodes"], 1000)
         self.assertGreaterEqual(event["seconds"], 2)
         self.assertRegex(self.first_line(*words), r'^progress meshing="[\w-]+" nodes=\d+ seconds=[\d.]+$')
+
+    def test_reading_names_the_part_and_counts_parts(self):
+        write_many_parts(self.folder, 100000)
+        event = json.loads(self.first_line("plan", "scene.toml", "--json"))
+        self.assertEqual(event["event"], "progress")
+        self.assertIn("reading", event)
+        self.assertGreaterEqual(event["seconds"], 2)
 
     def test_a_study_counts_its_items(self):
         self.write("s.toml", f'scene = "{PANEL}"\n{VARIABLE}[design]\nsamples = 200\n')

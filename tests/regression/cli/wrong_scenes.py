@@ -215,7 +215,6 @@ OPTIONS = [
     Wrong("solver option: no name", "", '"" is no name of a solver', args=["--solver", ":method=classic"]),
     Wrong("solver option: no pair", "", "nothing follows the colon", args=["--solver", "newton:"]),
     Wrong("solver option: nothing", "", "--solver: must not be empty", args=["--solver", ""]),
-    Wrong("set: twice", "", "--set parts.rope.cells=8 undoes --set parts.rope.cells=6", args=["--set", "parts.rope.cells=6", "--set", "parts.rope.cells=8"]),
     Wrong("set: a value, and then its table", "", "--set water={} undoes --set water.density=1000", args=["--set", "water.density=1000", "--set", "water={}"]),
     Wrong("solver option: set as well", "", "--solver newton undoes --set analysis.solver=ptc", args=["--set", "analysis.solver=ptc", "--solver", "newton"]),
     Wrong("strategy option: set as well", "", "--strategy direct undoes --set analysis.strategy=auto", args=["--strategy", "direct", "--set", "analysis.strategy=auto"]),

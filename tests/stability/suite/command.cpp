@@ -170,7 +170,7 @@ int run_hard_cases(const SuiteOptions& o) {
   program::catch_interrupts();
   const MatrixTitle title{folder.string(), o.seed};
   MatrixSoFar matrix(title, o, terminal);
-  program::Watchdog watchdog([&](const program::Overdue& overdue) { return matrix.end(overdue); });
+  program::Watchdog watchdog(terminal, [&](const program::Overdue& overdue) { return matrix.end(overdue); });
   const auto rows = run_suite(suite, columns, references, registry, run_options(o, matrix, watchdog));
   if (rows.empty() && !program::interrupt_flag())
     throw program::UsageError{"no case of " + folder.string() + " has these names and sizes"};

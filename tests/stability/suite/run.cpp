@@ -3,6 +3,7 @@
 #include "io/runs/equilibrium.hpp"
 
 #include "framework/judging/growth.hpp"
+#include "io/formats/work/long_work.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ class SuiteRun {
   }
 
   Attempt attempt(const HardCase& c, const std::string& size, const Column& column,
-                  const std::vector<StartStep>& start) {
+                  const std::vector<StartStep>& start) try {
     Attempt a;
     if (interrupted()) return a;
     if (!column.sizes.empty() && std::count(begin(column.sizes), end(column.sizes), size) == 0) {
@@ -126,6 +127,8 @@ class SuiteRun {
     if (!e.solution.x.empty()) e.positions = one.assembler().node_positions(e.solution.x);
     e.stability = find_stability(one, e);
     return a;
+  } catch (const formats::Interrupted&) {
+    return {};
   }
 
   static std::string first_error(const formats::Diagnostics& diagnostics) {

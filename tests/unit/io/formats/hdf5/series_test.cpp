@@ -10,6 +10,7 @@
 #include "io/formats/hdf5/fold.hpp"
 #include "io/formats/hdf5/image.hpp"
 #include "io/formats/hdf5/read.hpp"
+#include "tests/support/work_notes.hpp"
 #include "tests/unit/io/formats/hdf5/scratch.hpp"
 #include "tests/unit/io/formats/hdf5/sheet.hpp"
 
@@ -187,6 +188,20 @@ TEST_F(Series, StaysWhereNoResultCanBeMadeOfIt) {
   EXPECT_TRUE(says(error_of([&] { make_result(journal, in("a.hdf"), [](Tree&) {}); }), "a.hdf.new"));
   EXPECT_EQ(bytes_of("a.hdf.part"), before);
   EXPECT_FALSE(exists("a.hdf"));
+}
+
+TEST_F(Series, StaysIfItsResultIsInterrupted) {
+  SeriesJournal journal = written({0.0, 1.0});
+  const std::string before = bytes_of("a.hdf.part");
+  {
+    const netloft::test::WorkNotes notes("writing " + in("a.hdf.new").string());
+    EXPECT_THROW(make_result(journal, in("a.hdf"), [](Tree&) {}), Interrupted);
+  }
+  EXPECT_EQ(bytes_of("a.hdf.part"), before);
+  EXPECT_FALSE(exists("a.hdf"));
+  EXPECT_FALSE(exists("a.hdf.new"));
+  make_result(journal, in("a.hdf"), [](Tree&) {});
+  expect_states(Reader(in("a.hdf")), {0.0, 1.0});
 }
 
 /// Writes outputs without end, and one byte into the pipe for each output that would survive a kill.

@@ -79,5 +79,62 @@ TEST(StartShape, StretchesNoSideOfATriangleFarBeyondItsTwines) {
   }
 }
 
+/// Netting of 96 meshes around and 24 deep, open at both ends, in one piece or in several.
+std::string tube_in(const std::string& pieces) {
+  const auto panel = [](const char* name, const std::string& more) {
+    return "[panels." + std::string(name) +
+           "]\nmesh = \"40 mm\"\ntwine = { diameter = \"1 mm\", EA = \"3 kN\", density = 960 }\ndepth = "
+           "24\n" +
+           "open = [\"fore\", \"aft\"]\n" + more;
+  };
+  const auto seam = [](const std::string& one, const std::string& other) {
+    return "[[join]]\nedges = [\"" + one + "\", \"" + other + "\"]\n";
+  };
+  const std::string pair = "stands = \"pair\"\nouter = \"AN\"\ninner = \"AN\"\n";
+  if (pieces == "one") return panel("tube", "round = 96\n");
+  if (pieces == "upper and lower")
+    return panel("upper", "fore = 48\nsides = \"AN\"\n") + panel("lower", "fore = 48\nsides = \"AN\"\n") +
+           seam("upper.sides", "lower.sides");
+  if (pieces == "two sides")
+    return panel("side", pair + "fore = 48\n") + seam("side.inner", "side.inner") +
+           seam("side.outer", "side.outer");
+  return panel("upper", pair + "fore = 24\n") + panel("lower", pair + "fore = 24\n") +
+         seam("upper.inner", "upper.inner") + seam("lower.inner", "lower.inner") +
+         seam("upper.outer", "lower.outer");
+}
+
+/// The least and greatest coordinates of the initial shape: y, then z.
+std::array<double, 4> extent_of_start(const std::string& pieces, Extent extent) {
+  const auto checked = check_text(tube_in(pieces));
+  EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+  const Gear gear = make_gear(checked.plan, extent);
+  const GearMesh mesh = divide(gear, {.nodes = extent == Extent::half ? 300u : 600u, .finer = {}});
+  const auto x = StartShapes(gear, mesh).with(gear);
+  std::array<double, 4> box{0, 0, 0, 0};
+  for (std::size_t node = 0; node < mesh.nodes; ++node)
+    for (const std::size_t axis : {1u, 2u}) {
+      box[2 * axis - 2] = std::min(box[2 * axis - 2], x[3 * node + axis]);
+      box[2 * axis - 1] = std::max(box[2 * axis - 1], x[3 * node + axis]);
+    }
+  return box;
+}
+
+// A whole gear of pairs of panels that meet in the middle, above and below, starts as a flat sheet instead.
+// Half the girth is 48 meshes, open by sin(pi/8) of 40 mm each, and is half an ellipse whose height is 0.4 of
+// its width: with Ramanujan's perimeter, the semi-axes are 0.319 m and 0.128 m.
+TEST(StartShape, OfATubeIsTheSameRingWhateverPiecesItIsSewnOf) {
+  for (const char* pieces : {"one", "upper and lower", "two sides", "four pieces"}) {
+    SCOPED_TRACE(pieces);
+    const auto whole = extent_of_start(pieces, Extent::whole), half = extent_of_start(pieces, Extent::half);
+    if (std::string_view(pieces) == "one" || std::string_view(pieces) == "upper and lower") {
+      EXPECT_NEAR(whole[1] - whole[0], 2 * 0.319, 0.01);
+      EXPECT_NEAR(whole[3] - whole[2], 2 * 0.128, 0.004);
+    }
+    EXPECT_NEAR(half[0], 0, 1e-6);
+    EXPECT_NEAR(half[1], 0.319, 0.005);
+    EXPECT_NEAR(half[3] - half[2], 2 * 0.128, 0.004);
+  }
+}
+
 }  // namespace
 }  // namespace netloft::gears

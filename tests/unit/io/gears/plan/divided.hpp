@@ -1,85 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/gears/meshing/gear_mesh.hpp"
+#include "tests/support/mesh_faults.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-
 namespace netloft::gears {
 
-/// The area of an outline by the shoelace formula.
-inline double outline_area(const Outline& outline) {
-  double sum = 0;
-  for (const auto& e : outline.edges) sum += (e.from.x * e.to.y - e.to.x * e.from.y) / 2;
-  return sum;
-}
-
-inline double triangle_area(const PanelMesh& panel, std::size_t triangle) {
-  std::array<std::array<double, 2>, 3> p;
-  for (std::size_t k = 0; k < 3; ++k) p[k] = panel.meshes[panel.triangles[3 * triangle + k]];
-  return ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0])) / 2;
-}
-
-/// Expects triangles to fill the outline once: the sums of their signed and unsigned areas are its area.
 inline void expect_areas(const Gear& gear, const GearMesh& mesh) {
-  for (std::size_t p = 0; p < gear.panels.size(); ++p) {
-    double sum = 0, turned = 0;
-    for (std::size_t t = 0; t < mesh.panels[p].triangles.size() / 3; ++t) {
-      sum += std::abs(triangle_area(mesh.panels[p], t));
-      turned += triangle_area(mesh.panels[p], t);
-    }
-    const double expected = outline_area(gear.panels[p].outline);
-    EXPECT_NEAR(sum, expected, 1e-9 * expected) << gear.panels[p].name;
-    EXPECT_NEAR(std::abs(turned), expected, 1e-9 * expected) << gear.panels[p].name;
-  }
+  EXPECT_EQ(area_faults(gear, mesh), std::vector<std::string>{});
 }
 
-using Side = std::pair<std::uint32_t, std::uint32_t>;
-
-/// The sides of all triangles, as two nodes of the gear in the direction of the triangle, and their numbers.
-inline std::map<Side, int> directed_sides(const GearMesh& mesh) {
-  std::map<Side, int> sides;
-  for (const auto& panel : mesh.panels)
-    for (std::size_t t = 0; t < panel.triangles.size(); t += 3)
-      for (std::size_t k = 0; k < 3; ++k)
-        ++sides[{panel.nodes[panel.triangles[t + k]], panel.nodes[panel.triangles[t + (k + 1) % 3]]}];
-  return sides;
-}
-
-/// The triangle sides along edges that are not sewn.
-inline std::set<Side> free_sides(const Gear& gear, const GearMesh& mesh) {
-  std::set<std::pair<std::size_t, std::size_t>> sewn;
-  for (const auto& seam : gear.seams)
-    for (const auto& row : seam.edges)
-      for (const auto& ref : row) sewn.insert({ref.panel, ref.edge});
-  std::set<Side> sides;
-  for (std::size_t p = 0; p < gear.panels.size(); ++p)
-    for (std::size_t e = 0; e < gear.panels[p].outline.edges.size(); ++e) {
-      const auto& own = mesh.panels[p].sets.at(gear.panels[p].outline.edges[e].name);
-      for (std::size_t k = 0; !sewn.contains({p, e}) && k + 1 < own.size(); ++k)
-        sides.insert(std::minmax(mesh.panels[p].nodes[own[k]], mesh.panels[p].nodes[own[k + 1]]));
-    }
-  return sides;
-}
-
-/// Expects a net without holes and folds: two triangles run along each side, in opposite directions because
-/// they show the same face outwards; a side on a free edge has one triangle.
 inline void expect_closed_and_oriented(const Gear& gear, const GearMesh& mesh) {
-  const auto sides = directed_sides(mesh);
-  const auto free = free_sides(gear, mesh);
-  std::size_t free_seen = 0;
-  for (const auto& [side, times] : sides) {
-    EXPECT_EQ(times, 1) << side.first << " to " << side.second;
-    EXPECT_NE(side.first, side.second);
-    const bool is_free = free.contains(std::minmax(side.first, side.second));
-    EXPECT_EQ(sides.contains({side.second, side.first}), !is_free) << side.first << " to " << side.second;
-    free_seen += is_free;
-  }
-  EXPECT_EQ(free_seen, free.size());
+  EXPECT_EQ(seam_faults(gear, mesh), std::vector<std::string>{});
 }
 
 }  // namespace netloft::gears

@@ -158,8 +158,7 @@ class SceneBytes {
   }
   void put(const Strength& s) { put_all(s.breaking_load, s.material); }
   void put(const LoadedScene& l) {
-    const auto& [scene, parts, bodies, holds, results, analysis, files, gear, strengths] = l;
-    put_all(scene, parts, bodies, holds, results, analysis, files, gear, strengths);
+    put_all(l.scene, l.parts, l.bodies, l.holds, l.results, l.analysis, l.files, l.gear, l.strengths);
   }
 
   std::string bytes_;

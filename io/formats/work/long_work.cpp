@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/work/long_work.hpp"
+
+#include <utility>
+
+namespace netloft::formats {
+
+namespace {
+
+thread_local WorkFollower* current = nullptr;
+thread_local int depth = 0;  // of work within work
+
+void leave() {
+  if (--depth == 0 && current) current->end();
+}
+
+}  // namespace
+
+WorkFollower* follow_work(WorkFollower* follower) { return std::exchange(current, follower); }
+
+LongWork::LongWork(const Step& first) {
+  ++depth;
+  try {
+    report(first);
+  } catch (...) {
+    leave();  // an object that was not made has no destructor to do it
+    throw;
+  }
+}
+
+LongWork::~LongWork() { leave(); }
+
+void report(const Step& step) {
+  if (depth > 0 && current) current->at(step);
+}
+
+void hear_interruption() {
+  if (depth > 0 && current) current->hear();
+}
+
+}  // namespace netloft::formats

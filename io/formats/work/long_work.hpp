@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <string_view>
+
+namespace netloft::formats {
+
+/// A step of long work, for a line of progress: "meshing" "belly", 1200 "nodes" so far.
+struct Step {
+  std::string_view deed, of;
+  std::size_t done = 0;
+  std::string_view unit = {};  // empty: nothing is counted
+};
+
+/// Thrown through long work that the user has interrupted. Whoever has something to keep catches it.
+struct Interrupted : std::exception {
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+/// Follows the long work of this process: shows its progress, and ends it by throwing Interrupted.
+class WorkFollower {
+ public:
+  virtual ~WorkFollower() = default;
+  virtual void at(const Step& step) = 0;
+  virtual void hear() = 0;
+  virtual void end() noexcept = 0;
+};
+
+/// Sets the follower of all long work in this thread, and returns the one before; null: none.
+WorkFollower* follow_work(WorkFollower* follower);
+
+/// Work that may take long, such as reading a scene, from its first step to the end of this object. Work
+/// within other work is a part of it.
+class LongWork {
+ public:
+  explicit LongWork(const Step& first);
+  ~LongWork();
+  LongWork(const LongWork&) = delete;
+  LongWork& operator=(const LongWork&) = delete;
+};
+
+/// Reports a step of the work under way, if there is any. Throws Interrupted if the work is to end.
+void report(const Step& step);
+/// Does the same within a step that takes long.
+void hear_interruption();
+
+}  // namespace netloft::formats

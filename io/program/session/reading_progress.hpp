@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/work/long_work.hpp"
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace netloft::program {
+
+class Terminal;
+
+/// Shows how far the reading and meshing of scenes is, and ends them by formats::Interrupted after an
+/// interruption. It draws in a thread of its own, because one step may take long, and only while something is
+/// read: nothing else may write to the terminal then.
+class ReadingProgress : public formats::WorkFollower {
+ public:
+  explicit ReadingProgress(Terminal& terminal);
+  ~ReadingProgress() override;
+  ReadingProgress(const ReadingProgress&) = delete;
+  ReadingProgress& operator=(const ReadingProgress&) = delete;
+
+  void at(const formats::Step& step) override;
+  void hear() override;
+  void end() noexcept override;
+
+  /// The step that is under way, such as "meshing belly"; empty if nothing is read.
+  std::string under_way() const;
+
+ private:
+  void draw();
+
+  Terminal& terminal_;
+  formats::WorkFollower* before_;
+  mutable std::mutex mutex_;  // of all below, and of the terminal while something is read
+  std::condition_variable wake_;
+  bool is_over_ = false;
+  std::string deed_, of_, unit_;  // of the step; the deed is empty while nothing is read
+  std::size_t done_ = 0;
+  double begun_ = 0;    // [s]
+  std::thread thread_;  // started by the first step
+};
+
+}  // namespace netloft::program

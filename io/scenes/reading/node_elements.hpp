@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/descriptors.hpp"
+#include "framework/scene/scene.hpp"
+
+#include <span>
+
+namespace netloft::scenes {
+
+/// The elements at each node of a scene. Riders ask it at every node they stand on, so that the cost of a
+/// rider does not grow with the parts of the scene.
+class NodeElements {
+ public:
+  /// An element, by the index of its part and its number within that part.
+  struct At {
+    std::uint32_t part, element;
+  };
+
+  /// `types`: by part. Parts of an unknown type, which are null, have no elements here.
+  NodeElements(const Scene& scene, const std::vector<const ElementType*>& types);
+
+  /// The elements at a node, part by part. An element with several corners at the node is there as many
+  /// times.
+  std::span<const At> at(std::uint32_t node) const;
+  /// Those of one part.
+  std::span<const At> at(std::uint32_t node, std::size_t part) const;
+
+ private:
+  std::vector<std::size_t> begins_;  // per node, and the end
+  std::vector<At> all_;
+};
+
+}  // namespace netloft::scenes
