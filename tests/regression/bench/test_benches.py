@@ -30,6 +30,7 @@ COMMANDS = {  # what it is called with
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
     "estimates.py": (PROGRAM, "ropes", "--places", "1"),
     "steering.py": (SOURCE,),
+    "stage_counts.py": (PROGRAM, SOURCE, "--only", "cod-end"),
     # A search through all others for each thing would make ten thousand take thirty times as long as one thousand, or more.
     "reading.py": (PROGRAM, "--most", "10000", "--check", "20"),
 }
