@@ -109,7 +109,7 @@ void ElementFamily::gather_nodes(const Scene& scene, std::uint32_t first_global_
 /// Adds the rotation node of a body to the nodes of an element, after the origin of the body.
 void ElementFamily::add_body_of(const Scene& scene, std::uint32_t origin, const Part& part) {
   const auto body = scene.body_at(origin);
-  if (!body) throw SceneError({{part.name, type_->type + " stands on rigid bodies, and this is none"}});
+  if (!body) throw SceneError({{part.name, type_->type + " needs a rigid body, but this part is not one"}});
   nodes_.push_back(rotation_node(scene, *body));
   arms_.push_back(scene.bodies[*body].arm());
 }
@@ -123,12 +123,12 @@ std::vector<double> ElementFamily::gather_datum(const Scene& scene, const netlof
     if (given == part.data.end())
       throw SceneError(
           {{part.name, type_->type + " needs \"" + datum.name + "\" (" + datum.doc +
-                           ") of every element; this part's geometry does not give it. On this stencil " +
-                           "it may give " + names_of_data_on(type_->element.stencil)}});
+                           ") for every element, and the geometry of this part does not give it; elements " +
+                           "on this stencil can use " + names_of_data_on(type_->element.stencil)}});
     if (given->second.size() != wanted)
       throw SceneError(
           {{part.name, "\"" + std::string(datum.name) + "\" has " + std::to_string(given->second.size()) +
-                           " numbers, " + std::to_string(wanted) + " are expected"}});
+                           " numbers, but " + std::to_string(wanted) + " are expected"}});
     all.insert(all.end(), given->second.begin(), given->second.end());
   }
   return all;

@@ -85,8 +85,8 @@ NodeBlocks make_blocks(std::span<const std::unique_ptr<ElementFamily>> families,
 
 void require_indices(std::size_t blocks) {
   if (blocks > kMostValues / 9)
-    throw std::length_error("the matrix has " + std::to_string(blocks) + " pairs of nodes; " +
-                            std::to_string(kMostValues / 9) + " are the most. A coarser mesh has fewer");
+    throw std::length_error("the matrix has " + std::to_string(blocks) + " pairs of nodes, but at most " +
+                            std::to_string(kMostValues / 9) + " are possible; a coarser mesh has fewer");
 }
 
 SparsePattern make_pattern(const NodeBlocks& blocks, const Numbering& numbering, bool symmetric) {

@@ -28,7 +28,7 @@ std::string rounded_quantity(const Assessment& a) {
 
 std::string note_on_imbalance(const Assessment& a) {
   if (a.balance.residual > a.balance.floor) return "";
-  return "; rounding of the " + rounded_quantity(a) + " alone is worth " + newtons(a.balance.floor) +
+  return "; rounding of the " + rounded_quantity(a) + " alone causes forces of " + newtons(a.balance.floor) +
          ": the stiffness of the gear is too high for its load";
 }
 
@@ -36,14 +36,16 @@ std::string note_on_round_off(const Assessment& a) {
   if (!a.balance.at_round_off) return "";
   if (a.balance.residual <= a.balance.floor)
     return "; this is the round-off of the " + rounded_quantity(a) + ", and the tolerance is below it";
-  return "; no step brings it closer, and the energy that a step could gain is below its round-off";
+  return "; no step brings the gear closer to balance, and the energy that a step could gain is below "
+         "round-off";
 }
 
 std::string note_on_stability(const Assessment& a) {
   if (a.stability == Stability::neutral)
     return "; some part can move without any force (slack netting or rope)";
   if (a.stability == Stability::marginal)
-    return "; it is close to the limit of stability: whether small disturbances grow is not certain";
+    return "; the equilibrium is close to the limit of stability: whether small disturbances grow is not "
+           "certain";
   return "";
 }
 
@@ -54,7 +56,7 @@ std::string why_it_stopped(const StaticProblem& problem) {
     case Stop::time:
       return kTimeIsOver;
     case Stop::work:
-      return "its budget of work was used up";
+      return "the budget of work was used up";
     case Stop::interrupted:
       return "interrupted";
     case Stop::ran_away:
@@ -91,13 +93,13 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
     case NETLOFT_STOPPED:
       return why_it_stopped(problem);
     case NETLOFT_STEP_TOO_SHORT:
-      return "no step brings it closer to balance" +
+      return "no step brings the gear closer to balance" +
              (assembler.fault().status == NETLOFT_OUTSIDE_DOMAIN
                   ? ", and some led to a state without forces: " + assembler.fault_sentence(scene)
                   : std::string());
     case NETLOFT_LINEAR_SOLVE: {
       if (problem.last_factor().status == FactorStatus::out_of_memory)
-        return "there is not enough memory, or room in files, for the factor of its matrix";
+        return "there is not enough memory, or room in files, to factorise the matrix";
       const auto column = problem.last_factor().column;
       return "the tangent stiffness is singular" +
              (column >= 0
@@ -127,7 +129,7 @@ std::string growth_sentence(const Assessment& a, const Assembler& assembler, con
   const auto many =
       std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= 0.1 * most; });
   return text + ", most at " + node_of_growth(a, assembler, scene) + "; " + std::to_string(many) + " of " +
-         std::to_string(moves.size()) + " nodes move a tenth as far or more";
+         std::to_string(moves.size()) + " nodes move at least a tenth as far";
 }
 
 std::string node_of_growth(const Assessment& a, const Assembler& assembler, const Scene& scene) {

@@ -17,7 +17,7 @@ const char* trouble_of(netloft_outcome outcome, Stop stop) {
     case NETLOFT_STOPPED:
       return stop == Stop::interrupted ? "interrupted" : "too many iterations in a step";
     case NETLOFT_STEP_TOO_SHORT:
-      return "the solver found no balance of a step";
+      return "the solver found no balance of the forces in a step";
     case NETLOFT_LINEAR_SOLVE:
       return "the matrix of a step could not be factorised";
     case NETLOFT_LEFT_DOMAIN:

@@ -100,10 +100,11 @@ std::optional<std::string> samples_fault(const netloft_parameter& p, const Sampl
              std::to_string(rows[i].size()) + " numbers; its columns are " + columns_text(p);
     for (const double v : rows[i])
       if (!std::isfinite(v))
-        return std::string(p.name) + ": row " + std::to_string(i + 1) + " contains no number";
+        return std::string(p.name) + ": row " + std::to_string(i + 1) +
+               " contains a value that is not a finite number";
     if (i && !may_follow(p, rows[i - 1], rows[i]))
       return std::string(p.name) + ": the first column must increase" +
-             (p.arguments == 2 ? ", and within it the second" : "") + ", row " + std::to_string(i + 1) +
+             (p.arguments == 2 ? ", and within it the second" : "") + ", but row " + std::to_string(i + 1) +
              " does not";
   }
   return {};
@@ -122,7 +123,7 @@ std::optional<std::string> several_fault(const netloft_parameter& p, const std::
   for (std::string word; std::getline(words, word, '+');) {
     if (place_of(p, word)) continue;
     const auto near = nearest(word, words_of(p));
-    return std::string(p.name) + " = \"" + text + "\": \"" + word + "\" is none of " + list_choices(p) +
+    return std::string(p.name) + " = \"" + text + "\": \"" + word + "\" is not one of " + list_choices(p) +
            (near ? "; did you mean \"" + *near + "\"?" : "");
   }
   return {};

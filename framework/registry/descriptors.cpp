@@ -125,7 +125,7 @@ void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, con
   if (p.kind == NETLOFT_INTEGER && named(p.unit)) check_integer(p, who, faults);
   if (p.kind == NETLOFT_TABLE) check_columns(p, who, faults);
   if (p.kind != NETLOFT_CHOICE) return;
-  faults.require(count_words(p) > 0, who + " is a choice of nothing");
+  faults.require(count_words(p) > 0, who + " is a choice without words");
   faults.require(p.fallback >= 0 && p.fallback < count_words(p),
                  who + " has a default that is none of its words");
 }
@@ -136,8 +136,8 @@ void check_parameters(const std::vector<netloft_parameter>& rows, std::uint32_t 
   for (std::size_t i = 0; i < rows.size(); ++i) {
     check_parameter(rows[i], struct_bytes, owner, faults);
     if (rows[i].fallback_of && !has_earlier_real(rows, i, rows[i].fallback_of))
-      faults.add(owner + ": the default of \"" + shown(rows[i].name) + "\" leans on \"" +
-                 rows[i].fallback_of + "\", which is no earlier real parameter");
+      faults.add(owner + ": the default of \"" + shown(rows[i].name) + "\" is a factor on \"" +
+                 rows[i].fallback_of + "\", which is no real parameter above it in the table");
   }
 }
 
@@ -221,8 +221,9 @@ void check_members(const ElementType& e, const std::string& owner, Faults& fault
   for (const auto& t : e.terms) {
     if (!(t.traits & NETLOFT_OF_MEMBERS)) continue;
     has_term = true;
-    faults.require(t.traits & NETLOFT_CONSERVATIVE,
-                   owner + ": term \"" + shown(t.name) + "\" is that of members and not conservative");
+    faults.require(
+        t.traits & NETLOFT_CONSERVATIVE,
+        owner + ": term \"" + shown(t.name) + "\" is the force of members, but is not declared conservative");
   }
   const bool has_members = e.members.count > 0;
   faults.require(has_members == has_term,
@@ -231,7 +232,7 @@ void check_members(const ElementType& e, const std::string& owner, Faults& fault
   if (!has_members) return;
   faults.require(e.members.write != nullptr, owner + " has members but no function for them");
   faults.require(bears_along_lines(e.element.stencil),
-                 owner + " declares members on a stencil that is none of two or three nodes");
+                 owner + " declares members on a stencil that has neither two nor three nodes");
 }
 
 /// Returns the struct that a plugin or an element offers for an extension; all zeros if it offers none.
@@ -287,7 +288,7 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   e.data = read_rows(raw.data, raw.datum_count);
   e.terms = read_rows(raw.terms, raw.term_count);
   e.outputs = read_rows(raw.outputs, raw.output_count);
-  faults.require(is_stencil(raw.stencil), e.type + " stands on a stencil this program does not know (" +
+  faults.require(is_stencil(raw.stencil), e.type + " uses a stencil that this program does not know (" +
                                               std::to_string(raw.stencil) + ")");
   faults.require(raw.create && raw.destroy, e.type + " has no create or no destroy");
   faults.require(!raw.output_count || raw.output, e.type + " declares outputs but has no function for them");
@@ -370,11 +371,11 @@ void check_version(const netloft_plugin& p, const std::string& file) {
   const std::string built = std::to_string(p.abi_major) + "." + std::to_string(p.abi_minor);
   const std::string here = std::to_string(NETLOFT_ABI_MAJOR) + "." + std::to_string(NETLOFT_ABI_MINOR);
   if (p.abi_major != NETLOFT_ABI_MAJOR)
-    throw PluginRefused(file + ": built for plugin interface " + built + ", this program speaks " + here +
-                        "; build the plugin again with this program's headers");
+    throw PluginRefused(file + ": built for plugin interface " + built + ", but this program has interface " +
+                        here + "; build the plugin again with this program's headers");
   if (p.abi_minor > NETLOFT_ABI_MINOR)
-    throw PluginRefused(file + ": built for the newer plugin interface " + built + ", this program speaks " +
-                        here + "; update the program");
+    throw PluginRefused(file + ": built for the newer plugin interface " + built +
+                        ", but this program has interface " + here + "; update the program");
   if (p.flags & NETLOFT_FAST_MATH)
     throw PluginRefused(file +
                         ": compiled with -ffast-math, which changes the arithmetic of the whole program; "

@@ -21,11 +21,14 @@ struct HostDatum {
 
 namespace datum {
 
-inline constexpr HostDatum kPieces{"pieces", 1, "1", "number of pieces on the node, 1 alone"};
-inline constexpr HostDatum kLength{"length", 1, "m", "rope or twine that the node carries, 0 alone"};
+inline constexpr HostDatum kPieces{"pieces", 1, "1",
+                                   "number of pieces on the node; 1 in a part with nodes of its own"};
+inline constexpr HostDatum kLength{"length", 1, "m",
+                                   "rope or twine that the node carries; 0 in a part with nodes of its own"};
 inline constexpr HostDatum kRestLength{"rest_length", 1, "m", "unstretched length of the bar"};
 inline constexpr HostDatum kParallel{
-    "parallel", 1, "1", "twines side by side that one bar stands for: it lies along the twines of a panel"};
+    "parallel", 1, "1",
+    "twines side by side that one bar represents; the bar lies along the twines of a panel"};
 inline constexpr HostDatum kU{"u", 3, "1", "first twine coordinate of the corners, in bars"};
 inline constexpr HostDatum kV{"v", 3, "1", "second twine coordinate of the corners, in bars"};
 inline constexpr HostDatum kBarLength{"bar_length", 1, "m", "unstretched bar of the netting"};
@@ -35,7 +38,7 @@ inline constexpr HostDatum kOutward{
 inline constexpr HostDatum kSide{"side", 1, "1", "1 to starboard, -1 to port", true};
 inline constexpr HostDatum kArm{
     "arm", 3, "m",
-    "point of the body that it stands on, in the axes of a body to starboard; 0: the whole body"};
+    "point of the body on which the element acts, in the axes of a body to starboard; 0: the whole body"};
 
 }  // namespace datum
 

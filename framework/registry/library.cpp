@@ -125,8 +125,9 @@ PluginContent open_library(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file, none))
     throw PluginRefused(file.string() + ": is no file that can be opened");
   if (!is_whole(file))
-    throw PluginRefused(file.string() +
-                        ": is not whole; it ends before its own header says. Copy or build it again");
+    throw PluginRefused(
+        file.string() +
+        ": is not complete: it ends before the place that its own header states. Copy or build it again");
   if (const std::string fault = fault_on_trial(file); !fault.empty())
     throw PluginRefused(file.string() + ": " + fault);
   void* handle = open_guarded(file);

@@ -87,8 +87,9 @@ void find_globals(FamilyPlan& family, const Scene& scene) {
 void check_globals(const FamilyPlan& family, const ScenePlan& plan, const Scene& scene) {
   if (family.globals.empty() || plan.tangent == TangentChoice::exact) return;
   const GlobalPlan& first = family.globals.front();
-  throw SceneError({{scene.parts[first.part].name, "its " + first.name + " is an unknown (" + first.doc +
-                                                       "): that needs the exact tangent"}});
+  throw SceneError({{scene.parts[first.part].name,
+                     "its " + first.name + " is an unknown (" + first.doc +
+                         "): a scene with such an unknown needs analysis.tangent = \"exact\""}});
 }
 
 TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene& scene, AnalysisKind kind) {

@@ -163,7 +163,8 @@ class SettingSearch {
       if (std::abs(off) <= kForceTolerance) continue;
       char line[256];
       std::snprintf(line, sizeof line,
-                    "no %s was found at which its end bears %.6g N; the nearest is %.6g N, at %.6g %s",
+                    "no %s was found at which the tension at its end is %.6g N; the nearest tension is %.6g "
+                    "N, at %.6g %s",
                     setting.name.c_str(), setting.wanted, (1 + off) * setting.wanted,
                     amount_of(scene_, setting) / setting.factor * factors[k], setting.unit.c_str());
       text += (text.empty() ? "" : "; ") + std::string(line);

@@ -23,9 +23,9 @@ Vec3<double> way_of(const B& b) {
 }
 
 void add_outputs(ElementTable<Otter>& e) {
-  e.output("attack", "rad", "angle of attack: of the flow across the span, from the chord outward",
+  e.output("attack", "rad", "angle of attack: from the chord to the flow across the span, positive outward",
            [](const P&, const D& d, const B& b) { return Otter::flow_past(d, b).attack; });
-  e.output("sideslip", "rad", "angle of the flow up the span",
+  e.output("sideslip", "rad", "angle by which the flow points up the span",
            [](const P&, const D& d, const B& b) { return Otter::flow_past(d, b).sideslip; });
   e.output_of_whole("lift", "N", "force of the water across the flow",
                     [](const P& p, const D& d, const W& w, const B& b) {
@@ -40,7 +40,7 @@ void add_outputs(ElementTable<Otter>& e) {
       "outward", "N", "force of the water outward, along y of the scene",
       [](const P& p, const D& d, const W& w, const B& b) { return d.side * push_of(p, d, w, b).force.y; });
   e.output_of_whole(
-      "outside", "1", "1 if its tables do not cover the direction of the flow, else 0",
+      "outside", "1", "the tables of the board do not cover the direction of the flow",
       [](const P&, const D& d, const W& w, const B& b) {
         return Otter::is_outside(w, Otter::flow_past(d, b)) ? 1.0 : 0.0;
       },
@@ -58,20 +58,22 @@ void add_board(Plugin& plugin, const char* name, const char* doc) {
   e.real("board.drag", &P::drag, "1", "factor on the force along the flow, for calibration",
          {.lo = 0, .hi = 5, .fallback = 1});
   e.real("board.parasite", &P::parasite, "1",
-         "drag coefficient of brackets and edges, beside what a flat plate has; not with a polar",
+         "drag coefficient of brackets and edges, added to that of a flat plate; not used with a polar",
          {.lo = 0, .hi = 5, .fallback = 0.05});
   e.real("board.ploughing", &P::ploughing, "N/m",
          "force on a metre of the lower edge at a depth of 0.1 m in the ground, across its motion",
          {.lo = 0, .hi = 1e6, .fallback = 0});
-  e.real("board.power", &P::power, "1", "power of the depth in that force: 1 in clay, 2 in sand",
+  e.real("board.power", &P::power, "1",
+         "exponent of the depth in the force of ploughing: 1 in clay, 2 in sand",
          {.lo = 1, .hi = 3, .fallback = 1});
   e.table("board.polar", &P::polar, "coefficients of lift and drag over the angle of attack",
           {{"attack", "rad"}, {"lift", "1"}, {"drag", "1"}});
   e.grid("board.polar_slip", &P::polar_slip,
-         "instead: over attack and sideslip, with the coefficient of the force up the span",
+         "instead of board.polar: coefficients over attack and sideslip, with that of the force up the span",
          {{"attack", "rad"}, {"sideslip", "rad"}, {"lift", "1"}, {"drag", "1"}, {"side", "1"}});
   e.table("board.pressure", &P::pressure,
-          "centre of pressure: from the nose over the chord, above the middle over the span",
+          "centre of pressure: its distance from the nose over the chord, its height above the middle over "
+          "the span",
           {{"attack", "rad"}, {"chord", "1"}, {"span", "1"}});
   e.grid("board.bottom", &P::bottom, "local factor on the resistance to ploughing; [bed] bottom gives it",
          {{"x", "m"}, {"y", "m"}, {"ploughing", "1"}});

@@ -10,8 +10,8 @@ NETLOFT_PLUGIN("body", "0.1.0", "Rigid bodies") {
   using P = BodySolid::Parameters;
   const Real area{.lo = 0, .hi = 1e6, .fallback = 0};
   e.real("body.drag_x", &P::drag_x, "m2", "area across its x axis, times the drag coefficient", area);
-  e.real("body.drag_y", &P::drag_y, "m2", "the same across its y axis", area);
-  e.real("body.drag_z", &P::drag_z, "m2", "the same across its z axis", area);
+  e.real("body.drag_y", &P::drag_y, "m2", "area across its y axis, times the drag coefficient", area);
+  e.real("body.drag_z", &P::drag_z, "m2", "area across its z axis, times the drag coefficient", area);
   e.real("body.damping_x", &P::damping_x, "m5",
          "resistance to turning about x: moment over half the density and "
          "the square of the spin",

@@ -12,7 +12,7 @@ constexpr const char* kOutward = "1 if the corners are counter-clockwise seen fr
 void add_front(netloft::Plugin& plugin) {
   auto& f = plugin.element<Front>("front", "Pressure on all netting behind a plane across the flow");
   f.real("catch.volume", &Front::Parameters::volume, "m3",
-         "volume of the catch, for which the plane is found; 0: it is given",
+         "volume of the catch, from which the plane is computed; 0: catch.front gives the plane",
          {.lo = 0, .hi = 1e5, .fallback = 0});
   f.table("catch.growth", &Front::Parameters::growth,
           "fraction of the volume at a given time, as fish come in: linear between the times",
@@ -55,10 +55,11 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
   c.table("catch.growth", &Pressure::Parameters::growth,
           "fraction of the volume at a given time, as fish come in: linear between the times",
           {{"t", "s"}, {"share", "1"}});
-  c.choice("catch.across", &Pressure::Parameters::across, "axis across the cod-end, in which it is symmetric",
-           {"y", "x", "z"});
+  c.choice("catch.across", &Pressure::Parameters::across,
+           "axis across the cod-end, on which catch.middle is measured", {"y", "x", "z"});
   c.real("catch.middle", &Pressure::Parameters::middle, "m",
-         "position of the middle of the cod-end on that axis", {.lo = -1e5, .hi = 1e5, .fallback = 0});
+         "position of the middle of the cod-end on the axis catch.across",
+         {.lo = -1e5, .hi = 1e5, .fallback = 0});
   c.real("catch.pressure", &Pressure::Parameters::pressure, "Pa", "pressure on the netting from inside",
          {.lo = 0, .hi = 1e7, .fallback = 0});
   c.real("catch.speed", &Pressure::Parameters::speed, "m/s",

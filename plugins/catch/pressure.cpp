@@ -117,7 +117,8 @@ void Pressure::check(const Parameters& p, const Data&) {
 void Pressure::check_whole(const Parameters& p, const Whole& whole) {
   if (p.meshes > whole.length * (1 + 1e-9))
     throw std::invalid_argument("catch.meshes = " + text_of(p.meshes) +
-                                " is more than the netting has along, " + text_of(whole.length));
+                                " is more than the length of the netting, " + text_of(whole.length) +
+                                " meshes");
 }
 
 void Pressure::gather(const Parameters&, const Data& d, Whole& whole) {

@@ -14,7 +14,8 @@ void add_box(netloft::Plugin& plugin) {
   b.real("box.length_x", &Box::Parameters::length_x, "m", "side along x", side);
   b.real("box.length_y", &Box::Parameters::length_y, "m", "side along y", side);
   b.real("box.height", &Box::Parameters::height, "m", "height", side);
-  b.boolean("box.hangs", &Box::Parameters::hangs, "its upper face is at the node, not its lower one", false);
+  b.boolean("box.hangs", &Box::Parameters::hangs,
+            "the box hangs below its node: the upper face is at the node, instead of the lower one", false);
   const netloft::Real drag{.lo = 0, .hi = 1e4, .fallback = 0};
   b.real("box.drag_x", &Box::Parameters::drag_x, "1", "drag coefficient of the flow along x", drag);
   b.real("box.drag_y", &Box::Parameters::drag_y, "1", "drag coefficient of the flow along y", drag);
@@ -43,7 +44,7 @@ NETLOFT_PLUGIN("float", "0.1.0", "Floats and weights at nodes") {
   auto& f =
       plugin.element<Float>("float", "Floats at a node or along a rope; weights have negative buoyancy");
   f.real("float.buoyancy", &Float::Parameters::buoyancy, "N",
-         "net upward force of one float in water; 0: from volume and mass",
+         "net upward force of one float in water; 0: computed from float.volume and float.mass",
          {.lo = -1e7, .hi = 1e7, .fallback = 0});
   f.real("float.volume", &Float::Parameters::volume, "m3", "volume of one float",
          {.lo = 0, .hi = 1e3, .fallback = 0});
@@ -51,14 +52,15 @@ NETLOFT_PLUGIN("float", "0.1.0", "Floats and weights at nodes") {
          {.lo = 0, .hi = 1e6, .fallback = 0});
   f.real("float.diameter", &Float::Parameters::diameter, "m", "diameter across the flow",
          {.lo = 0, .hi = 20, .fallback = 0});
-  f.real("float.area", &Float::Parameters::area, "m2", "area across the flow; 0: of a circle of the diameter",
+  f.real("float.area", &Float::Parameters::area, "m2",
+         "area across the flow; 0: that of a circle with float.diameter",
          {.lo = 0, .hi = 1e3, .fallback = 0});
   f.real("float.drag_coefficient", &Float::Parameters::drag_coefficient, "1", "drag coefficient on the area",
          {.lo = 0, .hi = 10, .fallback = 0.47});
-  f.choice(
-      "float.drag_law", &Float::Parameters::drag_law,
-      "sphere: instead of drag_coefficient, that of a smooth sphere over its Reynolds number, Morrison 2013",
-      {"constant", "sphere"});
+  f.choice("float.drag_law", &Float::Parameters::drag_law,
+           "constant: float.drag_coefficient; sphere: the coefficient of a smooth sphere at its Reynolds "
+           "number, Morrison 2013",
+           {"constant", "sphere"});
   f.real("float.added_mass", &Float::Parameters::added_mass, "1",
          "added mass over the mass of the water displaced", {.lo = 0, .hi = 10, .fallback = 0.5});
   f.data("pieces", &Float::Data::pieces, "1", "number of floats at this node");

@@ -71,12 +71,13 @@ void add_knotted(netloft::Plugin& plugin) {
   law.real("normal", &KnottedParameters::normal, "1",
            "drag coefficient at normal incidence, on the area of the twines",
            {.lo = 0, .hi = 10, .fallback = 1.35});
-  law.real("friction", &KnottedParameters::friction, "1", "the same along the netting",
+  law.real("friction", &KnottedParameters::friction, "1",
+           "friction coefficient along the netting, on the area of the twines",
            {.lo = 0, .hi = 10, .fallback = 0.4});
   law.real("friction_slope", &KnottedParameters::friction_slope, "1",
            "increase of the friction coefficient with the sine of the angle of attack",
            {.lo = -10, .hi = 10, .fallback = 0});
-  law.valid(Quantity::reynolds, 600, 3000, "Imai 1986: does not depend on it there",
+  law.valid(Quantity::reynolds, 600, 3000, "Imai 1986: the coefficients do not depend on it there",
             {.unless = "measured_at"});
 }
 
@@ -92,9 +93,11 @@ NETLOFT_PLUGIN("hydro", "0.1.0", "Forces of flowing water on twines, ropes and n
   m.valid(Quantity::reynolds, 330, 1e5, "Choo and Casarella 1971: a cylinder has 1.2 within 10 % there");
 
   auto& r = plugin.law<MorisonReynolds>(
-      "morison-reynolds", "The same with a drag coefficient that depends on the Reynolds number");
+      "morison-reynolds",
+      "Drag across and along a twine, with a drag coefficient that depends on the Reynolds number");
   r.table("normal", &MorisonReynolds::Parameters::normal,
-          "drag coefficient of the flow across over its Reynolds number; that of `cylinder` when not given",
+          "drag coefficient of the flow across over its Reynolds number; if it is not given, `cylinder` "
+          "chooses the coefficient",
           {{"Re", "1"}, {"C_n", "1"}});
   add_cylinder(r, &MorisonReynolds::Parameters::cylinder);
   r.valid(Quantity::reynolds_across, 0, 1e5, "Choo and Casarella 1971", {.unless = "normal"});

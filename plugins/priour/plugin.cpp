@@ -50,7 +50,7 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
          "fraction of the velocity of the water that is lost at the front of a catch",
          {.lo = 0, .hi = 1, .fallback = 0});
   t.real("slowed.front", &Triangle::Parameters::slowed_front, "m",
-         "position of that front along the flow; the effect decreases ahead of it",
+         "position of the front of the catch along the flow; the effect decreases ahead of it",
          {.lo = -1e6, .hi = 1e6, .fallback = 0});
   t.real("slowed.radius", &Triangle::Parameters::slowed_radius, "m", "radius of the catch at its front",
          {.lo = 1e-3, .hi = 1e3, .fallback = 1});

@@ -51,7 +51,8 @@ void check_twines(const Triangle::Parameters& p, const Triangle::Data& d) {
         "over "
         "the bar): give one of them");
   if (p.knot_size >= 2 * d.bar_length)
-    throw std::invalid_argument("twine.knot_size leaves no mesh between knots: it must be below two bars");
+    throw std::invalid_argument(
+        "twine.knot_size leaves no mesh between knots: it must be below the length of two bars");
 }
 
 }  // namespace

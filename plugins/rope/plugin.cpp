@@ -57,11 +57,10 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.real("rope.diameter", &Bar::Parameters::diameter, "m", "diameter of the rope", {.lo = 0, .hi = 10});
   bar.real("rope.density", &Bar::Parameters::density, "kg/m3", "density of the rope's material",
            {.lo = 0, .hi = 1e6});
-  bar.real(
-      "rope.weight_in_water", &Bar::Parameters::weight_in_water, "N/m",
-      "weight of a metre in the water of the scene, negative for floating ropes, independent of the density; "
-      "0: by the density",
-      {.lo = -1e6, .hi = 1e6, .fallback = 0});
+  bar.real("rope.weight_in_water", &Bar::Parameters::weight_in_water, "N/m",
+           "weight of a metre in the water of the scene, negative for floating ropes, independent of the "
+           "density; 0: computed from rope.density",
+           {.lo = -1e6, .hi = 1e6, .fallback = 0});
   bar.real(
       "rope.constant_tension", &Bar::Parameters::constant_tension, "N",
       "tension that a winch or a weight over a pulley holds at any length, instead of the spring; 0: none",

@@ -13,7 +13,8 @@ void add_bed(netloft::Plugin& plugin) {
   auto& e = plugin.element<OnBed>("bed", "The bed of the scene under nodes, of any shape");
   e.real("seabed.stiffness", &P::stiffness, "N/m2", "force per metre of rope and metre of depth",
          {.lo = 0, .hi = 1e12, .fallback = 1e5});
-  e.real("seabed.softness", &P::softness, "m", "depth over which the bed reaches that stiffness",
+  e.real("seabed.softness", &P::softness, "m",
+         "depth below the surface of the bed at which it reaches seabed.stiffness",
          {.lo = 1e-6, .hi = 10, .fallback = 0.02});
   e.real("seabed.friction", &P::friction, "1", "friction force over normal force",
          {.lo = 0, .hi = 10, .fallback = 0});
@@ -21,7 +22,7 @@ void add_bed(netloft::Plugin& plugin) {
          "force per metre of rope and metre along a bed at rest, until it slides",
          {.lo = 1e-3, .hi = 1e12, .fallback = 1, .fallback_of = "seabed.stiffness"});
   e.real("seabed.radius", &P::radius, "m",
-         "height at which bobbins, discs or the radius of the rope keep it above the bed",
+         "height above the bed at which bobbins, discs or its own radius keep the middle of the rope",
          {.lo = 0, .hi = 10, .fallback = 0});
   e.real("seabed.loss_factor", &P::loss_factor, "1",
          "loss factor: energy that the bed loses per radian of an oscillation, over its elastic energy",
@@ -61,7 +62,8 @@ NETLOFT_PLUGIN("seabed", "0.1.0", "The ground under a gear, with contact and fri
   e.real("seabed.stiffness", &Plane::Parameters::stiffness, "N/m2",
          "force per metre of rope and metre of depth", {.lo = 0, .hi = 1e12, .fallback = 1e5});
   e.real("seabed.softness", &Plane::Parameters::softness, "m",
-         "depth over which the seabed reaches that stiffness", {.lo = 0, .hi = 10, .fallback = 1e-3});
+         "depth below the surface of the seabed at which it reaches seabed.stiffness",
+         {.lo = 0, .hi = 10, .fallback = 1e-3});
   e.real("seabed.friction", &Plane::Parameters::friction, "1", "friction force over normal force",
          {.lo = 0, .hi = 10, .fallback = 0});
   e.real("seabed.shear_stiffness", &Plane::Parameters::shear_stiffness, "N/m2",

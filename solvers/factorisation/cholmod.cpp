@@ -334,7 +334,9 @@ void CholmodFactorisation::analyse_unknowns(const SparsePattern& pattern) {
   if (width_ == IndexWidth::as_needed) factors_ = std::make_unique<FactorsOf<std::int32_t>>();
   if (!factors_ || !factors_->analyse(pattern, ordering)) {
     factors_ = std::make_unique<FactorsOf<SuiteSparse_long>>();
-    if (!factors_->analyse(pattern, ordering)) throw std::runtime_error("CHOLMOD has too few indices");
+    if (!factors_->analyse(pattern, ordering))
+      throw std::runtime_error(
+          "the matrix has more entries than CHOLMOD has indices for; a coarser mesh has fewer");
   }
   ordering_ = ordering.method;
 }

@@ -42,10 +42,10 @@ class Fitter {
       if (!find_slopes()) return without_slopes();
       const Outcome outcome = descend();
       if (outcome == Outcome::settled)
-        return finish(true, "no step lowers the sum of squares by more than it matters");
+        return finish(true, "no step lowers the sum of squares by an amount that matters");
       if (model_.is_interrupted()) return interrupted();
       if (outcome == Outcome::stuck)
-        return finish(false, "no step lowers the sum of squares, though its slope says so");
+        return finish(false, "no step lowers the sum of squares, although its slope says that a step could");
     }
     return find_slopes() ? finish(false, "the limit of steps was reached") : without_slopes();
   }

@@ -58,11 +58,13 @@ Step EnergyMomentum::step(const Parameters& p, Motion& m) {
 
 using netloft::EnergyMomentum;
 
-NETLOFT_PLUGIN("energy-momentum", "0.1.0", "A time scheme that makes no energy") {
-  auto& e = plugin.integrator<EnergyMomentum>(
-      "energy-momentum", "Simo and Tarnow's scheme: exact in energy, with damping of what is too fast");
+NETLOFT_PLUGIN("energy-momentum", "0.1.0", "A time scheme that creates no energy") {
+  auto& e = plugin.integrator<EnergyMomentum>("energy-momentum",
+                                              "Simo and Tarnow's scheme: keeps the energy exactly, and damps "
+                                              "motions that are too fast for its steps");
   e.traits(NETLOFT_BETWEEN);
   e.real("spectral_radius", &EnergyMomentum::Parameters::spectral_radius, "1",
-         "factor per step on motions far too fast for it: 1 keeps them and all energy, 0 removes them",
+         "factor per step on motions that are far too fast for the step: 1 keeps them and all energy, 0 "
+         "removes them",
          {.lo = 0, .hi = 1, .fallback = 0.8});
 }

@@ -56,6 +56,6 @@ NETLOFT_PLUGIN("generalized-alpha", "0.1.0", "The generalized-alpha time scheme"
   auto& g = plugin.integrator<GeneralizedAlpha>(
       "generalized-alpha", "Chung and Hulbert's scheme, with adjustable numerical damping");
   g.real("spectral_radius", &GeneralizedAlpha::Parameters::spectral_radius, "1",
-         "factor per step on motions far too fast for it: 1 keeps them, 0 removes them",
+         "factor per step on motions that are far too fast for the step: 1 keeps them, 0 removes them",
          {.lo = 0, .hi = 1, .fallback = 0});
 }

@@ -94,10 +94,11 @@ using netloft::newmark::Newmark;
 NETLOFT_PLUGIN("newmark", "0.1.0", "Newmark's time scheme, as published and implicit") {
   auto& n = plugin.integrator<Newmark>("newmark", "Newmark's scheme, solved, or by the paper's fixed point");
   n.choice("corrector", &Newmark::Parameters::corrector,
-           "solve: each step is a problem for the solver; fixed-point: the paper's, without a linear system",
+           "solve: the solver finds each step; fixed-point: the paper's iteration, without a linear system",
            {"solve", "fixed-point"});
   n.real("chi", &Newmark::Parameters::chi, "1",
-         "damping of the scheme, 0 none; 1: the default of the corrector, -0.3 with fixed-point, else 0",
+         "damping of the scheme; 0: none; 1: the default, which is -0.3 with corrector = fixed-point and 0 "
+         "with solve",
          {.lo = -1, .hi = 1, .fallback = 1});
   n.integer("corrections", &Newmark::Parameters::corrections, "most fixed-point iterations in a step", 1,
             1000, 30);

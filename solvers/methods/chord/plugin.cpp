@@ -156,18 +156,19 @@ Outcome Chord::solve(const Parameters& p, Problem& problem) { return Chords(p, p
 
 using netloft::Chord;
 
-NETLOFT_PLUGIN("chord", "0.2.0", "Newton's method with factors that are kept") {
-  auto& c =
-      plugin.solver<Chord>("chord", "Newton's method that keeps a factor while it serves, for time steps");
-  c.real("damping", &Chord::Parameters::damping, "1", "first share of the linear stiffness in a new factor",
+NETLOFT_PLUGIN("chord", "0.2.0", "Newton's method that uses a factorised matrix for several steps") {
+  auto& c = plugin.solver<Chord>(
+      "chord", "Newton's method that keeps a factorised matrix as long as it is good enough, for time steps");
+  c.real("damping", &Chord::Parameters::damping, "1",
+         "fraction of the linear stiffness that is first added to a matrix before it is factorised",
          {.lo = 0, .hi = 64, .fallback = 1e-2});
   c.real("contraction", &Chord::Parameters::contraction, "1",
-         "share of Newton's decrement that may be left of a step before the factor is made anew",
+         "fraction of Newton's decrement that may be left after a step; above it a new matrix is factorised",
          {.lo = 1e-6, .hi = 1, .fallback = 0.5});
   c.real("slope", &Chord::Parameters::slope, "1",
-         "share of the first slope along a step that may be left where it ends",
+         "fraction of the slope at the beginning of a step that may be left at its end",
          {.lo = 1e-3, .hi = 1, .fallback = 0.8});
   c.real("shortest_step", &Chord::Parameters::shortest_step, "1",
-         "shortest part of a step that is tried with a new factor",
+         "shortest fraction of a step that is tried with a newly factorised matrix",
          {.lo = 1e-6, .hi = 1, .fallback = 1.0 / 256});
 }

@@ -15,8 +15,8 @@ NETLOFT_PLUGIN("lbfgs", "0.1.0", "limited-memory BFGS") {
                {"stiffness", "diagonal", "none"});
   lbfgs.integer("steps", &P::steps, "steps that make one iteration, after which progress is judged", 1,
                 1000000, 10);
-  lbfgs.real("decrease", &P::decrease, "1", "share of the slope by which a step must lower the energy",
+  lbfgs.real("decrease", &P::decrease, "1", "fraction of the slope by which a step must lower the energy",
              {.lo = 1e-12, .hi = 0.49, .fallback = 1e-4});
-  lbfgs.real("curvature", &P::curvature, "1", "share of the slope that may be left at the end of a step",
+  lbfgs.real("curvature", &P::curvature, "1", "fraction of the slope that may be left at the end of a step",
              {.lo = 0.5, .hi = 0.999, .fallback = 0.9});
 }

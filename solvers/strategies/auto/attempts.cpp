@@ -34,21 +34,24 @@ const Row kTable[] = {
     // finer mesh it remains to determine which members are slack: Newton's method does so member by member,
     // tension/only for all at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
-      "a coarser mesh costs a fraction and leads near; then which members are slack comes out with the rest"},
+      "a coarser mesh costs a fraction of the work and leads near the solution; the step from there finds "
+      "out which members are slack"},
      [](const Kind& k) { return k.has_meshes && k.has_loaded_members; }},
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0",
-      "a coarser mesh costs a fraction and leads near"},
+      "a coarser mesh costs a fraction of the work and leads near the solution"},
      [](const Kind& k) { return k.has_meshes && !k.has_loaded_members; }},
-    {{"tension-stages", "tension/stages", "", "with tensions as unknowns stiff members turn at once"},
+    {{"tension-stages", "tension/stages", "",
+      "with tensions as unknowns, stiff members can turn far in one step"},
      [](const Kind& k) { return k.has_loaded_members; }},
     // Relaxation follows the attempts above, because it takes more steps on a finer mesh. For long lines with
     // 12 000 unknowns it took eight times as long as tension-stages.
-    {{"relaxed", "relaxed", "", "elements stick and slide, which no tangent foresees"},
+    {{"relaxed", "relaxed", "", "elements stick and slide, and no tangent predicts that"},
      [](const Kind& k) { return k.sticks; }},
-    {{"direct", "direct", "", "the start may be near"}, [](const Kind&) { return true; }},
-    {{"stiffness-steps", "stiffness-steps", "", "soft members turn where stiff ones hold fast"},
+    {{"direct", "direct", "", "the start may be near the solution"}, [](const Kind&) { return true; }},
+    {{"stiffness-steps", "stiffness-steps", "",
+      "soft members can turn in steps in which stiff members cannot"},
      [](const Kind&) { return true; }},
-    {{"pseudo-time", "pseudo-time", "", "a motion passes by what is unstable"},
+    {{"pseudo-time", "pseudo-time", "", "a damped motion does not end at an unstable equilibrium"},
      [](const Kind& k) { return !k.sticks; }},
 };
 

@@ -7,7 +7,7 @@
 namespace netloft::automatic {
 
 void Auto::run(const Options& options, Search& search) {
-  if (attempts_for(search, options).empty()) return search.decline("every attempt is left out");
+  if (attempts_for(search, options).empty()) return search.decline("`without` leaves out every attempt");
   const Stage best = Race(search, options).run();
   if (!best.is_stationary()) return;
   search.answer(best.u);
@@ -19,9 +19,10 @@ std::string Auto::explain(const Options& options, Search& search) {
   for (const Attempt& attempt : attempts_for(search, options))
     text += std::string(attempt.name) + ": " + attempt.because + "\n";
   if (may_restart(search, options))
-    text += "restarts: " + std::to_string(options.restarts) + " from elsewhere after the first equilibrium" +
-            (options.everywhere ? "" : ", if it bears a load by compression") +
-            ": there may be other shapes\n";
+    text += "restarts: " + std::to_string(options.restarts) +
+            " from other shapes after the first equilibrium" +
+            (options.everywhere ? "" : ", if that bears a load by compression") +
+            ": the gear may have other equilibria\n";
   return text;
 }
 

@@ -12,14 +12,14 @@ NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
       "restarts", &Options::restarts,
       "how often to look for other shapes where something is in compression, each time for a slice of work",
       0, 1000, 1);
-  s.boolean(
-      "everywhere", &Options::everywhere,
-      "look for other shapes in every scene without dry friction, also where nothing is in compression or "
-      "forces have no energy; of those without one the first that was found is the answer",
-      false);
+  s.boolean("everywhere", &Options::everywhere,
+            "look for other shapes in every scene without dry friction, also where nothing is in compression "
+            "or forces have no energy; without an energy, the first equilibrium that was found is the answer",
+            false);
   s.real("slice", &Options::slice, "1",
-         "work of the first slice of each attempt, and of each look for another shape, in Newton iterations "
-         "of the mesh on which they are made",
+         "work of the first slice of each attempt, and of each search for another shape, in Newton "
+         "iterations of the mesh that is used",
          {.lo = 1, .hi = 1e9, .fallback = 200});
-  s.several("without", &Options::without, "parts to leave out", netloft::automatic::parts());
+  s.several("without", &Options::without, "attempts, or other parts of the strategy, that are left out",
+            netloft::automatic::parts());
 }

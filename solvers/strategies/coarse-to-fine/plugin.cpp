@@ -39,7 +39,7 @@ struct CoarseToFine {
     return has_coarser(search) ? std::string("half as many cells along a side by ") + p.by +
                                      ", then the scene itself from there" +
                                      (*p.then ? std::string(" by ") + p.then : "") + "\n"
-                               : "nothing: no coarser mesh\n";
+                               : "nothing: there is no coarser mesh\n";
   }
 
  private:

@@ -44,7 +44,7 @@ struct Deflation {
 
   static std::string explain(const Parameters& p, Search&) {
     return std::string("one shape by ") + p.by +
-           ", then others by Newton's method, with those that are known divided out\n";
+           ", then others by Newton's method, with the known ones divided out of the equations\n";
   }
 
  private:
@@ -94,9 +94,10 @@ struct Deflation {
 
 NETLOFT_PLUGIN("deflation", "0.1.0", "Several equilibria, by deflation") {
   auto& s = plugin.strategy<Deflation>(
-      "deflation", "One equilibrium, then others, stable or not, with those that are known divided out");
+      "deflation",
+      "One equilibrium, then others, stable or not, with the known ones divided out of the equations");
   using P = Deflation::Parameters;
-  s.strategy("by", &P::by, "strategy that finds the first", "auto");
-  s.integer("searches", &P::searches, "how often to look for another", 0, 1000, 10);
+  s.strategy("by", &P::by, "strategy that finds the first equilibrium", "auto");
+  s.integer("searches", &P::searches, "how often to look for another equilibrium", 0, 1000, 10);
   s.integer("iterations", &P::iterations, "steps of Newton's method in one search", 1, 100000, 100);
 }

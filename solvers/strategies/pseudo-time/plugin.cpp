@@ -32,8 +32,8 @@ struct PseudoTime {
   }
 
   static std::string explain(const Parameters& p, Search&) {
-    return std::string("the motion that its linear stiffness resists, by ") + p.solver +
-           ", to where it comes to rest\n";
+    return std::string("a motion that the linear stiffness damps, followed by ") + p.solver +
+           " until it comes to rest\n";
   }
 };
 
@@ -41,11 +41,11 @@ struct PseudoTime {
 
 NETLOFT_PLUGIN("pseudo-time", "0.1.0", "Along a motion to where it comes to rest") {
   auto& s = plugin.strategy<PseudoTime>(
-      "pseudo-time", "Along the motion that the linear stiffness resists, to where it comes to rest");
+      "pseudo-time", "Along a motion that the linear stiffness damps, until it comes to rest");
   using P = PseudoTime::Parameters;
   s.solver("solver", &P::solver, "solver that follows the motion", "ptc");
   s.real("path", &P::path, "1",
-         "what has gone so many times the gear's size does not come to rest: motions of hard cases that did "
-         "had gone up to 6.3 times that, most others 20 to 80 times",
+         "a gear that has moved by this many times its size is taken not to come to rest: in hard cases, "
+         "gears that came to rest had moved by up to 6.3 times their size, most others by 20 to 80 times",
          {.lo = 0, .hi = 1e6, .fallback = 10});
 }

@@ -37,7 +37,7 @@ struct Relaxed {
   }
 
   static std::string explain(const Parameters& p, Search&) {
-    return std::string("near by ") + p.solver +
+    return std::string("near the solution by ") + p.solver +
            ", which needs no tangent, then the scene itself from there\n";
   }
 };
@@ -45,7 +45,8 @@ struct Relaxed {
 }  // namespace
 
 NETLOFT_PLUGIN("relaxed", "0.1.0", "From a relaxed shape") {
-  auto& s = plugin.strategy<Relaxed>("relaxed", "From where a matrix-free solver has brought the gear near");
+  auto& s = plugin.strategy<Relaxed>(
+      "relaxed", "First near the solution by a solver without matrices, then the scene itself from there");
   using P = Relaxed::Parameters;
   s.solver("solver", &P::solver, "solver that needs no tangent", "relaxation");
 }

@@ -23,7 +23,7 @@ struct StiffnessSteps {
 
   static void run(const Parameters& p, Search& search) {
     const double first = first_cap(p, search);
-    if (!(first > 0) || first >= search.stiffness()) return search.decline("it is soft for its load");
+    if (!(first > 0) || first >= search.stiffness()) return search.decline("the gear is soft for its load");
     const auto u = stiffened(p, search, first);
     if (search.work_left() == 0) return;
     const Stage stage = search.solve({.name = "from soft to stiff"}, u);
@@ -36,7 +36,7 @@ struct StiffnessSteps {
                   "stiffnesses up to %.3g N at first, then %.3g times as much, up to %.3g N\n",
                   first_cap(p, search), p.factor, search.stiffness());
     const bool has_steps = first_cap(p, search) > 0 && first_cap(p, search) < search.stiffness();
-    return has_steps ? text : "nothing: it is soft for its load\n";
+    return has_steps ? text : "nothing: the gear is soft for its load\n";
   }
 
  private:

@@ -5,7 +5,8 @@ using namespace netloft::tension;
 
 NETLOFT_PLUGIN("tension", "0.1.0", "Strategies whose unknowns are the tensions of ropes and twines") {
   Only::describe(plugin.strategy<Only>(
-      "only", "First where everything comes to rest if it bears tension only, then as it is from there"));
+      "only", "First the equilibrium of members that bear tension only, then from there the scene itself"));
   FromSoft::describe(plugin.strategy<FromSoft>(
-      "stages", "From soft to stiff with tensions as unknowns of their own, then as it is from there"));
+      "stages",
+      "From soft to stiff with tensions as unknowns of their own, then from there the scene itself"));
 }

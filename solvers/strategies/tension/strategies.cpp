@@ -38,7 +38,7 @@ void Only::describe(StrategyTable<Only>& t) {
 }
 
 void Only::run(const Parameters& parameters, Search& search) {
-  if (!(search.load() > 0)) return search.decline("nothing drives the gear");
+  if (!(search.load() > 0)) return search.decline("no load acts on the gear");
   bool has_converged = false;
   const char* why_not = "its interior point did not converge";
   Displacements u = search.with_members(
@@ -66,7 +66,8 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
   using P = Parameters;
   t.needs(NETLOFT_SEARCH_MEMBERS);
   t.integer("iterations", &P::iterations,
-            "limit of every stage: of 150 first stages that converged on a draw of hard cases two took more",
+            "largest number of iterations of a stage: of 150 first stages that converged on a draw of hard "
+            "cases, two took more",
             1, 10000, 40);
   const auto add = [&](const char* name, double P::*member, const char* unit, double fallback,
                        const char* doc, double least = 1e-16) {
@@ -77,19 +78,19 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
   constexpr double kLeastGrowth = 1.1;
   add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");
   add("ratio", &P::ratio, "1", 5,
-      "stiffness of a part over its tension in the second stage, and by how much that grows from stage to "
+      "stiffness of a part over its tension in the second stage, and factor on this ratio from stage to "
       "stage; fitted",
       kLeastGrowth);
   add("last", &P::last, "1", 2e4,
-      "stiffness over tension before parts are as stiff as they are; a part is taken to bear at least the "
-      "tension of the busiest part over this");
+      "largest ratio of stiffness to tension in the stages, before parts have their own stiffness; a part is "
+      "taken to bear at least the largest tension of all parts divided by this");
   add("tolerance", &P::tolerance, "1", 0.15,
       "largest residual over the largest reaction that ends the first stage; fitted");
   add("damping", &P::damping, "1", 2e-5, "first damping of later stages; fitted");
   add("turn", &P::turn, "rad", 0.25, "most that a member turns in a step of a later stage; fitted");
   add("factor", &P::factor, "1", 10,
-      "by which damping falls after a whole step and rises where a matrix has no factor; in the first stage "
-      "it follows the residual, by no more than this",
+      "factor by which damping falls after a whole step and rises where a matrix cannot be factorised; in "
+      "the first stage damping follows the residual, by no more than this factor",
       kLeastGrowth);
 }
 

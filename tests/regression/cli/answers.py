@@ -91,9 +91,9 @@ ALL = [
          "upper-bridle and lower-bridle lie up to 5 m beyond the plane of symmetry, y = 0")),
     *answers(
         "6. A residual that is round-off as large as the load",
-        ("netloft run line.toml", 3, "line: not converged … rounding of the elements' lengths alone is worth … the stiffness of the gear is too "
+        ("netloft run line.toml", 3, "line: not converged … rounding of the elements' lengths alone causes forces of … the stiffness of the gear is too "
          "high for its load", {"prepare": 'line 0 "7e11 kN" > line.toml'}),
-        ("netloft run line.toml --solver relaxation", 3, "line: not converged … rounding of the positions alone is worth … the stiffness of the gear is "
+        ("netloft run line.toml --solver relaxation", 3, "line: not converged … rounding of the positions alone causes forces of … the stiffness of the gear is "
          "too high for its load", {"prepare": 'line 100000 "1e9 kN" > line.toml'})),
     *answers(
         "7. Plans and scenes with unlikely or impossible values",
@@ -194,8 +194,8 @@ ALL = [
          'analysis.coarse-to-fine.then: there is no plugin "direkt"; did you mean "direct"?'),
         ("netloft plan $panel --strategy 'coarse-to-fine:by=auto:restrts=0'", 2,
          'analysis.coarse-to-fine.by: there is no parameter restrts; did you mean "restarts"?'),
-        ("netloft plan $panel --strategy auto:without=restarts+directt", 2, '"directt" is none of restarts, … did you mean "direct"?'),
-        ("netloft run $panel --strategy deflation --set analysis.work=5 -o x.hdf", 3, "not converged … its budget of work was used up; largest residual",
+        ("netloft plan $panel --strategy auto:without=restarts+directt", 2, '"directt" is not one of restarts, … did you mean "direct"?'),
+        ("netloft run $panel --strategy deflation --set analysis.work=5 -o x.hdf", 3, "not converged … the budget of work was used up; largest residual",
          {"holds": "test $(grep -o 'budget of work' <(netloft run $panel --strategy deflation --set analysis.work=5 | head -3) | wc -l) = 1"}),
         ("netloft run $panel --strategy load-steps -o x.hdf", 3, "the strategy solved no stage of the scene itself: there is no current",
          {"holds": "test -s x.not-converged.hdf || test -s x.hdf"}),
@@ -203,7 +203,7 @@ ALL = [
          {"prepare": "line 0 '100 kN' > line.toml; printf '[[hold]]\\non = \"line.end\"\\n' >> line.toml"}),
         ("netloft run $panel --strategy coarse-to-fine:by=load-steps -o x.hdf", 3, "solved no stage of the scene itself: a coarser mesh was not solved"),
         ("netloft run $panel --strategy auto:without=coarse-to-fine+tension-stages+direct+stiffness-steps+pseudo-time -o x.hdf", 3,
-         "solved no stage of the scene itself: every attempt is left out"),
+         "solved no stage of the scene itself: `without` leaves out every attempt"),
         ("netloft plan $panel --strategy tension/stages:ratio=0.5", 2, "analysis.tension.stages.ratio = 0.5 is outside [1.1, 1e9]"),
         ("netloft plan $panel --strategy coarse-to-fine:by=auto:restarts=many", 2, 'analysis.coarse-to-fine.by: restarts: "many" is no number'),
         ("netloft run $panel --strategy auto:restarts=1,restarts=2", 2, "restarts is given twice"),
@@ -211,7 +211,7 @@ ALL = [
         ("netloft plan $panel --solver newmark --strategy nam", 4, 'analysis.strategy: there is no plugin "nam"'),
         ("netloft plan $panel --solver newmark --strategy auto", 0, "warning: analysis.strategy has no effect: the integrator newmark"),
         ("netloft describe tension", 0, "parameters (in the table analysis.tension.only) … parameters (in the table analysis.tension.stages)"),
-        ("netloft plan $panel --strategy auto:restarts=2", 0, "restarts: 2 from elsewhere after the first equilibrium, if it bears a load by compression",
+        ("netloft plan $panel --strategy auto:restarts=2", 0, "restarts: 2 from other shapes after the first equilibrium, if that bears a load by compression",
          {"holds": "! netloft plan $panel --strategy auto:without=restarts | grep restarts"}),
         ("hard_cases $suite --size small --case rope/taut --strategy auto:without=direct --without restarts", 0,
          "auto:without=restarts+direct … right 2 of 2"),

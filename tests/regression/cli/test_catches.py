@@ -108,7 +108,7 @@ class Catches(InFreshFolder):
 
     def test_as_many_meshes_can_be_filled_as_all_panels_have_together(self):
         self.write("scene.toml", scene(CUTS["across, above"], PRESSURE % "meshes = 53", "half"))
-        self.assertIn("catch.meshes = 53 is more than the netting has along, 52", self.netloft("run", "scene.toml").err)
+        self.assertIn("catch.meshes = 53 is more than the length of the netting, 52 meshes", self.netloft("run", "scene.toml").err)
 
 
 if __name__ == "__main__":

@@ -51,7 +51,7 @@ class Winch(InFreshFolder):
     def test_a_tension_that_no_length_has_is_not_converged_and_said(self):
         ended = self.run_text(TRAWL, "--set", "ship.warp.tension=600 N", "--set", "analysis.max_seconds=60")
         self.assertEqual(ended.code, 3, ended.out + ended.err)
-        self.assertRegex(ended.json()["reason"], r"no length of warp was found at which its end bears 600 N; the nearest is \d")
+        self.assertRegex(ended.json()["reason"], r"no length of warp was found at which the tension at its end is 600 N; the nearest tension is \d")
 
     def test_commands_that_give_lengths_of_their_own_refuse_a_winch(self):
         self.write("a.toml", TRAWL + '\n[bed]\ndepth = "100 m"\n')

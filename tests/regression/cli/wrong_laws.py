@@ -131,6 +131,6 @@ SPHERES = [
 ]
 
 CATCHES = [edit("a catch that is longer than its netting", JOIN, CATCH + JOIN, "19:1",
-                "catch/pressure element 0 is refused: catch.meshes = 5 is more than the netting has along, 4")]
+                "catch/pressure element 0 is refused: catch.meshes = 5 is more than the length of the netting, 4 meshes")]
 
 ALL = LAWS + SCALES + TOWS + SPHERES + CATCHES

@@ -107,7 +107,7 @@ TEST(Verdict, DoesNotTakeASolversWordThatNoStepLeadsOn) {
 TEST(Verdict, SeesThatAFlickeringTwineHasNothingToGain) {
   const Solution s = given_up(stiff_bar_beside_a_load(), 5e-5);
   EXPECT_EQ(s.status, SolveStatus::converged) << s.reason;
-  EXPECT_TRUE(contains(s.reason, "no step brings it closer")) << s.reason;
+  EXPECT_TRUE(contains(s.reason, "no step brings the gear closer")) << s.reason;
   EXPECT_NEAR(s.balance.residual, 1e-4, 1e-9);
   EXPECT_EQ(given_up(stiff_bar_beside_a_load(), 5e-4).status, SolveStatus::not_converged)
       << "too much to gain";

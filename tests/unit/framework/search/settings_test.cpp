@@ -99,8 +99,8 @@ TEST(Settings, SayWhatCameNearestWhereNoLengthBearsWhatIsWanted) {
   const Solution s = model.find(scene);
   EXPECT_EQ(s.status, SolveStatus::not_converged);
   EXPECT_NEAR(100 * s.factors[0], 120, 2) << "the least there is";
-  EXPECT_TRUE(
-      s.reason.starts_with("no length of warp 0 was found at which its end bears 900 N; the nearest is 1000"))
+  EXPECT_TRUE(s.reason.starts_with(
+      "no length of warp 0 was found at which the tension at its end is 900 N; the nearest tension is 1000"))
       << s.reason;
 }
 

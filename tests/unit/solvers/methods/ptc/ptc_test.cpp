@@ -6,7 +6,7 @@
 namespace netloft::test {
 namespace {
 
-constexpr Way kWay{.name = "Ptc", .solver = "ptc", .of_a_loose_load = "no step brings it closer"};
+constexpr Way kWay{.name = "Ptc", .solver = "ptc", .of_a_loose_load = "no step brings the gear closer"};
 INSTANTIATE_TEST_SUITE_P(PseudoTransient, KnownAnswers, testing::Values(kWay), name_of);
 INSTANTIATE_TEST_SUITE_P(PseudoTransient, KnownAnswersWithoutEnergy, testing::Values(kWay), name_of);
 
