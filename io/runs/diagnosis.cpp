@@ -99,8 +99,8 @@ class Diagnosis {
                                          [&](double T) { return T < -kCounts * largest_; });
       if (pressed)
         sentences_.push_back(
-            fmt::format("{} bears compression in {} of {} elements, up to {:.3g} N: stiffness in compression "
-                        "alone may hold it in its place",
+            fmt::format("{} bears compression in {} of {} elements, up to {:.3g} N: only its stiffness in "
+                        "compression may keep it in this place",
                         name(part), pressed, t.of_elements.size(), -t.least));
     }
   }
@@ -165,8 +165,8 @@ class Diagnosis {
     }
     if (furthest > 2 * size && size > 0)
       sentences_.push_back(
-          fmt::format("{} went {:.3g} m away, {:.0f} times the size of the gear: does "
-                      "anything hold it against what drives it?",
+          fmt::format("{} went {:.3g} m away, {:.0f} times the size of the gear: is it held against the "
+                      "forces that act on it?",
                       assembler_.node_name(scene_, gone), furthest, furthest / size));
   }
 

@@ -74,10 +74,11 @@ void reject_crossed(const scenes::LoadedScene& loaded, const Assembler& assemble
   const bool is_half = loaded.gear && loaded.gear->times == 2;
   for (const scenes::Crossing& crossing : scenes::find_crossings(loaded, assembler.node_positions(s.x)))
     if (!crossing.is_held)
-      reject(
-          s, loaded.scene.parts[crossing.part].name,
-          crossing.sentence + (is_half ? ". No whole gear lies so; start it elsewhere, or solve it as a whole"
-                                       : ". No gear is meant to lie so; start each on its own side"));
+      reject(s, loaded.scene.parts[crossing.part].name,
+             crossing.sentence +
+                 (is_half ? ". A whole gear has no such equilibrium; start from another shape, or set "
+                            "gear.extent = \"whole\""
+                          : ". No gear is meant to have this shape; start each board on its own side"));
 }
 
 /// Rejects equilibria in which a loose hold bears load: without the hold, the gear has none there.
@@ -89,7 +90,7 @@ void reject_held_up(const scenes::LoadedScene& loaded, const Assembler& assemble
     if (!(force > kLoadOfLoose * s.balance.scale)) continue;
     reject(s, loaded.scene.node_name(hold.nodes.front()),
            fmt::format(
-               "the loose hold \"{}\" bears {:.4g} N, and the largest load on a node is {:.4g} N: the gear "
+               "the loose hold \"{}\" bears {:.4g} N, while the largest load on a node is {:.4g} N: the gear "
                "drifts without it. Hold the gear where it is towed or moored, or leave out `loose`",
                hold.name, force, s.balance.scale));
   }

@@ -40,7 +40,7 @@ std::string sentence(const Scene& scene, Registry& registry, const MissingInerti
   const std::string keys = keys_of(scene, registry, missing);
   return (missing.body ? "the body " + formats::in_quotes(scene.bodies[*missing.body].name)
                        : scene.node_name(missing.node)) +
-         " has no " + what + ", and nothing bounds how fast it would move" +
+         " has no " + what + ", so that a force on it would accelerate it without bound" +
          (keys.empty() ? "" : "; these keys give it: " + keys);
 }
 

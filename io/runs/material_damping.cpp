@@ -39,13 +39,15 @@ std::string why_off(const scenes::Analysis& analysis, Registry& registry) {
   const scenes::Dynamics& d = analysis.dynamics;
   if (!d.material_damping) return "material_damping = false";
   if (analysis.kind == AnalysisKind::statics) return "";
-  if (d.stiffness_damping > 0) return "stiffness_damping takes its place";
+  if (d.stiffness_damping > 0) return "stiffness_damping replaces it";
   const IntegratorType& type = registry.integrator(d.integrator);
   std::vector<std::string> faults;
   const ParameterBlock block(type.parameters, type.integrator.parameter_bytes, d.integrator_parameters,
                              faults);
   const bool is_bounded = faults.empty() && type.integrator.stable_step(block.data(), 1) > 0;
-  return is_bounded ? d.integrator + " is stable in short steps only, which it would make shorter" : "";
+  return is_bounded
+             ? d.integrator + " is stable in short steps only, and material damping would make them shorter"
+             : "";
 }
 
 struct Losses {

@@ -296,8 +296,8 @@ std::vector<double> Reader::slot(const std::string& path, const std::string& off
   const Handle data = dataset(path);
   const std::size_t n_states = times().size();
   if (step >= n_states)
-    throw FileError(path_.string() + " has " + std::to_string(n_states) + " states, no number " +
-                    std::to_string(step));
+    throw FileError(path_.string() + " has " + std::to_string(n_states) + " states, and no state " +
+                    std::to_string(step) + ", counted from 0");
   std::vector<std::size_t> extents = extents_of(data);
   extents.resize(2, 1);
   const std::vector<std::int64_t> starts = integers(offsets);

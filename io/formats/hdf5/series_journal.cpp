@@ -137,7 +137,7 @@ void SeriesJournal::interpret(const Journal::Record& record, std::string_view co
     note_output(record, content);
   } else if (record.kind == kRewind) {
     const std::uint64_t kept = from.integer();
-    if (kept > outputs_.size()) throw FileError("it is damaged: it goes on from an output that it has not");
+    if (kept > outputs_.size()) throw FileError("it is damaged: it continues from an output that is missing");
     keep_outputs(kept);
   } else if (record.kind == kStatus) {
     status_.outcome = from.text();

@@ -52,9 +52,11 @@ class MeshReader {
     const auto row = rows_.next_row();
     const bool is_mesh = row.size() == 3 && row[0].text == "netloft" && row[1].text == "mesh";
     if (!is_mesh)
-      error(row.empty() ? Place{} : row[0].place, "this is no mesh: its first line must be: netloft mesh 1");
+      error(row.empty() ? Place{} : row[0].place,
+            "this file is no mesh: its first line must be: netloft mesh 1");
     else if (row[2].text != "1")
-      error(row[2].place, "this mesh is of version " + std::string(row[2].text) + ", and 1 can be read",
+      error(row[2].place,
+            "this mesh is of version " + std::string(row[2].text) + "; only version 1 can be read",
             "a newer version of the program reads it");
     has_ended_ = !is_mesh;
   }
@@ -207,7 +209,10 @@ bool is_mesh_text(std::string_view text) { return text.starts_with("netloft mesh
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics) {
   if (is_mesh_text(text)) return read_mesh(text, file, diagnostics);
   if (text.starts_with("glTF") || text.starts_with("{")) {
-    diagnostics.error({file, 0, 0}, "a glTF file is a picture, with seven digits", "export .vtk or .obj");
+    diagnostics.error(
+        {file, 0, 0},
+        "a glTF file is a picture whose coordinates have seven digits, and cannot be read as a mesh",
+        "export .vtk or .obj");
     return {};
   }
   return text.starts_with("# vtk DataFile") ? read_vtk(text, file, diagnostics)

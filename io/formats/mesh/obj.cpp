@@ -25,7 +25,7 @@ class ObjReader {
       const std::string_view kind = row[0].text;
       is_obj = is_obj || kind == "v";
       if (!is_obj && !is_known_before_vertices(kind)) {
-        builder_.error(row[0].place, "this is no mesh that can be read",
+        builder_.error(row[0].place, "this file is no mesh that can be read",
                        "a mesh begins with netloft mesh 1, or is a VTK legacy file or an OBJ");
         break;
       }
@@ -134,7 +134,8 @@ class ObjReader {
                                       [&](const Corner& c) { return c.has_texture != has_shares; }) ||
                           (region.size() > 0 && region.numbers.empty() == has_shares);
     if (is_mixed)
-      return builder_.error(row[0].place, "some bars of this rope have shares of it, and others have none",
+      return builder_.error(row[0].place,
+                            "some bars of this rope say which share of the rope they are, and others do not",
                             "write l vertex/texture … with vt and the share, or neither");
     for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
       const std::uint32_t nodes[] = {corners[k].node, corners[k + 1].node};

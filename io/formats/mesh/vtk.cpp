@@ -32,7 +32,7 @@ class VtkReader {
     rows_.next_line();  // these two lines are the version and the title
     const Word form = next();
     if (in_capitals(form.text) != "ASCII")
-      fail(form.place, "only VTK files in ASCII are read", "save it as ASCII, legacy");
+      fail(form.place, "only VTK files in ASCII are read", "save it in the legacy ASCII format");
     for (Word word = next(); goes_on() && !word.text.empty(); word = next()) read_block(word);
     if (goes_on()) add_vtk_cells(cells_, place_of_cells_, builder_);
     return builder_.finish(rows_.place());
@@ -95,12 +95,12 @@ class VtkReader {
       skip_metadata();
     else
       fail(word.place, in_quotes(word.text) + " is not read in a VTK file",
-           "an unstructured grid with SCALARS and FIELD arrays is");
+           "only an unstructured grid with SCALARS and FIELD arrays is read");
   }
 
   void read_dataset(const Word& kind) {
     if (in_capitals(kind.text) != "UNSTRUCTURED_GRID")
-      fail(kind.place, "the data set is " + in_quotes(kind.text) + ", and an UNSTRUCTURED_GRID is read");
+      fail(kind.place, "the data set is " + in_quotes(kind.text) + "; only an UNSTRUCTURED_GRID can be read");
   }
 
   void read_points() {
@@ -140,7 +140,8 @@ class VtkReader {
     next();  // these calls skip the word CONNECTIVITY and the type
     for (std::size_t c = 0; c + 1 < ends.size() && goes_on(); ++c) {
       cells_.nodes.emplace_back();
-      if (ends[c + 1] < ends[c]) return fail(place_of_cells_, "the offsets of cells do not grow");
+      if (ends[c + 1] < ends[c])
+        return fail(place_of_cells_, "the offsets of cells decrease, which they must not");
       for (std::size_t k = ends[c]; k < ends[c + 1] && goes_on(); ++k)
         cells_.nodes.back().push_back(next_node());
       cells_.places.push_back(row_.empty() ? rows_.place() : row_[0].place);

@@ -28,7 +28,8 @@ void add_line(const VtkCells& cells, std::size_t c, MeshBuilder& builder) {
   MeshRegion& region =
       builder.region(cells.region_of(c, "rope"), is_netting ? RegionKind::twines : RegionKind::bars);
   if (!is_netting && region.size() > 0 && region.numbers.empty() != !shares)
-    return builder.error(cells.places[c], "some bars of this rope have shares of it, and others have none");
+    return builder.error(cells.places[c],
+                         "some bars of this rope say which share of the rope they are, and others do not");
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
     builder.add_element(region, &nodes[k], is_netting ? twines : shares, cells.places[c]);
 }
@@ -54,7 +55,7 @@ bool add_cell(const VtkCells& cells, std::size_t c, MeshBuilder& builder) {
     builder.error(cells.places[c],
                   "cells of type " + std::to_string(type) + " with " + std::to_string(nodes.size()) +
                       " nodes are not read",
-                  "triangles, lines and vertices are");
+                  "only triangles, lines and vertices are read");
   return builder.goes_on();
 }
 

@@ -43,12 +43,12 @@ class VtkHdfMesh {
     const std::string type =
         reader_.has_attribute(kGridGroup, "Type") ? reader_.text_attribute(kGridGroup, "Type") : "";
     if (type != "UnstructuredGrid")
-      throw FileError("its data set is " + in_quotes(type) + ", and an UnstructuredGrid is read");
+      throw FileError("its data set is " + in_quotes(type) + "; only an UnstructuredGrid can be read");
     for (const char* count : {"/NumberOfPoints", "/NumberOfCells"})
       if (const auto pieces = reader_.integers(kGridGroup + count);
           !reader_.has(kGridGroup + "/Steps") && pieces.size() != 1)
         throw FileError("it is in " + std::to_string(pieces.size()) +
-                        " pieces, and one of a single piece is read");
+                        " pieces; only a file with a single piece can be read");
   }
 
   /// The points of the last state; array() returns an array on cells, also of the last state.
@@ -79,7 +79,7 @@ class VtkHdfMesh {
       throw FileError("it has more than " + std::to_string(kMostElements) + " cells");
     if (offsets.size() != types.size() + 1)
       throw FileError("it has " + std::to_string(types.size()) + " cells and " +
-                      std::to_string(offsets.size()) + " offsets, which must be one more");
+                      std::to_string(offsets.size()) + " offsets, but needs one offset more than cells");
     for (std::size_t c = 0; c < types.size(); ++c) {
       const auto from = offsets[c], to = offsets[c + 1];
       if (from < 0 || to < from || to > static_cast<std::int64_t>(connectivity.size()))

@@ -20,7 +20,7 @@ std::vector<PartKey> line_numbers(const char* diameter, double thickest, double 
       {"density", "kg/m3", "density of a cylinder of this diameter, with voids filled with sea water", 1,
        3e4},
       {"breaking_load", "N", "tension at which it breaks", 0, 1e9},
-      {"loss_factor", "1", "energy lost in a radian of a swing, over that of the stretch", 0, 1},
+      {"loss_factor", "1", "energy lost per radian of an oscillation, over the elastic energy", 0, 1},
   };
 }
 
@@ -61,7 +61,7 @@ std::vector<PartKey> board_numbers() {
       {"span", "m", "height of a board, width of a kite", 1e-2, 100, kRequired},
       {"lift", "1", "factor on its force across the flow", 0, 5},
       {"drag", "1", "factor on its force along the flow", 0, 5},
-      {"parasite", "1", "drag coefficient of what a flat plate has not", 0, 5},
+      {"parasite", "1", "drag coefficient of brackets and edges, added to that of a flat plate", 0, 5},
   };
   add_axes(numbers, {"centre_x", "centre_y", "centre_z"}, "m", "centre of mass from the middle", 1e3);
   add_axes(numbers, {"float_x", "float_y", "float_z"}, "m", "centre of volume from the middle", 1e3);
@@ -88,8 +88,8 @@ std::span<const PartKind> part_kinds() {
       {"rope", "rope", "ropes of fibres", rope_numbers("diameter of the rope")},
       {"wire", "rope", "ropes of steel wire", rope_numbers("diameter of the rope")},
       {"chain", "rope", "chains", rope_numbers("diameter of the links' steel")},
-      {"float", "float", "what lifts", piece_numbers()},
-      {"weight", "float", "what sinks", piece_numbers()},
+      {"float", "float", "floats, which lift", piece_numbers()},
+      {"weight", "float", "weights, which sink", piece_numbers()},
       {"ground", "float", "pieces of ground gear", piece_numbers()},
       {"board",
        "board",

@@ -159,9 +159,9 @@ class Divider {
       return fineness_.knots ? connect_points(points, knots_within(*panel.panel, cloth.sign, points))
                              : triangulate(points, size_of(cloth));
     } catch (const std::invalid_argument& e) {
-      throw std::invalid_argument(
-          fmt::format("panels.{}: its border encloses no netting, {}: do its cuttings meet?",
-                      panel.panel->name, e.what()));
+      throw std::invalid_argument(fmt::format(
+          "panels.{}: the border of the panel encloses no netting, because {}: do its cuttings meet?",
+          panel.panel->name, e.what()));
     }
   }
 

@@ -63,8 +63,8 @@ double shortest_bar(const Gear& gear) {
 
 void check_knots(const Gear& gear) {
   if (const double knots = knots_of(gear); knots > kMostNodes)
-    throw std::invalid_argument(
-        fmt::format("the netting has {:.3g} knots; {:g} nodes are the most", knots, kMostNodes));
+    throw std::invalid_argument(fmt::format(
+        "the netting has {:.3g} knots, but a mesh can have at most {:g} nodes", knots, kMostNodes));
 }
 
 void check_size(const Gear& gear, const Fineness& fineness) {

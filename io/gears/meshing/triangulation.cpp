@@ -98,7 +98,8 @@ class Filler {
       points.emplace_back(Kernel::Point_2(mesh_.points[i][0], mesh_.points[i][1]),
                           static_cast<std::uint32_t>(i));
     cdt_.insert(points.begin(), points.end());
-    if (cdt_.number_of_vertices() != points.size()) throw std::invalid_argument("two points of it are one");
+    if (cdt_.number_of_vertices() != points.size())
+      throw std::invalid_argument("two points of the border coincide");
     std::vector<Triangulation::Vertex_handle> corners(border_);
     for (const auto v : cdt_.finite_vertex_handles())
       if (v->info() < border_) corners[v->info()] = v;
@@ -106,7 +107,7 @@ class Filler {
       for (std::size_t i = 0; i < border_; ++i)
         cdt_.insert_constraint(corners[i], corners[(i + 1) % border_]);
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
-      throw std::invalid_argument("it crosses itself");
+      throw std::invalid_argument("the border crosses itself");
     }
   }
 

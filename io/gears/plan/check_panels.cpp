@@ -97,11 +97,11 @@ void check_closing(const Panel& panel, const CheckLimits& limits, formats::Diagn
         panel.place,
         fmt::format("{}: its sides meet before the aft edge: the cuttings give {} meshes there", panel.name,
                     in_meshes(cut)),
-        "one of its sides may go out instead of in");
+        "let one of the sides go out instead of in, or shorten a cut");
   if (!panel.states_aft || std::abs(difference) <= limits.closing_meshes) return;
   const double fraction = difference / std::max(1.0, planned);
   const std::string message =
-      fmt::format("{}.aft: the cuttings give {} meshes, the plan says {}, {}", panel.name, in_meshes(cut),
+      fmt::format("{}.aft: the cuttings give {} meshes, but the plan says {}, {}", panel.name, in_meshes(cut),
                   in_meshes(planned), in_percent(fraction));
   if (std::abs(fraction) > limits.closing_error)
     diagnostics.error(panel.aft_place, message, closing_cure(panel, difference));
@@ -116,7 +116,7 @@ void check_depth(const Panel& panel, const std::vector<Cut>& side, const char* n
   const double difference = deep - panel.depth;
   if (side.empty() || std::abs(difference) <= limits.closing_meshes) return;
   const std::string message =
-      fmt::format("{}.{}: its cuttings go {} meshes deep, the panel {}, {}", panel.name, name,
+      fmt::format("{}.{}: its cuttings go {} meshes deep, but the panel {}, {}", panel.name, name,
                   in_meshes(deep), in_meshes(panel.depth), in_percent(difference / panel.depth));
   const std::string cure = "leave out the depth of one of its cuts, which then takes the rest";
   if (std::abs(difference) > limits.closing_error * panel.depth)

@@ -30,7 +30,7 @@ void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_
   if (pieces.number != std::round(pieces.number))
     diagnostics.error(pieces.spread_place,
                       fmt::format("{}: {:g} pieces, which is not a whole number", path, pieces.number),
-                      "pieces of another size are another table of [floats]");
+                      "give pieces of another size a table of their own in [floats]");
   else if (is_on_both_sides && std::fmod(pieces.number, 2) != 0 && diagnostics.errors() == 0)
     diagnostics.warning(pieces.spread_place,
                         fmt::format("{}: {:g} pieces to port and to starboard, {:g} on either side", path,
@@ -44,8 +44,8 @@ void check_room(const Pieces& pieces, const std::string& path, double length, co
   const double diameter = number_of(pieces, "diameter", "m"), row = pieces.number * diameter;
   if (!is_float(pieces) || length <= 0 || row <= length) return;
   const std::string said =
-      fmt::format("{}: {:g} floats of {} m side by side are {} m long, {} is {} m", path, pieces.number,
-                  in_metres(diameter), in_metres(row), pieces.along, in_metres(length));
+      fmt::format("{}: {:g} floats of {} m side by side are {} m long, but {} is only {} m", path,
+                  pieces.number, in_metres(diameter), in_metres(row), pieces.along, in_metres(length));
   const std::string cure =
       fmt::format("at most {:g} floats lie in a row there", std::floor(length / diameter));
   if (row > limits.crowded * length)

@@ -66,7 +66,7 @@ void say_mismatch(const Join& join, const std::string& path, const EdgeRow& a, c
   };
   const double expected = join.take_up > 0 ? join.take_up : 1, off = ratio / expected - 1;
   const std::string message = fmt::format(
-      "{}: {} has {}, {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b), in_percent(off),
+      "{}: {} has {}, but {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b), in_percent(off),
       join.take_up > 0 ? fmt::format(" of the take-up {:.3g}", join.take_up) : "");
   const std::string cure =
       fmt::format("take_up = {:.4g}, if that many meshes of the second belong to one of the first", ratio);
@@ -96,7 +96,7 @@ void check_widths(const Join& join, const std::string& path, const EdgeRow& a, c
   diagnostics.warning(
       join.places[1],
       fmt::format(
-          "{}: {} is {} m wide when stretched, {} {} m: the wider meshes would be bunched, ratio {:.2g}",
+          "{}: {} is {} m wide when stretched, but {} {} m: the wider meshes would be bunched, ratio {:.2g}",
           path, a.name, in_metres(a.stretched / a.times), b.name, in_metres(b.stretched / b.times),
           narrow / wide),
       "one mesh size may be that of one bar instead of two, or take_up may be missing");
@@ -132,7 +132,7 @@ void check_sewn_to_itself(const Join& join, const std::string& path, const EdgeR
   if (row.times != 2 && row.across_middle != 1)
     diagnostics.error(join.places[1],
                       fmt::format("{}: {} exists once and cannot be sewn to itself", path, row.name),
-                      "edges of a middle panel can, and of a pair");
+                      "only edges of a middle panel and edges of a pair can be sewn to themselves");
 }
 
 /// Refuses a row of edges of which more than two lie across the middle. A row is sewn from the middle
@@ -143,7 +143,8 @@ void check_ring(const Join& join, std::size_t k, const std::string& path, const 
     diagnostics.error(
         join.places[k],
         fmt::format("{}: {}: {} edges of a row lie across the middle", path, row.name, row.across_middle),
-        "an upper and a lower one at most, with edges of pairs between them");
+        "join at most one upper and one lower edge that lie across the middle, with edges of pairs between "
+        "them");
 }
 
 /// Length of rope that a hanging takes [m]: in the whole gear for a rope in the middle, on one side for a
@@ -177,13 +178,15 @@ void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const 
                  formats::Diagnostics& diagnostics) {
   const bool is_twice = edge.times() == 2;
   if (rope.stands == Standing::alone && is_twice)
-    diagnostics.error(h.rope_place,
-                      fmt::format("{}: {} exists to port and to starboard, {} once", path, h.edge, rope.name),
-                      "stands = \"pair\" of the rope, or \"middle\" if it runs from one side to the other");
+    diagnostics.error(
+        h.rope_place,
+        fmt::format("{}: {} exists to port and to starboard, but {} only once", path, h.edge, rope.name),
+        "give the rope stands = \"pair\", or \"middle\" if it runs from one side to the other");
   if (rope.stands == Standing::pair && !is_twice)
-    diagnostics.error(h.rope_place,
-                      fmt::format("{}: {} exists once, {} to port and to starboard", path, h.edge, rope.name),
-                      "stands = \"middle\" of a rope that runs from one side to the other");
+    diagnostics.error(
+        h.rope_place,
+        fmt::format("{}: {} exists only once, but {} to port and to starboard", path, h.edge, rope.name),
+        "give the rope stands = \"middle\" if it runs from one side to the other");
 }
 
 std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]", key, i); }
@@ -203,9 +206,10 @@ double hung_on(const NetPlan& plan, const HangingsByRope& hangings, const Rope& 
 void say_loose(const Rope& rope, double hung, formats::Diagnostics& diagnostics) {
   diagnostics.warning(
       rope.place,
-      fmt::format("{}: {} m long, {} m of it are given to edges: {} m hang on no netting", rope.name,
+      fmt::format("{} is {} m long, but edges take only {} m of it: {} m carry no netting", rope.name,
                   in_metres(rope.length), in_metres(hung), in_metres(rope.length - hung)),
-      "length in metres, of the whole rope; what leads on to other gear is a rope of its own");
+      "give length in metres, for the whole rope; a piece that leads on to other gear needs a rope of its "
+      "own");
 }
 
 void check_thickness(const Rope& rope, formats::Diagnostics& diagnostics) {
@@ -216,10 +220,10 @@ void check_thickness(const Rope& rope, formats::Diagnostics& diagnostics) {
   const double thick = formats::TableReader(rope.rope, silent)
                            .real("diameter", {.unit = "m", .range = formats::between(0, 1e6)});
   if (silent.errors() == 0 && thick >= rope.length)
-    diagnostics.error(
-        rope.place,
-        fmt::format("{}: {} m thick and {} m long", rope.name, in_metres(thick), in_metres(rope.length)),
-        "one of the two may be in another unit");
+    diagnostics.error(rope.place,
+                      fmt::format("{} is {} m thick and only {} m long", rope.name, in_metres(thick),
+                                  in_metres(rope.length)),
+                      "one of the two may be in another unit");
 }
 
 void check_rope_length(double hung, const Rope& rope, const CheckLimits& limits,
@@ -228,9 +232,10 @@ void check_rope_length(double hung, const Rope& rope, const CheckLimits& limits,
   check_thickness(rope, diagnostics);
   if (missing <= limits.rounding * rope.length) return;
   const std::string message =
-      fmt::format("{}: {} m long, {} m of it are given to edges: {} m too short", rope.name,
+      fmt::format("{} is {} m long, but edges take {} m of it: it is {} m too short", rope.name,
                   in_metres(rope.length), in_metres(hung), in_metres(missing));
-  const std::string cure = fmt::format("length = \"{} m\", or less for its edges", in_metres(hung));
+  const std::string cure =
+      fmt::format("give the rope length = \"{} m\", or give its edges less", in_metres(hung));
   if (missing > limits.short_rope * rope.length)
     diagnostics.error(rope.place, message, cure);
   else
@@ -245,11 +250,11 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
   const bool is_once =
       rope.stands == Standing::alone || (rope.stands == Standing::middle && &end == &rope.between[0]);
   if (is_once && standing_of_point(plan, end) == Standing::pair)
-    diagnostics.error(
-        rope.between_place,
-        fmt::format("{}: {} exists to port and to starboard, {} once", path, end,
-                    rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
-        "stands = \"pair\" of the rope; one in the middle starts in the middle and ends on both sides");
+    diagnostics.error(rope.between_place,
+                      fmt::format("{}: {} exists to port and to starboard, but {} only once", path, end,
+                                  rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
+                      "give the rope stands = \"pair\"; a rope with \"middle\" starts in the middle and ends "
+                      "on both sides");
 }
 
 /// Refuses a pair of ropes that both lead to a point of a body in the middle beside the middle.
@@ -378,7 +383,7 @@ void check_roles(const NetPlan& plan, formats::Diagnostics& diagnostics) {
       diagnostics.error(rope.role_place,
                         fmt::format("{}: {} is the {} already, at {}", rope.name, earlier->second->name,
                                     rope.role, diagnostics.where(earlier->second->role_place)),
-                        "role = \"fishing-line\" or \"ground-rope\" of the other, if it is one");
+                        "give one of the two role = \"fishing-line\" or \"ground-rope\", if it is one");
   }
 }
 

@@ -62,9 +62,9 @@ double distance(const GearPoint& a, const GearPoint& b) {
 
 void say_too_short(const GearPoint& a, const GearPoint& b, double length, formats::Diagnostics& diagnostics) {
   diagnostics.error(b.point->place,
-                    fmt::format("{} and {} are {} m apart, the ropes from one to the other are {} m long",
+                    fmt::format("{} and {} are {} m apart, but the ropes between them are only {} m long",
                                 a.name, b.name, in_metres(distance(a, b)), in_metres(length)),
-                    "at in metres: x aft, y to starboard, z up; or are these ropes too short?");
+                    "give `at` in metres, x aft, y to starboard, z up, or lengthen the ropes");
 }
 
 }  // namespace

@@ -48,22 +48,24 @@ class CornerReader {
   }
 
   void read_corners() {
-    const auto rows = table_.rows("corners", {.unit = "1",
-                                              .doc = "meshes across, outwards, and deep, aft, in a row",
-                                              .range = formats::between(-kMostMeshes, kMostMeshes),
-                                              .rows = {.least = 3},
-                                              .columns = formats::exactly(2)});
-    const auto names = table_.has("edges")
-                           ? table_.texts("edges", {.doc = "names, from each corner to the next",
-                                                    .count = formats::exactly(rows.size())})
-                           : std::vector<std::string>();
+    const auto rows = table_.rows(
+        "corners", {.unit = "1",
+                    .doc = "meshes across (outwards) and deep (aft) of each corner, in a row round the panel",
+                    .range = formats::between(-kMostMeshes, kMostMeshes),
+                    .rows = {.least = 3},
+                    .columns = formats::exactly(2)});
+    const auto names =
+        table_.has("edges")
+            ? table_.texts("edges", {.doc = "names of the edges, each from a corner to the next",
+                                     .count = formats::exactly(rows.size())})
+            : std::vector<std::string>();
     for (const auto& row : rows)
       if (row.size() == 2) corners_.push_back({row[0], row[1], {}});
     for (std::size_t i = 0; i < std::min(names.size(), corners_.size()); ++i) corners_[i].edge = names[i];
     has_failed_ = corners_.size() < 3 || corners_.size() != rows.size();
     for (std::size_t i = 0; i < corners_.size() && !has_failed_; ++i)
       if (length(i, (i + 1) % corners_.size()) < kSame)
-        fail(fmt::format("corners {} and {} are one", i + 1, (i + 1) % corners_.size() + 1),
+        fail(fmt::format("corners {} and {} are in one place", i + 1, (i + 1) % corners_.size() + 1),
              "leave out either of them");
   }
 
@@ -150,7 +152,7 @@ class CornerReader {
     if (!is_on_middle || (!is_straight && !panel_.inner.empty()))
       return fail(
           "do not begin and end in the middle",
-          "of a panel in the middle give the starboard half, from [0, …] to [0, …], or stands = \"pair\"");
+          "give the starboard half of a panel in the middle, from [0, …] to [0, …], or stands = \"pair\"");
     panel_.inner.clear();
     for (auto* edge : {&panel_.fore, &panel_.aft})
       if (!edge->empty()) edge->front().meshes *= 2;  // the first count lies across the middle

@@ -21,8 +21,8 @@ std::vector<MeshCount> read_counts(formats::TableReader& table, const char* key)
   std::vector<MeshCount> counts;
   for (auto& entry : table.tables(key)) {
     MeshCount count;
-    count.name = entry.text("name", {.doc = "of this stretch of the edge"});
-    count.meshes = read_meshes(entry, "meshes", "along this stretch");
+    count.name = entry.text("name", {.doc = "name of this stretch of the edge"});
+    count.meshes = read_meshes(entry, "meshes", "meshes along this stretch");
     count.place = entry.place("name");
     counts.push_back(std::move(count));
   }
@@ -72,8 +72,9 @@ void read_rate(Cut& cut, formats::TableReader& table, const char* key) {
 bool goes_across_only(const Cut& cut) { return cut.is_known && cut.rate.half_meshes_deep() == 0; }
 
 void read_extent(Cut& cut, formats::TableReader& table) {
-  if (table.has("meshes")) cut.said_across = read_meshes(table, "meshes", "that it goes sideways");
-  if (table.has("depth")) cut.said_deep = read_meshes(table, "depth", "meshes that it goes aft");
+  if (table.has("meshes"))
+    cut.said_across = read_meshes(table, "meshes", "meshes that the cut goes sideways");
+  if (table.has("depth")) cut.said_deep = read_meshes(table, "depth", "meshes that the cut goes aft");
 }
 
 /// Whether the two numbers that a plan states for a cut agree.
@@ -85,19 +86,19 @@ bool agrees(const Cut& cut) {
 void check_extent(const Cut& cut, formats::TableReader& table) {
   if (!cut.is_known) return;
   if (goes_across_only(cut) && !cut.said_across)
-    table.error("meshes", "must be given: " + cut.written + " has no depth");
+    table.error("meshes", "is missing: a cut " + cut.written + " has no depth");
   else if (goes_across_only(cut) && cut.said_deep)
-    table.error("depth", cut.written + " has none", "leave it out");
+    table.error("depth", "a cut " + cut.written + " has no depth", "leave depth out");
   else if (cut.rate.is_straight() && cut.said_across)
-    table.error("meshes", cut.written + " does not go sideways", "give its depth instead");
+    table.error("meshes", "a cut " + cut.written + " does not go sideways", "give depth instead");
   else if (cut.said_across && cut.said_deep && !agrees(cut))
-    table.error("meshes", "is not what " + cut.written + " gives over that depth",
+    table.error("meshes", "is not the number that " + cut.written + " gives over this depth",
                 "leave out either of meshes and depth");
 }
 
 Cut read_cut(formats::TableReader& table, const std::string& default_name) {
   Cut cut;
-  cut.name = table.text("name", {.doc = "of this stretch of the side", .fallback = default_name});
+  cut.name = table.text("name", {.doc = "name of this stretch of the side", .fallback = default_name});
   read_rate(cut, table, "cut");
   read_extent(cut, table);
   check_extent(cut, table);
@@ -110,7 +111,7 @@ std::vector<Cut> read_whole_side(formats::TableReader& table, const char* key) {
   Cut cut;
   cut.name = key;
   read_rate(cut, table, key);
-  if (goes_across_only(cut)) table.error(key, "goes across only and takes nothing of the depth");
+  if (goes_across_only(cut)) table.error(key, "goes across only, so that the side has no depth");
   return {cut};
 }
 
@@ -192,25 +193,26 @@ void read_material(Panel& panel, formats::TableReader& table, const Catalogue& c
   panel.twine_name = std::move(twine.name);
   panel.twine = std::move(twine.table);
   panel.twine_diameter = diameter_of(panel.twine, table.path("twine"), table.diagnostics());
-  panel.twines =
-      static_cast<int>(table.integer("twines", {.doc = "side by side", .lo = 1, .hi = 9, .fallback = 1}));
-  panel.orientation =
-      table.choice("orientation", {.allowed = orientations(), .doc = "of the meshes", .fallback = "diamond"});
+  panel.twines = static_cast<int>(
+      table.integer("twines", {.doc = "twines side by side in every bar", .lo = 1, .hi = 9, .fallback = 1}));
+  panel.orientation = table.choice(
+      "orientation", {.allowed = orientations(), .doc = "orientation of the meshes", .fallback = "diamond"});
 }
 
 /// Reads the angle of the netting. Netting of a middle panel can be turned only by multiples of 45 degrees,
 /// so that it is the same to port and to starboard.
 void read_angle(Panel& panel, formats::TableReader& table) {
   panel.angle = table.real("angle", {.unit = "rad",
-                                     .doc = "by which the netting is turned, from outwards towards aft",
+                                     .doc = "angle by which the netting is turned, from outwards towards aft",
                                      .range = formats::between(-std::numbers::pi, std::numbers::pi),
                                      .fallback = 0.0});
   const double eighths = panel.angle / (std::numbers::pi / 4);
   if (panel.stands == Standing::middle && std::abs(eighths - std::round(eighths)) > 1e-9)
-    table.error("angle", "the netting of a panel in the middle would differ to port and to starboard",
-                "a multiple of 45 deg, or stands = \"pair\" and both sewn together in the middle: edges = "
-                "[\"" +
-                    panel.name + ".inner\", \"" + panel.name + ".inner\"]");
+    table.error(
+        "angle", "the netting of a panel in the middle would differ to port and to starboard",
+        "give a multiple of 45 deg, or stands = \"pair\" and both sewn together in the middle: edges = "
+        "[\"" +
+            panel.name + ".inner\", \"" + panel.name + ".inner\"]");
 }
 
 /// Reads `fore`, or `round`, which is the number of meshes round a tube.
@@ -231,8 +233,8 @@ void read_fore(Panel& panel, formats::TableReader& table) {
 void read_depth(Panel& panel, formats::TableReader& table) {
   panel.depth = table.real(
       "depth", {.unit = "1", .doc = "meshes from the fore to the aft edge", .range = {0, kMostMeshes, true}});
-  panel.pieces = static_cast<int>(
-      table.integer("pieces", {.doc = "of that depth, in a row", .lo = 1, .hi = 100, .fallback = 1}));
+  panel.pieces = static_cast<int>(table.integer(
+      "pieces", {.doc = "number of pieces of this depth in a row", .lo = 1, .hi = 100, .fallback = 1}));
   panel.depth *= panel.pieces;
 }
 
@@ -295,7 +297,7 @@ ChosenPart read_part_choice(formats::TableReader& table, const char* key, const 
     if (said->kind() != formats::Kind::table)
       table.error(key, "give the name of a part of the catalogue, or a table");
     if (const formats::Table* numbers = said->as<formats::Table>(); numbers && numbers->members.empty())
-      table.error(key, "is an empty table", "its numbers, or the name of a part of the catalogue");
+      table.error(key, "is an empty table", "give its numbers, or the name of a part of the catalogue");
     return {"", said->kind() == formats::Kind::table ? *said : formats::Value{said->place, formats::Table{}}};
   }
   const CataloguePart* part =
@@ -305,9 +307,9 @@ ChosenPart read_part_choice(formats::TableReader& table, const char* key, const 
 }
 
 Standing read_standing(formats::TableReader& table, const char* fallback) {
-  const std::string word = table.choice(
-      "stands",
-      {.allowed = {"alone", "pair", "middle"}, .doc = "to the plane of symmetry", .fallback = fallback});
+  const std::string word = table.choice("stands", {.allowed = {"alone", "pair", "middle"},
+                                                   .doc = "place relative to the plane of symmetry",
+                                                   .fallback = fallback});
   return word == "pair" ? Standing::pair : word == "middle" ? Standing::middle : Standing::alone;
 }
 

@@ -74,7 +74,7 @@ class PlanReader {
  private:
   void read_head() {
     formats::TableReader gear = root_.table("gear", formats::Presence::optional);
-    plan_.title = gear.text("title", {.doc = "what it is", .fallback = ""});
+    plan_.title = gear.text("title", {.doc = "title of the gear", .fallback = ""});
     plan_.source = gear.text("source", {.doc = "where the plan comes from", .fallback = ""});
     for (const char* key : kOfModels) gear.has(key);
   }
@@ -91,7 +91,8 @@ class PlanReader {
     for (const char* name : {kBlock, kWarp})
       if (!names_.insert(name).second)
         ship.error(name, "there is something named \"" + std::string(name) + "\" already",
-                   "a ship brings its blocks and its warps with it");
+                   "give your own point or rope another name: [ship] makes the points \"block\" and the "
+                   "ropes \"warp\"");
     add_ship(plan_, ship, catalogue_);
   }
 

@@ -46,7 +46,7 @@ bool split_spread(const std::string& text, Pieces& pieces) {
 void check_side(const Point& point, formats::TableReader& table) {
   const double y = (*point.at)[1];
   if (point.stands == Standing::pair && y < 0)
-    table.error("at", "lies to port, y < 0",
+    table.error("at", "is to port, y < 0",
                 "for a pair, give the point to starboard; the other is its mirror image");
   if (point.stands == Standing::middle && y != 0)
     table.error("at", "is not on the plane of symmetry, y = 0",
@@ -58,7 +58,7 @@ void check_side(const Point& point, formats::TableReader& table) {
 void read_role(Rope& rope, formats::TableReader& table) {
   const auto& words = rope_roles();
   const bool says = table.has("role");
-  if (says) rope.role = table.choice("role", {.allowed = words, .doc = "of the rope in the gear"});
+  if (says) rope.role = table.choice("role", {.allowed = words, .doc = "role of the rope in the gear"});
   if (!says && std::find(words.begin(), words.end(), rope.name) != words.end()) rope.role = rope.name;
   const bool is_line_of_mouth = rope.role == "headline" || rope.role == "footrope";
   rope.role_place = says ? table.place("role") : rope.place;
@@ -86,7 +86,7 @@ Rope read_rope(const std::string& name, formats::TableReader& table, const Catal
   ChosenPart part = read_part_choice(table, "rope", "rope", catalogue);
   rope.part_name = std::move(part.name);
   rope.rope = std::move(part.table);
-  rope.length = read_length(table, "length", "unstretched, of the whole rope");
+  rope.length = read_length(table, "length", "unstretched length of the whole rope");
   read_role(rope, table);
   if (table.has("between")) {
     const auto ends =
@@ -99,7 +99,7 @@ Rope read_rope(const std::string& name, formats::TableReader& table, const Catal
 
 Hanging read_hanging(formats::TableReader& table) {
   Hanging hanging;
-  hanging.edge = table.text("edge", {.doc = "of a panel, such as \"top-wing.inner\""});
+  hanging.edge = table.text("edge", {.doc = "edge of a panel, such as \"top-wing.inner\""});
   hanging.rope = table.text("on", {.doc = "a rope"});
   hanging.edge_place = table.place("edge");
   hanging.rope_place = table.place("on");
@@ -108,10 +108,10 @@ Hanging read_hanging(formats::TableReader& table) {
     table.error("ratio", "cannot be combined with length, which has the same meaning", "leave out either");
   if (table.has("ratio"))
     hanging.ratio = table.real("ratio", {.unit = "1",
-                                         .doc = "length of rope over that of the stretched edge",
+                                         .doc = "length of rope over the length of the stretched edge",
                                          .range = formats::between(0.01, 2)});
   else
-    hanging.length = read_length(table, "length", "of rope that the edge takes");
+    hanging.length = read_length(table, "length", "length of rope that the edge takes");
   return hanging;
 }
 
@@ -146,7 +146,8 @@ Pieces read_pieces(const std::string& name, formats::TableReader& table, const C
   ChosenPart part = read_part_choice(table, "float", "float", catalogue);
   pieces.part_name = std::move(part.name);
   pieces.piece = std::move(part.table);
-  const std::string spread = table.text("spread", {.doc = "how many along which rope, or at which point"});
+  const std::string spread =
+      table.text("spread", {.doc = "how many pieces along which rope, or at which point"});
   pieces.spread_place = table.place("spread");
   if (table.has("spread") && table.kind("spread") == formats::Kind::text && !split_spread(spread, pieces))
     table.error("spread", "\"" + spread + "\" is not understood",

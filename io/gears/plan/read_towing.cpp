@@ -43,7 +43,7 @@ const formats::Value* points_of_catalogue(formats::TableReader& table, const Cat
 /// The point to which warps lead: by default the point named `warp`, if one body has it. Empty after an
 /// error.
 std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
-  if (warp.has("to")) return warp.text("to", {.doc = "the point that it leads to, such as \"door.warp\""});
+  if (warp.has("to")) return warp.text("to", {.doc = "point to which the warp leads, such as \"door.warp\""});
   std::vector<std::string> ends;
   for (const auto& body : plan.bodies)
     for (const auto& point : body.points)
@@ -52,7 +52,7 @@ std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
   warp.error("to",
              ends.empty() ? "is missing, and no body has a point \"warp\""
                           : "is missing, and more than one body has a point \"warp\"",
-             "the point that it leads to, such as \"door.warp\"");
+             "give the point to which the warp leads, such as \"door.warp\"");
   return {};
 }
 
@@ -60,13 +60,13 @@ std::vector<ShipMoment> read_path(formats::TableReader& path, double speed) {
   const auto t = read_times(path);
   const auto speeds = read_column(path, "speed",
                                   {.unit = "m/s",
-                                   .doc = "over the ground",
+                                   .doc = "speed over the ground",
                                    .range = formats::between(0, 50),
                                    .count = formats::exactly(t.size())},
                                   speed, "ship.speed, with which the gear is towed until then");
   const auto headings = read_column(path, "heading",
                                     {.unit = "rad",
-                                     .doc = "turned to starboard",
+                                     .doc = "heading relative to that of the tow, positive to starboard",
                                      .range = formats::between(-100, 100),
                                      .count = formats::exactly(t.size())},
                                     0, "0, the heading of the tow");
@@ -76,7 +76,7 @@ std::vector<ShipMoment> read_path(formats::TableReader& path, double speed) {
 }
 
 const formats::RealSpec kTension{
-    .unit = "N", .doc = "at the block, held by the winch", .range = {0, 1e9, true}};
+    .unit = "N", .doc = "tension at the block, held by the winch", .range = {0, 1e9, true}};
 
 Rope read_warp(const NetPlan& plan, formats::TableReader& warp, const Catalogue& catalogue) {
   Rope rope;
@@ -86,7 +86,8 @@ Rope read_warp(const NetPlan& plan, formats::TableReader& warp, const Catalogue&
   ChosenPart part = read_part_choice(warp, "rope", "rope", catalogue);
   rope.part_name = std::move(part.name);
   rope.rope = std::move(part.table);
-  const formats::RealSpec length{.unit = "m", .doc = "from the block", .range = {0, 1e5, true}};
+  const formats::RealSpec length{
+      .unit = "m", .doc = "length of warp from the block", .range = {0, 1e5, true}};
   rope.length = warp.real("length", length);
   if (warp.has("length_port")) rope.length_port = warp.real("length_port", length);
   rope.tension_place = warp.place("tension");
@@ -95,7 +96,7 @@ Rope read_warp(const NetPlan& plan, formats::TableReader& warp, const Catalogue&
     rope.tension_port = warp.real("tension_port", kTension);
     if (!warp.has("tension"))
       warp.error("tension_port", "is given without a tension of the starboard warp",
-                 "tension beside it, or tension alone for both");
+                 "give tension beside tension_port, or only tension for both warps");
   }
   if (warp.has("winch")) read_winch(warp, rope);
   rope.between = {kBlock, end_of_warp(plan, warp)};
@@ -121,7 +122,7 @@ void add_ship(NetPlan& plan, formats::TableReader& table, const Catalogue& catal
   ship.place = table.place();
   ship.speed_place = table.place("speed");
   ship.speed =
-      table.real("speed", {.unit = "m/s", .doc = "over the ground", .range = formats::between(0, 50)});
+      table.real("speed", {.unit = "m/s", .doc = "speed over the ground", .range = formats::between(0, 50)});
   if (table.has("efficiency"))
     ship.efficiency = table.real(
         "efficiency", {.unit = "1", .doc = "towing power over the heat of the fuel", .range = {0, 1, true}});
@@ -135,20 +136,20 @@ void add_ship(NetPlan& plan, formats::TableReader& table, const Catalogue& catal
     ship.path_port = read_path(path, ship.speed);
     if (ship.path.empty())
       table.error("path_port", "is given without a path of the starboard ship",
-                  "path beside it, of the ship to starboard");
+                  "give path, that of the starboard ship, beside path_port");
   }
   formats::TableReader block = table.table(kBlock, formats::Presence::optional), warp = table.table(kWarp);
   ship.block_height = block.real("height", {.unit = "m",
-                                            .doc = "of the blocks above the water",
+                                            .doc = "height of the blocks above the water",
                                             .range = formats::between(-100, 100),
                                             .fallback = 4.0});
   ship.block_gap = block.real("gap", {.unit = "m",
-                                      .doc = "between the blocks to port and to starboard",
+                                      .doc = "distance between the blocks to port and to starboard",
                                       .range = formats::between(0, 2000),
                                       .fallback = 6.0});
   if (!ship.path_port.empty() && ship.block_gap == 0)
-    table.error("path_port", "has no block to port: both blocks are in the middle",
-                "block = { gap = \"6 m\" }, the distance between both");
+    table.error("path_port", "needs a block to port, but both blocks are in the middle",
+                "give the distance between the blocks, such as block = { gap = \"6 m\" }");
   plan.points.push_back(
       {kBlock, Standing::pair, {{0, ship.block_gap / 2, ship.block_height}}, block.place()});
   if (table.diagnostics().errors() == 0 || table.kind(kWarp) == formats::Kind::table)

@@ -14,7 +14,7 @@ using Follows = WinchStage::Follows;
 constexpr const char* kKeys[] = {"length", "speed", "tension"};
 constexpr const char* kOfTension[] = {"max_speed", "band", "dead_band"};
 const formats::Range kTensions{0, 1e9, true};
-constexpr const char* kOfBlock = "at the block, held by the winch";
+constexpr const char* kOfBlock = "tension at the block, held by the winch";
 
 /// Reads one table of `winch`; it may follow an earlier table in time.
 class StageReader {
@@ -82,16 +82,16 @@ class StageReader {
     if (!before_) check_tension_of_start();
     const double first = stage_.rows.empty() ? warp_.tension.value_or(0) : stage_.rows[0][1];
     stage_.max_speed = table_.real("max_speed", {.unit = "m/s",
-                                                 .doc = "at which it can pay out and haul",
+                                                 .doc = "speed at which the winch can pay out and haul",
                                                  .range = {0, 50, true},
                                                  .fallback = kWinchSpeed});
     stage_.band = table_.real("band", {.unit = "N",
-                                       .doc = "deviation of the tension at which it runs at max_speed",
+                                       .doc = "deviation of the tension at which the winch runs at max_speed",
                                        .range = {0, 1e9, true},
                                        .fallback = kWinchBand * first});
     stage_.dead_band =
         table_.real("dead_band", {.unit = "N",
-                                  .doc = "deviation of the tension up to which it does not run",
+                                  .doc = "deviation of the tension up to which the winch does not run",
                                   .range = {0, 1e9},
                                   .fallback = 0.0});
   }
@@ -100,11 +100,12 @@ class StageReader {
     if (std::abs(stage_.rows[0][1] - *warp_.tension) > 1e-9 * *warp_.tension)
       table_.error("tension", "begins with another value than warp.tension, with which the length is found");
     else if (warp_.tension_port && stage_.rows.size() > 1)
-      table_.error("tension", "is of both warps, and warp.tension_port differs", "leave out one of them");
+      table_.error("tension", "holds for both warps, but warp.tension_port differs from warp.tension",
+                   "leave out tension_port, or the row of tensions");
   }
 
   void read_speeds() {
-    read_column_of("speed", "m/s", "paying out; negative: hauling", formats::between(-50, 50));
+    read_column_of("speed", "m/s", "speed of paying out; negative: hauling", formats::between(-50, 50));
     double out = 0;
     for (std::size_t i = 1; i < stage_.rows.size(); ++i) {
       const auto &before = stage_.rows[i - 1], &here = stage_.rows[i];
@@ -115,12 +116,14 @@ class StageReader {
 
   void read_lengths() {
     if (before_)
-      return table_.error("length", "is not known where a table begins that follows another",
-                          "speed, or one table for all lengths");
+      return table_.error("length",
+                          "cannot be given in a table that follows another one, because the length at its "
+                          "beginning is not known",
+                          "give speed, or one table for all lengths");
     if (warp_.tension)
       return table_.error("length", "is given beside warp.tension, which determines the initial length",
-                          "run it with the tension once, and write the length that it found");
-    read_column_of("length", "m", "of warp that is out", {0, 1e5, true}, warp_.length);
+                          "run the scene with the tension once, and write the length that was found");
+    read_column_of("length", "m", "length of warp that is out", {0, 1e5, true}, warp_.length);
     if (!stage_.rows.empty() && std::abs(stage_.rows[0][1]) > 1e-9 * warp_.length)
       table_.error("length", "begins with another value than warp.length, which is out at the start");
     for (const auto& [t, more] : stage_.rows)
@@ -131,7 +134,9 @@ class StageReader {
     for (const char* key : kOfTension)
       if (table_.has(key)) {
         table_.raw(key);
-        table_.error(key, "is of a winch that holds a tension, and this one follows a table");
+        table_.error(
+            key,
+            "belongs to a winch that holds a tension, but this winch follows a table of speeds or lengths");
       }
   }
 
@@ -140,7 +145,7 @@ class StageReader {
     stage_.from = stage_.rows[0][0];
     const double earliest = before_->rows.empty() ? before_->from : before_->rows.back()[0];
     if (!(stage_.from > earliest) && !(stage_.from == earliest && before_->rows.size() > 1))
-      table_.error("t", "begins before the table before it has ended");
+      table_.error("t", "begins before the end of the previous table");
   }
 
   double shortest() const { return std::min(warp_.length, warp_.length_port.value_or(warp_.length)); }

@@ -45,7 +45,8 @@ bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
   const bool is_written = (rope && !rope->is_selvedge) || plan.find_panel(name) || plan.find_point(name);
   if (is_written)
     diagnostics.error(join.place, "there is something named \"" + name + "\" already",
-                      "so the strip of meshes that this seam gathers is named");
+                      "give your own rope, panel or point another name: the strip of meshes that this seam "
+                      "gathers gets this name");
   return rope || is_written;
 }
 

@@ -23,7 +23,8 @@ std::vector<double> read_ascending(formats::TableReader& table, std::size_t leas
 
 std::vector<double> read_times(formats::TableReader& table) {
   auto t = read_ascending(table, 2);
-  if (!t.empty() && t[0] != 0) table.error("t", "does not begin at 0, where the gear is towed steadily");
+  if (!t.empty() && t[0] != 0)
+    table.error("t", "must begin at 0, the time until which the gear is towed steadily");
   return t;
 }
 

@@ -27,9 +27,9 @@ void add_check_command(CLI::App& app, Chosen& chosen) {
 
 void add_plan_options(CLI::App& draw, DrawOptions& o) {
   add_set_option(draw, o.set, kSetInPlan)->group(kForPlans);
-  auto* mesh = draw.add_flag("--mesh", o.mesh, "in triangles, as it is divided for a simulation");
+  auto* mesh = draw.add_flag("--mesh", o.mesh, "draw the triangles into which a simulation divides the plan");
   mesh->group(kForPlans);
-  draw.add_option("--nodes", o.nodes, "about as many, ropes included (2000)")
+  draw.add_option("--nodes", o.nodes, "about how many nodes, those of ropes included; else 2000")
       ->needs(mesh)
       ->check(CLI::Range(3, 1000000))
       ->type_name("N")
@@ -45,14 +45,15 @@ void add_picture_options(CLI::App& draw, DrawOptions& o) {
   };
   option("--view", o.view, "direction of view; else oblique")
       ->check(CLI::IsMember({"side", "top", "front", "oblique"}));
-  as_word(option("--field", o.field, "the quantity that is coloured, or part; else tension"), "NAME");
+  as_word(option("--field", o.field, "quantity that is shown by colours, or the word part; else tension"),
+          "NAME");
   add_state_option(draw, o.state)->group(kForResults);
   option("--width", o.width, "pixels; else 1000")->check(CLI::Range(300, 8000));
-  option("--fit", o.fit, "what the picture has room for; else netting")
+  option("--fit", o.fit, "what has to fit into the picture; else netting")
       ->check(CLI::IsMember({"netting", "boards", "all"}));
-  flag("--dark", o.dark, "on dark ground");
+  flag("--dark", o.dark, "draw on dark ground");
   flag("--log", o.log, "logarithmic colours");
-  flag("--elements", o.elements, "netting in the value of each triangle, not in means at nodes");
+  flag("--elements", o.elements, "colour netting by the value of each triangle, not by means at nodes");
   flag("--dimensions", o.dimensions, "headline height and spreads as dimension lines");
 }
 
@@ -82,7 +83,7 @@ void add_draw_command(CLI::App& app, Chosen& chosen) {
 void add_catalogue_command(CLI::App& app, Chosen& chosen) {
   auto [catalogue, o] =
       add_command(app, chosen, "catalogue", "list the parts that scenes and gears name", catalogue_command);
-  catalogue.add_option("NAME", o.name, "a part, for all that is known of it, or a kind, such as twine");
+  catalogue.add_option("NAME", o.name, "a part, to print all that is known of it, or a kind, such as twine");
   add_common_options(catalogue, o);
 }
 
@@ -93,23 +94,22 @@ void refuse_options_of_femnet(const ImportOptions& o, const CLI::App& import) {
 /// Adds the options for FEMNET. --check applies to all gears in a folder, and excludes the options of a
 /// single gear.
 void add_femnet_options(CLI::App& import, ImportOptions& o, CLI::Option* gear, CLI::Option* output) {
-  auto* divide =
-      import.add_flag("--divide", o.divide, "divide it into elements here, whatever mesh lies beside it")
-          ->group(kForFemnet);
-  import
-      .add_flag("--motion", o.motion, "the scene is the motion that its file describes, with waves and drums")
+  auto* divide = import
+                     .add_flag("--divide", o.divide,
+                               "divide the gear into elements, even if a mesh lies beside its file")
+                     ->group(kForFemnet);
+  import.add_flag("--motion", o.motion, "write the motion that the file describes, with waves and drums")
       ->group(kForFemnet);
   auto* mesh =
-      as_word(import.add_option("--mesh", o.mesh,
-                                "file of its mesh; else the one of the same name beside it, if it is of "
-                                "this gear"),
+      as_word(import.add_option(
+                  "--mesh", o.mesh,
+                  "file of the mesh; else the file of the same name beside GEAR, if it belongs to this gear"),
               "FILE")
           ->group(kForFemnet)
           ->excludes(divide);
-  auto* check =
-      import.add_option("--check", o.folder,
-                        "write nothing: say for all gears in a folder, and those below, what they need "
-                        "and how many convert");
+  auto* check = import.add_option("--check", o.folder,
+                                  "write nothing, but say for each gear in a folder and its subfolders what "
+                                  "it needs, and how many can be converted");
   check->check(CLI::ExistingDirectory)->type_name("FOLDER")->group(kForFemnet);
   for (CLI::Option* of_one_gear : {gear, output, divide, mesh}) check->excludes(of_one_gear);
 }
@@ -125,11 +125,11 @@ void add_import_command(CLI::App& app, Chosen& chosen) {
                   "GEAR.csv; moordyn: a mooring")
       ->check(CLI::IsMember({"femnet", "table", "moordyn"}));
   auto* gear = import.add_option("GEAR", o.gear, "file of the gear");
-  auto* output =
-      as_word(import.add_option(
-                  "-o,--output", o.output,
-                  "scene; else the gear's name with .toml, in this folder. Its mesh is written beside it"),
-              "FILE.toml");
+  auto* output = as_word(
+      import.add_option(
+          "-o,--output", o.output,
+          "scene; else the gear's name with .toml, in this folder. The mesh is written beside the scene"),
+      "FILE.toml");
   add_common_options(import, o);
   add_femnet_options(import, o, gear, output);
 }

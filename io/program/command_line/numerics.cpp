@@ -34,12 +34,14 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
   add_compared_method(command, o, "--solver", "", "a solver to compare, as run takes it");
   command.add_option("--tolerance", o.tolerance, "tolerances, one per decade; else 1e-10:1e-2")
       ->type_name("LO:HI");
-  as_word(command.add_option("--cells", o.cells,
-                             "meshes for the discretisation error: cells across, or of one part"),
-          "[PART=]N,N,…");
+  as_word(
+      command.add_option("--cells", o.cells,
+                         "meshes for the discretisation error: cells across the scene, or cells of one part"),
+      "[PART=]N,N,…");
   command
-      .add_option("--reference", o.reference,
-                  "solver or integrator that errors are measured against; else another one")
+      .add_option(
+          "--reference", o.reference,
+          "solver or integrator whose answer is taken as exact; else one that differs from each method")
       ->type_name(kMethod);
   command.add_option("--repeats", o.repeats, "runs of each; the cheapest counts; else 3")
       ->check(CLI::Range(1, 1000));
@@ -58,8 +60,9 @@ void add_refine_command(CLI::App& app, Chosen& chosen) {
       ->delimiter(',')
       ->type_name("N,N,…")
       ->allow_extra_args(false);
-  as_word(command.add_option("--cells", o.cells, "of other scenes: cells across, or of one part"),
-          "[PART=]N,N,…");
+  as_word(
+      command.add_option("--cells", o.cells, "of other scenes: cells across the scene, or cells of one part"),
+      "[PART=]N,N,…");
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ void add_component_commands(CLI::App& app, Chosen& chosen) {
 void add_test_command(CLI::App& app, Chosen& chosen) {
   auto [test, o] = add_command(
       app, chosen, "test",
-      "check the elements, laws and solvers of a plugin: derivatives, balance, lanes, manners", test_command);
+      "check the elements, laws and solvers of a plugin: derivatives, balance, vector lanes, conventions",
+      test_command);
   test.add_option("PLUGIN", o.plugin, "plugin file (.so), plugin name or element type")->required();
   test.add_option("--seconds", o.seconds, "processor time for the checks of one component; else 60")
       ->check(numbers_between(0.001, 1e6));

@@ -30,7 +30,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
 /// Rejects options for another file format: the extension of the output selects the group of options.
 void refuse_options_of_other_files(const ExportOptions& o, const CLI::App& command) {
   const std::string ending = std::filesystem::path(o.output).extension().string();
-  require_group(command, "For a " + ending + " file", o.output + " is another one");
+  require_group(command, "For a " + ending + " file", o.output + " is a file of another kind");
 }
 
 void add_export_command(CLI::App& app, Chosen& chosen) {
@@ -44,7 +44,8 @@ void add_export_command(CLI::App& app, Chosen& chosen) {
       ->required();
   add_state_option(convert, o.state);
   add_json_option(convert, o);
-  as_word(convert.add_option("--field", o.field, "the quantity that is coloured, or part; else tension"),
+  as_word(convert.add_option("--field", o.field,
+                             "quantity that is shown by colours, or the word part; else tension"),
           "NAME")
       ->group(kForGltf);
   convert.add_option("--table", o.table, "nodes or elements; else nodes")
@@ -55,7 +56,8 @@ void add_export_command(CLI::App& app, Chosen& chosen) {
 void add_view_command(CLI::App& app, Chosen& chosen) {
   auto [view, o] = add_command(
       app, chosen, "view",
-      "write a page to look at results with: two are laid over one another, more are a sweep", view_command);
+      "write a page that shows results: two are laid over one another, more than two get a slider",
+      view_command);
   view.add_option("RESULT", o.results, "result files (.hdf)")->required();
   as_word(view.add_option("-o,--output", o.output,
                           "page; else the first result's name with .html, in this folder"),
@@ -69,7 +71,7 @@ void add_diff_command(CLI::App& app, Chosen& chosen) {
   auto [diff, o] = add_command(
       app, chosen, "diff", "print what changed between two results, and between their inputs", diff_command);
   diff.add_option("BEFORE", o.before, "result file (.hdf)")->required();
-  diff.add_option("AFTER", o.after, "another one")->required();
+  diff.add_option("AFTER", o.after, "result file that is compared with it")->required();
   add_json_option(diff, o);
 }
 

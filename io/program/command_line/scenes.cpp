@@ -23,21 +23,24 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
                "go on with a motion from the .part that a killed or interrupted run left");
   run.add_flag("--overwrite", o.overwrite, "replace the .part that such a run left, and all its outputs")
       ->excludes("--resume");
-  as_word(run.add_option("--start-from", o.start_from, "begin the search where another result has the gear"),
+  as_word(run.add_option("--start-from", o.start_from,
+                         "begin the search from the shape of the gear in another result"),
           "RESULT.hdf")
       ->excludes("--resume");
   run.add_flag("--stages", o.stages,
                "keep the start and the shape after every stage of the solve, for the slider of view");
   run.add_flag("--error", o.error,
-               "print the errors of the results: of the solver and, over other meshes, of the mesh");
+               "print the errors of the results: that of the solver, and that of the mesh, found by solving "
+               "on other meshes");
 }
 
 }  // namespace
 
 void add_scene_commands(CLI::App& app, Chosen& chosen) {
   add_run_command(app, chosen);
-  auto [plan, o] = add_command(app, chosen, "plan", "print what a scene needs, and why the rest is left out",
-                               plan_command);
+  auto [plan, o] =
+      add_command(app, chosen, "plan",
+                  "print which forces and plugins a scene needs, and why others are left out", plan_command);
   add_method_options(plan, o);
 }
 

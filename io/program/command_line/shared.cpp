@@ -30,7 +30,7 @@ CLI::Validator numbers_between(double low, double high) {
 }
 
 void add_color_option(CLI::App& command, CommonOptions& o) {
-  command.add_option("--color", o.color, "colour on standard error")
+  command.add_option("--color", o.color, "colours on standard error")
       ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
@@ -74,9 +74,9 @@ void add_method_options(CLI::App& command, MethodOptions& o) {
   as_word(command.add_option("--strategy", o.strategy,
                              "how the equilibrium is found, with parameters: auto:restarts=6"),
           kMethod);
-  as_word(command.add_option(
-              "--solver", o.solver,
-              "solver of the stages, with parameters: newton:method=classic; alone, without a strategy"),
+  as_word(command.add_option("--solver", o.solver,
+                             "solver of the stages of the strategy, with parameters: newton:method=classic; "
+                             "without --strategy, the solver alone"),
           kMethod);
 }
 

@@ -13,11 +13,12 @@ namespace {
 // groups of options
 constexpr const char *kForSlurm = "For Slurm", *kForParallel = "For GNU parallel";
 
-constexpr const char* kFigureDoc = "a figure of the table, may be repeated; else all but those of parts";
+constexpr const char* kFigureDoc =
+    "a figure of the table; may be repeated; else all but those of single parts";
 
 template <class Options>
 void add_folder(CLI::App& action, Options& o) {
-  action.add_option("FOLDER", o.folder, "folder of a study that was planned")->required();
+  action.add_option("FOLDER", o.folder, "folder that `netloft study plan` wrote")->required();
 }
 
 /// Adds an action on a planned study that loads no plugins.
@@ -44,10 +45,12 @@ void add_run_action(CLI::App& study, Chosen& chosen) {
   auto [run, o] =
       add_command(study, chosen, "run", "compute the items that have no result yet", study_run_command);
   add_folder(run, o);
-  as_word(run.add_option("--items", o.items, "only these, such as 1-10 or 3,7; else all"), "A-B");
-  run.add_option("--jobs", o.jobs, "items at a time; else as many as the machine has cores")
+  as_word(run.add_option("--items", o.items, "compute only these items, such as 1-10 or 3,7; else all"),
+          "A-B");
+  run.add_option("--jobs", o.jobs,
+                 "items that are computed at the same time; else as many as the machine has cores")
       ->check(CLI::Range(1, 4096));
-  run.add_option("--threads", o.threads, "threads of the assembly of each; else one")
+  run.add_option("--threads", o.threads, "threads of the assembly of each item; else one")
       ->check(CLI::Range(1, 1024));
   add_plugin_options(run, o);
 }
@@ -64,32 +67,37 @@ void refuse_options_of_other_engines(const StudySubmitOptions& o, const CLI::App
 }
 
 void add_submit_action(CLI::App& study, Chosen& chosen) {
-  auto [submit, o] =
-      add_command(study, chosen, "submit", "write a script that lets an engine compute the items",
-                  study_submit_command, refuse_options_of_other_engines);
+  auto [submit, o] = add_command(study, chosen, "submit",
+                                 "write a script with which GNU parallel or Slurm computes the items",
+                                 study_submit_command, refuse_options_of_other_engines);
   add_folder(submit, o);
   submit.add_option("--engine", o.engine, "GNU parallel, or a job array of Slurm")
       ->required()
       ->check(CLI::IsMember({"parallel", "slurm"}));
   add_plugin_options(submit, o);
-  submit.add_option("--chunk", o.chunk, "items of a task; else as many as take a minute")
+  submit.add_option("--chunk", o.chunk, "items in a task; else as many as take a minute")
       ->check(CLI::Range(1, 1000000))
       ->group(kForSlurm);
-  submit.add_option("--jobs", o.jobs, "items at a time; else as many as there are cores")
+  submit
+      .add_option("--jobs", o.jobs,
+                  "items that are computed at the same time; else as many as there are cores")
       ->check(CLI::Range(1, 4096))
       ->group(kForParallel);
 }
 
 void add_show_action(CLI::App& study, Chosen& chosen) {
-  auto [show, o] = add_action(study, chosen, "show",
-                              "draw figures over a variable, with bands over the draws", study_show_command);
+  auto [show, o] = add_action(
+      study, chosen, "show", "draw figures over a variable, with bands over the samples", study_show_command);
   const auto named = [&app = show](const char* flag, auto& value, const char* doc, const char* type) {
     as_words(app.add_option(flag, value, doc), type);
   };
-  named("--figure", o.figures, "a figure of the table, may be repeated; else all that vary", "NAME");
+  named("--figure", o.figures, "a figure of the table; may be repeated; else all that vary", "NAME");
   named("--over", o.over, "variable of the axis; else the first of the path", "NAME");
-  named("--by", o.by, "variable with a line for every value; else the next listed one", "NAME");
-  named("--at", o.at, "value of another variable; may be repeated; else its first", "NAME=VALUE");
+  named("--by", o.by,
+        "variable that gets a line for each of its values; else the next variable with listed values",
+        "NAME");
+  named("--at", o.at, "value of another variable; may be repeated; else the first value of each",
+        "NAME=VALUE");
   named("-o,--output", o.output, "page or picture; else the study's name with .html, in its folder",
         "FILE.html|FILE.svg");
 }
@@ -98,12 +106,10 @@ void add_estimate_action(CLI::App& study, Chosen& chosen) {
   auto [estimate, o] = add_action(study, chosen, "estimate",
                                   "print figures between the points that were computed, with their errors",
                                   study_estimate_command);
-  as_words(
-      estimate.add_option(
-          "--at", o.at,
-          "values of the variables; of those that are sampled give all, or none for medians and bands over "
-          "the samples; may be repeated, or with commas between"),
-      "NAME=VALUE")
+  as_words(estimate.add_option("--at", o.at,
+                               "values of the variables; give all sampled variables, or none of them for "
+                               "medians and bands over the samples; may be repeated, or with commas between"),
+           "NAME=VALUE")
       ->required();
   as_words(estimate.add_option("--figure", o.figures, kFigureDoc), "NAME");
 }
@@ -117,7 +123,7 @@ void add_sobol_action(CLI::App& study, Chosen& chosen) {
                "--at", o.at,
                "a variable that is held fixed; may be repeated, or with commas between; else all vary"),
            "NAME=VALUE");
-  as_words(action.add_option("-o,--output", o.output, "draw the indices as bars"), "FILE.svg");
+  as_words(action.add_option("-o,--output", o.output, "picture of the indices as bars"), "FILE.svg");
 }
 
 void add_study_command(CLI::App& app, Chosen& chosen) {
@@ -134,9 +140,10 @@ void add_study_command(CLI::App& app, Chosen& chosen) {
 }
 
 void add_scope_command(CLI::App& app, Chosen& chosen) {
-  auto [command, o] =
-      add_command(app, chosen, "scope",
-                  "find lengths of warp, over depths, at which boards stand as they should", scope_command);
+  auto [command, o] = add_command(app, chosen, "scope",
+                                  "find, for several depths, the lengths of warp at which the boards have "
+                                  "the heel and spread that you want",
+                                  scope_command);
   add_method_options(command, o);
   const auto range = [&app = command](const char* flag, std::string& value, const char* doc,
                                       const char* type) {

@@ -40,7 +40,7 @@ int calibrate_command(const CalibrateOptions& options) {
   if (done.is_interrupted)
     return end_interrupted(terminal, done.fit.parameters.empty()
                                          ? "no step of the search was finished"
-                                         : "these are the best values that were found before");
+                                         : "these are the best values that were found until then");
   return done.fit.converged ? kDone : kNotConverged;
 }
 

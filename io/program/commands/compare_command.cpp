@@ -39,7 +39,7 @@ std::vector<double> read_decades(const std::string& range, const Decades& d) {
   const double low = read_one(range.substr(0, colon), range, d);
   const double high = colon == std::string::npos ? low : read_one(range.substr(colon + 1), range, d);
   if (low > high)
-    throw UsageError{d.option + " " + range + " is reversed: the tighter one comes first, as in " +
+    throw UsageError{d.option + " " + range + " is reversed: the smaller number comes first, as in " +
                      d.example};
   const int steps = static_cast<int>(std::round(std::log10(high / low)));
   std::vector<double> tolerances;
@@ -65,7 +65,8 @@ bool compares_motions(const std::vector<studies::Method>& methods) {
   const auto integrators = std::count_if(methods.begin(), methods.end(),
                                          [](const studies::Method& m) { return m.kind() == "integrator"; });
   if (integrators != 0 && integrators != static_cast<std::ptrdiff_t>(methods.size()))
-    throw UsageError{"--integrator compares motions, --solver and --strategy equilibria: one or the other"};
+    throw UsageError{
+        "--integrator compares motions, --solver and --strategy compare equilibria; give one kind only"};
   return integrators > 0;
 }
 
@@ -90,14 +91,13 @@ void check_kind(const scenes::LoadedScene& loaded, bool is_of_motions) {
   const bool moves = loaded.analysis.kind == AnalysisKind::dynamics;
   if (moves && !is_of_motions)
     throw UsageError{
-        "--solver and --strategy find an equilibrium, and this scene goes through time: compare "
-        "--integrator, or "
-        "run it with kind = \"static\""};
+        "--solver and --strategy find an equilibrium, but this scene is a motion: compare --integrator, or "
+        "set analysis.kind = \"static\""};
   if (!moves && is_of_motions)
-    throw UsageError{
-        "--integrator goes through time, and this scene is static: compare --solver or --strategy"};
+    throw UsageError{"--integrator is for motions, but this scene is static: compare --solver or --strategy"};
   if (is_of_motions && !loaded.analysis.dynamics.start_file.empty())
-    throw UsageError{"compare begins motions at the start of the scene, and analysis.start names a result"};
+    throw UsageError{
+        "compare begins motions at the start of the scene, but analysis.start names a result; leave it out"};
 }
 
 /// Prepares the scene with every method and on every mesh before the first trial, so that all errors are
@@ -152,8 +152,8 @@ class Inspection {
       check_kind(one.loaded(), is_of_motions_);
       if (!one.loaded().scene.settings.empty())
         throw UsageError{
-            "compare needs a scene that leaves nothing open, and this one looks for a length of warp; "
-            "ship.warp.length without ship.warp.tension gives it"};
+            "compare needs known lengths of warp, but this scene finds them by ship.warp.tension; give "
+            "ship.warp.length alone"};
       for (const std::string& file : {options_.csv, options_.plot})
         require_place(file, paths_of(one.loaded()));
       return kDone;
@@ -209,7 +209,7 @@ int run_comparison(const CompareOptions& options) {
   terminal.clear();
   print_line(options.json ? studies::comparison_json(result) : studies::comparison_text(result));
   if (result.is_interrupted)
-    return end_interrupted(terminal, "the table is of what was done before" + unwritten(options));
+    return end_interrupted(terminal, "the table has the solves that were finished" + unwritten(options));
   const bool is_well = result.any_converged() && !result.any_failed();
   return write_last(terminal, is_well ? kDone : kNotConverged, [&] { write_files(result, options); });
 }

@@ -120,7 +120,8 @@ void add_polar(const gears::CataloguePart& part, const std::string& prefix, form
   add_curves(prefix, polar.attack, {"lift", "drag"}, plot);
   if (polar.slip.rows > 0) add_sections(prefix, polar.slip, plot);
   add_curves(prefix, polar.centre,
-             {"centre of pressure, from the nose over the chord", "the same, above the middle over the span"},
+             {"centre of pressure, from the nose over the chord",
+              "centre of pressure, above the middle over the span"},
              plot);
 }
 

@@ -55,7 +55,7 @@ constexpr std::array kTaken = {"parameters", "data", "elastic",    "all",       
 void check_name(const std::string& name, const Registry& registry) {
   check_spelling(name);
   if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end())
-    refuse(name, "the word has a meaning in the files to be written");
+    refuse(name, "the files that would be written use this word already");
   const auto there = registry.available();
   if (std::find(there.begin(), there.end(), name) != there.end())
     refuse(name, "there is a plugin of that name, and one would hide the other");

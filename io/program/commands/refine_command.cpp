@@ -35,7 +35,9 @@ std::vector<studies::MeshLevel> levels_of_gear(const RefineOptions& options,
 std::vector<studies::MeshLevel> wanted_levels(const RefineOptions& options,
                                               const scenes::LoadedScene& loaded) {
   if (loaded.analysis.kind == AnalysisKind::dynamics)
-    throw UsageError{"refine finds equilibria on several meshes, and this scene goes through time"};
+    throw UsageError{
+        "refine finds equilibria on several meshes, but this scene is a motion; add --set "
+        "analysis.kind=static"};
   if (loaded.gear) return levels_of_gear(options, loaded);
   if (!options.nodes.empty())
     return studies::gear_levels(loaded, options.nodes);  // throws because there is no gear

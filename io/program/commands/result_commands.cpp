@@ -125,7 +125,7 @@ std::string exported(const ExportOptions& options) {
                                        : results::nodes_csv(result, state);
   if (const auto mesh = mesh_format_of(ending)) return results::mesh_of(result, state, *mesh);
   throw UsageError{options.output +
-                   ": the ending says what is written, and there are .glb, .csv, .mesh, .obj and .vtk"};
+                   ": the ending of the name chooses the format; it must be .glb, .csv, .mesh, .obj or .vtk"};
 }
 
 int export_result(const ExportOptions& options) {

@@ -28,7 +28,7 @@ int exit_code(SolveStatus status) {
 
 void refuse_what_cannot_be(const RunOptions& options, runs::PreparedScene& scene) {
   if (options.resume)
-    throw UsageError{"--resume goes on with motions; an equilibrium is found from its start"};
+    throw UsageError{"--resume continues motions only; leave it out to find an equilibrium"};
   if (const auto why_not = runs::why_unfit(scene)) throw UsageError{*why_not};
 }
 
@@ -118,7 +118,7 @@ class EquilibriumRun {
     Assembler assembler(scene_.loaded().scene, scene_.plan(), 1);
     Solution& s = solution_ = runs::assess_point(scene_, kept_.u, assembler);
     s.status = overdue.interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
-    s.reason = overdue.sentence + "; this is the last that was found before";
+    s.reason = overdue.sentence + "; this is the last shape that was found before";
     finish(assembler, results::make_result(scene_.loaded(), assembler, s));
     return code;
   }

@@ -17,9 +17,8 @@ void refuse_options_of_equilibria(const RunOptions& options) {
     throw UsageError{"--stages is for equilibria; analysis.output_interval sets the outputs of a motion"};
   if (options.error)
     throw UsageError{
-        "--error is for equilibria; for a motion, run it with other cells and another `accuracy`, and "
-        "compare the "
-        "results by `netloft diff`"};
+        "--error is for equilibria; for a motion, run the scene again with other cells and another "
+        "`accuracy`, and compare the results by `netloft diff`"};
 }
 
 /// Identifies the scene with its changes. A motion can be resumed only with the same identity.

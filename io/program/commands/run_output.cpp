@@ -60,7 +60,7 @@ void protect_outputs(const RunOptions& options, const std::string& part) {
       throw UsageError{part + " holds " + std::to_string(left.size()) + " outputs of a run that " +
                        how_it_ended(left.status().outcome) + cure};
   } catch (const formats::FileError& e) {
-    throw UsageError{std::string(e.what()) + ". A run that did not end left it" + cure};
+    throw UsageError{std::string(e.what()) + ". A run that did not end left this file" + cure};
   }
 }
 
@@ -68,8 +68,8 @@ std::string name_by_outcome(const formats::ResultFile& file, const Solution& sol
   const auto wanted = file.final_path();
   const auto name = results::name_beside_better(wanted, name_of(solution.status));
   if (name != wanted)
-    terminal.say("netloft: " + wanted.string() + " holds a better result and stays; this one is " +
-                 name_of(solution.status) + " and goes to " + name.string());
+    terminal.say("netloft: " + wanted.string() + " holds a better result and is kept; the new result is " +
+                 name_of(solution.status) + " and is written to " + name.string());
   return name.string();
 }
 

@@ -25,11 +25,12 @@ Json hold_schema() {
        {"anyOf", {name, {{"type", "array"}, {"items", name}, {"minItems", 1}}}}},
       true);
   put(hold, "axes",
-      {{"type", "string"}, {"pattern", "^[xyz]+$"}, {"description", "along which it cannot move"}}, false);
+      {{"type", "string"}, {"pattern", "^[xyz]+$"}, {"description", "axes along which it cannot move"}},
+      false);
   const Json direction = {
       {"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
-  for (const auto& [key, doc] : {std::pair{"along", "direction of the line it slides on"},
-                                 std::pair{"plane", "normal of the plane it stays in"}}) {
+  for (const auto& [key, doc] : {std::pair{"along", "direction of the line on which it slides"},
+                                 std::pair{"plane", "normal of the plane in which it stays"}}) {
     Json own = direction;
     own["description"] = doc;
     put(hold, key, own, false);
@@ -42,7 +43,7 @@ Json hold_schema() {
        {"description", "only keeps the gear from drifting: in equilibrium it bears nothing"}},
       false);
   put(hold, "displacement",
-      columns_schema("way from where it is held, over time",
+      columns_schema("displacement from where it is held, over time",
                      {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"z", "m"}}),
       false);
   put(hold, "velocity",
@@ -134,13 +135,13 @@ void put_gear(Json& scene) {
   nodes = {{"anyOf", Json::array({nodes, {{"const", scenes::kKnots}}})},
            {"description", nodes["description"]}};
   Json finer = {{"type", "object"}, {"additionalProperties", {{"type", "number"}, {"exclusiveMinimum", 0}}}};
-  finer["description"] = "by panel or rope: sides of triangles, or bars, that many times shorter";
+  finer["description"] = "by panel or rope: how many times shorter the sides of triangles, or the bars, are";
   put(gear, "finer", finer, false);
   for (const auto& of : scenes::gear_elements())
     put(elements, of.kind,
         {{"type", "object"},
          {"properties", {{"type", text(std::string("element type, such as ") + of.type)}}},
-         {"description", std::string("what counts for all ") + of.doc}},
+         {"description", std::string("element and parameters of all ") + of.doc}},
         false);
   elements["additionalProperties"] = {{"type", "object"}};
   put(scene, "gear", gear, false);
@@ -160,12 +161,12 @@ void put_files(Json& scene) {
   put(scene, "include",
       {{"type", "array"},
        {"items", {{"type", "string"}}},
-       {"description", "files laid down first, relative to this one"}},
+       {"description", "files that are read first, under this one; named relative to it"}},
       false);
   put(scene, "catalogue",
       {{"type", "array"},
        {"items", text("a folder, relative to the scene")},
-       {"description", "folders with catalogues of one's own, searched first"}},
+       {"description", "folders with your own catalogues, searched first"}},
       false);
 }
 

@@ -88,7 +88,7 @@ std::string missing_text(const studies::ScopeRow& row) {
   const auto lacks = [](const studies::ScopePoint& p) { return !p.why_not.empty(); };
   const auto first = std::ranges::find_if(row.points, lacks);
   if (first == row.points.end()) return "";
-  return fmt::format("  depth {} m: {} of {} lengths without a stable equilibrium; {} m: {}\n",
+  return fmt::format("  depth {} m: {} of {} lengths have no stable equilibrium; at {} m: {}\n",
                      number(row.depth, 1), std::ranges::count_if(row.points, lacks), row.points.size(),
                      number(first->warp, 1), first->why_not);
 }
@@ -104,7 +104,7 @@ std::string text_of(const std::vector<studies::ScopeRow>& rows, const studies::S
   for (const studies::ScopeRow& row : rows) {
     text += fmt::format("{:>9}", number(row.depth, 1));
     if (!row.chosen) {
-      text += is_whole(row, request) ? std::string("  no length of these\n")
+      text += is_whole(row, request) ? std::string("  the boards are not as wanted at any of these lengths\n")
                                      : fmt::format("  interrupted after {} of {} lengths\n",
                                                    row.points.size(), request.scopes.size());
       continue;
@@ -157,11 +157,11 @@ bool has_found_all(const std::vector<studies::ScopeRow>& rows) {
 
 void require_lengths_given(const scenes::LoadedScene& loaded) {
   if (loaded.analysis.kind == AnalysisKind::dynamics)
-    throw UsageError{
-        "scope follows equilibria, and this scene goes through time: --set analysis.kind=static"};
+    throw UsageError{"scope follows equilibria, but this scene is a motion; add --set analysis.kind=static"};
   if (!loaded.scene.settings.empty())
     throw UsageError{
-        "scope goes through lengths of warp, and this scene looks for one; leave out ship.warp.tension"};
+        "scope tries lengths of warp, but this scene finds one by ship.warp.tension; leave out "
+        "ship.warp.tension"};
 }
 
 void print_table(const ScopeOptions& o, const std::vector<studies::ScopeRow>& rows, const char* status,

@@ -25,7 +25,7 @@ int study_collect_command(const StudyOptions& o) {
   formats::write_whole(folder / "table.hdf", studies::study_hdf5(study, table));
   formats::write_whole(folder / "costs.csv", studies::costs_csv(study, folder));
   if (const std::string changed = what_changed(study, folder); !changed.empty())
-    terminal.say("netloft: " + changed + "; the table is of what was planned");
+    terminal.say("netloft: " + changed + "; the table shows the study as it was planned");
   for (const std::string& sentence : table.sentences) terminal.say("netloft: " + sentence);
   const auto counts = table.count_by_status();
   std::string text = fmt::format("{}: {}", study.name, count_of(table.rows.size(), "point"));

@@ -50,7 +50,7 @@ int study_show_command(const StudyShowOptions& o) {
   const fs::path page = o.output.empty() ? folder / (study.name + ".html") : fs::path(o.output);
   const std::string ending = page.extension().string();
   if (ending != ".html" && ending != ".svg")
-    throw UsageError{"-o " + page.string() + ": plots are drawn as .svg or .html"};
+    throw UsageError{"-o " + page.string() + ": plots can be written as .svg or .html only"};
   std::vector<formats::LinePlot> plots;
   try {
     plots = studies::plots_of(studies::collect_table(study, folder), read_request(o));
@@ -90,7 +90,7 @@ int study_sobol_command(const StudySobolOptions& o) {
   Terminal terminal(o);
   const studies::Study study = read_study(o.folder);
   if (!o.output.empty() && fs::path(o.output).extension() != ".svg")
-    throw UsageError{"-o " + o.output + ": bars are drawn as .svg"};
+    throw UsageError{"-o " + o.output + ": the bars of the indices can be written as .svg only"};
   formats::Diagnostics diagnostics;
   std::optional<studies::StudyIndices> found;
   try {

@@ -31,10 +31,10 @@ std::string seen_from(const fs::path& folder, const fs::path& path) {
 
 void check_size(const studies::StudyFile& file, formats::Diagnostics& diagnostics) {
   if (const double points = studies::count_points(file); points > studies::kMostPoints)
-    diagnostics.error(
-        {0, 0, 0},
-        fmt::format("the design has {:.3g} points; {:.3g} are the most", points, studies::kMostPoints),
-        "fewer values, fewer samples, or combine = \"list\"");
+    diagnostics.error({0, 0, 0},
+                      fmt::format("the design has {:.3g} points, but a study can have at most {:.3g}", points,
+                                  studies::kMostPoints),
+                      "give fewer values or samples, or combine = \"list\"");
 }
 
 /// Makes the folder. The manifest is written last, so that a folder with a manifest is complete.

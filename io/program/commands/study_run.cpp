@@ -153,7 +153,7 @@ class Campaign {
   }
 
   std::string what_is_left() const {
-    return fmt::format("{} of {} left; `netloft study run {}` goes on", left_.size() - done_ - failed_,
+    return fmt::format("{} of {} left; `netloft study run {}` computes them", left_.size() - done_ - failed_,
                        count_of(asked_, "item"), o_.folder);
   }
 

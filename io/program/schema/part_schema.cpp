@@ -91,7 +91,7 @@ void let_name_catalogue_parts(Json& part) {
     if (!part["properties"].contains(key)) continue;
     Json whole = part["properties"][key], overriding = whole;
     overriding.erase("required");
-    put(overriding, "part", text("of the catalogue; `netloft catalogue` lists them"), true);
+    put(overriding, "part", text("name of a part of the catalogue; `netloft catalogue` lists them"), true);
     const Json names_one = {{"type", "object"}, {"required", {"part"}}};
     part["properties"][key] = {{"description", "the name of a part of the catalogue, or a table"},
                                {"if", {{"type", "string"}}},

@@ -209,7 +209,8 @@ std::string law_text(const LawType& l) {
       l.origin->name, l.origin->version, l.origin->file.empty() ? "compiled in" : l.origin->file);
   append_parameters(l.parameters, out);
   if (!l.validity.empty())
-    fmt::format_to(out, "\nmeasured for (reports say for how much of a gear it is asked outside)\n");
+    fmt::format_to(
+        out, "\nmeasured for (a report says for how much of a gear the law is used outside of this range)\n");
   for (const auto& range : l.validity) fmt::format_to(out, "  {}\n", results::validity_text(range));
   return text;
 }

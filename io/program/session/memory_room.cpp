@@ -46,10 +46,10 @@ void require_memory_to_solve() {
 
 std::string memory_text(const runs::MemoryForecast& f, double within_reach) {
   return fmt::format(
-      "memory: about {}, {} of it for the factor of the matrix{}; {}", gibibytes(f.total()),
-      gibibytes(f.factor), f.stability > 0 ? ", " + gibibytes(f.stability) + " to judge stability" : "",
-      within_reach < std::numeric_limits<double>::infinity() ? gibibytes(within_reach) + " are within reach"
-                                                             : "what is within reach is not known");
+      "memory: about {}, {} of it for the factorised matrix{}; {}", gibibytes(f.total()), gibibytes(f.factor),
+      f.stability > 0 ? ", " + gibibytes(f.stability) + " to judge stability" : "",
+      within_reach < std::numeric_limits<double>::infinity() ? gibibytes(within_reach) + " are available"
+                                                             : "how much is available is not known");
 }
 
 std::string note_of_memory(const runs::MemoryForecast& f, double within_reach) {

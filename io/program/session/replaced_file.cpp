@@ -32,7 +32,7 @@ bool has_one_of(const std::string& file, const std::vector<std::string>& endings
 void require_ending(const std::string& option, const std::string& file,
                     const std::vector<std::string>& endings) {
   if (!file.empty() && !has_one_of(file, endings))
-    throw UsageError{option + " " + file + ": this is written as " + list_of(endings)};
+    throw UsageError{option + " " + file + ": the name of this file must end in " + list_of(endings)};
 }
 
 void replace_file(const std::string& output, const std::string& content,
@@ -51,11 +51,13 @@ void require_place(const std::string& file, const std::vector<std::string>& sour
   if (file.empty()) return;
   std::error_code none;
   for (const auto& source : sources)
-    if (fs::equivalent(file, source, none)) throw UsageError{file + ": the scene is read from it"};
-  if (fs::exists(file, none) && !fs::is_regular_file(file, none)) throw UsageError{file + ": is no file"};
+    if (fs::equivalent(file, source, none))
+      throw UsageError{file + " cannot be written: the scene is read from it"};
+  if (fs::exists(file, none) && !fs::is_regular_file(file, none))
+    throw UsageError{file + " cannot be written: it is a folder or a device"};
   const fs::path folder = fs::path(file).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, none))
-    throw UsageError{file + ": there is no folder " + folder.string()};
+    throw UsageError{file + " cannot be written: there is no folder " + folder.string()};
 }
 
 int write_last(Terminal& terminal, int code, const std::function<void()>& write) {

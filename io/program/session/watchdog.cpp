@@ -36,7 +36,7 @@ int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConver
 
 /// Ends the program if the results are not written in time, because another call of a plugin never returns.
 void give_up(int) {
-  constexpr char words[] = "netloft: what was found could not be written: a plugin does not come back\n";
+  constexpr char words[] = "netloft: the results so far could not be written: a plugin does not come back\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
   _exit(interrupt_flag() ? kInterrupted : kNotConverged);
 }

@@ -17,14 +17,16 @@ void add_place(const scenes::LoadedScene& loaded, const Assembler& assembler, co
   const auto psi = assembler.rotation(b, answer.x);
   const Attitude turned = attitude_of(turned_axes(Vector{psi[0], psi[1], psi[2]}), loaded.bodies[b].side);
   const auto at = assembler.node_position(body.origin, answer.x);
-  figures.push_back({own + "heading", "rad", "angle by which its nose is turned outward", turned.heading});
-  figures.push_back({own + "heel", "rad", "angle by which its top leans outward", turned.heel});
-  figures.push_back({own + "trim", "rad", "angle by which its nose is up", turned.trim});
-  figures.push_back({own + "x", "m", "place of its origin, aft", at[0]});
-  figures.push_back({own + "y", "m", "place of its origin, to starboard", at[1]});
-  figures.push_back({own + "z", "m", "height of its origin over the surface of the water", at[2]});
+  figures.push_back(
+      {own + "heading", "rad", "angle by which the nose of the body is turned outward", turned.heading});
+  figures.push_back({own + "heel", "rad", "angle by which the top of the body leans outward", turned.heel});
+  figures.push_back({own + "trim", "rad", "angle by which the nose of the body is up", turned.trim});
+  figures.push_back({own + "x", "m", "position of the origin of the body, aft", at[0]});
+  figures.push_back({own + "y", "m", "position of the origin of the body, to starboard", at[1]});
+  figures.push_back(
+      {own + "z", "m", "height of the origin of the body over the surface of the water", at[2]});
   if (loaded.scene.bed.is_there)
-    figures.push_back({own + "above_bed", "m", "height of its origin over the bed",
+    figures.push_back({own + "above_bed", "m", "height of the origin of the body over the bed",
                        at[2] - loaded.scene.bed.at(at[0], at[1])[0]});
 }
 
@@ -89,7 +91,8 @@ void add_budget(const scenes::LoadedScene& loaded, const Assembler& assembler, c
     at->second += Vector{force.of.force[0], force.of.force[1], force.of.force[2]};
   }
   for (const auto& [source, force] : sums) {
-    const std::string at = "body_forces/" + body.name + "/" + source + "/", doc = "force on it by " + source;
+    const std::string at = "body_forces/" + body.name + "/" + source + "/",
+                      doc = "force on the body by " + source;
     figures.push_back({at + "x", "N", doc + ", aft", force.x});
     figures.push_back({at + "out", "N", doc + ", outward", loaded.bodies[b].side * force.y});
     figures.push_back({at + "z", "N", doc + ", upwards", force.z});

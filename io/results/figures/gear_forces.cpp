@@ -50,7 +50,8 @@ bool any_has(const GearView& gear, const PartGroup& kind, const GearView::Kind& 
 void add_vector(const std::string& at, const std::string& doc, const Vector& force,
                 std::vector<Figure>& figures) {
   figures.push_back({at + "x", "N", doc + ", aft", force.x});
-  figures.push_back({at + "y", "N", doc + ", to starboard; of a half, of that half alone", force.y});
+  figures.push_back(
+      {at + "y", "N", doc + ", to starboard; for half a gear, that on the starboard half alone", force.y});
   figures.push_back({at + "z", "N", doc + ", upwards", force.z});
 }
 
@@ -64,7 +65,7 @@ void add_drag(const GearView& gear, const std::string& at, const PartGroup& kind
 void add_weight(const GearView& gear, const std::string& at, const PartGroup& kind,
                 std::vector<Figure>& figures) {
   if (any_has(gear, kind, &PartForce::is_weight))
-    figures.push_back({at + kind.name, "N", "weight in water, negative of what floats",
+    figures.push_back({at + kind.name, "N", "weight in water, negative if the part floats",
                        -sum_over(gear, kind, &PartForce::is_weight).z});
 }
 
@@ -168,11 +169,13 @@ void add_stretches(const GearView& gear, std::uint32_t footrope,
     const OnGround& one = stretches[k];
     const std::string at = "footrope/" + std::to_string(100 / kStretches * k) + "-" +
                            std::to_string(100 / kStretches * (k + 1)) + "%/";
-    const std::string where = " of the footrope, that far from its middle to its ends";
-    figures.push_back({at + "touching", "m", "what touches the ground" + where, gear.times() * one.touching});
+    const std::string where =
+        ", on the stretch of the footrope between these fractions of the way from its middle to its ends";
     figures.push_back(
-        {at + "force", "N", "force of the ground, along its normal," + where, gear.times() * one.force});
-    figures.push_back({at + "force_per_metre", "N/m", "that over the length" + where,
+        {at + "touching", "m", "length in contact with the ground" + where, gear.times() * one.touching});
+    figures.push_back(
+        {at + "force", "N", "force of the ground along its normal" + where, gear.times() * one.force});
+    figures.push_back({at + "force_per_metre", "N/m", "force of the ground over length" + where,
                        one.length > 0 ? one.force / one.length : 0});
   }
 }
@@ -218,7 +221,7 @@ void add_ground_figures(const GearView& gear, std::vector<Figure>& figures) {
   if (!is_there) return;
   figures.push_back({"ground/force", "N", "force of the ground, along its normal", gear.times() * normal});
   if (any_has(gear, all, &PartForce::is_along_ground))
-    add_vector("ground/friction_", "force of the ground along it",
+    add_vector("ground/friction_", "force of the ground along its surface",
                sum_over(gear, all, &PartForce::is_along_ground), figures);
   if (const auto* footrope = gear.find_rope(gear.gear().footrope)) add_footrope(gear, *footrope, figures);
 }

@@ -71,21 +71,22 @@ void add_tensions(const GearView& gear, std::uint32_t rope, std::vector<Figure>&
                end = tension_at_end({T.rbegin(), T.rend()}, {l.rbegin(), l.rend()});
   const std::string at = "ropes/" + gear.name(rope) + "/tension_";
   if (gear.gear().across.contains(rope)) {
-    figures.push_back(gear.is_half() ? Figure{at + "middle", "N", "tension in its middle", start}
-                                     : Figure{at + "port", "N", "tension at its end to port", start});
-    figures.push_back({at + "starboard", "N", "tension at its end to starboard", end});
+    figures.push_back(gear.is_half()
+                          ? Figure{at + "middle", "N", "tension in the middle of the rope", start}
+                          : Figure{at + "port", "N", "tension at the port end of the rope", start});
+    figures.push_back({at + "starboard", "N", "tension at the starboard end of the rope", end});
   } else {
-    figures.push_back({at + "start", "N", "tension at its start", start});
-    figures.push_back({at + "end", "N", "tension at its end", end});
+    figures.push_back({at + "start", "N", "tension at the start of the rope", start});
+    figures.push_back({at + "end", "N", "tension at the end of the rope", end});
   }
-  figures.push_back({at + "largest", "N", "largest tension in it",
+  figures.push_back({at + "largest", "N", "largest tension in the rope",
                      std::max({*std::max_element(T.begin(), T.end()), start, end})});
 }
 
 void add_mass(const GearView& gear, std::uint32_t rope, std::vector<Figure>& figures) {
   const auto masses = gear.output(rope, output::kMass);
   if (masses.empty()) return;
-  figures.push_back({"ropes/" + gear.name(rope) + "/mass", "kg", "mass in air",
+  figures.push_back({"ropes/" + gear.name(rope) + "/mass", "kg", "mass of the rope in air",
                      gear.times() * std::accumulate(masses.begin(), masses.end(), 0.0)});
 }
 

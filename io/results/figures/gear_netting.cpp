@@ -59,9 +59,9 @@ void add_amount(const GearView& gear, const std::string& at, const Amount& amoun
     add("area", "m2", "area of the netting as it is spread", amount.area);
     add("filtered_area", "m2", "projected area on the plane across the current", amount.filtered);
   }
-  add(output::kTwineArea.name, output::kTwineArea.unit, "length times diameter of its twines, without knots",
+  add(output::kTwineArea.name, output::kTwineArea.unit, "length times diameter of the twines, without knots",
       amount.twine_area);
-  add(output::kMass.name, output::kMass.unit, "mass of its twines in air", amount.mass);
+  add(output::kMass.name, output::kMass.unit, "mass of the twines in air", amount.mass);
 }
 
 void add_opening(const GearView& gear, std::uint32_t panel, std::vector<Figure>& figures) {
@@ -74,10 +74,11 @@ void add_opening(const GearView& gear, std::uint32_t panel, std::vector<Figure>&
     most = std::max(most, opening);
     weighted += knots[e] * opening;
   }
-  const std::string at = "panels/" + gear.name(panel) + "/opening_", doc = "mesh width over stretched mesh, ";
-  figures.push_back({at + "min", "1", doc + "where it is least open", least});
-  figures.push_back({at + "mean", "1", doc + "mean over its meshes", weighted / sum(knots)});
-  figures.push_back({at + "max", "1", doc + "where it is most open", most});
+  const std::string at = "panels/" + gear.name(panel) + "/opening_",
+                    doc = "width of a mesh over its stretched length, ";
+  figures.push_back({at + "min", "1", doc + "where the netting is least open", least});
+  figures.push_back({at + "mean", "1", doc + "mean over the meshes", weighted / sum(knots)});
+  figures.push_back({at + "max", "1", doc + "where the netting is most open", most});
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ void add_spread(const std::vector<std::string>& bodies, const std::string& own,
     };
     at.push_back({coordinate("x"), coordinate("y"), coordinate("z")});
   }
-  figures.push_back({own + "spread", "m", "distance between the one to port and the one to starboard",
+  figures.push_back({own + "spread", "m", "distance between the body to port and the body to starboard",
                      at.size() == 2 ? norm(at[1] - at[0]) : 2 * std::abs(at[0].y)});
 }
 
@@ -75,7 +75,7 @@ void add_spreading(const std::vector<std::string>& bodies, const std::string& ow
   const double water = outward("water"), ground = outward("ground");
   figures.push_back(
       {own + "spread_force", "N", "force of water and ground outward, mean of the two", water + ground});
-  figures.push_back({own + "ground_share", "1", "share of the ground in that",
+  figures.push_back({own + "ground_share", "1", "fraction of the spreading force that comes from the ground",
                      ground == 0 ? 0 : ground / (water + ground)});
 }
 

@@ -45,12 +45,13 @@ void add_warp(const GearView& gear, std::uint32_t rope, Vector& pull, std::vecto
   const std::string own = "warps/" + gear.name(rope) + "/";
   figures.push_back({own + "length", "m", "unstretched length of the warp",
                      std::accumulate(lengths.begin(), lengths.end(), 0.0)});
-  figures.push_back({own + "down_at_start", "rad", "angle below the horizontal at its start",
+  figures.push_back({own + "down_at_start", "rad", "angle below the horizontal at the start of the warp",
                      std::asin(-at_block.z / norm(at_block))});
   figures.push_back({own + "out_at_start", "rad",
-                     "angle between it and the tow at its start, seen from above",
+                     "angle between warp and tow at the start of the warp, seen from above",
                      std::abs(std::atan2(at_block.y, at_block.x))});
-  figures.push_back({own + "up_at_end", "rad", "angle above the horizontal at its end", std::asin(at_end.z)});
+  figures.push_back(
+      {own + "up_at_end", "rad", "angle above the horizontal at the end of the warp", std::asin(at_end.z)});
   pull += at_block;
 }
 
@@ -102,12 +103,13 @@ double value_of(const std::vector<Figure>& figures, std::string_view name) {
 void add_cost(const GearView& gear, const Vector& pull, std::vector<Figure>& figures) {
   const scenes::GearInScene& g = gear.gear();
   const double force = gear.times() * pull.x, power = force * g.ship_speed;
-  figures.push_back({"towing/pull", "N", "what the ship pulls with, forwards", force});
-  figures.push_back({"towing/power", "W", "that pull times the speed over the ground", power});
+  figures.push_back({"towing/pull", "N", "force with which the ship pulls forwards", force});
+  figures.push_back({"towing/power", "W", "pull of the ship times its speed over the ground", power});
   add_power(gear, figures);
   if (!(g.ship_efficiency > 0)) return;
   const double burnt = power / (g.ship_efficiency * kHeatOfDiesel);
-  figures.push_back({"towing/fuel", "kg/s", "diesel for that power, at the efficiency of the ship", burnt});
+  figures.push_back(
+      {"towing/fuel", "kg/s", "diesel for the towing power, at the efficiency of the ship", burnt});
   for (const auto& [name, at, doc] : {std::tuple{"mouth/lower_wing_spread", "towing/fuel_per_area",
                                                  "diesel per area swept between the wing ends"},
                                       std::tuple{"pairs/door/spread", "towing/fuel_per_area_of_boards",

@@ -52,12 +52,13 @@ std::vector<std::string> law_range_warnings(const Scene& scene, const std::vecto
   for (const LawUse& use : uses)
     for (const RangeUse& range : use.ranges)
       if (range.fraction_outside() >= kRoundsToNothing)
-        warnings.push_back(fmt::format(
-            "{} was measured for a {} of {} ({}); {:.0f} % of the {} of {} lies outside, all of it at {}",
-            use.law->type, name_of_quantity(range.range->quantity), range_text(*range.range),
-            range.range->source, 100 * range.fraction_outside(),
-            use.law->law.kind == NETLOFT_SCREEN_LAW ? "area" : "length", parts_text(scene, use.parts),
-            seen_text(range)));
+        warnings.push_back(
+            fmt::format("{} was measured for a {} of {} ({}); {:.0f} % of the {} of {} lies outside this "
+                        "range; the values are {}",
+                        use.law->type, name_of_quantity(range.range->quantity), range_text(*range.range),
+                        range.range->source, 100 * range.fraction_outside(),
+                        use.law->law.kind == NETLOFT_SCREEN_LAW ? "area" : "length",
+                        parts_text(scene, use.parts), seen_text(range)));
   return warnings;
 }
 

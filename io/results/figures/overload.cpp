@@ -59,9 +59,8 @@ std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, co
       largest_outputs(loaded, assembler, answer, [](const auto& o) { return is_output(o, output::kStrain); });
   for (std::size_t p = 0; p < strain.size(); ++p)
     if (strain[p] > kMostStrain)
-      warnings.push_back(
-          fmt::format("{} is stretched by {:.3g} %, which ropes and twines of nets do not bear",
-                      loaded.scene.parts[p].name, 100 * strain[p]));
+      warnings.push_back(fmt::format("{} is stretched by {:.3g} %, at which ropes and twines of nets break",
+                                     loaded.scene.parts[p].name, 100 * strain[p]));
   return warnings;
 }
 

@@ -53,8 +53,8 @@ class Whereabouts {
     std::vector<std::string> all;
     if (const Beyond dry = above_surface(); dry.parts > 0)
       all.push_back(fmt::format(
-          "{} up to {:.3g} m above the surface, z = 0, where the model has water all the same: depths are "
-          "negative, and surface = 1 tells ropes and netting where it ends",
+          "{} up to {:.3g} m above the surface, z = 0, but the model has water there, too: give depths as "
+          "negative z, or give ropes and netting surface = 1, so that the water ends at z = 0",
           dry.who(), dry.most));
     if (const Beyond sunk = below_bed(); sunk.parts > 0)
       all.push_back(fmt::format("{} up to {:.3g} m below the bed", sunk.who(), sunk.most));
@@ -139,9 +139,9 @@ class Whereabouts {
     const auto lowest = std::ranges::min_element(
         resting, [](const auto& a, const auto& b) { return a.second.above < b.second.above; });
     if (none_rests)
-      return all.push_back(
-          fmt::format("nothing rests on the bed: {}, the lowest of what would, is {:.3g} m above it; {}",
-                      part(lowest->first).name, lowest->second.above, why_it_flies()));
+      return all.push_back(fmt::format(
+          "nothing rests on the bed: {}, the lowest part that could, is {:.3g} m above the bed; {}",
+          part(lowest->first).name, lowest->second.above, why_it_flies()));
     for (const auto& [p, one] : resting)
       if (one.force == 0 && stands_on_footrope(p))
         all.push_back(fmt::format("{} rests nowhere on the bed; its lowest point is {:.3g} m above it",
@@ -151,14 +151,15 @@ class Whereabouts {
   /// Explains why a gear does not touch the bottom: by its buoyancy, and by warps that are too short.
   std::string why_it_flies() const {
     const double up = net_buoyancy();
-    std::string why = fmt::format("its net buoyancy is {:.4g} N, {}", up,
-                                  up > 0 ? "upward: it floats" : "downward: it is heavier than water");
+    std::string why =
+        fmt::format("the net buoyancy of the gear is {:.4g} N, {}", up,
+                    up > 0 ? "upward: the gear floats" : "downward: the gear is heavier than water");
     if (!loaded_.gear) return why;
     const auto warps = loaded_.gear->roles.find("warp");
     if (warps == loaded_.gear->roles.end() || warps->second.empty()) return why;
     const auto [length, depth] = longest(warps->second);
-    return why + fmt::format("; the longest warp is {:.4g} m, its start {:.4g} m above the bed{}", length,
-                             depth, length < depth ? ": it cannot reach the bed" : "");
+    return why + fmt::format("; the longest warp is {:.4g} m, and its start is {:.4g} m above the bed{}",
+                             length, depth, length < depth ? ": the warp cannot reach the bed" : "");
   }
 
   /// Buoyancy minus weight of all parts except warps [N]: positive if the gear floats.

@@ -142,9 +142,10 @@ std::optional<std::pair<formats::FieldSpec, std::vector<double>>> rotation_field
     std::copy(psi.begin(), psi.end(), field.begin() + 3 * std::ptrdiff_t{loaded.scene.bodies[b].origin});
   }
   return std::pair{
-      formats::FieldSpec{"rotation", "rad",
-                         "of the body whose origin this is: rotation vector from its axes to the world's",
-                         formats::Location::kPoint, 3, false},
+      formats::FieldSpec{
+          "rotation", "rad",
+          "rotation vector from the axes of the body to those of the world, at the node of its origin",
+          formats::Location::kPoint, 3, false},
       std::move(field)};
 }
 

@@ -51,9 +51,9 @@ void visit_inputs(File&& file, AnyResult& r) {
   file.column("bill/length", bill, item(&Item::length), "m", "of one rope, unstretched");
   file.column("bill/diameter", bill, item(&Item::diameter), "m", "of a twine, a rope or a piece");
   file.column("bill/breaking_load", bill, item(&Item::breaking_load), "N",
-              "of a rope, or of the twines of a bar");
-  file.column("bill/mass", bill, item(&Item::mass), "kg", "of one piece or body, in air");
-  file.column("bill/area", bill, item(&Item::area), "m2", "of one body, projected");
+              "breaking load of a rope, or of the twines of a bar");
+  file.column("bill/mass", bill, item(&Item::mass), "kg", "mass of one piece or body in air");
+  file.column("bill/area", bill, item(&Item::area), "m2", "projected area of one body");
 }
 
 template <class File, class AnyStatistics>
@@ -81,20 +81,21 @@ void visit_stages(File&& file, AnyResult& r) {
     return [member](auto& row) -> auto& { return row.statistics.*member; };
   };
   using Variant = netloft_variant;
-  file.column("solve/name", r.stages, &Stage::name, "", "solves on the way to the equilibrium");
+  file.column("solve/name", r.stages, &Stage::name, "", "stages on the way to the equilibrium");
   file.column("solve/solver", r.stages, &Stage::solver, "");
   file.column("solve/outcome", r.stages, &Stage::outcome, "");
   file.column("solve/sentence", r.stages, &Stage::sentence, "");
   file.column("solve/level", r.stages, variant(&Variant::level), "1", "times the mesh was halved");
-  file.column("solve/stiffness_cap", r.stages, variant(&Variant::stiffness_cap), "N", "0: as written");
+  file.column("solve/stiffness_cap", r.stages, variant(&Variant::stiffness_cap), "N",
+              "cap on axial stiffnesses; 0: none");
   file.column("solve/compression", r.stages, variant(&Variant::compression), "1",
-              "factor on the stiffness of what is slack");
+              "factor on the stiffness of slack members");
   file.column("solve/current", r.stages, variant(&Variant::current), "1", "factor on the current");
   file.column("solve/unknowns", r.stages, &Stage::unknowns, "1");
   file.column("solve/iterations", r.stages, cost(&Statistics::iterations), "1", "accepted steps");
   file.column("solve/factorisations", r.stages, cost(&Statistics::factorisations), "1");
   file.column("solve/seconds", r.stages, cost(&Statistics::total_seconds), "s", "wall time");
-  file.column("solve/work", r.stages, &Stage::work, "1", "in the units of framework/balance/work.hpp");
+  file.column("solve/work", r.stages, &Stage::work, "1", "work, in the units of framework/balance/work.hpp");
 }
 
 template <class File, class AnyResult>
@@ -115,9 +116,9 @@ void visit_iterations(File&& file, AnyResult& r) {
 template <class File, class AnyMotion>
 void visit_motion(File&& file, AnyMotion& m) {
   file.text("motion/integrator", m.integrator);
-  file.text("motion/start_from", m.start_from, "where it began at rest");
+  file.text("motion/start_from", m.start_from, "shape from which the motion began at rest");
   file.number("motion/time", m.time, "s", "reached");
-  file.number("motion/resumed_from", m.resumed_from, "s", "where this run went on");
+  file.number("motion/resumed_from", m.resumed_from, "s", "time from which this run continued");
   file.number("cost/steps", m.steps, "1", "accepted time steps");
   file.number("cost/rejected_steps", m.rejected, "1", "rejected time steps");
   file.number("motion/shortest_step", m.shortest, "s", "shortest step");
@@ -130,26 +131,27 @@ void visit_motion(File&& file, AnyMotion& m) {
   });
   file.sometimes("accuracy", m.accuracy, [&](auto& a) {
     file.number("accuracy/asked", a.asked, "1", "accuracy of the path, over the longest element");
-    file.number("accuracy/longest_element", a.element, "m", "along one axis");
+    file.number("accuracy/longest_element", a.element, "m", "longest element along one axis");
     file.number("accuracy/allowed", a.allowed, "1", "error allowed for one step");
     file.number("accuracy/largest", a.largest, "1", "largest error of a step");
-    file.number("accuracy/time", a.t, "s", "of that step");
-    file.text("accuracy/node", a.node, "of that step");
+    file.number("accuracy/time", a.t, "s", "time of the step with the largest error");
+    file.text("accuracy/node", a.node, "node of the largest error of a step");
     file.number("accuracy/sum", a.sum, "1", "sum of the errors of all steps");
     if (!file.is_there("accuracy/path", a.is_checked)) return;
-    file.number("accuracy/path", a.path, "1", "error of the path against a march in other steps");
-    file.number("accuracy/path_time", a.path_at, "s", "of that error");
-    file.text("accuracy/path_node", a.path_of, "of that error");
-    file.known("accuracy/unpredictable_from", a.unpredictable_from, "s", "no accuracy gives the path later");
+    file.number("accuracy/path", a.path, "1", "error of the path, compared with a run in other steps");
+    file.number("accuracy/path_time", a.path_at, "s", "time of the error of the path");
+    file.text("accuracy/path_node", a.path_of, "node of the error of the path");
+    file.known("accuracy/unpredictable_from", a.unpredictable_from, "s",
+               "no accuracy gives the path after this");
   });
   file.sometimes("motion/loss", m.loss, [&](auto& l) {
-    file.number("motion/loss/lost", l.lost, "J", "energy that the time scheme took");
-    file.number("motion/loss/given", l.given, "J", "energy that was given");
-    file.number("motion/loss/negligible", l.negligible, "J", "work that counts as none");
-    file.number("motion/loss/worst", l.worst, "J", "most that it took between two outputs");
-    file.number("motion/loss/from", l.from, "s", "the first of the two");
-    file.number("motion/loss/until", l.until, "s", "the second of the two");
-    file.text("motion/loss/node", l.node, "whose velocity changed most between them");
+    file.number("motion/loss/lost", l.lost, "J", "energy that the time scheme removed");
+    file.number("motion/loss/given", l.given, "J", "energy that was supplied");
+    file.number("motion/loss/negligible", l.negligible, "J", "work that counts as negligible");
+    file.number("motion/loss/worst", l.worst, "J", "most energy removed between two outputs");
+    file.number("motion/loss/from", l.from, "s", "time of the first of these two outputs");
+    file.number("motion/loss/until", l.until, "s", "time of the second of these two outputs");
+    file.text("motion/loss/node", l.node, "node whose velocity changed most between these two outputs");
   });
 }
 
@@ -158,18 +160,19 @@ template <class File, class AnyResult>
 void visit_others(File&& file, AnyResult& r) {
   file.sometimes("shapes", r.shapes, [&](auto& s) {
     file.number("shapes/restarts", s.restarts, "1", "searches for other equilibria");
-    file.number("shapes/times", s.times, "1", "that the solution was found");
+    file.number("shapes/times", s.times, "1", "times that the solution was found");
     file.number("shapes/by_energy", s.by_energy, "1", "1: it has the least energy; 0: it was found first");
     using Other = FoundShapes::Other;
-    file.column("shapes/energy", s.others, &Other::energy, "J", "of the other equilibria");
-    file.column("shapes/distance", s.others, &Other::distance, "m", "of its furthest node from the solution");
-    file.column("shapes/furthest", s.others, &Other::furthest, "", "that node");
-    file.column("shapes/found", s.others, &Other::times, "1", "times that it was found");
+    file.column("shapes/energy", s.others, &Other::energy, "J", "energy of the other equilibria");
+    file.column("shapes/distance", s.others, &Other::distance, "m",
+                "largest distance of a node from the solution");
+    file.column("shapes/furthest", s.others, &Other::furthest, "", "node with the largest distance");
+    file.column("shapes/found", s.others, &Other::times, "1", "times that the equilibrium was found");
   });
   file.sometimes("swing", r.swing, [&](auto& s) {
     file.text("swing/furthest", s.furthest, "the node that moves furthest");
-    file.number("swing/rate", s.rate, "1/s", "of growth");
-    file.number("swing/frequency", s.frequency, "rad/s", "with which it swings; 0: it does not");
+    file.number("swing/rate", s.rate, "1/s", "rate of growth");
+    file.number("swing/frequency", s.frequency, "rad/s", "frequency of the swing; 0: none");
   });
 }
 
@@ -180,12 +183,12 @@ void visit_ending(File&& file, AnyResult& r) {
   file.attribute("status", "sentence", r.sentence);
   file.attribute("status", "stability", r.stability);
   file.attribute("status", "at_fault", r.at_fault);
-  file.texts("diagnostics", r.diagnostics, "what may be why it did not converge");
+  file.texts("diagnostics", r.diagnostics, "possible reasons why the solve did not converge");
   file.texts("warnings", r.warnings, "what is doubtful about the result");
   file.text("provenance/finished", r.origins.finished);
   file.text("method/factorisation", r.factorisation);
   visit_cost(file, r.statistics);
-  file.number("cost/work", r.work, "1", "in the units of framework/balance/work.hpp");
+  file.number("cost/work", r.work, "1", "work, in the units of framework/balance/work.hpp");
   file.number("cost/reading", r.reading_seconds, "s", "wall time of reading the scene");
   file.number("cost/setup", r.setup_seconds, "s", "wall time of assembling it");
   visit_iterations(file, r);
@@ -202,14 +205,14 @@ void visit_ending(File&& file, AnyResult& r) {
 template <class File, class AnyScalar>
 void visit_errors(File&& file, const std::string& below, AnyScalar& s) {
   const std::string error = "errors/" + below, spread = "spread/" + below;
-  file.known(error + "solver/" + s.name, s.solver_error, s.unit, "its change by the next Newton step");
+  file.known(error + "solver/" + s.name, s.solver_error, s.unit, "change by the next Newton step");
   file.known(error + "mesh/" + s.name, s.mesh_error, s.unit,
-             "estimated distance from its limit on finer meshes");
+             "estimated distance from the limit on finer meshes");
   file.known(error + "mesh_order/" + s.name, s.mesh_order, "1", "observed order of convergence");
-  file.known(spread + "least/" + s.name, s.least, s.unit, "over all equilibria that were found");
-  file.known(spread + "largest/" + s.name, s.largest, s.unit, "over all equilibria that were found");
+  file.known(spread + "least/" + s.name, s.least, s.unit, "value over all equilibria that were found");
+  file.known(spread + "largest/" + s.name, s.largest, s.unit, "value over all equilibria that were found");
   file.known("swing/" + below + "per_metre/" + s.name, s.per_swing, s.unit,
-             "its change for each metre that the furthest node of what grows moves");
+             "change for each metre by which the furthest node of the growing disturbance moves");
 }
 
 }  // namespace netloft::results

@@ -40,11 +40,12 @@ void StoredShape::read_fields() {
     if (name == output::kDrag.name)
       fields.push_back({kWaterForce,
                         {"N/m2", "N/m", "N"},
-                        "force of the water on netting by its area, on ropes by their length"});
+                        "force of the water per area of netting and per length of rope"});
   }
   if (has_tension)
-    fields.insert(fields.begin(), {kTension, everywhere("N"),
-                                   "tension in a rope, and in a twine: the larger of both directions"});
+    fields.insert(fields.begin(),
+                  {kTension, everywhere("N"),
+                   "tension in ropes, and in twines of netting: the larger of both directions"});
   fields.insert(fields.end(), stored.begin(), stored.end());
 }
 

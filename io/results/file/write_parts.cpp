@@ -93,7 +93,7 @@ void write_relief(formats::Tree& tree, const Surface& relief) {
   const std::string at = "/netloft/seabed/relief/";
   tree.write_reals(at + "x", x, "m", "places");
   tree.write_reals(at + "y", y, "m", "places");
-  tree.write_matrix(at + "height", height, kPlaces, "m", "above the plane, [x, y]");
+  tree.write_matrix(at + "height", height, kPlaces, "m", "height of the relief above the plane, [x, y]");
 }
 
 void write_plane(formats::Tree& tree, const scenes::BedPlane& plane, const char* doc) {
@@ -147,12 +147,12 @@ void write_bodies(formats::Tree& tree, const scenes::LoadedScene& loaded) {
   tree.write_reals(at + "side", sides, "1", "1 to starboard, -1 to port");
   if (!points.empty()) {
     tree.write_strings(at + "points/name", points);
-    tree.write_ints(at + "points/body", of_points, "1", "body that carries it");
+    tree.write_ints(at + "points/body", of_points, "1", "body that carries the point");
     tree.write_ints(at + "points/node", nodes, "1", "node of the point");
-    tree.write_matrix(at + "points/place", places, 3, "m", "in the axes of the body");
+    tree.write_matrix(at + "points/place", places, 3, "m", "position of the point in the axes of the body");
   }
   if (corners.empty()) return;
-  tree.write_ints(at + "outline/body", of_corners, "1", "body whose outline it is");
+  tree.write_ints(at + "outline/body", of_corners, "1", "body of each corner of an outline");
   tree.write_matrix(at + "outline/place", corners, 3, "m", "corners in the axes of the body, in their order");
 }
 
@@ -172,8 +172,10 @@ void write_parts(formats::Tree& tree, const scenes::LoadedScene& loaded) {
   const std::string at = "/netloft/parts/";
   tree.write_strings(at + "name", rows.names);
   tree.write_strings(at + "type", rows.types);
-  tree.write_reals(at + "diameter", rows.diameters, "m", "of its twine, rope or float; NaN if it has none");
-  tree.write_reals(at + "bar", rows.bars, "m", "length of a bar of its meshes; NaN off netting");
+  tree.write_reals(at + "diameter", rows.diameters, "m",
+                   "diameter of the twine, rope or float of the part; NaN if it has none");
+  tree.write_reals(at + "bar", rows.bars, "m",
+                   "length of a bar of the meshes of the part; NaN if it is no netting");
   tree.write_matrix(at + "twine_axes", rows.axes, 4, "1",
                     "a, b, c, d: on the twines of netting u = a U + b V or v = c U + d V is an integer");
   tree.write_matrix(at + "sheet", rows.sheet, 6, "m",

@@ -80,7 +80,8 @@ class MotionRun {
   void warn_of_damage() const {
     if (options_.warn)
       options_.warn(part_path() + ": " + journal_->damage() + "; the run goes on from the " +
-                    std::to_string(outputs_before_) + " outputs before it, and the damaged file is kept as " +
+                    std::to_string(outputs_before_) +
+                    " outputs before the damage, and the damaged file is kept as " +
                     journal_->path_of_damaged().string());
   }
   std::string part_path() const { return options_.output.string() + ".part"; }

@@ -26,15 +26,16 @@ std::string loss_text(const std::optional<NumericalLoss>& l) {
   if (!l || !l->is_large()) return "";
   if (l->is_created())
     return fmt::format(
-        "  warning: the scheme created {:.3g} J, and {:.3g} J were given: the motion is too lively\n"
-        "  a smaller accuracy creates less, and energy-momentum creates none\n",
+        "  warning: the time scheme created {:.3g} J, while {:.3g} J were supplied: the motion is too "
+        "lively\n"
+        "  a smaller accuracy creates less, and the integrator energy-momentum creates none\n",
         -l->lost, l->given);
   return fmt::format(
-      "  warning: the scheme took {:.3g} J of the {:.3g} J that were given, most of it ({:.3g} J) between t "
+      "  warning: the time scheme removed {:.3g} J of the {:.3g} J that were supplied, most of it ({:.3g} J) "
+      "between t "
       "= {:.4g} "
-      "and {:.4g} s, at {};\n  the motion after that depends on the scheme: with damping of the stretch "
-      "(rope.damping, "
-      "stiffness_damping) a finer accuracy makes a difference\n",
+      "and {:.4g} s, at {};\n  the motion after that depends on the scheme; give ropes a damping of stretch "
+      "(rope.damping, stiffness_damping), so that a smaller accuracy improves it\n",
       l->lost, l->given, l->worst, l->from, l->until, l->node);
 }
 
@@ -53,16 +54,18 @@ std::string error_text(const AchievedAccuracy& a) {
   const char* until = a.is_predictable() ? "" : " until it cannot be predicted";
   if (std::isnan(a.path) && !a.is_predictable()) return "";
   if (std::isnan(a.path))
-    return "  warning: the path is not known: the march that it is compared with took the same steps\n";
+    return "  warning: the error of the path is not known: the second run, for comparison, took the same "
+           "steps\n";
   if (!std::isfinite(a.path))
     return fmt::format(
-        "  warning: the path is not known: the march in other steps that it is compared with "
-        "was lost at t = {:.4g} s ({})\n",
+        "  warning: the error of the path is not known: the second run, with other steps for comparison, was "
+        "lost at t = {:.4g} s ({})\n",
         a.path_at, a.path_of);
-  if (a.path == 0) return fmt::format("  error of the path{}: none against a march in other steps\n", until);
+  if (a.path == 0)
+    return fmt::format("  error of the path{}: none, compared with a run in other steps\n", until);
   const bool is_more = !(a.path <= a.asked);
   return fmt::format(
-      "  {}error of the path{} {:.3g}, at t = {:.4g} s at {}, against a march in other steps{}\n",
+      "  {}error of the path{} {:.3g}, at t = {:.4g} s at {}, compared with a run in other steps{}\n",
       is_more ? "warning: " : "", until, a.path, a.path_at, a.path_of,
       is_more ? ": more than was asked for" : "");
 }
@@ -76,12 +79,13 @@ std::string path_text(const AchievedAccuracy& a) {
 /// The requested accuracy and the errors of steps; empty if the steps were prescribed.
 std::string accuracy_text(const std::optional<AchievedAccuracy>& a) {
   if (!a) return "";
-  std::string text = fmt::format("  accuracy {:.3g} asked", a->asked);
+  std::string text = fmt::format("  accuracy of {:.3g} requested", a->asked);
   if (!a->node.empty())
     text += fmt::format(
-        ", {:.3g} allowed for one step; {:.3g} at most, at t = {:.4g} s at {}, {:.3g} of all steps together",
+        ", an error of {:.3g} allowed for one step; the largest was {:.3g}, at t = {:.4g} s at {}, the sum "
+        "over all steps {:.3g}",
         a->allowed, a->largest, a->t, a->node, a->sum);
-  return text + fmt::format(" (over the longest element, {:.3g} m)\n", a->element) + path_text(*a);
+  return text + fmt::format(" (as fractions of the longest element, {:.3g} m)\n", a->element) + path_text(*a);
 }
 
 Json loss_json(const std::optional<NumericalLoss>& l) {

@@ -20,7 +20,10 @@ void family_text(const FamilyPlan& family, Out out) {
                  family.type->origin->file.empty() ? "compiled in," : family.type->origin->file,
                  family.type->origin->version);
   if (family.viscosity_ratio != 1)
-    fmt::format_to(out, "  they meet {:.4g} times the viscosity of the water\n", family.viscosity_ratio);
+    fmt::format_to(out,
+                   "  the viscosity of the water is multiplied by {:.4g} for these elements, because of "
+                   "[water] model_scale\n",
+                   family.viscosity_ratio);
   for (const auto& term : family.terms)
     fmt::format_to(out, "  {:<12} {:<4} {}; {}\n", term.name, term.on ? "on" : "off", term.reason,
                    describe_traits(term.traits));
@@ -45,8 +48,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::string ground_text(const ScenePlan& plan) {
   const auto& v = plan.ground;
   if (v == std::array<double, 3>{})
-    return "stands; what lies on it sticks to where it was sketched until it slides";
-  return fmt::format("passes the gear with ({:.4g}, {:.4g}) m/s; friction is that of sliding", v[0], v[1]);
+    return "does not move; parts that lie on it stick to where they were sketched until they slide";
+  return fmt::format("passes the gear with ({:.4g}, {:.4g}) m/s; its friction is that of sliding", v[0],
+                     v[1]);
 }
 
 Json family_json(const Scene& scene, const FamilyPlan& family) {
@@ -83,7 +87,7 @@ std::string plan_text(const ScenePlan& plan, const PlanExtras& extras) {
   const Out out = std::back_inserter(text);
   for (const auto& family : plan.families) family_text(family, out);
   if (!plan.not_loaded.empty())
-    fmt::format_to(out, "not loaded: {} (no part uses them; a strategy loads those that it comes to)\n",
+    fmt::format_to(out, "not loaded: {} (no part uses them; a strategy loads those that it calls)\n",
                    joined(plan.not_loaded));
   fmt::format_to(
       out, "problem: {} nodes, {} of them held, {}{} unknowns, {} matrix entries; {}{}\n", plan.nodes,

@@ -20,8 +20,8 @@ using Out = std::back_insert_iterator<std::string>;
 const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
 
 void shapes_text(const FoundShapes& shapes, Out out) {
-  fmt::format_to(out, "  {} restart{} for other shapes: {}; this one came up {} time{}\n", shapes.restarts,
-                 plural(shapes.restarts),
+  fmt::format_to(out, "  {} restart{} for other shapes: {}; the answer was found {} time{}\n",
+                 shapes.restarts, plural(shapes.restarts),
                  shapes.others.empty() ? "none" : fmt::format("{} found", shapes.others.size()), shapes.times,
                  plural(shapes.times));
   for (const auto& other : shapes.others)

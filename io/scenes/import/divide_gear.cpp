@@ -210,8 +210,9 @@ class Divider {
     if (own != type)
       diagnostics_.warning(
           place,
-          fmt::format("corner {} is of type {} and linked to one of type {}, which the node gets",
-                      point.corner + 1, type, own),
+          fmt::format(
+              "corner {} is of type {}, but linked to a corner of type {}, and the node gets that type",
+              point.corner + 1, type, own),
           "the object that is divided first decides; give linked corners the same type");
     return known->second;
   }

@@ -98,7 +98,7 @@ std::optional<std::string> DonScanner::take_number(bool whole) {
 
 void DonScanner::warn_of_tail() {
   if (here() == ',' && is_digit(here(1)))
-    diagnostics_.warning(place(), "a comma is no decimal point here: what follows it is not read",
+    diagnostics_.warning(place(), "a comma is no decimal point here: the digits behind it are not read",
                          "write a point");
   if (here() == 'x' || here() == 'X') fail(place(), "hexadecimal numbers are not read");
 }

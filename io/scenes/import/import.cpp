@@ -70,10 +70,12 @@ FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagno
   gear.findings.insert(gear.findings.end(), gear.of_mesher.begin(), gear.of_mesher.end());
   const auto wanted = std::erase_if(gear.wanted, [](auto& w) { return w.kind != Wanted::Kind::tension; });
   if (wanted > 0)
-    gear.findings.push_back({{},
-                             Finding::Kind::note,
-                             "what is to be printed",
-                             std::to_string(wanted) + " results of nodes, by their numbers in another mesh"});
+    gear.findings.push_back(
+        {{},
+         Finding::Kind::note,
+         "requested results",
+         std::to_string(wanted) +
+             " of them are left out, because they name nodes by their numbers in FEMNET's mesh"});
   for (auto& p : gear.panels) {
     if (p.twines > 0)
       gear.findings.push_back({p.place, Finding::Kind::note, "netting2ropes", "its panel is in triangles"});

@@ -79,8 +79,8 @@ class KeywordReader {
         read_keyword(std::string(in_.word()));
       else
         diagnostics_.warning(
-            at_, "behind this word there must be exactly one blank: FEMNET does not see the keyword",
-            "it is not read here, either");
+            at_, "this word is not followed by exactly one blank, so that FEMNET does not see the keyword",
+            "the import does not read it, either; write one blank behind it if it is meant");
     }
   }
 
@@ -233,8 +233,7 @@ class KeywordReader {
 
   void drag_type() {
     gear_.environment.drag_type = in_.next_integer("a kind of drag");
-    if (gear_.environment.drag_type == 2)
-      leave_out("2 is another law of drag, which is not known; that of 1 is taken");
+    if (gear_.environment.drag_type == 2) leave_out("law of drag 2 is not known; law 1 is used instead");
   }
 
   void sphere_element() {

@@ -11,9 +11,8 @@ namespace {
 constexpr const char* kComputing = "it controls how MoorDyn computes";
 constexpr const char* kWriting = "it controls what MoorDyn writes";
 constexpr const char* kFriction =
-    "friction of the bed, which in MoorDyn grows with the speed over it and is none at rest; seabed.friction "
-    "of "
-    "the beds in the scene is one that sticks";
+    "friction of the bed: in MoorDyn it grows with the speed and is zero at rest; in the scene, "
+    "seabed.friction sticks until a line slides";
 constexpr const char* kOfFriction = "it belongs to the friction of the bed";
 constexpr const char* kOfWater = "it belongs to waves and currents, which are not read";
 constexpr const char* kInertia = "forces of inertia on coupled bodies act in a motion";

@@ -29,15 +29,16 @@ struct Column {
 enum NodeColumn { kNode, kX, kY, kZ, kHold, kMass, kBuoyancy, kForceX, kForceY, kForceZ };
 constexpr Column kNodeColumns[] = {
     {"node", "", "name of the node"},
-    {"x", "m", "where it starts", -formats::kFarthest, formats::kFarthest, true},
-    {"y", "m", "where it starts", -formats::kFarthest, formats::kFarthest, true},
-    {"z", "m", "where it starts, up from the surface", -formats::kFarthest, formats::kFarthest, true},
-    {"hold", "", "axes along which it is held"},
-    {"mass", "kg", "mass in air, of steel or lead: nothing lifts it", 0, 1e6},
+    {"x", "m", "initial position of the node", -formats::kFarthest, formats::kFarthest, true},
+    {"y", "m", "initial position of the node", -formats::kFarthest, formats::kFarthest, true},
+    {"z", "m", "initial position of the node, up from the surface", -formats::kFarthest, formats::kFarthest,
+     true},
+    {"hold", "", "axes along which the node is held"},
+    {"mass", "kg", "mass in air, without buoyancy, as of steel or lead", 0, 1e6},
     {"buoyancy", "N", "net upward force in water", -1e7, 1e7},
-    {"fx", "N", "constant force on it", -1e9, 1e9},
-    {"fy", "N", "constant force on it", -1e9, 1e9},
-    {"fz", "N", "constant force on it", -1e9, 1e9}};
+    {"fx", "N", "constant force on the node", -1e9, 1e9},
+    {"fy", "N", "constant force on the node", -1e9, 1e9},
+    {"fz", "N", "constant force on the node", -1e9, 1e9}};
 
 enum BarColumn {
   kBar,
@@ -52,17 +53,18 @@ enum BarColumn {
   kNormal,
   kTangential
 };
-constexpr Column kBarColumns[] = {{"bar", "", "name of the rope that it is a piece of"},
-                                  {"from", "", "node", 0, 0, true},
-                                  {"to", "", "node", 0, 0, true},
-                                  {"length", "m", "unstretched; blank: from node to node", 1e-6, 1e6},
-                                  {"diameter", "m", "of the rope", 0, 10, true},
-                                  {"EA", "N", "axial stiffness", 0, 1e15, true},
-                                  {"EA_compression", "N", "axial stiffness when slack", 0, 1e15},
-                                  {"density", "kg/m3", "of the material of the rope", 0, 1e6, true},
-                                  {"EI", "N m2", "bending stiffness", 0, 1e12},
-                                  {"normal_drag", "1", "drag coefficient across the rope", 0, 100},
-                                  {"tangential_drag", "1", "drag coefficient along the rope", 0, 100}};
+constexpr Column kBarColumns[] = {
+    {"bar", "", "name of the rope to which the bar belongs"},
+    {"from", "", "node", 0, 0, true},
+    {"to", "", "node", 0, 0, true},
+    {"length", "m", "unstretched length; blank: distance of the nodes", 1e-6, 1e6},
+    {"diameter", "m", "diameter of the rope", 0, 10, true},
+    {"EA", "N", "axial stiffness", 0, 1e15, true},
+    {"EA_compression", "N", "axial stiffness when slack", 0, 1e15},
+    {"density", "kg/m3", "density of the material of the rope", 0, 1e6, true},
+    {"EI", "N m2", "bending stiffness", 0, 1e12},
+    {"normal_drag", "1", "drag coefficient across the rope", 0, 100},
+    {"tangential_drag", "1", "drag coefficient along the rope", 0, 100}};
 
 bool may_stand_in_a_name(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
@@ -149,7 +151,7 @@ class TableOfBars {
   void check_unit(const CsvCell& cell, const std::string& unit, const Column& column) {
     const std::string wanted = fmt::format("[{}]", column.unit);
     if (unit != wanted)
-      error(cell.place, fmt::format("{} is in {}, and not in {}", column.name, wanted, unit.substr(0, 20)),
+      error(cell.place, fmt::format("{} must be in {}, not in {}", column.name, wanted, unit.substr(0, 20)),
             "convert the numbers; units are not read");
   }
 
@@ -157,7 +159,8 @@ class TableOfBars {
     if (row.size() == width_) return true;
     const auto is_blank = [](const CsvCell& c) { return c.text.empty(); };
     if (row.size() < width_) {
-      error(row[0].place, fmt::format("this row has {} cells, and the line of names {}", row.size(), width_),
+      error(row[0].place,
+            fmt::format("this row has {} cells, but the line of names has {}", row.size(), width_),
             "blank cells are written, too: a,,b");
       return false;
     }
@@ -236,7 +239,7 @@ class TableOfBars {
     rope.normal = number(row, kNormal);
     rope.tangential = number(row, kTangential);
     if (rope.normal.has_value() != rope.tangential.has_value())
-      error(row[0].place, "one of normal_drag and tangential_drag is blank, and the other is not");
+      error(row[0].place, "only one of normal_drag and tangential_drag is given; give both or neither");
     const auto length = number(row, kLength);
     const auto from = node_in(row, kFrom), to = node_in(row, kTo);
     if (!from || !to || errors() > 0) return;
@@ -261,7 +264,7 @@ class TableOfBars {
       error(rope.place,
             fmt::format("the rope {} has different properties here than in line {}",
                         formats::in_quotes(rope.name), first.place.line),
-            "all bars of a rope have the same properties; give these bars another name");
+            "all bars of a rope must have the same properties; give these bars another name");
     return first;
   }
 

@@ -11,9 +11,9 @@ namespace {
 void note_of_meshes(SceneDraft& to, const Panel& p, std::size_t number) {
   const std::string what = "panel " + std::to_string(number + 1);
   if (p.opening > 0)
-    to.note(
-        p.place, what,
-        "meshes resist opening with the gradient of an energy, FEMNET's with 2 cos(half angle) times that");
+    to.note(p.place, what,
+            "here meshes resist opening with the gradient of an energy; FEMNET multiplies it by 2 cos(half "
+            "angle)");
   if (p.knot_size > 0) to.note(p.place, what, "knots that touch push with an energy of their own here");
 }
 
@@ -108,10 +108,9 @@ void write_catch(SceneDraft& to) {
                        .add("direction", to.heading())
                        .add("front", first_front(to))
                        .text());
-  to.note(
-      {}, "the catch",
-      "netting behind it has drag here as elsewhere; FEMNET leaves that away, and turns the drag of other "
-      "netting towards x");
+  to.note({}, "the catch",
+          "here, netting behind the front of the catch has drag like other netting; FEMNET omits it, and "
+          "turns the drag of other netting towards x");
 }
 
 }  // namespace netloft::scenes::femnet

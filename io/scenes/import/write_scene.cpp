@@ -39,9 +39,10 @@ std::string water(const SceneDraft& from) {
 }
 
 void note_motion(SceneDraft& to) {
-  const std::string cure = "of motion, which --motion writes; the scene is at rest";
+  const std::string cure = "left out, because the scene is at rest; --motion writes the motion";
   if (to.environment().wave_height != 0) to.note(to.environment().waves, "waves", "are " + cure);
-  for (const auto& f : to.gear.of_motion) to.note(f.place, f.what, "is of motion; the scene is at rest");
+  for (const auto& f : to.gear.of_motion)
+    to.note(f.place, f.what, "is left out, because the scene is at rest");
   for (const auto& d : to.gear.drums) to.note(d.place, "keyword hauling_cable4", "is " + cure);
   for (const auto& m : to.gear.motions) to.note(m.place, "keyword speed_type_node2", "is " + cure);
 }
@@ -50,15 +51,15 @@ void note_waves(SceneDraft& to) {
   const Environment& e = to.environment();
   if (e.wave_height == 0) return;
   if (const auto fault = fault_of_waves(e); !fault.empty()) return to.leave_out(e.waves, "waves", fault);
-  to.note(
-      e.waves, "waves",
-      "grow over one period as in FEMNET, but smoothly; in deep water (more than half a wave length) they "
-      "are those of this depth");
+  to.note(e.waves, "waves",
+          "grow over one period as in FEMNET, but smoothly; in deep water (more than half a wave length) "
+          "waves are computed for this depth, too");
   if (e.wave_model != 1)
     to.note(e.waves, "waves",
-            "are linear ones here; of a higher order their crests would rise by " +
+            "are linear here; with waves of a higher order, crests would rise by " +
                 formats::spell_number(std::round(1e4 * rise_of_second_order(e)) / 1e4) + " m more");
-  if (to.is_towed()) to.note(e.waves, "waves", "are carried by the water that passes, and FEMNET's are not");
+  if (to.is_towed())
+    to.note(e.waves, "waves", "are carried along by the passing water; in FEMNET they are not");
 }
 
 void note_masses(SceneDraft& to, std::size_t number) {
@@ -66,8 +67,9 @@ void note_masses(SceneDraft& to, std::size_t number) {
   const std::string what = "type " + std::to_string(number + 1);
   const auto differ = [](const Triple& m) { return m[0] != m[2] || m[1] != m[2]; };
   if (differ(t.mass) || !(t.mass[2] >= 0 && t.mass[2] <= kMostMass))
-    to.note(t.place, what, "its inertia is that of the mass along z, if that is above zero");
-  if (differ(t.added_mass)) to.note(t.place, what, "its added mass is the mean of all axes");
+    to.note(t.place, what, "the node has the same mass along all axes, that along z, if that is above zero");
+  if (differ(t.added_mass))
+    to.note(t.place, what, "the node has the same added mass along all axes, their mean");
   if (t.sense[2] == 1 && to.environment().bed_friction != 0 && !to.is_towed())
     to.leave_out(t.place, what,
                  "friction of a bed at rest, on nodes that slide over it, is not carried over");
@@ -77,8 +79,8 @@ void note_differences_of_motion(SceneDraft& to) {
   to.out.findings.insert(to.out.findings.end(), to.gear.of_motion.begin(), to.gear.of_motion.end());
   note_waves(to);
   to.note({}, "the motion",
-          "added mass of ropes is across them alone, FEMNET's along them, too; its steps damp what is fast, "
-          "these hardly");
+          "ropes have added mass across them only, in FEMNET along them, too; steps of FEMNET damp fast "
+          "motions, steps here hardly do");
   const Environment& e = to.environment();
   if (e.record_begin > 0) to.note({}, "the record", "begins at 0 here");
   for (std::size_t t = 0; t < to.gear.types.size(); ++t)

@@ -52,8 +52,9 @@ void pass_over_time(formats::TableReader& table) {
   bool is_refused = table.has("kind");  // kind = "static" is stated
   for (const auto& key : dynamics_keys())
     if (table.has(key.name) && !std::exchange(is_refused, true))
-      table.error(key.name, "has no effect on an equilibrium",
-                  "kind = \"dynamic\" for a motion, kind = \"static\" to keep it for another day");
+      table.error(
+          key.name, "has no effect on an equilibrium",
+          "write kind = \"dynamic\" for a motion, or kind = \"static\" to keep this key without using it");
 }
 
 /// Reads the keys of motions. Returns true if the analysis needs no solver for equilibria, because a motion
@@ -98,10 +99,11 @@ void read_strategy(formats::TableReader& table, Registry& registry, const Values
 void pass_over_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   if (values.contains("strategy")) {
     registry.strategy(a.strategy);
-    table.diagnostics().warning(table.place("strategy"),
-                                table.path("strategy") + " has no effect: the integrator " + a.solver +
-                                    " goes to the equilibrium in time, and asks no strategy",
-                                "a strategy asks solvers, such as newton");
+    table.diagnostics().warning(
+        table.place("strategy"),
+        table.path("strategy") + " has no effect: the integrator " + a.solver +
+            " finds the equilibrium by a motion in time, without a strategy",
+        "leave strategy out, or choose a solver such as newton, which a strategy can use");
   }
   a.strategy.clear();
 }
@@ -211,18 +213,18 @@ Analysis read_analysis(formats::TableReader table, Registry& registry, bool& ref
   if (!faults.empty()) return {};
   Analysis a = from_keys(*static_cast<const AnalysisKeys*>(block.data()));
   if (a.solver.empty()) {
-    table.error("solver", "is empty; the name of a solver is wanted, such as newton");
+    table.error("solver", "is empty; give the name of a solver, such as newton");
     return a;
   }
   if (a.strategy.empty()) {
-    table.error("strategy", "is empty; the name of a strategy is wanted, such as auto");
+    table.error("strategy", "is empty; give the name of a strategy, such as auto");
     return a;
   }
   if (const auto names = registry.available();
       std::find(names.begin(), names.end(), a.solver) != names.end() && is_strategy(registry, a.solver)) {
     refused = true;
     table.error("solver", "\"" + a.solver + "\" is a strategy, not a solver",
-                "--strategy " + a.solver + ", or strategy = \"" + a.solver + "\" in [analysis]");
+                "write --strategy " + a.solver + ", or strategy = \"" + a.solver + "\" in [analysis]");
     return a;
   }
   bool settles = false;

@@ -49,13 +49,14 @@ void check_height(const Bed& bed, const Scene& scene, formats::Diagnostics& diag
   if (highest < -sinking)
     diagnostics.error(
         bed.place,
-        bed.part->name + ": all of the gear is below it, by " + formats::in_metres(-highest) + " or more",
-        "depth counts downwards from the surface, z = 0");
+        bed.part->name + ": the whole gear is below this bed, by " + formats::in_metres(-highest) +
+            " or more",
+        "change the depth of the bed, which counts downwards from the surface, z = 0, or raise the gear");
   else if (held < -sinking)
-    diagnostics.warning(
-        bed.place,
-        bed.part->name + ": " + lowest_held + " is held " + formats::in_metres(-held) + " below it",
-        "the bed pushes at what cannot move");
+    diagnostics.warning(bed.place,
+                        bed.part->name + ": " + lowest_held + " is held " + formats::in_metres(-held) +
+                            " below this bed, which pushes at a node that cannot move",
+                        "hold it above the bed, or lower the bed");
 }
 
 /// Reports two beds on the same node as an error, because both would push at it. `is_first`: whether `a` is
@@ -67,11 +68,14 @@ void check_pair(const Bed& a, const Bed& b, bool is_first, formats::Diagnostics&
                                   [&](auto node) { return carried.contains(node); });
   const std::string other = a.part->name + " at " + diagnostics.where(a.place);
   if (shares)
-    diagnostics.error(b.place, b.part->name + ": carries what " + other + " carries, too: both push at it",
-                      "one bed with everything in `on`");
+    diagnostics.error(b.place,
+                      b.part->name + " and " + other + " carry the same nodes, so that both push at them",
+                      "make one bed with everything in `on`");
   else if (is_first && a.plane != b.plane)
-    diagnostics.warning(b.place, b.part->name + ": is another plane than " + other,
-                        "heights in the report are those above " + a.part->name);
+    diagnostics.warning(
+        b.place, b.part->name + " and " + other + " are different planes",
+        "give both the same depth and slopes, unless you want two beds; the report gives heights above " +
+            a.part->name);
 }
 
 }  // namespace

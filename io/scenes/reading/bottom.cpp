@@ -39,7 +39,8 @@ void check_factors(const Samples& rows, formats::TableReader& bottom) {
         bottom.error(
             name,
             "= " + formats::format(row[k], "1") + " is outside " + (may_be_zero ? "[" : "(") + "0, 1e6]",
-            "factors of what the parts that rest on the bed say of it");
+            "give factors: they multiply the stiffness, friction and ploughing resistance that parts on the "
+            "bed have");
         break;
       }
   }

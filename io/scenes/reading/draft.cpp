@@ -102,8 +102,8 @@ const NodeElements& Draft::node_elements() const {
 void Draft::refuse_rider(const Mention& m, const std::string& name) {
   diagnostics_.error(
       m.place,
-      m.path + ": " + formats::in_quotes(name) + " stands on other parts and has no nodes of its own",
-      "name what it stands on");
+      m.path + ": " + formats::in_quotes(name) + " uses nodes of other parts and has none of its own",
+      "name the parts in its `on` instead");
 }
 
 std::optional<std::size_t> Draft::part_number(const std::string& name) const {

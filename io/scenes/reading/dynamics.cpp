@@ -147,9 +147,11 @@ void read_start(const std::string& start, formats::TableReader& analysis, Dynami
     return;
   }
   const auto near = nearest(start, std::array{kSketch, kEquilibrium});
-  analysis.error("start",
-                 "\"" + start + "\" is no place to begin; allowed: sketch, equilibrium, the name of a result",
-                 near ? "did you mean \"" + *near + "\"?" : "the name of a result ends in .hdf");
+  analysis.error(
+      "start",
+      "\"" + start +
+          "\" is no shape from which a motion can start; allowed: sketch, equilibrium, the name of a result",
+      near ? "did you mean \"" + *near + "\"?" : "the name of a result ends in .hdf");
 }
 
 }  // namespace

@@ -33,17 +33,17 @@ Values read_gear_keys(formats::TableReader& table, bool knots) {
 /// Reports a number of nodes that is out of range.
 void check_fineness(const GearKeys& keys, formats::TableReader& table) {
   if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
-    table.error("size", "stands beside nodes, and either says how fine the mesh is",
-                "leave one of them out; nodes = 0 leaves it to size, size = 0 to nodes");
+    table.error("size", "is given beside nodes, and each of them says how fine the mesh is",
+                "leave one of them out: with nodes = 0 only size counts, with size = 0 only nodes");
   if (keys.nodes < kFewestNodes && !(keys.nodes == 0 && keys.size > 0))
     table.error("nodes", "= " + std::to_string(keys.nodes) + " is outside [20, 1000000]",
-                "0 goes with a size alone");
+                "nodes = 0 is possible only with a size");
 }
 
 void check_knots(formats::TableReader& gear) {
   for (const char* key : {"size", "finer"})
     if (gear.has(key))
-      gear.error(key, "stands beside nodes = \"knots\", which says how fine the mesh is",
+      gear.error(key, "is given beside nodes = \"knots\", which already says how fine the mesh is",
                  "leave one of them out");
 }
 
@@ -51,29 +51,32 @@ void check_knots(formats::TableReader& gear) {
 void check_halves(const gears::NetPlan& plan, formats::TableReader& table) {
   for (const auto& body : plan.bodies)
     if (body.stands != gears::Standing::pair)
-      table.error("extent",
-                  "= \"half\", and " + formats::in_quotes(body.name) + " is a body that stands once",
-                  "extent = \"whole\"; half a body is none");
+      table.error(
+          "extent",
+          "the gear is modelled as half, but the body " + formats::in_quotes(body.name) + " exists only once",
+          "set extent = \"whole\", because half a body cannot be modelled");
   if (plan.ship)
     for (const auto& moment : plan.ship->path)
       if (moment.heading != 0) {
-        table.error("extent", "= \"half\", and the ship turns",
-                    "extent = \"whole\", or leave out ship.path.heading");
+        table.error("extent", "the gear is modelled as half, but the ship turns",
+                    "set extent = \"whole\", or leave out ship.path.heading");
         break;
       }
   if (plan.ship && !plan.ship->path_port.empty())
-    table.error("extent", "= \"half\", and two ships go ways of their own",
-                "extent = \"whole\", or leave out ship.path_port");
+    table.error("extent", "the gear is modelled as half, but two ships tow it on different paths",
+                "set extent = \"whole\", or leave out ship.path_port");
   for (const auto& rope : plan.ropes)
     if (rope.length_port.value_or(rope.length) != rope.length)
       table.error("extent",
-                  "= \"half\", and " + formats::in_quotes(rope.name) + " has another length to port",
-                  "extent = \"whole\", or leave out length_port");
+                  "the gear is modelled as half, but the plan gives " + formats::in_quotes(rope.name) +
+                      " a different length to port",
+                  "set extent = \"whole\", or leave out length_port");
   for (const auto& rope : plan.ropes)
     if (rope.tension_port.value_or(rope.tension.value_or(0)) != rope.tension.value_or(0))
       table.error("extent",
-                  "= \"half\", and " + formats::in_quotes(rope.name) + " has another tension to port",
-                  "extent = \"whole\", or leave out tension_port");
+                  "the gear is modelled as half, but the plan gives " + formats::in_quotes(rope.name) +
+                      " a different tension to port",
+                  "set extent = \"whole\", or leave out tension_port");
 }
 
 /// Reads `finer = { top-codend = 2 }`: factors on the fineness of single panels and ropes.
@@ -83,9 +86,10 @@ void read_finer(formats::TableReader& table, const gears::Gear& gear, gears::Fin
   for (const auto& panel : gear.panels) names.push_back(panel.name);
   for (const auto& rope : gear.ropes) names.push_back(rope.name);
   for (const auto& name : finer.keys()) {
-    const double times = finer.real(name, {.unit = "1",
-                                           .doc = "sides of triangles, or bars, that many times shorter",
-                                           .range = formats::between(1 / kMostFiner, kMostFiner)});
+    const double times =
+        finer.real(name, {.unit = "1",
+                          .doc = "how many times shorter the sides of triangles, or the bars, are",
+                          .range = formats::between(1 / kMostFiner, kMostFiner)});
     const auto meant = meant_by(name, names);
     if (meant.empty())
       finer.error(name, "there is no panel or rope " + formats::in_quotes(name), name_hint(name, names));

@@ -487,7 +487,8 @@ void GearParts::follow_holds() {
 
 void GearParts::refuse_motions() const {
   const auto refuse = [&](const char* what, formats::Place place) {
-    diagnostics_.error(place, std::string(what) + ": nothing moves in a static analysis",
+    diagnostics_.error(place,
+                       std::string(what) + " has no effect, because nothing moves in a static analysis",
                        "kind = \"dynamic\" in [analysis], or leave it out");
   };
   if (plan_.ship && !plan_.ship->path.empty()) refuse("ship.path", plan_.ship->path_place);

@@ -55,7 +55,7 @@ void HoldReader::refuse_carried(const Mention& m, std::uint32_t node) {
   const std::string body = body_that_carries(out_.scene, node)->name;
   diagnostics_.error(m.place,
                      m.path + ": " + formats::in_quotes(m.name) + " holds a point of the body " +
-                         formats::in_quotes(body) + ", which carries it",
+                         formats::in_quotes(body) + ", but the body carries this point",
                      "hold its origin, on = \"" + body + ".origin\"; turns = \"not\" in [bodies." + body +
                          "] holds its attitude");
 }
@@ -69,7 +69,7 @@ void HoldReader::guide(const HoldEntry& entry, const Hold& hold, formats::TableR
   const bool is_turned = entry.frame || std::any_of(hold.nodes.begin(), hold.nodes.end(), [&](auto node) {
                            return out_.scene.frames.contains(node);
                          });
-  if (is_turned) table.error(key, "does not go with along and plane", "hold it by axes to move it");
+  if (is_turned) table.error(key, "cannot be combined with along or plane", "use axes for a hold that moves");
   out_.scene.guides.push_back({hold.nodes, hold.axes, entry.course});
 }
 

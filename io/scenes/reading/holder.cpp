@@ -14,7 +14,7 @@ namespace {
 std::uint8_t read_axes(formats::TableReader& table) {
   const int before = table.diagnostics().errors();
   const std::string text =
-      table.text("axes", {.doc = "along which it cannot move: letters of xyz", .fallback = "xyz"});
+      table.text("axes", {.doc = "axes along which it cannot move: letters of xyz", .fallback = "xyz"});
   if (table.diagnostics().errors() > before) return kAllAxes;
   std::uint8_t axes = 0;
   for (const char c : text) {
@@ -48,15 +48,16 @@ void read_frame(formats::TableReader& table, HoldEntry& entry) {
   const bool along = table.has("along"), plane = table.has("plane");
   if (!along && !plane) return;
   if (along + plane + table.has("axes") > 1)
-    table.error(along ? "along" : "plane", "is one way to hold; along, plane and axes exclude each other");
+    table.error(along ? "along" : "plane",
+                "cannot be combined with the other ways to hold: give only one of along, plane and axes");
   if (table.has("at"))
-    table.error("at",
-                "does not go with along and plane, which pass through the nodes where they are sketched",
-                "sketch the part where the line or plane is");
-  const auto d = along ? table.reals("along", {.doc = "direction of the line it slides on",
+    table.error(
+        "at", "cannot be combined with along or plane, which pass through the nodes where they are sketched",
+        "sketch the part where the line or plane is");
+  const auto d = along ? table.reals("along", {.doc = "direction of the line on which it slides",
                                                .range = formats::between(-1e6, 1e6),
                                                .count = formats::exactly(3)})
-                       : table.reals("plane", {.doc = "normal of the plane it stays in",
+                       : table.reals("plane", {.doc = "normal of the plane in which it stays",
                                                .range = formats::between(-1e6, 1e6),
                                                .count = formats::exactly(3)});
   if (d.size() != 3) return;
@@ -72,7 +73,7 @@ void read_at(formats::TableReader& table, HoldEntry& entry) {
   const auto kind = table.kind("at");
   if (!kind) return;
   if (*kind == formats::Kind::text) {
-    table.choice("at", {.allowed = {"sketch"}, .doc = "where the sketch has it, or points"});
+    table.choice("at", {.allowed = {"sketch"}, .doc = "the word sketch, or points where it is held"});
     return;
   }
   const formats::Range range = formats::between(-1e6, 1e6);

@@ -28,7 +28,7 @@ void check_turned_netting(const Part& part, const formats::Place& place, formats
   if (!meshes_resist(part))
     diagnostics.warning(
         place, part.name + ": t90 netting whose meshes resist no opening hangs as diamond netting does",
-        "EI or opening_stiffness of the twine, which hold meshes open along their knots");
+        "give the twine EI or opening_stiffness, which hold meshes open along their knots");
 }
 
 }  // namespace netloft::scenes

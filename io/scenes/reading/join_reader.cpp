@@ -49,7 +49,7 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
       table.error("points",
                   formats::in_quotes(points[0]) + " has " + std::to_string(sets[0].own.size()) + " nodes, " +
                       formats::in_quotes(points[s]) + " has " + std::to_string(sets[s].own.size()) +
-                      "; only as many to as many can be joined",
+                      "; only sets with equally many nodes can be joined",
                   "give both the same cells, join node by node (net.node-17), or write together = true to "
                   "gather all in one");
       return false;

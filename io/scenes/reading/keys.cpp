@@ -67,7 +67,8 @@ std::span<const netloft_parameter> tow_keys() {
   static const auto table = [] {
     ParameterTable<TowKeys> t;
     t.real("speed", &TowKeys::speed, "m/s",
-           "speed over the ground: water and ground pass the gear aft with it; 0: the ground does not move",
+           "speed over the ground: water and ground pass the gear aft at this speed; 0: the ground does not "
+           "move",
            {.lo = 0, .hi = 50});
     t.real("leeway", &TowKeys::leeway, "rad",
            "direction in which water and ground pass the gear, from x towards y",
@@ -85,7 +86,7 @@ std::span<const netloft_parameter> bed_keys() {
            {.lo = -10, .hi = 10, .fallback = 0});
     t.real("slope_y", &BedKeys::slope_y, "1", "rise of the bed along y",
            {.lo = -10, .hi = 10, .fallback = 0});
-    t.grid("relief", &BedKeys::relief, "height of the bed above that plane, on a grid",
+    t.grid("relief", &BedKeys::relief, "height of the bed above the plane of depth and slopes, on a grid",
            {{"x", "m"}, {"y", "m"}, {"height", "m"}});
     t.grid("bottom", &BedKeys::bottom,
            "factors on the stiffness, friction and ploughing resistance of the parts that rest on the bed, "

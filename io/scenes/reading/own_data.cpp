@@ -8,7 +8,7 @@ void read_own_datum(const ElementType& type, const netloft_datum& datum, std::si
   if (const HostDatum* meant = find_datum_meant(type.element.stencil, datum.name);
       meant && meant->name != std::string_view(datum.name) && !table.has(datum.name))
     return table.error(datum.name,
-                       std::string("a datum of ") + type.type + " that neither the host nor this part gives",
+                       std::string("is missing: ") + type.type + " needs it, and netloft does not give it",
                        std::string("did its author mean \"") + meant->name + "\" (" + meant->doc + ")?");
   const auto values =
       table.reals(datum.name, {.unit = datum.unit, .doc = datum.doc, .count = formats::exactly(datum.width)});

@@ -95,7 +95,8 @@ std::optional<SurfacePoint> read_tube(formats::TableReader& part) {
 /// Reads the initial surface from `sketch` or `tube`; returns nothing after an error.
 std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   if (part.has("tube") && part.has("sketch"))
-    part.error("tube", "stands beside a sketch; a panel starts in one place", "leave one of them out");
+    part.error("tube", "is given beside sketch, and each of them says where the panel starts",
+               "leave one of them out");
   if (part.has("tube")) return read_tube(part);
   const auto sketch = read_points(part, kCorners);
   if (sketch.size() != 4) return {};
@@ -158,12 +159,12 @@ bool check_square_cells(const Panel& p, formats::TableReader& part) {
   std::ostringstream size;
   size << p.across / across << " x " << p.along / along;
   const std::string cells = nearest_square_cells(p);
-  part.error(
-      "cells",
-      "makes cells of " + size.str() +
-          " meshes; bars run along the twines only if a cell is as "
-          "many meshes wide as long",
-      cells.empty() ? "no cells fit this panel: change its meshes" : "nearest that fit: cells = " + cells);
+  part.error("cells",
+             "makes cells of " + size.str() +
+                 " meshes; bars run along the twines only if a cell is as "
+                 "many meshes wide as long",
+             cells.empty() ? "no cells fit this panel: change its meshes"
+                           : "use the nearest cells that fit: cells = " + cells);
   return false;
 }
 

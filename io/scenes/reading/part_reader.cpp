@@ -80,7 +80,7 @@ void PartReader::check_part_name(const std::string& name, formats::TableReader& 
   if (gear_.has_name(name))
     diagnostics_.error(parts.place(name),
                        "the net plan has something named " + formats::in_quotes(name) + " already",
-                       "[elements." + name + "] says more of it; parts of the scene have names of their own");
+                       "[elements." + name + "] changes its elements; give a new part another name");
 }
 
 const ElementType* PartReader::find_type(Part& part, formats::TableReader& table, Home home) const {
@@ -142,8 +142,8 @@ Geometry PartReader::read_geometry(const ElementType& type, const std::string& n
       return read_body(table);
     default:
       if (type.nodes() == 1) return read_point(table);
-      table.error("type", "has no place of its own: it stands between parts that meet",
-                  "name them: on = [\"first\", \"second\"]");
+      table.error("type", "connects parts that meet, and has no nodes of its own",
+                  "name the parts: on = [\"first\", \"second\"]");
       return {};
   }
 }

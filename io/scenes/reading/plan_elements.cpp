@@ -68,11 +68,14 @@ void PlanElements::read_exceptions(formats::TableReader& elements, const gears::
                      name_hint(name, names));
     else if (said->as<formats::Table>() && said->as<formats::Table>()->find(contact_elements().key) &&
              !touches_bed(name))
-      elements.error(name,
-                     std::string("says ") + contact_elements().key + ", and " +
-                         (contact_ ? "does not touch the bed" : "nothing of the plan rests on the bed"),
-                     contact_ ? "footropes, bridles, sweeps, legs and boards with a toe or heel do"
-                              : "[elements.contact] lets all that touches it rest there");
+      elements.error(
+          name,
+          std::string("has the key ") + contact_elements().key + ", but " +
+              (contact_ ? "does not touch the bed" : "no [elements.contact] makes the plan rest on the bed"),
+          contact_ ? "leave the key out; only footropes, bridles, sweeps, legs and boards with a toe or heel "
+                     "touch it"
+                   : "add [elements.contact], so that footropes, bridles, sweeps, legs and boards rest on "
+                     "the bed");
     else if (!said->as<formats::Table>())
       elements.error(name, "a table is expected, such as { drag = \"hydro/morison\" }");
     else if (meant.front() == name)
@@ -91,8 +94,8 @@ PlanElements::Made PlanElements::read_elements(formats::TableReader& elements, c
   made.type = choice_.find(
       table.has("type") ? read_name(table, "type", "element type, such as priour/triangle") : of.type, table);
   if (made.type && made.type->element.stencil != of.stencil) {
-    table.error("type", made.type->type + " does not stand on what " + of.doc + " are divided into",
-                std::string("such as ") + of.type);
+    table.error("type", made.type->type + " cannot be used for " + of.doc,
+                std::string("use a type such as ") + of.type);
     made.type = nullptr;
   }
   return made;

@@ -36,9 +36,10 @@ void read_turning(formats::TableReader& table, BodyGeometry& body) {
   body.held_rotation = static_cast<std::uint8_t>(kAllAxes & ~(1 << only));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (static_cast<int>(axis) != only && std::abs(body.rotation[axis]) > 1e-9) {
-      table.error("turns",
-                  "= " + formats::in_quotes(turns) + ", and it is turned about another axis at the start",
-                  "leave out of `turned` what leads away from that axis");
+      table.error(
+          "turns",
+          "= " + formats::in_quotes(turns) + ", but `turned` turns the body about another axis at the start",
+          "give in `turned` only a rotation about the axis of `turns`");
       return;
     }
 }
@@ -51,7 +52,8 @@ void read_named_points(formats::TableReader& table, BodyGeometry& body) {
         name, {.unit = "m", .doc = kPoints.doc, .range = kPoints.range, .count = formats::exactly(3)});
     std::string fault = formats::name_fault(name);
     if (fault.empty() && name.find('.') != std::string::npos) fault = "must not hold a dot";
-    if (fault.empty() && (name == "origin" || name.starts_with("node-"))) fault = "has a meaning already";
+    if (fault.empty() && (name == "origin" || name.starts_with("node-")))
+      fault = "is a name that every body has";
     if (!fault.empty()) points.error(name, "the name of a point, " + formats::in_quotes(name) + ", " + fault);
     if (at.size() != 3) continue;
     body.names.push_back(name);
@@ -70,7 +72,7 @@ double read_side(formats::TableReader& table, const BodyOfPlan* plan) {
     const double said = read_word(table, kSide) == "port" ? -1 : 1;
     if (!plan) return said;
     table.error(kSide.name, "is given by the net plan, which has this body to starboard and to port",
-                "stands = \"alone\", if there is one");
+                "leave side out; give the body stands = \"alone\" in the plan if there is only one");
   }
   return plan->side;
 }
@@ -138,7 +140,7 @@ void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& 
   if (const RigidBody* other = body_that_carries(scene, body.origin))
     diagnostics.error(place,
                       formats::in_quotes(body.name + ".origin") + " is joined to a point of the body " +
-                          formats::in_quotes(other->name) + ", which carries it",
+                          formats::in_quotes(other->name) + ", but the body carries this point",
                       "put a short rope between them");
 }
 

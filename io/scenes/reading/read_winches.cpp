@@ -43,13 +43,14 @@ void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& 
   if (!warp || diagnostics.errors() > 0) return;
   if (out.analysis.settles && warp->tension)
     diagnostics.error(warp->tension_place,
-                      "ship.warp.tension is found by a solver of equilibria, and \"" + out.analysis.solver +
-                          "\" goes through time",
-                      "another solver in [analysis]");
+                      "ship.warp.tension needs a solver that finds equilibria, but \"" + out.analysis.solver +
+                          "\" is an integrator",
+                      "name another solver in [analysis]");
   if (!has_lengths(out))
     diagnostics.error(warp->tension_place,
-                      "ship.warp.tension asks for another length of rope, and elements.ropes.type has none",
-                      "an element with a rest length, such as rope/bar");
+                      "ship.warp.tension needs ropes whose length can change, but the elements of "
+                      "elements.ropes.type have no length",
+                      "choose an element type with a rest length, such as rope/bar");
   if (out.analysis.kind != AnalysisKind::dynamics) return out.scene.winches.clear();
   for (const Winch& winch : out.scene.winches) {
     Part* part = find_part(out.scene, winch.part);

@@ -30,7 +30,7 @@ void ResultReader::read_result(const std::string& name, formats::TableReader& en
   ResultRequest request;
   request.name = name;
   request.of = read_name(entry, "of", "a part, an edge or a point");
-  request.take = read_name(entry, "take", "what of it, such as \"min z\" or \"max tension\"");
+  request.take = read_name(entry, "take", "what is taken of it, such as \"min z\" or \"max tension\"");
   if (request.of.empty() || request.take.empty()) return;
   const auto set = draft_.find_set(mention(request.of, entry, "of"));
   if (!set || !draft_.types[set->part]) return;
@@ -55,8 +55,8 @@ void ResultReader::check_reaction(const ResultRequest& request, formats::TableRe
   if (request.source == ResultRequest::Source::reaction && !has_one)
     entry.error(
         "take",
-        "nothing of " + formats::in_quotes(request.of) + " is held there, so there is no " + request.quantity,
-        "reactions are of what a [[hold]] holds");
+        "nothing of " + formats::in_quotes(request.of) + " is held, so that there is no " + request.quantity,
+        "take reactions of a part, edge or point that a [[hold]] holds");
 }
 
 }  // namespace netloft::scenes

@@ -30,10 +30,10 @@ const NodeQuantity kNodeQuantities[] = {
     {"y", "m", "position along y", Source::position, 1},
     {"z", "m", "height above the water surface", Source::position, 2},
     {"displacement", "m", "distance from the start", Source::displacement, 3},
-    {"reaction", "N", "force of what holds it on the gear", Source::reaction, 3},
-    {"reaction x", "N", "force of what holds it on the gear, along x", Source::reaction, 0},
-    {"reaction y", "N", "force of what holds it on the gear, along y", Source::reaction, 1},
-    {"reaction z", "N", "force of what holds it on the gear, along z", Source::reaction, 2},
+    {"reaction", "N", "force of the hold on the gear", Source::reaction, 3},
+    {"reaction x", "N", "force of the hold on the gear, along x", Source::reaction, 0},
+    {"reaction y", "N", "force of the hold on the gear, along y", Source::reaction, 1},
+    {"reaction z", "N", "force of the hold on the gear, along z", Source::reaction, 2},
 };
 
 /// The angles of rigid bodies (netloft/attitude.hpp).
@@ -98,7 +98,7 @@ std::string take_hint(const ResultRequest& request, const ElementType& type, boo
   const auto names = quantity_names(whole ? &type : nullptr);
   if (has_name(quantity_names(&type), request.quantity))
     return formats::in_quotes(request.quantity) +
-           " is of elements, not of nodes: take it of the whole part, of = \"" +
+           " is a quantity of elements, not of nodes: take it of the whole part, of = \"" +
            request.of.substr(0, request.of.find('.')) + "\"";
   const auto space = request.quantity.find(' ');
   const std::string first = request.quantity.substr(0, space);
@@ -152,17 +152,17 @@ bool understand(ResultRequest& request, const ElementType& type, formats::TableR
   split_take(request);
   const bool whole = request.of.find('.') == std::string::npos;
   if (!find_quantity(request, whole ? &type : nullptr)) {
-    entry.error("take",
-                formats::in_quotes(request.quantity) + " is nothing that can be taken of " +
-                    formats::in_quotes(request.of),
-                take_hint(request, type, whole));
+    entry.error(
+        "take",
+        formats::in_quotes(request.quantity) + " cannot be taken of " + formats::in_quotes(request.of),
+        take_hint(request, type, whole));
     return false;
   }
   const bool many = request.source == Source::output
                         ? !type.is_on_body()
                         : request.source != Source::attitude && request.nodes.size() > 1;
   if (request.how.empty() && many) {
-    entry.error("take", formats::in_quotes(request.of) + " has many; say which to take",
+    entry.error("take", formats::in_quotes(request.of) + " has many values; say which of them to take",
                 "write \"min " + request.quantity + "\", or max, mean, sum, range");
     return false;
   }

@@ -69,12 +69,13 @@ void RiderReader::read_contacts() {
     return diagnostics_.error(
         all.front().second.place,
         "elements." + std::string(kContact) + ": there is no bed that the gear could touch",
-        "[bed] depth = \"100 m\"");
+        "add [bed] depth = \"100 m\"");
   for (const auto& [name, said] : gear_.contacts(carried)) {
     formats::TableReader table(said, diagnostics_, "elements." + std::string(kContact));
     const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
     if (type && !rests_on_bed(*type))
-      return table.error("type", type->type + " does not rest on the bed of the scene", "such as seabed/bed");
+      return table.error("type", type->type + " does not rest on the bed of the scene",
+                         "use a type such as seabed/bed");
     read(name, table);
     table.finish();
     if (diagnostics_.errors()) return;  // reported once, not for every rope

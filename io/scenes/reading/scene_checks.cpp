@@ -24,8 +24,11 @@ void check_symmetric_parameters(const Draft& draft, const std::string& cure,
     const Part& part = out.scene.parts[p];
     for (const auto& [name, value] : part.parameters)
       if (const auto* number = std::get_if<double>(&value); number && *number != 0 && name.ends_with("_y"))
-        diagnostics.error(out.place_of(part.name),
-                          part.name + ": " + name + " is not zero, and tells port from starboard", cure);
+        diagnostics.error(
+            out.place_of(part.name),
+            part.name + ": " + name +
+                " is not zero, so that port and starboard differ, but the gear is modelled as half",
+            cure);
   }
 }
 
@@ -36,7 +39,7 @@ void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) 
     const formats::Place place = out.parts[crossing.part].place;
     const std::string fault = "at the start " + crossing.sentence;
     if (crossing.is_held)
-      diagnostics.error(place, fault, "hold what is to starboard at a positive y");
+      diagnostics.error(place, fault, "hold the starboard half at a positive y");
     else
       diagnostics.warning(place, fault, "let it start at a positive y");
   }
@@ -59,18 +62,17 @@ void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagn
     if (friction == StandingFriction::none)
       diagnostics.warning(out.parts[p].place,
                           out.scene.parts[p].name +
-                              ": its friction is that of a ground that passes, and this one stands: "
-                              "there is none",
-                          "[tow] speed = \"3 kn\" lets it pass; where nothing does, seabed/bed and "
-                          "seabed/plane have a friction that sticks");
+                              ": this type has friction only on a ground that moves past the gear, but the "
+                              "ground does not move, so that there is no friction",
+                          "[tow] speed = \"3 kn\" moves the ground; on a ground at rest use seabed/bed or "
+                          "seabed/plane, whose friction sticks");
     else if (friction == StandingFriction::sticks && out.scene.current.flows() && !says_tow)
       diagnostics.warning(
           out.parts[p].place,
           out.scene.parts[p].name +
-              ": its friction is that of a ground that stands, in "
-              "water that flows; a towed gear passes both",
-          "[tow] speed = \"3 kn\" lets both pass, instead of water.current; [tow] speed = 0 says "
-          "that the ground stands");
+              ": water flows past the gear, but the ground is at rest; past a towed gear both move",
+          "[tow] speed = \"3 kn\" moves both, instead of water.current; [tow] speed = 0 confirms that the "
+          "ground is at rest");
   }
 }
 
@@ -83,29 +85,28 @@ void check_bed(const Draft& draft, formats::Diagnostics& diagnostics) {
           (term.traits & both) == std::uint32_t{both} && names_needed_by(term).empty())
         diagnostics.error(out.parts[p].place,
                           out.scene.parts[p].name + ": " + draft.types[p]->type +
-                              " stands on the bed of the scene, and there is none",
-                          "[bed] depth = \"100 m\"");
+                              " needs the bed of the scene, but there is none",
+                          "add [bed] depth = \"100 m\"");
 }
 
 }  // namespace
 
 void check_symmetry(formats::TableReader& root, const Draft& draft, const WaterReader& water) {
   const LoadedScene& out = draft.out;
-  const std::string cure = "[gear] extent = \"whole\"";
+  const std::string cure = "set [gear] extent = \"whole\"";
   const auto across = [](const auto& all) {
     return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.velocity[1] != 0; });
   };
   if (across(out.scene.current.samples) || across(out.scene.current.drifts)) {
     root.table("water", formats::Presence::optional)
-        .error("current", "flows across the plane y = 0, of which half a gear is the mirror image", cure);
+        .error("current", "flows across the plane y = 0, at which half a gear is mirrored", cure);
   }
   if (out.scene.ground[1] != 0) {
-    root.table("tow").error("leeway",
-                            "leads across the plane y = 0, of which half a gear is the mirror image", cure);
+    root.table("tow").error("leeway", "leads across the plane y = 0, at which half a gear is mirrored", cure);
   }
   if (const char* key = water.uneven_key()) {
     root.table("bed").error(
-        key, "tells port from starboard of the plane y = 0, of which half a gear is the mirror image", cure);
+        key, "differs between the two sides of the plane y = 0, at which half a gear is mirrored", cure);
   }
   check_symmetric_parameters(draft, cure, root.diagnostics());
 }

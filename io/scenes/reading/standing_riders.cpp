@@ -57,8 +57,8 @@ class RiderMaker {
         table_.place("on"),
         rider_.name + ": has no inside, since " + std::to_string(outward.unknown) +
             " of its panels lie in one plane; it pushes each of them towards the side "
-            "that sees the corners counter-clockwise",
-        "sketch the panels apart, or stand it on one panel");
+            "from which its corners appear counter-clockwise",
+        "sketch the panels apart, or name only one panel in `on`");
   }
 
   bool is_of_plan(std::size_t part) const {
@@ -69,20 +69,22 @@ class RiderMaker {
     if (table_.kind("on") == formats::Kind::text)
       names_ = {table_.text("on", {})};
     else
-      names_ = table_.texts("on", {.doc = "parts, edges or points it stands on", .count = {.least = 1}});
+      names_ = table_.texts(
+          "on", {.doc = "parts, edges or points whose nodes or elements it uses", .count = {.least = 1}});
   }
 
   /// Makes elements on nodes: distributes `number` pieces over them, or puts `each` pieces on every node.
   void stand_on_nodes() {
     const formats::Range pieces = formats::between(0, 1e6);
     const double number = table_.real(
-        "number", {.doc = "pieces, shared out along what it stands on", .range = pieces, .fallback = 1.0});
+        "number", {.doc = "number of pieces, spread evenly along `on`", .range = pieces, .fallback = 1.0});
     if (!table_.has("each")) {
       if (!nodes_.empty()) ride_on_nodes(nodes_, carried(), number, rider_);
       return;
     }
     if (table_.has("number"))
-      table_.error("each", "stands beside a number; pieces are shared out or stand on every node",
+      table_.error("each",
+                   "is given beside number; pieces are either spread evenly along `on` or put on every node",
                    "leave one of them out");
     const double each = table_.real("each", {.doc = "pieces on every node", .range = pieces});
     ride_on_every_node(nodes_, each, rider_);
@@ -104,7 +106,7 @@ class RiderMaker {
     else if (set->own.size() == 1 && is_one_of_corners())
       corners_.push_back(draft_.scene_nodes(*set)[0]);
     else if (!is_whole || !add_elements(set->part))
-      table_.error("on", formats::in_quotes(name) + " is no whole part that " + type_.type + " can stand on");
+      table_.error("on", formats::in_quotes(name) + " is no whole part that " + type_.type + " can use");
   }
 
   /// Makes an element on the origin of a body, or on one of its points if the element has the datum `arm`,
@@ -115,7 +117,7 @@ class RiderMaker {
       return table_.diagnostics().error(at.place,
                                         at.path + ": " + formats::in_quotes(at.name) + " is no rigid body" +
                                             (declares(type_, datum::kArm) ? " or point of one" : "") +
-                                            ", which " + type_.type + " stands on",
+                                            ", but " + type_.type + " needs one",
                                         "name one of [bodies]");
     for (const auto own : is_whole ? std::vector{std::uint32_t{0}} : set.own) {
       rider_.nodes.push_back(draft_.out.parts[set.part].nodes[0]);
@@ -132,8 +134,8 @@ class RiderMaker {
   void stand_between_points() {
     if (table_.diagnostics().errors()) return;
     if (!is_one_of_corners() || corners_.size() != names_.size())
-      return table_.error("on", "names points beside whole parts; " + type_.type + " stands on " +
-                                    std::to_string(type_.nodes()) + " points, or on whole parts");
+      return table_.error("on", "names points beside whole parts; " + type_.type + " needs either " +
+                                    std::to_string(type_.nodes()) + " points, or whole parts");
     rider_.nodes = corners_;
   }
 
@@ -144,7 +146,7 @@ class RiderMaker {
     if (table_.diagnostics().errors()) return;
     if (ropes_.size() != 2)
       return table_.error("on", "names " + std::to_string(ropes_.size()) + " ropes; " + type_.type +
-                                    " stands between two that meet");
+                                    " connects two ropes that meet");
     const auto& parts = draft_.out.scene.parts;
     ride_on_meeting_bars(draft_.out.scene, ropes_[0], ropes_[1], draft_.node_elements(), rider_);
     if (rider_.nodes.empty())

@@ -64,9 +64,10 @@ void check_tow(const Scene& scene, formats::TableReader& root) {
   if (std::ranges::none_of(all, [&](const auto& v) { return std::ranges::all_of(v, is_alike); })) return;
   root.diagnostics().warning(
       root.table("water").place("current"),
-      fmt::format("water.current is the speed of the tow once more: the water passes the gear at {:.4g} m/s",
-                  2 * speed),
-      "leave it out: [tow] or [ship] alone lets the water and the ground pass the gear");
+      fmt::format(
+          "water.current repeats the speed of the tow, so that the water passes the gear at {:.4g} m/s",
+          2 * speed),
+      "leave water.current out: [tow] or [ship] alone moves the water and the ground past the gear");
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void WaterReader::check_waves() {
           .starts_with("--set"))
     return;
   formats::TableReader water = root_.table("water");
-  water.error("waves", "act on nothing in a static analysis",
+  water.error("waves", "have no effect in a static analysis",
               "kind = \"dynamic\" in [analysis], or leave them out");
 }
 
@@ -40,10 +40,10 @@ void WaterReader::read_ship() {
   if (!root_.has("ship")) return;
   const gears::Ship* ship = gear_.ship();
   if (!ship)
-    return root_.error("ship", "tows a gear from a net plan, and there is none",
-                       "[tow] speed and a [[hold]] tow other gears");
+    return root_.error("ship", "needs a net plan, but the scene has none",
+                       "use [tow] speed and a [[hold]] to tow a gear made of parts");
   if (says_tow_)
-    diagnostics_.error(ship->speed_place, "ship.speed stands beside [tow], and either tows the gear",
+    diagnostics_.error(ship->speed_place, "ship.speed is given beside [tow], and each of them tows the gear",
                        "leave out one of them");
   says_tow_ = true;
   out_.scene.ground = {ship->speed, 0, 0};
@@ -65,7 +65,7 @@ void WaterReader::take_water(const WaterKeys& keys, formats::TableReader& water)
                 "is outside [1, " + formats::format(keys.model_scale) +
                     "]: by Tauti's rule twines are scaled less than lengths",
                 is_whole ? "model_scale = " + formats::format(keys.model_twine_scale) + ", or more"
-                         : "model_twine_scale = 1, or more; none for Froude's rule");
+                         : "give model_twine_scale = 1 or more, or leave it out for Froude's rule");
   tauti_ = TautiModel{keys.model_scale, keys.model_twine_scale};
   out_.scene.water.viscosity *= tauti_->viscosity_of_netting();
 }

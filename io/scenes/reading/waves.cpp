@@ -26,7 +26,8 @@ bool is_drawn(const WaveKeys& keys) { return keys.spectrum != 0; }
 void refuse_idle(const WaveKeys& keys, formats::TableReader& waves) {
   if (is_drawn(keys)) {
     if (waves.has("phase"))
-      waves.error("phase", "is drawn for each wave of a spectrum", "leave it out; seed draws other phases");
+      waves.error("phase", "is chosen at random for each wave of a spectrum",
+                  "leave phase out; another seed gives other phases");
     return;
   }
   for (const char* key : {"peakedness", "components", "seed"})
@@ -76,7 +77,7 @@ std::shared_ptr<const WaterField> read_waves(formats::TableReader& water, const 
   const auto& keys = *static_cast<const WaveKeys*>(block.data());
   refuse_idle(keys, waves);
   if (scene.water.gravity == 0) {
-    waves.error("height", "stands in water without gravity, which has no waves", "water.gravity = 9.80665");
+    waves.error("height", "is given in water without gravity, which has no waves", "water.gravity = 9.80665");
     return nullptr;
   }
   const double depth = depth_of(keys, scene), omega = 2 * std::numbers::pi / keys.period;

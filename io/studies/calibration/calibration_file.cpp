@@ -23,7 +23,7 @@ class CalibrationReader {
 
   CalibrationFile read() {
     file_.confidence =
-        root_.real("confidence", {.doc = "how likely intervals and bands hold",
+        root_.real("confidence", {.doc = "probability with which intervals and bands contain the true value",
                                   .range = {.lo = 0, .hi = 1, .lo_open = true, .hi_open = true},
                                   .fallback = 0.9});
     set_ = root_.texts(
@@ -38,10 +38,10 @@ class CalibrationReader {
  private:
   void read_scenes() {
     formats::TableReader scenes =
-        root_.table("scenes", formats::Presence::required, "what was measured, a scene each");
+        root_.table("scenes", formats::Presence::required, "scenes that were measured, a table each");
     for (const std::string& name : scenes.keys()) {
       formats::TableReader table =
-          scenes.table(name, formats::Presence::required, "scene, and what is set of it");
+          scenes.table(name, formats::Presence::required, "scene, and values that are set in it");
       CalibrationScene scene{name, table.text("scene", {.doc = "the scene, relative to this file"}),
                              table.place(), set_};
       for (auto& word : table.texts("set", {.doc = "values of this scene, as --set takes them",
@@ -50,7 +50,8 @@ class CalibrationReader {
       file_.scenes.push_back(std::move(scene));
     }
     if (root_.has("scenes") && file_.scenes.empty())
-      root_.error("scenes", "is empty: something has to be measured", "such as [scenes.slow]");
+      root_.error("scenes", "is empty: a calibration needs at least one scene that was measured",
+                  "such as [scenes.slow]");
   }
 
   /// The scenes that a key names; all scenes if the key is missing.
@@ -80,7 +81,7 @@ class CalibrationReader {
 
   void read_variables() {
     formats::TableReader variables =
-        root_.table("variables", formats::Presence::required, "what is looked for, a table each");
+        root_.table("variables", formats::Presence::required, "unknown values, a table each");
     for (const std::string& name : variables.keys()) {
       formats::TableReader table = variables.table(name, formats::Presence::required, "key and range");
       CalibrationVariable read{read_variable(name, table, VariedBy::interval), {}, {}};
@@ -92,7 +93,8 @@ class CalibrationReader {
       file_.variables.push_back(std::move(read));
     }
     if (root_.has("variables") && file_.variables.empty())
-      root_.error("variables", "is empty: nothing is looked for", "such as [variables.diameter]");
+      root_.error("variables", "is empty: a calibration needs at least one unknown value",
+                  "such as [variables.diameter]");
   }
 
   void refuse_shared_keys(const CalibrationVariable& read) {
@@ -110,20 +112,22 @@ class CalibrationReader {
         root_.tables("measured", formats::Presence::required, "what was measured, a [[measured]] each");
     for (formats::TableReader row : rows) {
       MeasuredFigure read;
-      if (const auto scene = find_scene(row, "scene", row.text("scene", {.doc = "of which scene"})))
+      if (const auto scene =
+              find_scene(row, "scene", row.text("scene", {.doc = "scene in which it was measured"})))
         read.scene = *scene;
-      read.figure = row.text("figure", {.doc = "of which figure, such as gear/mouth/headline_height"});
+      read.figure =
+          row.text("figure", {.doc = "figure that was measured, such as gear/mouth/headline_height"});
       read.place = row.place("figure");
       read.value_place = row.place("value");
-      read.value = quantity(row, "value", "what was measured");
-      read.deviation = quantity(row, "deviation", "its standard deviation");
+      read.value = quantity(row, "value", "measured value");
+      read.deviation = quantity(row, "deviation", "standard deviation of the measured value");
       read.is_held_back = row.boolean(
-          "held_back", {.doc = "whether it takes no part and is only predicted", .fallback = false});
+          "held_back", {.doc = "whether the value is not used, but only predicted", .fallback = false});
       file_.measured.push_back(std::move(read));
     }
     if (!rows.empty() && std::all_of(file_.measured.begin(), file_.measured.end(),
                                      [](const auto& m) { return m.is_held_back; }))
-      root_.error("measured", "everything is held back, so that there is nothing to fit");
+      root_.error("measured", "every value is held back, so that there is nothing to fit");
   }
 
   /// The text of a number with or without a unit, as written in the file.

@@ -32,9 +32,10 @@ std::vector<std::string> warnings(const Calibration& c) {
   for (std::size_t j = 0; j < c.fit.parameters.size(); ++j) {
     const CalibrationVariable& v = c.file.variables[j];
     if (c.fit.at_end[j])
-      all.push_back(v.variable.name + " stands at the end of its range and would leave it");
+      all.push_back(v.variable.name +
+                    " is at the end of its range, and the measurements would move it beyond");
     if (c.fit.deviations[j] > kUnknown * v.prior_deviation())
-      all.push_back("these measurements say little of " + v.variable.name +
+      all.push_back("these measurements say little about " + v.variable.name +
                     ": its deviation is nearly that of its prior");
     for (std::size_t k = 0; k < j; ++k)
       if (std::abs(c.fit.correlations[j][k]) > kInseparable) all.push_back(pair_text(c, k, j));
@@ -126,7 +127,7 @@ void rows_text(const Calibration& c, Out out) {
 }
 
 void settings_text(const Calibration& c, Out out) {
-  fmt::format_to(out, "the scenes so calibrated\n");
+  fmt::format_to(out, "the calibrated scenes\n");
   for (std::size_t s = 0; s < c.file.scenes.size(); ++s) {
     fmt::format_to(out, "  netloft run {}", c.file.scenes[s].file);
     for (const auto& word : overrides_of(c.file, s, c.fit.parameters))

@@ -66,7 +66,7 @@ class CalibrationInspection {
   void learn(std::size_t scene, runs::PreparedScene& prepared) {
     if (prepared.loaded().analysis.kind == AnalysisKind::dynamics)
       return diagnostics_.error(file_.scenes[scene].place,
-                                "the scene goes through time; a calibration is of equilibria",
+                                "the scene is a motion, but a calibration compares equilibria",
                                 "set = [\"analysis.kind=static\"]");
     if (on_budget_) on_budget_(prepared.loaded().analysis.limits.seconds);
     Solution at_start;

@@ -90,7 +90,7 @@ std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
   auto prepared = std::make_unique<runs::PreparedScene>(std::move(source), registry_);
   trouble_ = file_.scenes[scene].name + ": ";
   if (prepared->prepare() != runs::PreparedScene::State::ready)
-    return trouble_ += "it cannot be read with these values", std::nullopt;
+    return trouble_ += "the scene has errors with these values", std::nullopt;
   Solution found;
   ++solves_;
   if (from.prepared && runs::have_same_topology(*prepared, *from.prepared))

@@ -32,10 +32,11 @@ std::string note_on(const std::vector<NumbersOnMesh>& meshes) {
   std::vector<std::string> counts;
   for (const auto& mesh : meshes)
     counts.push_back(std::to_string(mesh.mesh.count) + (mesh.is_stable ? "" : " (not stable)"));
-  return fmt::format("from {} {}: {}, and a quarter more", fmt::join(counts, ", "), meshes.front().mesh.of,
+  return fmt::format("is estimated from {} {}: {}, plus a quarter", fmt::join(counts, ", "),
+                     meshes.front().mesh.of,
                      meshes.front().mesh.is_similar
-                         ? "to the limit by the observed order, or the largest difference"
-                         : "the largest of differences and extrapolations");
+                         ? "the distance to the limit by the observed order, or the largest difference"
+                         : "the largest difference or extrapolation");
 }
 
 /// Sorts the meshes from the coarsest to the finest, and returns the new index of the scene's own mesh, which

@@ -116,8 +116,8 @@ std::string refinement_text(const Refinement& r) {
   for (const auto& n : numbers) text += row_text(n, width);
   if (!numbers.empty())
     text +=
-        "error: of the finest mesh; the largest of its differences from the two before and of extrapolations "
-        "with first and observed order, and a quarter more\n";
+        "error: that of the finest mesh, which is the largest of its differences from the two meshes before "
+        "and of extrapolations with the first and the observed order, plus a quarter\n";
   text += divergences_text(r, numbers);
   for (const auto& sentence : r.missing) text += "missing: " + sentence + "\n";
   text.pop_back();

@@ -46,7 +46,7 @@ void reference_text(const MethodResult& m, Out out) {
     fmt::format_to(out, ", accurate to {:.0e} m", r.answer.uncertainty);
   if (!r.independent) fmt::format_to(out, "; no other solver plugin converged");
   if (r.stability == Stability::neutral)
-    fmt::format_to(out, "; it has a slack part whose position no force determines");
+    fmt::format_to(out, "; the reference has a slack part whose position no force determines");
   fmt::format_to(out, "\n");
 }
 
@@ -54,7 +54,8 @@ void other_text(const MethodResult& m, Out out) {
   if (!m.other) return;
   fmt::format_to(out, "{}: found another equilibrium than {}, up to {:.3g} m away", m.method.specification,
                  m.reference->method.specification, m.other->distance);
-  if (m.other->has_energy) fmt::format_to(out, ", its energy {:+.4g} J", m.other->energy_difference);
+  if (m.other->has_energy)
+    fmt::format_to(out, ", with an energy that differs by {:+.4g} J", m.other->energy_difference);
   fmt::format_to(out, "; this distance is not an error, so no error is given\n");
 }
 
@@ -95,11 +96,11 @@ void path_reference_text(const MethodResult& m, Out out) {
   const ReferenceAnswer& r = *m.reference;
   fmt::format_to(out, "{}: the reference is {} at an accuracy of {:.0e}", m.method.name(), r.method.name(),
                  r.tolerance);
-  if (!r.is_damped) fmt::format_to(out, ", without the damping of materials, as this one");
+  if (!r.is_damped) fmt::format_to(out, ", both without the damping of materials");
   if (std::isfinite(r.answer.uncertainty))
     fmt::format_to(out, "; another integrator's path at that accuracy is {:.1e} m away from it",
                    r.answer.uncertainty);
-  if (!r.independent) fmt::format_to(out, "; it is of the same plugin");
+  if (!r.independent) fmt::format_to(out, "; the reference is an integrator of the same plugin");
   fmt::format_to(out, "\n");
 }
 

@@ -97,7 +97,7 @@ Trial not_tried(double tolerance) {
   Trial t;
   t.tolerance = tolerance;
   t.tried = false;
-  t.reason = "a looser tolerance was not reached";
+  t.reason = "the method did not reach a looser tolerance";
   return t;
 }
 

@@ -234,9 +234,9 @@ void Branch::look_for_fold(const Way& way, const Solved& anew, std::vector<std::
         largest_move(way.front().solved, end.solved).distance / (end.at - way.front().at) * (1 - end.at);
   if (!is_noticed(move.distance, *anew.scene) || (way.size() > 1 && move.distance <= kElsewhere * expected))
     return;
-  events.push_back(
-      fmt::format("fold beyond {}: the equilibrium followed so far ends, and {} is {:.3g} m from there",
-                  spell(end.solved.values, anew.values), name_of(anew, move), move.distance));
+  events.push_back(fmt::format(
+      "fold beyond {}: the equilibrium that was followed ends there, and in the next one {} is {:.3g} m away",
+      spell(end.solved.values, anew.values), name_of(anew, move), move.distance));
 }
 
 /// Lists the values that differ from those of another point: "speed 3.125 kn".

@@ -90,7 +90,7 @@ class StudyInspection {
         found_.files.push_back(one);
     }
     if (scene.loaded().analysis.kind == AnalysisKind::dynamics)
-      diagnostics_.error(file_.scene_place, "the scene goes through time; a study compares equilibria",
+      diagnostics_.error(file_.scene_place, "the scene is a motion, but a study compares equilibria",
                          "set = [\"analysis.kind=static\"]");
     if (file_.figures.empty()) return;
     Solution at_start;

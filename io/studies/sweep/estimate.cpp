@@ -190,11 +190,12 @@ class Estimator {
     }
     if (is_over_samples_) result_.samples = samples.size();
     if (!rows_.empty()) return;
-    if (result_.left_out.empty()) throw StudyError("the study has no point with these values together");
+    if (result_.left_out.empty()) throw StudyError("the study has no point with this combination of values");
     const LeftOutRow& first = result_.left_out.front();
     throw StudyError(
-        fmt::format("no point that would count has a stable equilibrium; item {}, point {}: {}{}", first.item,
-                    first.point, first.status, first.reason.empty() ? "" : ": " + first.reason));
+        fmt::format("none of the points on which the estimate would rest has a stable equilibrium; item {}, "
+                    "point {}: {}{}",
+                    first.item, first.point, first.status, first.reason.empty() ? "" : ": " + first.reason));
   }
 
   /// Whether the row has the requested values of all variables that are not free.
@@ -299,7 +300,7 @@ class Estimator {
   }
 
   std::string why_too_few(const Known& known) const {
-    if (known.points.empty()) return "no point that counts has this figure";
+    if (known.points.empty()) return "no point with these values has this figure";
     for (std::size_t k = 0; k < free_.size(); ++k) {
       std::set<double> levels;
       for (const Numbers& point : known.points) levels.insert(point[k]);

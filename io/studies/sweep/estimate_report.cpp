@@ -18,9 +18,9 @@ using Out = std::back_insert_iterator<std::string>;
 constexpr std::size_t kMostSentences = 5;  // limit of sentences in the text; JSON has all
 
 constexpr const char* kExtrapolated =
-    "the place lies beyond the points that have a stable equilibrium: what is said is an extrapolation, and "
-    "so are its errors";
-constexpr const char* kEvents = "equilibria fold or jump next to the place: figures may jump there, too";
+    "these values lie beyond the points that have a stable equilibrium: the estimates and their errors are "
+    "extrapolations";
+constexpr const char* kEvents = "equilibria fold or jump next to these values: figures may jump there, too";
 
 /// Value and error, the error with two digits.
 std::string number_text(const WithError& number) {

@@ -196,8 +196,8 @@ class Analysis {
       : table_(table), site_(site), diagnostics_(diagnostics) {
     for (std::size_t v = 0; v < table.columns.size(); ++v) add_column(v);
     if (result_.variables.empty() && !diagnostics.errors())
-      diagnostics.error({}, "no variable varies: indices are fractions of what several of them do",
-                        "hold fewer of them");
+      diagnostics.error({}, "no variable varies, but indices compare the effects of several variables",
+                        "hold fewer variables fixed with --at");
     if (!diagnostics.errors()) refuse_lists();
   }
 
@@ -217,9 +217,10 @@ class Analysis {
     const Numbers levels = levels_of(table_, v);
     if (levels.size() < 2 || is_held_at_level(v, levels)) return;
     if (!column.is_sampled && levels.size() < kLeastLevels)
-      return diagnostics_.error({}, name(v) + " has two values, which do not tell what lies between them",
-                                fmt::format("three or more do; or hold it: --at {}=\"{}\"", name(v),
-                                            table_.rows.front().values[v].text));
+      return diagnostics_.error(
+          {}, name(v) + " has two values, which do not tell what lies between them",
+          fmt::format("give the study three or more values, or hold the variable fixed: --at {}=\"{}\"",
+                      name(v), table_.rows.front().values[v].text));
     Coordinate c{v, levels, {}, column.is_sampled};
     if (site_[v]) c.held = site_[v]->number;
     if (!site_[v])
@@ -232,7 +233,7 @@ class Analysis {
     std::set<std::string> values;
     for (const StudyRow& row : table_.rows) values.insert(row.values[v].text);
     if (!site_[v] && values.size() > 1)
-      diagnostics_.error({}, name(v) + " has values that are no numbers: it has to be held",
+      diagnostics_.error({}, name(v) + " has values that are no numbers, so that it must be held fixed",
                          fmt::format("--at {}=\"{}\"", name(v), table_.rows.front().values[v].text));
   }
 
@@ -284,7 +285,8 @@ class Analysis {
     for (const StudyRow& row : table_.rows)
       if (counts(row))
         row.record.status == "converged" ? rows_.push_back(&row) : static_cast<void>(++result_.left_out);
-    if (rows_.empty()) throw StudyError("no point that would count has a stable equilibrium");
+    if (rows_.empty())
+      throw StudyError("none of the points on which the indices would rest has a stable equilibrium");
   }
 
   FigureIndices analyse(std::size_t f) {
@@ -326,7 +328,7 @@ class Analysis {
   }
 
   std::string why_not(const KnownFigures& known) const {
-    if (known.points.empty()) return "no point that counts has this figure";
+    if (known.points.empty()) return "no point with these values has this figure";
     if (std::all_of(known.values.begin(), known.values.end(),
                     [&](double y) { return y == known.values.front(); }))
       return "it does not vary";

@@ -38,7 +38,9 @@ void figure_text(const StudyIndices& s, const FigureIndices& figure, Out out) {
     fmt::format_to(out, ": {}\n", figure.why_not);
     return;
   }
-  fmt::format_to(out, ": mean {:.6g}, deviation {:.3g}; points left out are off by {:.2g} of it\n",
+  fmt::format_to(out,
+                 ": mean {:.6g}, deviation {:.3g}; predictions of points that are left out are off by {:.2g} "
+                 "deviations\n",
                  figure.mean, figure.deviation, figure.off);
   fmt::format_to(out, "  {:<24} {:>15} {:>17}\n", "", "first order", "total");
   for (std::size_t v = 0; v < s.variables.size(); ++v)

@@ -111,8 +111,8 @@ StudyColumn read_column(const Json& json) {
 
 void read_head(const Json& json, Study& study) {
   if (const int format = json.at("netloft_study").get<int>(); format != kFormat)
-    throw StudyError("it has format " + std::to_string(format) + ", and this version of Netloft reads " +
-                     std::to_string(kFormat));
+    throw StudyError("it has format " + std::to_string(format) +
+                     ", but this version of Netloft reads format " + std::to_string(kFormat));
   json.at("name").get_to(study.name);
   if (const std::string fault = formats::name_fault(study.name); !fault.empty())
     throw StudyError("the name of the study, " + formats::in_quotes(study.name) + ", " + fault);

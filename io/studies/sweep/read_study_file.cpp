@@ -40,7 +40,7 @@ class StudyReader {
 
   void read_variables() {
     formats::TableReader variables =
-        root_.table("variables", formats::Presence::required, "what is varied, a table each");
+        root_.table("variables", formats::Presence::required, "variables of the study, a table each");
     for (const std::string& name : variables.keys()) {
       const int errors = root_.diagnostics().errors();
       formats::TableReader table =
@@ -53,7 +53,7 @@ class StudyReader {
       study_.variables.push_back(std::move(read));
     }
     if (root_.has("variables") && study_.variables.empty())
-      root_.error("variables", "is empty: a study varies something", "such as [variables.speed]");
+      root_.error("variables", "is empty: a study needs at least one variable", "such as [variables.speed]");
     refuse_shared_keys();
   }
 
@@ -77,10 +77,10 @@ class StudyReader {
   void read_design() {
     formats::TableReader design =
         root_.table("design", formats::Presence::optional, "how values are combined");
-    const std::string combine =
-        design.choice("combine", {.allowed = {"grid", "list"},
-                                  .doc = "listed values: all with all, or the first with the first",
-                                  .fallback = "grid"});
+    const std::string combine = design.choice(
+        "combine", {.allowed = {"grid", "list"},
+                    .doc = "how listed values are combined: all with all, or the first with the first",
+                    .fallback = "grid"});
     study_.combination = combine == "list" ? Combination::list : Combination::grid;
     const std::string sampling = design.choice("sampling", {.allowed = {"latin-hypercube", "sobol"},
                                                             .doc = "how samples fill the ranges",
@@ -90,8 +90,9 @@ class StudyReader {
     study_.samples = static_cast<std::size_t>(design.integer(
         "samples", {.doc = "number of samples from the ranges", .lo = 0, .hi = kMostSamples, .fallback = 0}));
     const bool samples_are_sound = root_.diagnostics().errors() == errors;
-    study_.seed = static_cast<std::uint64_t>(
-        design.integer("seed", {.doc = "another one gives other samples", .lo = 0, .fallback = 1}));
+    study_.seed = static_cast<std::uint64_t>(design.integer(
+        "seed",
+        {.doc = "start of the random numbers: another seed gives other samples", .lo = 0, .fallback = 1}));
     if (samples_are_sound) check_samples(design);
     if (study_.combination == Combination::list) check_list();
   }
@@ -102,7 +103,7 @@ class StudyReader {
     if (some_are_sampled && study_.samples == 0)
       root_.diagnostics().error(design.place(),
                                 "design.samples is missing or zero: variables with a range are sampled",
-                                "[design] samples = 50");
+                                "give [design] samples, such as 50");
     const bool all_are_sound = std::all_of(study_.variables.begin(), study_.variables.end(),
                                            [](const auto& v) { return v.is_sound; });
     if (!some_are_sampled && all_are_sound && study_.samples > 0)
@@ -114,11 +115,11 @@ class StudyReader {
     for (const DesignVariable& v : study_.variables) {
       if (v.is_sampled()) continue;
       if (first && v.variable.values.size() != first->variable.values.size())
-        root_.diagnostics().error(v.variable.place, v.variable.name + " has " +
-                                                        std::to_string(v.variable.values.size()) +
-                                                        " values, " + first->variable.name + " has " +
-                                                        std::to_string(first->variable.values.size()) +
-                                                        "; in a list they go together one by one");
+        root_.diagnostics().error(
+            v.variable.place, v.variable.name + " has " + std::to_string(v.variable.values.size()) +
+                                  " values, " + first->variable.name + " has " +
+                                  std::to_string(first->variable.values.size()) +
+                                  "; in a list, the first values go together, the second values, and so on");
       if (!first) first = &v;
     }
   }
@@ -141,7 +142,7 @@ class StudyReader {
       }
       if (found->is_sampled())
         root_.error("path", name + " is sampled from a range; a path goes through listed values");
-      if (found->is_in_path) root_.error("path", name + " is there twice");
+      if (found->is_in_path) root_.error("path", name + " is named twice");
       found->is_in_path = true;
       ordered.push_back(*found);
     }

@@ -36,9 +36,9 @@ struct ScopeFigureNames {
 ScopeFigureNames names_for(const scenes::LoadedScene& loaded) {
   if (!loaded.gear || !(loaded.gear->ship_speed > 0) || !loaded.scene.bed.is_there)
     throw std::invalid_argument(
-        "a scope table is of a gear behind a ship over a bed: [ship] in its plan, [bed] in the scene");
+        "a scope table needs a gear behind a ship over a bed: [ship] in the net plan, [bed] in the scene");
   if (loaded.gear->pairs.size() != 1)
-    throw std::invalid_argument("a scope table is of a gear with one pair of boards");
+    throw std::invalid_argument("a scope table needs a gear with one pair of boards");
   const std::string& pair = loaded.gear->pairs.begin()->first;
   return {"gear/pairs/" + pair + "/heel", "gear/pairs/" + pair + "/spread"};
 }

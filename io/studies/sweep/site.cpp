@@ -80,7 +80,7 @@ class SiteReader {
       if (given(v) || (table_.columns[v].is_sampled && !some_sampled)) continue;
       const std::string why =
           table_.columns[v].is_sampled
-              ? "; variables that are sampled are given all, or none, which is over all samples"
+              ? "; give all sampled variables, or none of them, which estimates over all samples"
               : "";
       diagnostics_.error({}, name(v) + " is missing" + why, "such as --at " + example(v));
     }
@@ -111,8 +111,8 @@ class SiteReader {
       if (std::find(known.begin(), known.end(), row.values[v].text) == known.end())
         known.push_back(row.values[v].text);
     }
-    diagnostics_.error(member.value.place, fmt::format("{} is nowhere {} in the study", name(v), text),
-                       fmt::format("there are {}", fmt::join(known, ", ")));
+    diagnostics_.error(member.value.place, fmt::format("{} is never {} in the study", name(v), text),
+                       fmt::format("its values are {}", fmt::join(known, ", ")));
     return std::nullopt;
   }
 
@@ -132,10 +132,11 @@ class SiteReader {
     if (level != levels.end()) return variable.value_of(*level);
     if (!(*number > levels.front() && *number < levels.back()))
       diagnostics_.error(reader.place(name(v)), text + " is outside " + ends + ", the values of the study",
-                         "what lies beyond them has to be solved: netloft run");
+                         "use netloft run for values beyond them");
     else if (!table_.columns[v].is_sampled && levels.size() < kLeastLevelsOfSite)
-      diagnostics_.error(reader.place(name(v)), text + " lies between the only two values of the study",
-                         "two values do not tell what lies between them; three or more do");
+      diagnostics_.error(
+          reader.place(name(v)), text + " lies between the only two values of the study",
+          "give the study three or more values, because two do not tell what lies between them");
     return variable.value_of(*number);
   }
 

@@ -25,7 +25,8 @@ class Plotter {
   Plotter(const StudyTable& table, const PlotRequest& request) : table_(table) {
     over_ = request.over.empty() ? first_number() : column(request.over);
     if (!table_.columns[over_].is_number)
-      throw StudyError(name(over_) + " has values that are no numbers; --by makes lines of them");
+      throw StudyError(name(over_) +
+                       " has values that are no numbers; use --by to draw a line for each of them");
     by_ = choose_lines(request.by);
     for (const auto& [variable, value] : request.at) hold(column(variable), value);
     for (std::size_t v = 0; v < table_.columns.size(); ++v)
@@ -82,8 +83,8 @@ class Plotter {
       if (!is_listed(v))
         throw StudyError(wanted + " is sampled; --by needs a variable whose values are listed");
       if (values_of(v).size() > kMostLines)
-        throw StudyError(
-            fmt::format("{} has {} values; {} lines are the most", wanted, values_of(v).size(), kMostLines));
+        throw StudyError(fmt::format("{} has {} values, but a picture has room for {} lines only", wanted,
+                                     values_of(v).size(), kMostLines));
       return v;
     }
     for (std::size_t v = 0; v < none; ++v)
@@ -93,13 +94,15 @@ class Plotter {
   }
 
   void hold(std::size_t v, const std::string& value) {
-    if (!is_listed(v)) throw StudyError(name(v) + " is sampled; only listed values can be held");
+    if (!is_listed(v))
+      throw StudyError(name(v) + " is sampled; only a variable with listed values can be held fixed");
     std::string known;
     for (const auto& one : values_of(v)) {
       if (one.text == value) held_[v] = value;
       known += (known.empty() ? "" : ", ") + one.text;
     }
-    if (!held_.contains(v)) throw StudyError(name(v) + " is nowhere " + value + "; there are " + known);
+    if (!held_.contains(v))
+      throw StudyError(name(v) + " is never " + value + " in the study; its values are " + known);
   }
 
   void hold_at_first(std::size_t v) {

@@ -44,7 +44,7 @@ Distribution read_distribution(const Variable& variable, formats::TableReader& t
       "distribution", {.allowed = kinds, .doc = "how samples lie in the range", .fallback = kinds.front()});
   read.kind = static_cast<Distribution::Kind>(std::find(kNames.begin(), kNames.end(), kind) - kNames.begin());
   if (read.kind == Distribution::Kind::logarithmic && !(variable.interval->low > 0))
-    table.error("range", "must be above zero to be divided by its logarithm");
+    table.error("range", "must be above zero for a logarithmic distribution");
   if (read.kind != Distribution::Kind::normal) return read;
   read.mean = read_number_of(variable, table, "mean", "the middle of the normal distribution")
                   .value_or(variable.interval->low);

@@ -11,9 +11,9 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr const char* kKeyDoc = "the key of the scene that is varied, as --set takes it";
-constexpr const char* kValuesDoc = "the values that it takes";
-constexpr const char* kRangeDoc = "the least and the largest value";
+constexpr const char* kKeyDoc = "key of the scene that is varied, as --set takes it";
+constexpr const char* kValuesDoc = "values of the variable";
+constexpr const char* kRangeDoc = "least and largest value of the variable";
 
 /// Reads a number with its unit as written; empty if the value is not a number.
 std::optional<formats::WrittenQuantity> number_in(const formats::Value& value) {
@@ -90,8 +90,8 @@ class VariableReader {
     }
     if (number->unit == variable_.unit) return number->number;
     if (number->unit.empty() || variable_.unit.empty()) {
-      refuse(item, table_.path() + ": all numbers have a unit, or none has",
-             "a number without a unit is what the key takes without one, SI as a rule");
+      refuse(item, table_.path() + ": either all numbers have a unit, or none has",
+             "a number without a unit means what it means to the key, as a rule SI");
       return std::nullopt;
     }
     const formats::Quantity converted = formats::to_si(*item.as<std::string>(), variable_.unit);
@@ -104,7 +104,7 @@ class VariableReader {
       for (std::size_t j = 0; j < i; ++j) {
         const VariableValue &a = variable_.values[i], &b = variable_.values[j];
         if (a.text == b.text || (a.number && a.number == b.number))
-          return refuse(array.items[i], table_.path("values") + ": " + a.text + " is there twice");
+          return refuse(array.items[i], table_.path("values") + ": " + a.text + " is given twice");
       }
   }
 

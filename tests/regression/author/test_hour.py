@@ -61,7 +61,7 @@ class Hour(WithInstallation):
     def test_wrong_names_are_refused_with_the_reason(self):
         self.write("there", "")
         for name, why in (("rope", "there is a plugin of that name"), ("Otter", "small letters"), ("2nd", "small letters"),
-                          ("a/b", "small letters"), ("", "small letters"), ("x" * 41, "40 at most"), ("test", "has a meaning"),
+                          ("a/b", "small letters"), ("", "small letters"), ("x" * 41, "40 at most"), ("test", "use this word already"),
                           ("there", "a file or folder of that name exists")):
             with self.subTest(name):
                 ended = self.sh(f"netloft new element '{name}'", expect=2)

@@ -122,7 +122,7 @@ class Misuse(WithInstallation):
     def test_a_datum_with_a_slip(self):
         self.compile(self.source.replace('e.data("rest_length"', 'e.data("rest_lenght"'))
         ended = self.sh("netloft run otter.toml --plugins .", expect=2)
-        self.assertIn("rest_lenght: a datum of otter/otter that neither the host nor this part gives", ended.err)
+        self.assertIn("rest_lenght: is missing: otter/otter needs it, and netloft does not give it", ended.err)
         self.assertIn('did its author mean "rest_length" (unstretched length of the bar)?', ended.err)
 
     def test_a_datum_in_another_unit(self):

@@ -105,7 +105,7 @@ class Comparisons(InFreshFolder):
         self.assertEqual(report["discretisation"]["part"], "net")
         alone = self.compare("scene.toml", "--solver", "newton", "--cells", "rope=4,8")
         self.assertEqual(alone.code, 2)
-        self.assertRegex(alone.err, r"scene.toml:20:10: error: .*only as many to as many can be joined")
+        self.assertRegex(alone.err, r"scene.toml:20:10: error: .*only sets with equally many nodes can be joined")
 
     def test_files(self):
         ended = self.compare(ROPE, *BARS, "--solver", "newton", "--solver", "newton:method=classic,damping=0", "--tolerance",
@@ -126,8 +126,8 @@ class Comparisons(InFreshFolder):
         self.assertIn("no reference", stuck.out)
 
     def test_solvers_are_not_compared_on_motions(self):
-        self.assertIn("this scene goes through time", self.refused(PENDULUM, "--solver", "newton"))
-        self.assertIn("this scene goes through time", self.netloft("refine", PENDULUM).err)
+        self.assertIn("this scene is a motion", self.refused(PENDULUM, "--solver", "newton"))
+        self.assertIn("this scene is a motion", self.netloft("refine", PENDULUM).err)
 
     def test_a_refined_rope_tends_to_its_catenary(self):
         ended = self.netloft("refine", ROPE, "--cells", "20,40,80", "--json")
@@ -173,7 +173,7 @@ class Comparisons(InFreshFolder):
         self.assertIn("not a whole number of cells", self.refused(str(SCENES / "dead-weight-panel.toml"), "--set",
                                                                "parts.net.cells=[32,18]", *newton, "--cells", "8,16,32"))
         self.assertIn(".svg or .html", self.refused(ROPE, *newton, "--plot", "a.png"))
-        self.assertIn("--csv a.hdf: this is written as .csv", self.refused(ROPE, *newton, "--csv", "a.hdf"))
+        self.assertIn("--csv a.hdf: the name of this file must end in .csv", self.refused(ROPE, *newton, "--csv", "a.hdf"))
         self.assertIn("no folder", self.refused(ROPE, *newton, "--csv", "nowhere/a.csv"))
         self.assertIn("is no name of a solver", self.refused(ROPE, "--solver", "a b"))
         self.assertIn("damping", self.refused(ROPE, "--solver", "newton:dampinng=1"))
@@ -277,7 +277,7 @@ class Motions(InFreshFolder):
 
     def test_wrong_input(self):
         words = ["--integrator", "newmark"]
-        for more, sentence in ((["--solver", "newton"], "one or the other"), (["--cells", "8,16"], "--cells"),
+        for more, sentence in ((["--solver", "newton"], "give one kind only"), (["--cells", "8,16"], "--cells"),
                                (["--accuracy", "2"], "is no accuracy"), (["--accuracy", "1e-1:1e-3"], "reversed"),
                                (["--integrator", "newmark"], "given twice"), (["--integrator", "newmark:x=1"], "x")):
             ended = self.netloft("compare", PENDULUM, *words, *more)

@@ -115,7 +115,7 @@ class Damaged(InFreshFolder):
         resumed = self.netloft("run", *MOTION, "-o", "damaged.hdf", "--resume")
         self.assertEqual(resumed.code, 0, resumed.err)
         self.assertRegex(resumed.err, r"damaged\.hdf\.part: it is damaged: the record at byte \d+ does not match its checksum; "
-                                      r"the run goes on from the \d+ outputs before it, and the damaged file is kept as damaged\.hdf\.part~")
+                                      r"the run goes on from the \d+ outputs before the damage, and the damaged file is kept as damaged\.hdf\.part~")
         self.assertEqual((self.folder / "damaged.hdf.part~").read_bytes(), damaged)
         with h5py.File(self.folder / "damaged.hdf") as after, h5py.File(self.folder / "whole.hdf") as wanted:
             for name in ("VTKHDF/Points", "VTKHDF/PointData/velocity", "VTKHDF/Steps/Values"):

@@ -52,7 +52,7 @@ class Gears(InFreshFolder):
         self.assertEqual(run.code, 2)
         self.assertIn('slip.toml:21:39: error: top-wing.breast-cut: cutting "381M" is not a rate; 3B1M, 43 M over 25.8 M, fits',
                       run.err)
-        self.assertIn("warning: top-wing.aft: the cuttings give 129.7 meshes, the plan says 127.5, +1.7 %", run.err)
+        self.assertIn("warning: top-wing.aft: the cuttings give 129.7 meshes, but the plan says 127.5, +1.7 %", run.err)
 
     def test_findings_for_a_program(self):
         self.write("slip.toml", SLIP)
@@ -213,13 +213,13 @@ class GearScenes(InFreshFolder):
     def test_size_beside_nodes_is_refused_and_may_replace_it(self):
         run = self.netloft("plan", str(FLUME), "--set", "gear.size=1")
         self.assertEqual(run.code, 2)
-        self.assertIn("size: stands beside nodes", run.err)
+        self.assertIn("size: is given beside nodes", run.err)
         self.assertEqual(self.netloft("plan", str(FLUME), "--set", "gear.size=1", "--set", "gear.nodes=0").code, 0)
         self.assertIn("is outside [20, 1000000]", self.netloft("plan", str(FLUME), "--set", "gear.nodes=0").err)
         said = self.netloft("plan", str(FLUME), "--set", "gear.nodes=knots", "--set", "gear.size=0.5 m", "--set", "gear.finer={ top-body = 2 }")
         self.assertEqual(said.code, 2)
         for key in ("size", "finer"):
-            self.assertIn(f'gear.{key}: stands beside nodes = "knots"', said.err)
+            self.assertIn(f'gear.{key}: is given beside nodes = "knots"', said.err)
         self.assertIn('"knots": a node at every knot', self.netloft("plan", str(FLUME), "--set", "gear.nodes=knot").err)
 
     def test_twine_of_elements_is_thinner_than_its_bar(self):

@@ -139,7 +139,7 @@ class Imports(InFreshFolder):
         self.assertIn('gear.csv:2:7: error: z = "zero" is no number', ended.err)
         self.assertEqual(set(self.files()), {"gear.csv"})
         self.write("gear.csv", "node,x,y,z,hold\na,0,0,0,xyz\nb,1,0,0,xyz\nbar,from,to,diameter,EA,density\nrope,a,b,0.01,1e5,1000\n")
-        for words, what in ((("table", "gear.csv", "-o", "gear.hdf"), "-o gear.hdf: this is written as .toml"),
+        for words, what in ((("table", "gear.csv", "-o", "gear.hdf"), "-o gear.hdf: the name of this file must end in .toml"),
                             (("--check", "."), "--check .: there is no GEAR.don in it"),
                             (("table", "--check", "."), "--check is for FEMNET; the format is table"),
                             (("--check", ".", "-o", "a.toml"), "--output excludes --check")):

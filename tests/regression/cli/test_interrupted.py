@@ -95,7 +95,7 @@ class Interrupted(InFreshFolder):
         self.assertEqual(self.netloft("study", "plan", "s.toml").code, 0)
         out, err = self.interrupted("study", "run", "s.study", "--jobs", "1", "--json")
         done = json.loads(out)["computed"]
-        self.assertIn(f"{50 - done} of 50 items left; `netloft study run s.study` goes on", err)
+        self.assertIn(f"{50 - done} of 50 items left; `netloft study run s.study` computes them", err)
 
     def test_an_item_alone_says_so_too(self):
         self.write("s.toml", f'scene = "{PANEL}"\nset = ["parts.net.cells=[200,200]", "analysis.tolerance=1e-16"]\n{VARIABLE}'
@@ -110,7 +110,7 @@ class Interrupted(InFreshFolder):
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=100)
         self.assertEqual(process.returncode, 130, err)
-        self.assertIn(b"netloft: interrupted; 1 of 1 item left; `netloft study run s.study` goes on", err)
+        self.assertIn(b"netloft: interrupted; 1 of 1 item left; `netloft study run s.study` computes them", err)
 
     def stopped_at(self, deed, number, *words):
         """What a command said that got a signal at this deed; it hears that within a second of its own time."""

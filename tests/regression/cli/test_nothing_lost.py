@@ -195,7 +195,7 @@ class WorseResults(InFreshFolder):
         for _ in range(2):
             ended = self.netloft("run", *PANEL, "-o", "p.hdf", "--set", "analysis.max_iterations=3")
             self.assertEqual(ended.code, 3)
-            self.assertIn("p.hdf holds a better result and stays", ended.err)
+            self.assertIn("p.hdf holds a better result and is kept", ended.err)
             self.assertIn("written to p.not-converged.hdf", ended.out)
             self.assertEqual(self.files()["p.hdf"], good)
         self.assertEqual(outcome_in(self.folder / "p.not-converged.hdf"), "not converged")

@@ -322,8 +322,8 @@ class Results(InFreshFolder):
 
     def test_an_ending_that_is_not_written_is_refused(self):
         result = self.solved("a", GOOD)
-        self.assertIn("a.pdf: this is written as .svg or .png", self.refused("draw", result, "-o", "a.pdf"))
-        self.assertIn("a.pdf: this is written as .html or .htm", self.refused("view", result, "-o", "a.pdf"))
+        self.assertIn("a.pdf: the name of this file must end in .svg or .png", self.refused("draw", result, "-o", "a.pdf"))
+        self.assertIn("a.pdf: the name of this file must end in .html or .htm", self.refused("view", result, "-o", "a.pdf"))
 
     def test_an_option_without_effect_is_refused(self):
         result = self.solved("a", GOOD)
@@ -333,8 +333,8 @@ class Results(InFreshFolder):
         plan = str(SOURCE / "gear-library" / "gears" / "four-panel.toml")
         for option in (["--view", "side"], ["--field", "tension"], ["--width", "500"], ["--dimensions"], ["--fit", "all"]):
             self.assertIn(f"{option[0]} is for a result; {plan} is a net plan", self.refused("draw", plan, "-o", "a.svg", *option))
-        self.assertIn("--field is for a .glb file; a.csv is another one", self.refused("export", result, "a.csv", "--field", "tension"))
-        self.assertIn("--table is for a .csv file; a.glb is another one", self.refused("export", result, "a.glb", "--table", "nodes"))
+        self.assertIn("--field is for a .glb file; a.csv is a file of another kind", self.refused("export", result, "a.csv", "--field", "tension"))
+        self.assertIn("--table is for a .csv file; a.glb is a file of another kind", self.refused("export", result, "a.glb", "--table", "nodes"))
         self.assertFalse({"a.svg", "a.csv", "a.glb"} & set(self.files()))
 
     def test_an_export_holds_every_part_where_it_is(self):
@@ -374,7 +374,7 @@ class Results(InFreshFolder):
             self.assertEqual(len(elements), f["VTKHDF/NumberOfCells"][0])
             self.assertEqual(elements[-1]["part"], "rope")
             self.assertEqual(float(elements[-1]["tension [N]"]), f["VTKHDF/CellData/tension"][-1])
-        self.assertIn("there are .glb, .csv, .mesh, .obj and .vtk", self.refused("export", result, "a.stl"))
+        self.assertIn("it must be .glb, .csv, .mesh, .obj or .vtk", self.refused("export", result, "a.stl"))
 
     def test_two_results_come_with_what_changed_between_them(self):
         a, b = self.solved("a", GOOD), self.solved("b", changed(GOOD, ("density = 2000", "density = 2600")))

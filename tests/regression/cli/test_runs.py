@@ -343,7 +343,7 @@ class OtherCommands(InFreshFolder):
         self.assertEqual((ended.code, ended.err, self.files()), (0, "", {}))
         for words in ("priour/triangle: 2048 elements", "not loaded:", "3168 unknowns", "symmetric", "factorisation: ", "threads: "):
             self.assertIn(words, ended.out)
-        self.assertRegex(ended.out, r"memory: about \S+ GiB, \S+ GiB of it for the factor of the matrix; .* within reach\n$")
+        self.assertRegex(ended.out, r"memory: about \S+ GiB, \S+ GiB of it for the factorised matrix; .* available\n$")
         plan = self.netloft("plan", str(PANEL), "--json").json()
         self.assertEqual(plan["unknowns"], 3168)
         self.assertGreater(plan["memory"]["foreseen"], plan["memory"]["factor"] + plan["memory"]["stability"])
@@ -354,8 +354,8 @@ class OtherCommands(InFreshFolder):
         towed = str(SOURCE / "gear-library" / "scenes" / "verification" / "towed-chain.toml")
         passes = self.netloft("plan", towed)
         self.assertEqual(passes.err, "")
-        self.assertIn("ground: passes the gear with (1.5, 0) m/s; friction is that of sliding", passes.out)
-        self.assertIn("ground: stands", self.netloft("plan", towed, "--set", "tow.speed=0").out)
+        self.assertIn("ground: passes the gear with (1.5, 0) m/s; its friction is that of sliding", passes.out)
+        self.assertIn("ground: does not move", self.netloft("plan", towed, "--set", "tow.speed=0").out)
 
     def test_what_has_no_effect_gets_a_warning(self):
         rope = 'rope = { diameter = "20 mm", EA = "100 kN", EA_compression = 0, density = 1150'
@@ -375,7 +375,7 @@ class OtherCommands(InFreshFolder):
         self.write("scene.toml", text.replace('[tow]\nspeed = "1.5 m/s"\n', "").replace("[water]", "[water]\ncurrent = [1.5, 0, 0]"))
         plan = self.netloft("plan", "scene.toml")
         self.assertEqual(plan.code, 0)
-        self.assertIn("bed: its friction is that of a ground that stands", plan.err)
+        self.assertIn("bed: water flows past the gear, but the ground is at rest", plan.err)
         self.assertIn("[tow] speed", plan.err)
         said = self.netloft("plan", "scene.toml", "--set", "tow.speed=0")
         self.assertEqual((said.code, said.err), (0, ""))
@@ -387,9 +387,9 @@ class OtherCommands(InFreshFolder):
         self.write("sunk.toml", gear + '[bed]\ndepth = "3 m"\n[elements.contact]\nseabed = { stiffness = "10 kN/m2" }\n')
         self.assertRegex(self.netloft("run", "sunk.toml").out, r"warning: upper-bridle and \d+ more parts lie up to 27 m below the bed")
         self.write("flies.toml", gear + '[bed]\ndepth = "60 m"\n[elements.contact]\nseabed = { stiffness = "10 kN/m2" }\n')
-        self.assertRegex(self.netloft("run", "flies.toml").out, r"warning: nothing rests on the bed: \S+, the lowest of what would, is 2\d\.?\d* m above it")
+        self.assertRegex(self.netloft("run", "flies.toml").out, r"warning: nothing rests on the bed: \S+, the lowest part that could, is 2\d\.?\d* m above the bed")
         self.write("rope.toml", 'include = ["' + str(SOURCE / "gear-library/scenes/hanging-rope.toml") + '"]\n[parts.rope]\nlength = "0.1 m"\n')
-        self.assertRegex(self.netloft("run", "rope.toml").out, r"warning: rope is stretched by \S+ %, which ropes and twines of nets do not bear")
+        self.assertRegex(self.netloft("run", "rope.toml").out, r"warning: rope is stretched by \S+ %, at which ropes and twines of nets break")
         self.write("rests.toml", gear)
         self.assertNotIn("warning", self.netloft("run", "rests.toml").out)
 
@@ -397,7 +397,7 @@ class OtherCommands(InFreshFolder):
         rope = (SOURCE / "gear-library" / "scenes" / "hanging-rope.toml").as_posix()
         for current, words in [('{ z = ["0 m", "100 m"], x = [1.2, 0.4] }', "lies above the gear .* so that only its lowest value acts"),
                                ('{ z = ["-500 m", "-100 m"], x = [1.2, 0.4] }', "lies below the gear .* so that only its highest value acts"),
-                               ('[1.5, 0, 0]\n[tow]\nspeed = 1.5', "is the speed of the tow once more: the water passes the gear at 3 m/s"),
+                               ('[1.5, 0, 0]\n[tow]\nspeed = 1.5', "repeats the speed of the tow, so that the water passes the gear at 3 m/s"),
                                ('{ z = ["0 m", "-100 m"], x = [1.2, 0.4] }', None), ('[0.5, 0, 0]\n[tow]\nspeed = 1.5', None)]:
             with self.subTest(current=current):
                 self.write("scene.toml", f'include = ["{rope}"]\n[water]\ncurrent = {current}\n')
@@ -424,7 +424,7 @@ seabed = { friction = 0.5 }
 on = "rope.start"
 """)
         flows = ["--set", "water.current=[1, 0, 0]"]
-        said = "ground: its friction is that of a ground that stands, in water that flows"
+        said = "ground: water flows past the gear, but the ground is at rest"
         self.assertIn(said, self.netloft("plan", "scene.toml", *flows).err)
         for none in ([], ["--set", "tow.speed=1"], [*flows, "--set", "tow.speed=0"], [*flows, "--set", "parts.ground.seabed.friction=0"]):
             self.assertNotIn("friction", self.netloft("plan", "scene.toml", *none).err)

@@ -103,7 +103,7 @@ class Signals(InFreshFolder):
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (420 << 20, 420 << 20))
         ended = self.netloft("run", *gear, "-o", "p.hdf", preexec_fn=limit)
         self.assertEqual(ended.code, 1)
-        self.assertRegex(ended.err, r"not enough memory: about \S+ GiB, .* within reach; a coarser mesh takes less")
+        self.assertRegex(ended.err, r"not enough memory: about \S+ GiB, .* available; a coarser mesh takes less")
         self.assertEqual(self.files(), {})
 
     @unittest.skipIf("asan" in PROGRAM, "its shadow wants terabytes of addresses")

@@ -206,7 +206,7 @@ class ShownStudies(Studies):
 
     def test_wrong_names_are_answered(self):
         for words, answer in ((["--figure", "results/pul"], 'did you mean "results/pull"?'), (["--over", "wter"], 'did you mean "water"?'),
-                              (["--by", "twine"], "twine is sampled"), (["--at", "rope=1"], "rope is nowhere 1; there are 2000 kg/m3"),
+                              (["--by", "twine"], "twine is sampled"), (["--at", "rope=1"], "rope is never 1 in the study; its values are 2000 kg/m3"),
                               (["--at", "rope"], "--at NAME=VALUE"), (["-o", "a.png"], ".svg or .html"), (["-o", "a.svg"], "name one with --figure"),
                               (["--over", "water", "--by", "water"], "water is the axis")):
             self.assertIn(answer, self.study("show", "s.study", *words, code=2).err, words)
@@ -316,7 +316,7 @@ class SensitiveStudies(Studies):
         for words, answers in ((["--at", "watr=1005", "--figure", "results/pul"], ["--at watr", 'did you mean "water"?', 'did you mean "results/pull"?']),
                                (["--at", "rope=2500 kg"], ["--at rope", "is a mass"]), (["--at", "water=1500"], ["is outside [1000, 1030]"]),
                                (["--at", "water=1010,rope=3000 kg/m3,twine=10 kN"], ["no variable varies"]),
-                               (["-o", "bars.png"], ["bars are drawn as .svg"])):
+                               (["-o", "bars.png"], ["can be written as .svg only"])):
             said = self.study("sobol", "s.study", *words, code=2).err
             for answer in answers:
                 self.assertIn(answer, said)
@@ -457,7 +457,7 @@ class LostStudies(Studies):
         self.study("run", "s.study")
         self.write("scene.toml", SCENE + "# another\n")
         self.assertIn("scene.toml has changed since the study was planned; plan it again", self.study("run", "s.study", code=1).err)
-        self.assertIn("scene.toml has changed since the study was planned; the table is of what was planned", self.study("collect", "s.study").err)
+        self.assertIn("scene.toml has changed since the study was planned; the table shows the study as it was planned", self.study("collect", "s.study").err)
 
 
 class WrongStudies(Studies):

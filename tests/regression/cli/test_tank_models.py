@@ -92,7 +92,7 @@ class TankModels(InFreshFolder):
 
     def test_what_it_cannot_tell_is_refused(self):
         for line, words in (("model_twine_scale = 4", "outside [1, 1]"), ("model_scale = 3\nmodel_twine_scale = 4", "outside [1, 3]"),
-                            ("model_scale = 3\nmodel_twine_scale = 0.5", "model_twine_scale = 1, or more")):
+                            ("model_scale = 3\nmodel_twine_scale = 0.5", "model_twine_scale = 1 or more")):
             (self.folder / "scene.toml").write_text(SCENE.format(**(GEAR | {"model": line})))
             ended = self.netloft("plan", "scene.toml")
             self.assertEqual(ended.code, 2)

@@ -110,8 +110,8 @@ HOLDS = [
     edit("a rope joined to nothing", "[[join]]\n" + JOIN + "\n", "", "12:1", "rope node 0 is connected to nothing that is held"),
     edit("axes on nodes that stay in a plane", HOLD, 'on = "net.left"\nplane = [1, 1, 0]\n[[hold]]\non = "net.fore"\naxes = "xz"', "26:6",
          'a node of "net.fore" is held in another way already', "leave it out of one"),
-    edit("at beside plane", HOLD, HOLD + "\nplane = [1, 0, 0]\nat = [0, 0, 0]", "25:6", "hold[0].at: does not go with along and plane", "sketch"),
-    edit("axes beside along", HOLD, HOLD + '\nalong = [1, 0, 0]\naxes = "x"', "24:9", "exclude each other"),
+    edit("at beside plane", HOLD, HOLD + "\nplane = [1, 0, 0]\nat = [0, 0, 0]", "25:6", "hold[0].at: cannot be combined with along or plane", "sketch"),
+    edit("axes beside along", HOLD, HOLD + '\nalong = [1, 0, 0]\naxes = "x"', "24:9", "give only one of along, plane and axes"),
     edit("along nothing", HOLD, HOLD + "\nalong = [0, 0, 0]", "24:9", "has no direction"),
     edit("axes: no axis", HOLD, HOLD + '\naxes = "w"', "24:8", '"w" is not made of the letters x, y and z'),
     edit("axes: none", HOLD, HOLD + '\naxes = ""', "24:8", "hold[0].axes: holds nothing", "leave the key out"),
@@ -144,7 +144,7 @@ JOINS = [
 
 TUBE = "tube = { from = [0, 0, 0], to = [0, 0, -4], radius = 1 }"
 TUBES = [
-    edit("tube: beside a sketch", "[parts.rope]", TUBE + "\n[parts.rope]", "12:8", "stands beside a sketch", "leave one of them out"),
+    edit("tube: beside a sketch", "[parts.rope]", TUBE + "\n[parts.rope]", "12:8", "is given beside sketch", "leave one of them out"),
     edit("tube: of no length", "sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]", TUBE.replace("-4", "0"), "9:33",
          "is where the tube begins"),
     edit("tube: radius below nothing", "sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]", TUBE.replace("= 1", "= -1"), "9:54",
@@ -152,15 +152,15 @@ TUBES = [
 ]
 
 RESULTS = [
-    edit("take: no such quantity", TAKE, 'take = "max stress"', "30:33", '"stress" is nothing that can be taken of "net"', "tension"),
-    edit("take: a slip", TAKE, 'take = "max tensoin"', "30:33", '"tensoin" is nothing', 'did you mean "max tension"?'),
-    edit("take: a longer word", TAKE, 'take = "minimum z"', "30:33", '"minimum z" is nothing', 'did you mean "min z"?'),
-    edit("take: of many, but not which", TAKE, 'take = "z"', "30:33", '"net" has many; say which', '"min z"'),
+    edit("take: no such quantity", TAKE, 'take = "max stress"', "30:33", '"stress" cannot be taken of "net"', "tension"),
+    edit("take: a slip", TAKE, 'take = "max tensoin"', "30:33", '"tensoin" cannot be taken of', 'did you mean "max tension"?'),
+    edit("take: a longer word", TAKE, 'take = "minimum z"', "30:33", '"minimum z" cannot be taken of', 'did you mean "min z"?'),
+    edit("take: of many, but not which", TAKE, 'take = "z"', "30:33", '"net" has many values; say which', '"min z"'),
     edit("take: tension of an edge", 'of = "net", take = "min z"', 'of = "net.aft", take = "max tension"', "30:37",
-         '"tension" is nothing that can be taken of "net.aft"', 'of the whole part, of = "net"'),
+         '"tension" cannot be taken of "net.aft"', 'of the whole part, of = "net"'),
     edit("take: nothing", TAKE, 'take = ""', "30:33", "results.lowest_z.take: is empty"),
     edit("take: a reaction where nothing is held", 'of = "net", take = "min z"', 'of = "rope", take = "sum reaction z"', "30:34",
-         'nothing of "rope" is held there', "[[hold]]"),
+         'nothing of "rope" is held', "[[hold]]"),
 ]
 
 FILES = [
@@ -236,16 +236,16 @@ def rider(name, old, new, where, says, hint="", **more):
     return Wrong(name, "scene.toml:" + where, says, hint, change=[RIDER, (old, new)], **more)
 
 
-OWN = '"more" stands on other parts and has no nodes of its own'
+OWN = '"more" uses nodes of other parts and has none of its own'
 RIDERS = [
     rider("on: no such part", 'on = "rope"', 'on = "rpoe"', "21:6", 'there is no part "rpoe"', 'did you mean "rope"?'),
     rider("on: a number", 'on = "rope"', "on = 3", "21:6", "parts.more.on is the integer 3"),
     rider("on: nothing", 'on = "rope"', "on = []", "21:6", "has 0 values; at least 1 is expected"),
-    rider("on: another kind of part", 'on = "rope"', 'on = "net"', "21:6", '"net" is no whole part that rope/bar can stand on'),
+    rider("on: another kind of part", 'on = "rope"', 'on = "net"', "21:6", '"net" is no whole part that rope/bar can use'),
     rider("on: an edge of netting", 'on = "rope"', 'on = "net.aft"', "21:6", '"net.aft" is no whole part that rope/bar'),
     rider("on: a part twice", 'on = "rope"', 'on = ["rope", "rope"]', "21:15", '"rope" is named twice'),
     rider("on: itself", 'on = "rope"', 'on = "more"', "21:6", OWN),
-    rider("a part on others in a join", JOIN, 'points = ["net.aft", "more"]', "24:22", OWN, "name what it stands on"),
+    rider("a part on others in a join", JOIN, 'points = ["net.aft", "more"]', "24:22", OWN, "name the parts in its `on`"),
     rider("a part on others in a hold", HOLD, 'on = "more"', "27:6", OWN),
     rider("an end of a part on others", HOLD, 'on = "more.start"', "27:6", OWN),
     rider("heights of a part on others", 'of = "net"', 'of = "more"', "34:34", OWN),
@@ -298,9 +298,9 @@ NOTHING = [
     edit("a rope as thick as it is long", 'diameter = "20 mm"', 'diameter = "3 m"', "17:8",
          "diameter = 3 m, and a length of 3 m"),
     edit("a bed above the gear", "[[join]]", BED.replace("5", "-0.5") + "[[join]]", "19:1",
-         "bed: all of the gear is below it, by 0.5 m or more", "depth counts downwards"),
+         "bed: the whole gear is below this bed, by 0.5 m or more", "which counts downwards"),
     edit("two beds under one rope", "[[join]]", BED + BED.replace("parts.bed", "parts.sand") + "[[join]]", "23:1",
-         "sand: carries what bed at scene.toml:19:1 carries, too", "one bed"),
+         "sand and bed at scene.toml:19:1 carry the same nodes", "one bed"),
     edit("a catalogue folder that is not there", "[water]", 'catalogue = ["nowhere"]\n[water]', "1:13", "there is no folder"),
     edit("a catalogue folder that is a file", "[water]", 'catalogue = ["scene.toml"]\n[water]', "1:13", "is no folder"),
     Wrong("a catalogue folder of a plan that is not there", "scene.toml:1:13", "there is no folder",
@@ -315,7 +315,7 @@ SEVERAL = [
           also=[("scene.toml:7:40", "parts.net.panel.bar = -1 m is outside"),
                 ("scene.toml:12:1", 'missing key "length"'),
                 ("scene.toml:22:6", '"net" has no "four"'),
-                ("scene.toml:29:33", '"q" is nothing')]),
+                ("scene.toml:29:33", '"q" cannot be taken of')]),
 ]
 
 ALL = KEYS + UNITS + RANGES + NAMES + HOLDS + JOINS + TUBES + RESULTS + FILES + PLUGINS + OPTIONS + RIDERS + CURRENTS + GUIDES + NOTHING + SEVERAL

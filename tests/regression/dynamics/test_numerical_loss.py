@@ -67,7 +67,7 @@ class NumericalLoss(unittest.TestCase):
         self.assertLess(loss["from"], CAUGHT + np.pi * np.sqrt(MASS * LENGTH / EA))
         self.assertGreater(loss["until"], CAUGHT)
         self.assertEqual(loss["node"], "rope node 1")
-        self.assertRegex(self.ask(self.snap, *LONG_STEPS, text=True), r"warning: the scheme took [\d.]+ J of the [\d.]+ J .* at rope node 1")
+        self.assertRegex(self.ask(self.snap, *LONG_STEPS, text=True), r"warning: the time scheme removed [\d.]+ J of the [\d.]+ J .* at rope node 1")
 
     def test_of_a_snap_in_fine_steps_is_none(self):
         self.assertFalse(self.ask(self.snap, "accuracy=1e-3")["numerical_loss"]["is_large"])

@@ -85,7 +85,7 @@ class ResumedReport(unittest.TestCase):
                           "--set", "analysis.check=true")
         self.assertRegex(said, r"steps of 0\.\d+ to ")
         self.assertIn("began at rest, from the sketch: forces out of balance by at most", said)
-        self.assertIn("against a march in other steps", said)
+        self.assertIn("compared with a run in other steps", said)
 
     def test_of_outputs_between_steps(self):
         self.check(SCENES / "released-rope.toml", "--set", "analysis.duration=0.5", "--set", "analysis.output_interval=0.002",
@@ -94,7 +94,7 @@ class ResumedReport(unittest.TestCase):
     def test_of_a_loss_before_the_interruption(self):
         (self.folder / "snap.toml").write_text(SNAP)
         said = self.check(self.folder / "snap.toml")
-        self.assertRegex(said, r"warning: the scheme took \S+ J of the \S+ J that were given, most of it \(\S+ J\) between t = 0.4")
+        self.assertRegex(said, r"warning: the time scheme removed \S+ J of the \S+ J that were supplied, most of it \(\S+ J\) between t = 0.4")
 
 
 if __name__ == "__main__":

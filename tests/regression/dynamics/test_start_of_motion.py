@@ -121,7 +121,7 @@ class StartOfMotion(unittest.TestCase):
             self.assertAlmostEqual(again["results"][name] / value, 1, delta=1e-6)
 
     def test_is_nowhere_else(self):
-        for word, says in (("equilibirum", 'did you mean "equilibrium"?'), ("found", "ends in .hdf"), ('""', "is no place to begin"),
+        for word, says in (("equilibirum", 'did you mean "equilibrium"?'), ("found", "ends in .hdf"), ('""', "is no shape from which a motion can start"),
                            ("none.hdf", "there is no such file"), ("trawl.toml", "ends in .hdf"), ("3", "a text is expected")):
             with self.subTest(word=word):
                 ended = self.ask(self.trawl, "out.hdf", COARSE + [f"analysis.start={word}"])

@@ -139,9 +139,9 @@ class Waves(unittest.TestCase):
     def test_waves_in_a_static_analysis_or_without_gravity_are_errors(self):
         text = SCENE.read_text()
         static = re.sub(r"\[analysis\].*?\[results\]", "[results]", text, flags=re.S)
-        self.assertRegex(self.run_scene(static, code=2), r"scene\.toml:\d+:\d+: error: water\.waves: act on nothing in a static")
+        self.assertRegex(self.run_scene(static, code=2), r"scene\.toml:\d+:\d+: error: water\.waves: have no effect in a static")
         still = text.replace("gravity = 9.81", "gravity = 0")
-        self.assertRegex(self.run_scene(still, code=2), r"scene\.toml:\d+:\d+: error: water\.waves\.height: stands in water without gravity")
+        self.assertRegex(self.run_scene(still, code=2), r"scene\.toml:\d+:\d+: error: water\.waves\.height: is given in water without gravity")
 
 
 if __name__ == "__main__":

@@ -58,8 +58,10 @@ struct MySolver {
 NETLOFT_PLUGIN("my_solver", "0.1", "A solver to begin with") {
   auto& s = plugin.solver<MySolver>("my_solver", "Newton's method, damped by the linear stiffness");
   s.needs(NETLOFT_CONSERVATIVE);
-  s.real("damping", &MySolver::Parameters::damping, "1", "share of the linear stiffness in the matrix",
+  s.real("damping", &MySolver::Parameters::damping, "1",
+         "fraction of the linear stiffness that is added to the matrix",
          {.lo = 0, .hi = 64, .fallback = 0.1});
-  s.real("overshoot", &MySolver::Parameters::overshoot, "1", "slope uphill after a step, over that before",
+  s.real("overshoot", &MySolver::Parameters::overshoot, "1",
+         "largest uphill slope after a step, as a fraction of the slope before it",
          {.lo = 0, .hi = 1, .fallback = 0.5});
 }

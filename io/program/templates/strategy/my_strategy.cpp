@@ -36,8 +36,9 @@ struct MyStrategy {
 
 NETLOFT_PLUGIN("my_strategy", "0.1", "A strategy to begin with") {
   auto& s = plugin.strategy<MyStrategy>("my_strategy", "At once; where that fails, from soft to stiff");
-  s.real("softest", &MyStrategy::Parameters::softest, "1", "first cap on stiffness over the largest",
+  s.real("softest", &MyStrategy::Parameters::softest, "1",
+         "first cap on stiffness, as a fraction of the largest stiffness",
          {.lo = 1e-9, .hi = 1, .fallback = 1e-3});
-  s.real("factor", &MyStrategy::Parameters::factor, "1", "by which the cap is raised after every stage",
-         {.lo = 1.1, .hi = 1e6, .fallback = 10});
+  s.real("factor", &MyStrategy::Parameters::factor, "1",
+         "factor by which the cap is raised after every stage", {.lo = 1.1, .hi = 1e6, .fallback = 10});
 }

@@ -131,7 +131,7 @@ TEST(Family, NamesThePartThatLacksADatum) {
 TEST(Family, NamesThePartWithTooFewNumbers) {
   Scene scene = sample::hanging_rope(4);
   scene.parts[0].data["rest_length"].pop_back();
-  EXPECT_NE(fault_of(scene).find("\"rest_length\" has 3 numbers, 4 are expected"), std::string::npos);
+  EXPECT_NE(fault_of(scene).find("\"rest_length\" has 3 numbers, but 4 are expected"), std::string::npos);
 }
 
 TEST(Family, NamesTheElementThatThePluginRefuses) {

@@ -90,9 +90,10 @@ TEST(MaterialDamping, IsSaidWithWhatTakesItsPlace) {
   EXPECT_EQ(said_of({loss}), "loss factor 0.05 of rope at 10 Hz");
   EXPECT_EQ(said_of({loss, "parts.rope.rope.damping=3"}), "");
   EXPECT_EQ(said_of({loss, "analysis.material_damping=false"}), "off: material_damping = false");
-  EXPECT_EQ(said_of({loss, "analysis.stiffness_damping=0.01"}), "off: stiffness_damping takes its place");
-  EXPECT_EQ(said_of({loss, "analysis.integrator=central-difference"}),
-            "off: central-difference is stable in short steps only, which it would make shorter");
+  EXPECT_EQ(said_of({loss, "analysis.stiffness_damping=0.01"}), "off: stiffness_damping replaces it");
+  EXPECT_EQ(
+      said_of({loss, "analysis.integrator=central-difference"}),
+      "off: central-difference is stable in short steps only, and material damping would make them shorter");
   EXPECT_EQ(said_of({loss, "analysis.kind=static"}), "loss factor 0.05 of rope at 10 Hz");
 }
 

@@ -110,7 +110,7 @@ TEST_F(Reading, FixedLengthTextIsTextToo) {
 }
 
 TEST_F(Reading, AStepThatDoesNotExistIsAnError) {
-  EXPECT_TRUE(says(error_of([&] { Reader(in("a.hdf")).points(1); }), "has 1 states, no number 1"));
+  EXPECT_TRUE(says(error_of([&] { Reader(in("a.hdf")).points(1); }), "has 1 states, and no state 1"));
 }
 
 }  // namespace

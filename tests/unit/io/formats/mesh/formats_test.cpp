@@ -130,9 +130,9 @@ TEST(Obj, AnswersWhatIsWrongWithItsPlace) {
                   {"f 1/1 2/2 3/3", "f 1 2 3", "the corner has no coordinates on its panel"},
                   {"f 1/1 2/2 3/3", "f 1/1 1/2 3/3", "a node appears twice"},
                   {"f 1/1 2/2 3/3", "f 1/1 2/2 3/1", "the corners lie on one line in meshes"},
-                  {"l 2 3", "l 2/1 3/2", "some bars of this rope have shares"},
+                  {"l 2 3", "l 2/1 3/2", "some bars of this rope say which share"},
                   {"l 2 3", "l 2", "a line has two corners or more"},
-                  {"v 0 0 0", "solid net", "this is no mesh that can be read"},
+                  {"v 0 0 0", "solid net", "this file is no mesh that can be read"},
                   {"l 1 2", "l 1 99999999999999999999", "there is no vertex \"99999999999999999999\""}});
   EXPECT_NE(Read("").said().find("the mesh has no nodes"), std::string::npos);
 }

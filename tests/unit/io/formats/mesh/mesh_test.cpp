@@ -77,8 +77,8 @@ TEST_P(WrongMesh, IsAnsweredWithItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, WrongMesh,
-    testing::Values(WrongFile{"NoMesh", "netloft mesh 1", "hello", "1:1", "this is no mesh"},
-                    WrongFile{"Newer", "mesh 1", "mesh 2", "1:14", "of version 2"},
+    testing::Values(WrongFile{"NoMesh", "netloft mesh 1", "hello", "1:1", "this file is no mesh"},
+                    WrongFile{"Newer", "mesh 1", "mesh 2", "1:14", "is of version 2"},
                     WrongFile{"CutOff", "[end]\n", "", "13:1", "cut off"},
                     WrongFile{"UnknownSection", "[bars line]", "[beams line]", "8:1", "no section \"beams\""},
                     WrongFile{"RegionWithoutName", "[bars line]", "[bars]", "8:1", "without a name"},

@@ -19,14 +19,14 @@ TEST(EasternTrawl, TheLibraryGearCanBeSewn) {
   const auto checked = check_text(library_text("83-112-eastern.toml"));
   EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
   EXPECT_EQ(checked.diagnostics.warnings(), 2) << checked.said();
-  EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, the plan says 127.5, +1.7 %"))
+  EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, but the plan says 127.5, +1.7 %"))
       << checked.said();
 }
 
 /// The edges need 2·36 + 11.9 ft = 83.9 ft = 25.57 m of the headrope, which is 83 ft = 25.3 m long.
 TEST(EasternTrawl, TheHeadropeIsAFootShort) {
   EXPECT_TRUE(says(check_text(library_text("83-112-eastern.toml")),
-                   "headrope: 25.3 m long, 25.57 m of it are given to edges"));
+                   "headrope is 25.3 m long, but edges take 25.57 m of it"));
 }
 
 TEST(EasternTrawl, TheSlipOfThePrintedPlanIsFoundAndNamed) {
@@ -35,7 +35,7 @@ TEST(EasternTrawl, TheSlipOfThePrintedPlanIsFoundAndNamed) {
   EXPECT_TRUE(
       says(checked, "top-wing.breast-cut: cutting \"381M\" is not a rate; 3B1M, 43 M over 25.8 M, fits"))
       << checked.said();
-  EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, the plan says 127.5, +1.7 %"))
+  EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, but the plan says 127.5, +1.7 %"))
       << checked.said();
 }
 
@@ -55,7 +55,7 @@ TEST(PlanCheck, AMeshMoreOrLessIsNotTold) {
 
 TEST(PlanCheck, ACureClosesThePanel) {
   const auto checked = check_text(changed_plan("aft = 20\n", "aft = 22\n"));
-  ASSERT_TRUE(says(checked, "body.aft: the cuttings give 20 meshes, the plan says 22")) << checked.said();
+  ASSERT_TRUE(says(checked, "body.aft: the cuttings give 20 meshes, but the plan says 22")) << checked.said();
   ASSERT_TRUE(says(checked, "40.6 M of 5B1P in sides instead of 42")) << checked.said();
   const auto cured = check_text(
       changed_plan("depth = 42\naft = 20\nsides = \"5B1P in\"",
@@ -67,7 +67,7 @@ TEST(PlanCheck, ACureClosesThePanel) {
 TEST(PlanCheck, TakeUpIsTheRatioOfMeshes) {
   const std::string join = "edges = [\"body.aft\", \"bag.fore\"]";
   const auto checked = check_text(changed_plan("fore = 20\ndepth = 50", "fore = 25\ndepth = 50"));
-  EXPECT_TRUE(says(checked, "join[1]: body.aft has 20 meshes, bag.fore has 25 meshes, +25.0 %"))
+  EXPECT_TRUE(says(checked, "join[1]: body.aft has 20 meshes, but bag.fore has 25 meshes, +25.0 %"))
       << checked.said();
   std::string text = changed_plan("fore = 20\ndepth = 50", "fore = 25\ndepth = 50");
   text.replace(text.find(join), join.size(), join + "\ntake_up = 1.25");
@@ -113,7 +113,7 @@ length = "2.7 m"
 
 TEST(PlanCheck, ARopeOfTheMiddleCarriesBothWings) {
   const auto checked = check_text(changed_plan("length = \"6 m\"", "length = \"4 m\""));
-  EXPECT_TRUE(says(checked, "headline: 4 m long, 4.8 m of it are given to edges: 0.8 m too short"))
+  EXPECT_TRUE(says(checked, "headline is 4 m long, but edges take 4.8 m of it: it is 0.8 m too short"))
       << checked.said();
 }
 

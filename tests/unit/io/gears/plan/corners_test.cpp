@@ -118,7 +118,7 @@ TEST(Corners, ThatAreWrongAreAnsweredWithPlaceAndCure) {
       {"corners = [[0, 0], [10, 0], [10, 5, 3]]", "corners"},
       {"corners = [[0, 0], [10, 0], [1e9, 5]]", "corners"},
       {"corners = [[0, 0], [10, 0], [20, 0]]", "enclose no netting"},
-      {"corners = [[0, 0], [10, 0], [10, 0], [5, 8]]", "corners 2 and 3 are one"},
+      {"corners = [[0, 0], [10, 0], [10, 0], [5, 8]]", "corners 2 and 3 are in one place"},
       {"corners = [[0, 0], [10, 0], [10, 10], [6, 3], [0, 10]]", "turn back at [6, 3]"},
       {"corners = [[0, 0], [10, 0], [5, 8]]\ndepth = 8", "depth: follows from the corners"},
       {"corners = [[0, 0], [10, 0], [5, 8]]\nsides = \"AN\"", "sides: follows from the corners"},

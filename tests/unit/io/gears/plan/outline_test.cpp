@@ -116,7 +116,7 @@ TEST(Selvedge, IsAStripOfItsTwines) {
 /// The seams make the bag narrower, so its fore edge no longer fits the 20 meshes of the body.
 TEST(Selvedge, ChangesWhatIsSewnBesideIt) {
   const auto checked = check_text(laced_plan());
-  EXPECT_NE(checked.said().find("body.aft has 20 meshes, bag.fore has 14 meshes"), std::string::npos)
+  EXPECT_NE(checked.said().find("body.aft has 20 meshes, but bag.fore has 14 meshes"), std::string::npos)
       << checked.said();
 }
 

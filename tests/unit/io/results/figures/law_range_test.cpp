@@ -37,8 +37,7 @@ TEST(LawRange, SaysForHowMuchOfWhichPartsALawIsAskedOutside) {
   ASSERT_EQ(said.size(), 1u);
   EXPECT_EQ(said[0],
             "test/screen was measured for a solidity of 0.13 to 0.32 (nobody 1991); 34 % of the area of "
-            "wing, body lies "
-            "outside, all of it at 0.11 to 0.62");
+            "wing, body lies outside this range; the values are 0.11 to 0.62");
 }
 
 TEST(LawRange, NamesThreePartsAndCountsTheRest) {

@@ -89,9 +89,9 @@ TEST(BarTable, AnswersWrongCellsWithTheirPlace) {
       {"node,x,y,z", "knot,x,y,z", "gear.csv:1:1: error: the first line names the columns"},
       {"node,x,y,z", "node,x,y,zz", "there is no column \"zz\""},
       {"node,x,y,z,hold", "node,x,y,x,hold", "the column x appears twice"},
-      {"node,x,y,z,hold", "node,x,y,hold,z [ft]", "z is in [m], and not in [ft]"},
+      {"node,x,y,z,hold", "node,x,y,hold,z [ft]", "z must be in [m], not in [ft]"},
       {"hold,mass,fx\n", "hold,mass\n", "this is cell 7 of a row of 6"},
-      {"low,2,0,-0.4,,5,", "low,2,0,-0.4,,5", "this row has 6 cells, and the line of names 7"},
+      {"low,2,0,-0.4,,5,", "low,2,0,-0.4,,5", "this row has 6 cells, but the line of names has 7"},
       {"low,2,0,-0.4,,5,", "low,2,0,,,5,", "gear.csv:3:1: error: z is blank"},
       {"right,4,0,0,yz,,2", "right,4,0,0,5,yz,,2", "this is cell 8 of a row of 7"},
       {"low,2,0,-0.4,,5,", "low,2,0,nan,,5,", "gear.csv:3:9: error: z = \"nan\" is no number"},
@@ -111,7 +111,7 @@ TEST(BarTable, AnswersWrongCellsWithTheirPlace) {
        "has different properties here than in line 7"},
       {"0.012,6e4,1025,1.2,0.08\nrope,low", "0.012,,1025,1.2,0.08\nrope,low",
        "EA is blank (axial stiffness)"},
-      {"1.2,0.08\nstay", "1.2,\nstay", "one of normal_drag and tangential_drag is blank"},
+      {"1.2,0.08\nstay", "1.2,\nstay", "only one of normal_drag and tangential_drag is given"},
       {"length,diameter,EA", "length,diameter,mass", "there is no column \"mass\""},
       {"stay,left", "\"stay,left", "a quote is opened and not closed"}};
   for (const auto& w : wrong) {

@@ -176,7 +176,8 @@ TEST(DividedGear, TellsOfNettingThatATipLoses) {
 TEST(DividedGear, TellsWhereLinkedCornersHaveDifferentTypes) {
   const Divided gear(changed(kPolygon, "2 4 0 0 1\nTraction", "2 4 0 0 3\nTraction"));
   EXPECT_EQ(gear.read.diagnostics.errors(), 0);
-  EXPECT_TRUE(gear.says("corner 2 is of type 3 and linked to one of type 1, which the node gets"));
+  EXPECT_TRUE(
+      gear.says("corner 2 is of type 3, but linked to a corner of type 1, and the node gets that type"));
 }
 
 TEST(DividedGear, GivesNodesInABoxAnotherType) {

@@ -106,7 +106,7 @@ TEST(MovedNodes, StandStillAfterTheirTimes) {
       << gear.imported.scene;
   const ImportedSample still(kGear + "\ninput speed_type_node2 1 2 1 3 0.5 0.7 0 0 0 -0.1\n", kMesh);
   EXPECT_FALSE(still.holds("velocity"));
-  EXPECT_TRUE(still.holds("keyword speed_type_node2: is of motion, which --motion writes"));
+  EXPECT_TRUE(still.holds("keyword speed_type_node2: is left out, because the scene is at rest"));
 }
 
 TEST(MovedNodes, MayBeFreeInTheFile) {

@@ -84,8 +84,8 @@ TEST(FemnetMotion, IsOfNoInterestAtRestAndSaid) {
   const ImportedSample gear(kWavy, sample("09_hauling.mdg"));
   EXPECT_FALSE(gear.holds("waves ="));
   EXPECT_FALSE(gear.holds("[analysis]"));
-  EXPECT_TRUE(
-      gear.holds("# note, line 74, waves: are of motion, which --motion writes; the scene is at rest"))
+  EXPECT_TRUE(gear.holds(
+      "# note, line 74, waves: are left out, because the scene is at rest; --motion writes the motion"))
       << gear.imported.scene;
 }
 
@@ -114,8 +114,7 @@ TEST(FemnetMotion, LeavesOutWavesThatAreNotLinear) {
 
 /// a² k (3 − t²)/(4 t³) with t = tanh k h: a = 1 m and h = 100 m give k = 0.04044 1/m and t = 0.99939.
 TEST(FemnetMotion, SaysHowMuchWavesOfHigherOrderAreHigher) {
-  EXPECT_TRUE(
-      moving_sample(kWavy + "\ninput wave_model 2\n").holds("their crests would rise by 0.0202 m more"))
+  EXPECT_TRUE(moving_sample(kWavy + "\ninput wave_model 2\n").holds("crests would rise by 0.0202 m more"))
       << moving_sample(kWavy + "\ninput wave_model 2\n").imported.scene;
 }
 
@@ -131,7 +130,7 @@ TEST(FemnetMotion, LeavesOutWhatMovesInAnUnknownManner) {
       "# left out, line 108, keyword winch_speed: motion of this kind is not known here"))
       << moving_sample(wound).imported.scene;
   EXPECT_TRUE(ImportedSample(wound, sample("09_hauling.mdg"))
-                  .holds("# note, line 108, keyword winch_speed: is of motion; the scene is at rest"));
+                  .holds("# note, line 108, keyword winch_speed: is left out, because the scene is at rest"));
 }
 
 }  // namespace

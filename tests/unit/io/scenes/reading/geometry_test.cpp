@@ -267,7 +267,7 @@ TEST(Tube, MustHaveALengthAndNoSketchBesideIt) {
       "sketch = [[0, 0, 0], [2, 0, 0], [2, 0, -4], [0, 0, -4]]\n"
       "tube = { from = [1, 0, 0], to = [2, 0, 0], radius = 1 }\n");
   read_panel(both.reader);
-  EXPECT_NE(both.error().find("stands beside a sketch"), std::string::npos) << both.error();
+  EXPECT_NE(both.error().find("is given beside sketch"), std::string::npos) << both.error();
 }
 
 TEST(Panel, CountsMeshesToItsAftEdge) {

@@ -66,7 +66,8 @@ TEST_F(Take, KnowsOutputsOfAWholePart) {
 
 TEST_F(Take, SaysWhereOutputsAreToBeHad) {
   EXPECT_FALSE(understands("net.fore", "max tension", {0, 1}));
-  EXPECT_EQ(hint(), "\"tension\" is of elements, not of nodes: take it of the whole part, of = \"net\"");
+  EXPECT_EQ(hint(),
+            "\"tension\" is a quantity of elements, not of nodes: take it of the whole part, of = \"net\"");
 }
 
 TEST_F(Take, GuessesWhatWasMeant) {

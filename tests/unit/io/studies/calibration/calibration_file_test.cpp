@@ -88,7 +88,8 @@ TEST_F(CalibrationFileTest, WantsOnlyInputsThatAreThere) {
   };
   const Wrong all[] = {
       {replaced("confidence = 0.95", "confidence = 1"),
-       "1:14: confidence = 1 is outside (0, 1) (how likely intervals and bands hold)"},
+       "1:14: confidence = 1 is outside (0, 1) (probability with which intervals and bands contain the true "
+       "value)"},
       {replaced("confidence", "confidense"), "1:1: unknown key \"confidense\""},
       {replaced("scene = \"a.toml\"", "scen = \"a.toml\""),
        "3:1: missing key \"scene\" in scenes.slow: a text (the scene, relative to this file)"},
@@ -114,12 +115,12 @@ TEST_F(CalibrationFileTest, WantsOnlyInputsThatAreThere) {
       {replaced("deviation = 20", "deviation = true"), ""},
       {replaced("held_back = true", "held_back = 1"), ""},
       {replaced("held_back = true", "held_bak = true"), ""},
-      {replaced("deviation = 20\n", "deviation = 20\nheld_back = true\n"), "everything is held back"},
+      {replaced("deviation = 20\n", "deviation = 20\nheld_back = true\n"), "every value is held back"},
       {"[scenes]\n[variables.v]\nkey = \"k\"\nrange = [0, 1]\n[[measured]]\nscene = \"a\"\n",
-       "1:1: scenes: is empty: something has to be measured"},
+       "1:1: scenes: is empty: a calibration needs at least one scene that was measured"},
       {"[scenes.a]\nscene = \"a.toml\"\n[variables]\n[[measured]]\nscene = \"a\"\nfigure = \"f\"\nvalue = "
        "1\ndeviation = 1\n",
-       "3:1: variables: is empty: nothing is looked for"},
+       "3:1: variables: is empty: a calibration needs at least one unknown value"},
       {"[scenes.a]\nscene = \"a.toml\"\n[variables.v]\nkey = \"k\"\nrange = [0, 1]\n", ""},
   };
   for (const Wrong& wrong : all) {

@@ -34,8 +34,8 @@ TEST(Calibration, SaysWhatCannotBeToldApart) {
 
 TEST(Calibration, SaysWhatTheMeasurementsDoNotKnow) {
   const std::string text = calibration_text(done(0));
-  EXPECT_NE(text.find("say little of diameter"), std::string::npos) << text;
-  EXPECT_EQ(text.find("say little of drag"), std::string::npos) << text;
+  EXPECT_NE(text.find("say little about diameter"), std::string::npos) << text;
+  EXPECT_EQ(text.find("say little about drag"), std::string::npos) << text;
 }
 
 TEST(Calibration, ShowsWhatWasHeldBackApartAndWhatLiesOutsideItsBand) {

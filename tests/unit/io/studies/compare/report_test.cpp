@@ -46,8 +46,9 @@ Comparison example() {
 TEST(ComparisonText, SaysWhoJudgedWhomAndWhatIsNoError) {
   const std::string text = comparison_text(example());
   EXPECT_TRUE(has_text(text, "the reference is ptc, converged to 1e-09")) << text;
-  EXPECT_TRUE(
-      has_text(text, "lbfgs: found another equilibrium than ptc, up to 1.5 m away, its energy -0.25 J"))
+  EXPECT_TRUE(has_text(
+      text,
+      "lbfgs: found another equilibrium than ptc, up to 1.5 m away, with an energy that differs by -0.25 J"))
       << text;
   EXPECT_TRUE(has_text(text, "lbfgs: not converged at 1e-06: because")) << text;
   EXPECT_TRUE(has_text(text, "order 1.10 observed")) << text;

@@ -226,7 +226,7 @@ TEST(Estimates, AreOfTheGearThatIsNamed) {
   }
   EXPECT_NEAR(estimated(table, {"speed=2.7 kn,depth=80 m,gear=b"}).figures[0].value.value,
               100 + height(2.7, 80), 0.2);
-  EXPECT_NE(refused(table, {{"speed=2.7 kn,depth=80 m,gear=c"}, {}}).find("there are a, b"),
+  EXPECT_NE(refused(table, {{"speed=2.7 kn,depth=80 m,gear=c"}, {}}).find("its values are a, b"),
             std::string::npos);
 }
 TEST(Estimates, OfWrongPlacesAreRefusedAllAtOnce) {

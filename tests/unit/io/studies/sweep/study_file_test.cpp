@@ -68,7 +68,7 @@ TEST_F(StudyFileTest, WantsOnlyInputsThatAreThere) {
       {"path = [\"sped\"]\n" + with(""), "1:8: path: there is no variable \"sped\""},
       {"path = [\"mass\"]\n" + with(""),
        "1:8: path: mass is sampled from a range; a path goes through listed values"},
-      {"path = [\"speed\", \"speed\"]\n" + with(""), "1:8: path: speed is there twice"},
+      {"path = [\"speed\", \"speed\"]\n" + with(""), "1:8: path: speed is named twice"},
       {replaced(kGoodStudy, "samples = 3", "samples = 0"),
        "3:1: design.samples is missing or zero: variables with a range are sampled"},
       {replaced(kGoodStudy, "samples = 3", "sample = \"sobl\""),
@@ -78,7 +78,8 @@ TEST_F(StudyFileTest, WantsOnlyInputsThatAreThere) {
        "11:1: the name of a variable, \"m s\", must consist of letters, digits, - and _"},
       {replaced(with(""), "samples = 3",
                 "samples = 3\ncombine = \"list\"\n[variables.one]\nkey = \"k\"\nvalues = [1]"),
-       "9:1: speed has 2 values, one has 1; in a list they go together one by one"},
+       "9:1: speed has 2 values, one has 1; in a list, the first values go together, the second values, and "
+       "so on"},
       {with("distribution = \"normal\""),
        "11:1: variables.mass.mean: is missing (the middle of the normal distribution)"},
       {with("distribution = \"normal\"\nmean = \"5 kg\"\ndeviation = \"1 kg\""),
@@ -88,8 +89,8 @@ TEST_F(StudyFileTest, WantsOnlyInputsThatAreThere) {
        "(standard "
        "deviation of the normal distribution)"},
       {replaced(with("distribution = \"logarithmic\""), "[\"1 kg\"", "[\"0 kg\""),
-       "13:9: variables.mass.range: must be above zero to be divided by its logarithm"},
-      {"scene = \"a.toml\"\n[variables]\n", "2:1: variables: is empty: a study varies something"},
+       "13:9: variables.mass.range: must be above zero for a logarithmic distribution"},
+      {"scene = \"a.toml\"\n[variables]\n", "2:1: variables: is empty: a study needs at least one variable"},
       {"scene = \"a.toml\"\n[variables.v]\nkey = \"k\"\nvalues = [1]\n[design]\nsamples = 2",
        "6:11: design.samples: there is no variable with a range to sample from"},
   };
