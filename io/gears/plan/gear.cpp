@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 
 namespace netloft::gears {
 
@@ -214,10 +213,10 @@ class GearMaker {
   std::vector<HungEdge> hung_on(const Rope& rope, Side side) const {
     const bool across = is_whole() && rope.stands == Standing::middle;
     std::vector<HungEdge> port, starboard;
-    const auto [first, last] = hangings_.equal_range(rope.name);
-    for (const auto& [name, hanging] : std::ranges::subrange(first, last)) {
-      append_hung(starboard, *hanging, edges_of(hanging->edge, across ? Side::starboard : side));
-      if (across) append_hung(port, *hanging, edges_to_port(hanging->edge));
+    for (auto [at, last] = hangings_.equal_range(rope.name); at != last; ++at) {
+      const Hanging& hanging = *at->second;
+      append_hung(starboard, hanging, edges_of(hanging.edge, across ? Side::starboard : side));
+      if (across) append_hung(port, hanging, edges_to_port(hanging.edge));
     }
     port = {port.rbegin(), port.rend()};
     port.insert(port.end(), starboard.begin(), starboard.end());
