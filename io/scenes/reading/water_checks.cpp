@@ -27,23 +27,23 @@ Heights heights_of(const Scene& scene) {
   return gear;
 }
 
-/// Warns of a current whose profile lies above or below the gear. A profile is constant beyond its heights,
-/// so that only one of its values would act. A gear that starts at one height may lie on an end of the
-/// profile.
+/// Warns of a current whose profile lies above the surface, or above or below the gear with a gap between
+/// them. A profile is constant beyond its heights, so that only one of its values would act.
 void check_profile(const Scene& scene, formats::TableReader& root) {
   const auto& profile = scene.current.samples;
   if (scene.current.is_uniform() || scene.positions.empty()) return;
   const Heights gear = heights_of(scene), table{profile.front().z, profile.back().z};
-  const bool is_flat = gear.low == gear.high;
-  const bool is_above = is_flat ? table.low > gear.high : table.low >= gear.high,
-             is_below = is_flat ? table.high < gear.low : table.high <= gear.low;
-  if (!is_above && !is_below) return;
+  const bool is_dry = table.low >= 0, is_above = table.low > gear.high, is_below = table.high < gear.low;
+  if (!is_dry && !is_above && !is_below) return;
+  const char* where = is_below                 ? "below the gear"
+                      : table.low >= gear.high ? "above the gear"
+                                               : "above the surface";
   formats::TableReader current = root.table("water").table("current");
   current.diagnostics().warning(
       current.place("z"),
-      fmt::format("water.current: the profile lies {} the gear ({}; the gear starts at {}), so that only its "
-                  "{} value acts",
-                  is_above ? "above" : "below", table.text(), gear.text(), is_above ? "lowest" : "highest"),
+      fmt::format("water.current: the profile lies {} ({}; the gear starts at {}), so that only its {} value "
+                  "acts",
+                  where, table.text(), gear.text(), is_below ? "highest" : "lowest"),
       "z points up and is 0 at the surface: a depth of 50 m is z = \"-50 m\"");
 }
 

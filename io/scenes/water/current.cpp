@@ -19,9 +19,11 @@ std::vector<double> read_column(formats::TableReader& profile, const char* key, 
   return column;
 }
 
-/// Refuses a table without a column of velocities, whose water would be still.
-void require_velocity(formats::TableReader& table) {
-  if (!table.has("x") && !table.has("y") && !table.has("up"))
+/// Refuses a table of heights or times alone, whose water would be still.
+void require_velocity(const formats::TableReader& table) {
+  const auto keys = table.keys();
+  const auto is_argument = [](const auto& key) { return key == "z" || key == "t" || key == "factor"; };
+  if (!keys.empty() && std::ranges::all_of(keys, is_argument))
     table.diagnostics().error(
         table.place(), table.path() + ": has no x, y or up, so that the water would be still",
         "x = [1.2, 0.6] is the velocity aft, in m/s, for each number in the other column");
