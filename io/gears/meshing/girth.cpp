@@ -27,8 +27,16 @@ bool closes(const Gear& gear, const Seam& seam) {
   return one == other && !is_lateral(one);
 }
 
-/// Whether, across the seam, the outward direction of panel `one` is the inward direction of panel `other`.
+/// Whether two edges are the same edge of a pair of panels, to starboard and to port.
+bool are_mirror_images(const Gear& gear, const EdgeRef& one, const EdgeRef& other) {
+  const GearPanel &a = gear.panels[one.panel], &b = gear.panels[other.panel];
+  return a.panel == b.panel && a.is_mirrored != b.is_mirrored && kind_of(gear, one) == kind_of(gear, other);
+}
+
+/// Whether, across the seam, the outward direction of panel `one` is the inward direction of panel `other`. A
+/// panel and its mirror image both count outwards from the middle.
 bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef& other) {
+  if (are_mirror_images(gear, one, other)) return false;
   const auto comes_back = [&](const EdgeRef& ref) {
     return gear.last_of_ring(seam.edges[0]) == ref.panel || gear.last_of_ring(seam.edges[1]) == ref.panel;
   };
@@ -155,10 +163,16 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
 /// Finds the side edges that are sewn to their mirror image: those of tubes, and of pairs of panels that meet
 /// in the middle. In half a gear they lie on the plane of symmetry.
 void Girth::find_folds(const Gear& gear) {
+  const auto meets_its_image = [&](const EdgeRef& ref, const std::vector<EdgeRef>& others) {
+    return std::ranges::any_of(others,
+                               [&](const EdgeRef& other) { return are_mirror_images(gear, ref, other); });
+  };
   for (const auto& seam : gear.seams)
-    for (const auto& row : seam.edges)
-      for (const auto& ref : row)
-        if (seam.is_to_itself && is_lateral(kind_of(gear, ref))) folds_[ref.panel].push_back(ref);
+    for (const std::size_t row : {0u, 1u})
+      for (const auto& ref : seam.edges[row])
+        if (is_lateral(kind_of(gear, ref)) &&
+            (seam.is_to_itself || meets_its_image(ref, seam.edges[1 - row])))
+          folds_[ref.panel].push_back(ref);
   for (std::size_t p = 0; p < gear.panels.size(); ++p)
     for (std::size_t e = 0; e < gear.panels[p].outline.edges.size(); ++e)
       if (const auto& edge = gear.panels[p].outline.edges[e]; edge.is_on_plane && is_lateral(edge.kind))
