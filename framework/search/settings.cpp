@@ -90,7 +90,7 @@ class SettingSearch {
 
   /// Directions of the measurement: first a change of all factors, then for each factor a change opposite to
   /// that of all previous factors. The reason: warps of equal length pull a gear straight, but if one is
-  /// longer than the other, the tension of each hardly depends on their common length.
+  /// longer than the other, their common length changes the tension of each by little.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();

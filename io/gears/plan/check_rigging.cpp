@@ -88,7 +88,7 @@ void check_match(const Join& join, const std::string& path, const EdgeRow& a, co
   say_mismatch(join, path, a, b, second / first, limits, diagnostics);
 }
 
-/// Warns about edges sewn mesh to mesh whose mesh sizes differ so much that the wider meshes can hardly open.
+/// Warns about edges sewn mesh to mesh whose mesh sizes differ so much that the wider meshes cannot open far.
 void check_widths(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b,
                   const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double narrow = std::min(a.stretched, b.stretched), wide = std::max(a.stretched, b.stretched);

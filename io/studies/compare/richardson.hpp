@@ -31,8 +31,8 @@ double observed_order(double coarse_difference, double fine_difference, double h
 /// The weight w in (3).
 double extrapolation_weight(double order, double h2, double h1);
 
-/// Whether (1) may be used with this order, from 0.5 to 2.5. A lower order is hardly convergence. A higher
-/// order is a coincidence, because no element has an order above two.
+/// Whether (1) may be used with this order, from 0.5 to 2.5. With a lower order, meshes do not converge well
+/// enough. A higher order is a coincidence, because no element has an order above two.
 bool is_credible(double order);
 
 /// Whether the orders observed on successive levels are all credible and differ by at most a half.

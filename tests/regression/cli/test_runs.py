@@ -72,6 +72,12 @@ class Runs(InFreshFolder):
         self.assertLess(led["factorisations"], fresh["factorisations"])
         np.testing.assert_allclose(led["energy"], fresh["energy"], rtol=1e-9)
 
+    def test_a_value_that_is_set_twice_is_the_last_one_which_is_said(self):
+        ended = self.netloft("run", str(PANEL), "--set", "parts.net.cells=[8,8]", "--set", "parts.net.cells=[4,4]", "--json")
+        self.assertEqual(ended.code, 0, ended.err)
+        self.assertEqual(ended.json()["nodes"], 25)
+        self.assertIn("--set parts.net.cells=[4,4] takes the place of --set parts.net.cells=[8,8]", ended.err)
+
     def test_the_way_on_from_a_coarser_mesh_may_be_another_strategy_and_falls_back_on_the_solver(self):
         # tension/only is called for the scene itself; load-steps has nothing to do where nothing flows.
         panel = [str(PANEL)]

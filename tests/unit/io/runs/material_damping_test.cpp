@@ -80,7 +80,7 @@ TEST(MaterialDamping, IsTurnedOffByOneKey) {
 std::string said_of(const std::vector<std::string>& more) {
   PreparedScene one({kBounce, bounce(10, more), 1}, test::shipped_plugins());
   EXPECT_EQ(one.prepare(), PreparedScene::State::ready) << one.diagnostics().render(false);
-  EXPECT_EQ(one.diagnostics().render(false).find("damping"), std::string::npos);
+  EXPECT_EQ(one.diagnostics().warnings(), 1);  // of the gravity, which no place on Earth has
   return one.material_damping();
 }
 

@@ -80,7 +80,7 @@ TEST_F(ManifestTest, IsRefusedIfItsTableWouldSayWhatWasNotSet) {
   EXPECT_NE(refusal(manifest_text(none)).find("has no number"), std::string::npos);
 }
 TEST_F(ManifestTest, IsRefusedIfItsNamesLeadElsewhere) {
-  for (const char* name : {"../../pwned", "/tmp/pwned", "x\ntouch EXECUTED; #", "..", "x\x1b[31m"}) {
+  for (const char* name : {"../../pwned", "/pwned", "x\ntouch EXECUTED; #", "..", "x\x1b[31m"}) {
     Study study = sample();
     study.name = name;
     EXPECT_NE(refusal(manifest_text(study)).find("the name of the study"), std::string::npos) << name;
