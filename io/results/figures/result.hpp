@@ -107,8 +107,8 @@ struct NumericalLoss {
   double worst = 0, from = 0, until = 0;  // largest loss between two outputs [J], and their times [s]
   std::string node;                       // node whose velocity changed most between these outputs
   /// Whether the loss exceeds a twentieth of the energies in the motion, given + W. If so, no accuracy
-  /// setting resolves the motion after the loss. W keeps round-off from counting in a motion to which hardly
-  /// anything is given.
+  /// setting resolves the motion after the loss. W keeps round-off from counting in a motion that is given
+  /// little energy.
   bool is_large() const { return std::abs(lost) > 0.05 * (given + negligible); }
   bool is_created() const { return lost < 0; }
 };
