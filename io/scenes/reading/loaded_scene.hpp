@@ -131,15 +131,13 @@ struct LoadedScene {
   std::vector<formats::SourceFile> files;
   std::optional<GearInScene> gear;            // empty: the scene has no net plan
   std::map<std::string, Strength> strengths;  // by part; a part of unknown strength is left out
+  mutable formats::NameIndex index_of_parts = {};  // makes place_of fast, and is no part of the data
 
   /// The place of a part in the file, for messages; line 0 if there is no such part.
   formats::Place place_of(const std::string& part) const {
-    const auto at = names_.find(part, parts, [](const PartGeometry& p) { return p.name; });
+    const auto at = index_of_parts.find(part, parts, [](const PartGeometry& p) { return p.name; });
     return at ? parts[*at].place : formats::Place{0, 0, 0};
   }
-
- private:
-  mutable formats::NameIndex names_;  // of parts
 };
 
 }  // namespace netloft::scenes

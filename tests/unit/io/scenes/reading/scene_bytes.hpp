@@ -158,7 +158,9 @@ class SceneBytes {
   }
   void put(const Strength& s) { put_all(s.breaking_load, s.material); }
   void put(const LoadedScene& l) {
-    put_all(l.scene, l.parts, l.bodies, l.holds, l.results, l.analysis, l.files, l.gear, l.strengths);
+    const auto& [scene, parts, bodies, holds, results, analysis, files, gear, strengths, index_of_parts] = l;
+    static_cast<void>(index_of_parts);
+    put_all(scene, parts, bodies, holds, results, analysis, files, gear, strengths);
   }
 
   std::string bytes_;
