@@ -129,8 +129,8 @@ struct LoadedScene {
   std::vector<ResultRequest> results;
   Analysis analysis;
   std::vector<formats::SourceFile> files;
-  std::optional<GearInScene> gear;            // empty: the scene has no net plan
-  std::map<std::string, Strength> strengths;  // by part; a part of unknown strength is left out
+  std::optional<GearInScene> gear;                 // empty: the scene has no net plan
+  std::map<std::string, Strength> strengths;       // by part; a part of unknown strength is left out
   mutable formats::NameIndex index_of_parts = {};  // makes place_of fast, and is no part of the data
 
   /// The place of a part in the file, for messages; line 0 if there is no such part.
