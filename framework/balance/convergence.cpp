@@ -10,8 +10,8 @@ namespace netloft {
 
 namespace {
 
-// Chosen: a step of an iteration that still converges, even if only linearly, reduces the residual at least
-// by half, whereas rounding errors fluctuate from one point to the next.
+// The value is chosen: a step of an iteration that still converges, even if only linearly, reduces the
+// residual at least by half, whereas rounding errors fluctuate from one point to the next.
 constexpr double kRealReduction = 0.5;
 
 }  // namespace

@@ -47,12 +47,11 @@ class Factorisation {
  public:
   virtual ~Factorisation() = default;
 
-  /// Name of the method and of the library, for reports: "CHOLMOD supernodal LLT 3.0.14, METIS on the node
+  /// Name of the method and the library, for reports: "CHOLMOD supernodal LLT 3.0.14, METIS on the node
   /// graph".
   virtual std::string description() const = 0;
 
-  /// Orders and analyses the pattern, which must outlive this object. Throws std::runtime_error if this
-  /// fails.
+  /// Orders and analyses the pattern, which must outlive this object. Throws std::runtime_error on failure.
   virtual void analyse(const SparsePattern& pattern) = 0;
 
   /// Factorises `values`, which has pattern.value_slots() entries. A failure discards the previous factor.

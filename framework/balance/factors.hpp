@@ -24,7 +24,6 @@ class Factors {
                            std::span<const double> values);
   /// Solves with the last factor. Returns false and leaves x unchanged if no factor exists.
   bool solve(std::span<const double> rhs, std::span<double> x);
-  /// Drops the last factor.
   void forget() { last_ = nullptr; }
 
   const FactorResult& last_result() const { return result_; }

@@ -7,7 +7,7 @@
 namespace netloft {
 
 /// Whether an unknown belongs to all elements of a part together, such as the front of a catch. Such an
-/// unknown is not a position and has no mass. Its equation contains no rates, so that its history does not
+/// unknown is no position and has no mass. Its equation contains no rates, so that its history does not
 /// matter.
 inline bool is_shared(const Assembler& assembler, std::size_t i) {
   if (assembler.is_place(i)) return false;

@@ -13,9 +13,11 @@ namespace netloft {
 namespace {
 
 // In (5) of growth.hpp, the estimated error of a Ritz value may be at most this fraction of the distance of
-// the value from the unit circle. Chosen: the estimate is of first order and may be ten times too small.
+// the value from the unit circle. The fraction is chosen, because the estimate is of first order and may be
+// ten times too small.
 constexpr double kErrorOfKnown = 0.1;
-// Least ratio of the lengths after and before the orthogonalisation of a vector that is already orthogonal.
+// A vector counts as orthogonal to the basis if orthogonalisation leaves at least this fraction of its
+// length.
 constexpr double kLeastRemainder = 0.5;
 
 int rank(const RitzPair& pair, const Cayley& A, double beyond) {

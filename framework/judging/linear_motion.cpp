@@ -94,7 +94,7 @@ void add_damping_of_massless(const SparsePattern& p, std::span<const double> met
   });
 }
 
-/// a + t (b − a); an empty vector is zero.
+/// Returns a + t (b − a); an empty vector counts as zeros.
 std::vector<double> between(std::span<const double> a, std::span<const double> b, double t) {
   std::vector<double> there(a.begin(), a.end());
   there.resize(std::max(a.size(), b.size()));

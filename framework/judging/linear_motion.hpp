@@ -49,8 +49,8 @@ bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motio
 ///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
 ///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)
 /// (6c) depends neither on K₊, the stiffness of taut members, nor on a C that damps. The result is the
-/// largest value of (6c) for a single unknown. It may be ten times too small, a factor that the greatest σ
-/// covers. An unknown without mass moves at the rate K/C.
+/// largest value of (6c) for a single unknown. It may be ten times too small; the greatest σ still finds
+/// rates that are ten times larger. An unknown without mass moves at the rate K/C.
 double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double fraction);
 
 /// Calls visit(row, column, value) for every entry of the whole matrix, symmetric or not.

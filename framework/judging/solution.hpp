@@ -33,7 +33,8 @@ struct Solution : Assessment {
   std::vector<double> u;  // displacements of the unknowns; x are the positions
   SolverRun run;
   Cost cost;
-  bool does_not_settle = false;  // the solver's path exceeded Limits::path, or motions did not come to rest
+  bool does_not_settle = false;  // whether the solver's path exceeded Limits::path, or motions did not come
+                                 // to rest
   Shapes shapes;
   // The factors that were found for the scene's settings, for example on the lengths of ropes that must bear
   // given forces (search/settings.hpp).

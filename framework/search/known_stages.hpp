@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// The request of a strategy for a stage (one solve of the scene or of an easier variant), without its work
-/// budget and its name.
+/// The request of a strategy for a stage (one solve of the scene or of an easier variant), without the work
+/// budget and the name of the stage.
 struct StageRequest {
   bool by_strategy = false;  // whether a strategy solves the stage; otherwise a solver does
   std::string by;            // type of the strategy or solver
@@ -27,7 +27,7 @@ struct KnownStage {
   Solution solution;
   bool is_cut_off = false;  // whether the stage ended for lack of budget, and can be continued
   // For a strategy only:
-  bool has_solution = true;  // whether the strategy solved some stage of its scene
+  bool has_solution = true;  // whether the strategy solved some stage of its own scene
   netloft_ending ending = NETLOFT_ENDED_NOT_CONVERGED;
   int unsettled = 0;  // number of its stages that did not come to rest
 };
@@ -45,7 +45,7 @@ class KnownStages {
 
   /// The stored result, or null if there is none.
   const KnownStage* find(const StageRequest& request);
-  /// Stores a result in place of an earlier one of the same request, without its cost and history.
+  /// Stores a result without its cost and history. It replaces an earlier result of the same request.
   void keep(KnownStage stage);
 
  private:

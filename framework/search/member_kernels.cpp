@@ -102,7 +102,6 @@ NETLOFT_INLINE void add_lines(const MemberTable& table, const double* lines, dou
   for_sites(table, add);
 }
 
-/// The kernels for one instruction set.
 #define NETLOFT_KERNELS(name, Register, ...)                                                         \
   struct name {                                                                                      \
     __VA_ARGS__ static void add_blocks(const MemberTable& table, const double* K, double* values) {  \

@@ -10,22 +10,22 @@
 
 namespace netloft {
 
-/// The nodes of one member (a line that bears tension), or of two members that follow each other (both
-/// directions of a triangle of netting). `dof` are the indices of the nodes' coordinates in vectors over all
-/// degrees of freedom, 3 per node. `block` are the indices of the 3 x 3 blocks of node pairs in the array of
-/// matrix values, row by row, −1 if there is none.
+/// The nodes of one member (a line that bears tension), or of two members (the two directions of twines in a
+/// triangle of netting). `dof` are the indices of the nodes' coordinates in vectors over all degrees of
+/// freedom, 3 per node. `block` are the indices of the 3 x 3 blocks of node pairs in the array of matrix
+/// values, row by row; −1 if there is no such block.
 struct MemberSite {
   std::uint32_t first = 0, members = 1, nodes = 2;
   std::array<std::int32_t, 9> dof{}, block{};
 };
 
-/// The coefficients c of a member's chord w = Σ c x, and the products of c and the `number` of equal twines
-/// that the member represents; one per node (netloft_member).
+/// For each node of a member: its coefficient c in the member's chord w = Σ c x, and the product of c and the
+/// `number` of equal twines that the member represents (netloft_member).
 struct MemberWeights {
   std::array<double, 3> c, number_c;
 };
 
-/// All members, by site.
+/// All members, grouped by site.
 struct MemberTable {
   std::span<const MemberSite> sites;
   std::span<const MemberWeights> weights;
@@ -49,9 +49,10 @@ NETLOFT_INLINE void for_sites(const MemberTable& table, const Visit& visit) {
 /// symmetric. `lines` have 6 numbers per member: a unit vector t, a force f, and a, b of K = a t tᵀ + b I
 /// (netloft_members).
 struct MemberKernels {
-  /// Adds the sum over members of n c cᵀ K to the matrix values, with n the number of equal twines.
+  /// Adds n c cᵀ K of all members to the matrix values; n is a member's number of equal twines, c the
+  /// coefficients of its chord.
   void (*add_blocks)(const MemberTable& table, const double* K, double* values);
-  /// Does the same with K = a t tᵀ + b I, and adds the sum of n c f t to the forces.
+  /// Like add_blocks, with K = a t tᵀ + b I; also adds n c f t of all members to the forces.
   void (*add_lines)(const MemberTable& table, const double* lines, double* forces, double* values);
 };
 

@@ -26,8 +26,7 @@ class MemberProblem {
   MemberProblem(Assembler& assembler, MakeFactorisation make, Limits limits,
                 std::function<void(const IterationRecord&)> on_iteration = {});
 
-  /// Whether a scene has members, and all nodes move along the axes of the world (no node has axes of its
-  /// own).
+  /// Whether a scene has members, and all nodes move along the world's axes (no node has axes of its own).
   static bool serves(const Scene& scene, const Assembler& assembler);
 
   netloft_members& interface() { return interface_; }
@@ -67,16 +66,16 @@ class MemberProblem {
 
   std::vector<netloft_member> members_;
   std::vector<std::uint32_t> part_;
-  /// One coordinate of a node on a body, at which `member` has the coefficient c[k]. `point` is the index of
-  /// this coordinate in vectors over all degrees of freedom, `origin` that of the same coordinate of the
-  /// body's origin.
+  /// A coordinate of a node on a body. In the chord of `member`, it has the coefficient c[k]. `point` is the
+  /// index of this coordinate in vectors over all degrees of freedom, `origin` that of the same coordinate of
+  /// the body's origin.
   struct Carried {
     std::size_t member, k, axis;
     std::int32_t point, origin;
   };
   std::vector<Carried> carried_;
   std::vector<std::size_t> rotations_;  // indices of bodies' rotations among the unknowns
-  // Indices of the matrix values in rows and columns of these rotations: on the diagonal, and off it.
+  // Indices of the matrix values in rows and columns of bodies' rotations: on the diagonal, and all others.
   std::vector<std::size_t> of_rotations_, beside_;
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;    // by member

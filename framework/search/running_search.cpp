@@ -59,7 +59,7 @@ std::uint32_t stability_of(const Solution& s) {
   }
 }
 
-/// "conservative, members"
+/// Names the traits: "conservative, members".
 std::string traits_of_search(std::uint32_t traits) {
   std::string text = describe_traits(traits & (NETLOFT_CONSERVATIVE | NETLOFT_SYMMETRIC));
   const std::pair<std::uint32_t, const char*> all[] = {{NETLOFT_SEARCH_REMEMBERS, "elements that remember"},
@@ -199,10 +199,10 @@ std::uint32_t RunningSearch::size_of(std::uint32_t level) {
   return variant_problem ? static_cast<std::uint32_t>(variant_problem->assembler->pattern().size) : 0;
 }
 
-/// The ending of the equilibrium, or, if there is none, of the last stage of the scene itself. The stage
-/// closest to balance does not decide, because a later stage that was cut off may be farther from balance. A
-/// strategy that solved no stage of its scene may have ended with work left; it would do so again, so that
-/// the ending is then not out_of_work.
+/// How the strategy ended: the ending of the stage that found the equilibrium or, without an equilibrium, of
+/// the last stage of the scene itself. The stage closest to balance does not decide, because a later stage
+/// that was cut off may be farther from balance. If a strategy solved no stage of its scene although it had
+/// work left, more work would not help, so that its ending is not out_of_work.
 netloft_ending RunningSearch::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);
@@ -372,7 +372,7 @@ int RunningSearch::answer(const double* u) {
   return NETLOFT_OK;
 }
 
-/// Stores an equilibrium of the scene itself until the strategy reports it, and updates the point closest to
+/// Stores an equilibrium of the scene itself until the strategy reports it. Updates the point closest to
 /// balance.
 void RunningSearch::keep(const netloft_stage& stage, const Solution& s) {
   constexpr std::size_t kMostKept = 8;  // strategies report equilibria soon after their stage

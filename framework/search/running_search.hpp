@@ -27,7 +27,7 @@ class RunningSearch {
 
   /// The best answer; if there is none, the stage of the scene itself that came closest to balance.
   Solution best() const;
-  /// The same as best(), with the reason why there is no answer.
+  /// Returns best() with the reason why there is no answer.
   Solution explained() const;
   /// Whether some stage of the scene itself has been solved.
   bool has_any() const { return equilibria_.has_any() || closest_.has_value(); }

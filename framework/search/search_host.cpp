@@ -23,13 +23,13 @@ const SolverType& no_solver() {
   return type;
 }
 
-// Numbers stored in known stages per unknown of the scene. They suffice for about ten points on its own mesh,
-// and take less memory than a factor of netting. On samples of small and medium hard cases, 32 numbers cost 1
-// % and 2 % more factorisations; 128 and 256 saved at most 3 %.
+// How many numbers KnownStages stores at most, per unknown of the scene. They suffice for about ten points on
+// its own mesh, and take less memory than a factor of netting. On samples of small and medium hard cases, 32
+// numbers cost 1 % and 2 % more factorisations; 128 and 256 saved at most 3 %.
 constexpr std::size_t kNumbersKept = 64;
 
-// Largest depth of nested calls of strategies. Grid sequencing by the strategy `auto` takes two calls per
-// mesh, and no scene has thirty meshes.
+// Largest depth of nested calls of strategies. Grid sequencing by the strategy `auto` takes two nested calls
+// per mesh, and no scene has thirty meshes.
 constexpr int kDeepestCall = 64;
 
 bool was_cut_off(const Solution& s) {

@@ -33,7 +33,6 @@ class SearchHost {
   /// Solves `stage`, whose variant is relative to the original scene, and stores its record. A known stage is
   /// neither solved nor recorded again.
   Solution solve(const netloft_stage& stage, const SolverUse& solver);
-  /// Assesses the point of a stage.
   Solution assess(const netloft_stage& stage);
   /// Adds the record of a stage. On input, `stage.work` is the work of its assessment.
   void record(StageRecord stage, const VariantProblem& variant_problem);

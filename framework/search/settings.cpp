@@ -17,7 +17,8 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 // Constants of the search for factors. Changes of factors are relative: they are changes of the logarithm.
 // kFirstChange is the change over which slopes are measured. Such a change of a factor changes a tension by
-// some percent. Equilibria are found to 1e-10 of the load, so that this difference has 7 digits.
+// some percent. Equilibria are found to 1e-10 of the load, so that the change of the tension is known to 7
+// digits.
 constexpr double kFirstChange = 0.01;
 // kLargestChange is the largest change in one step. If the length of a warp changes by 5 %, Newton's method
 // still converges from the previous equilibrium.
@@ -42,7 +43,7 @@ std::vector<double> factors_at(const VectorXd& y) {
   return factors;
 }
 
-/// Finds the factors; the methods are its steps.
+/// Finds the factors. Each method is one step of the search.
 class SettingSearch {
  public:
   SettingSearch(const Scene& scene, const FindWithFactors& find) : scene_(scene), find_(find) {}
@@ -89,8 +90,8 @@ class SettingSearch {
   }
 
   /// Directions of the measurement: first a change of all factors, then for each factor a change opposite to
-  /// that of all previous factors. The reason: warps of equal length pull a gear straight, but if one is
-  /// longer than the other, their common length changes the tension of each by little.
+  /// that of all previous factors. The reason: if one of two warps is longer than the other, a change of both
+  /// lengths by one factor hardly changes their tensions.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();
