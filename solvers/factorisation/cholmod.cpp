@@ -207,11 +207,12 @@ class CholmodFactorisation final : public Factorisation, public ForeseesMemory {
   std::string ordering_;
 };
 
-/// Neighbouring supernodes become one of n columns if n ≤ 20, or n ≤ 48 with at most a fraction of 0.8 of
-/// zeros, or n ≤ 96 with 0.2, or with 0.08. With three unknowns per node, larger blocks are better than
-/// CHOLMOD's own 4, 16, 48, 0.8, 0.1, 0.05: a factorisation got 20–27 % faster for 10⁴ unknowns, 7 %
-/// (triangles) to 23 % (squares) for 10⁵, and 6–9 % for 3·10⁵; a solve got 10 % slower. None of seven other
-/// sets, on tangents of 10³ to 3·10⁵ unknowns, gains more than 5 %.
+/// Neighbouring supernodes are merged into one of n columns if n ≤ 20, if n ≤ 48 and at most a fraction of
+/// 0.8 of its entries are zeros, if n ≤ 96 and the fraction is at most 0.2, or if it is at most 0.08. With
+/// three unknowns per node, larger blocks are better than CHOLMOD's own 4, 16, 48, 0.8, 0.1, 0.05: a
+/// factorisation got 20–27 % faster for 10⁴ unknowns, 7 % (triangles) to 23 % (squares) for 10⁵, and 6–9 %
+/// for 3·10⁵; a solve got 10 % slower. None of seven other sets, on tangents of 10³ to 3·10⁵ unknowns, gains
+/// more than 5 %.
 void merge_supernodes(cholmod_common& common) {
   constexpr std::size_t kColumns[] = {20, 48, 96};
   constexpr double kZeros[] = {0.8, 0.2, 0.08};
@@ -219,10 +220,11 @@ void merge_supernodes(cholmod_common& common) {
   std::copy(std::begin(kZeros), std::end(kZeros), common.zrelax);
 }
 
-/// Time of supernodal factorisations of nets after AMD, relative to METIS: 0.9 to 1.04 for 1000 to 4400 nodes
-/// (with up to 1.1 times the operations), 0.99 to 1.09 for 6000, and 1.1 to 1.2 for 16 000. METIS itself
-/// takes as long as one or two factorisations. Time for panels after dissection, relative to METIS: 0.72
-/// (6500 nodes), 0.85 (26 000) and 0.91 (10⁵), with 0.84, 0.88 and 0.94 of the operations.
+/// Supernodal factorisations of nets that AMD has ordered take 0.9 to 1.04 times as long as after METIS for
+/// 1000 to 4400 nodes (with up to 1.1 times the operations), 0.99 to 1.09 times for 6000, and 1.1 to 1.2
+/// times for 16 000. METIS itself takes as long as one or two factorisations. For panels that dissection has
+/// ordered, the ratio is 0.72 (6500 nodes), 0.85 (26 000) and 0.91 (10⁵), with 0.84, 0.88 and 0.94 of the
+/// operations.
 constexpr LargeNets kLargeNets{5000, OrderingMethod::dissection};
 
 template <class Index>

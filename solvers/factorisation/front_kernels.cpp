@@ -113,8 +113,8 @@ NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, doubl
   }
 }
 
-/// Ones between zeros. An offset into the first zeros gives a mask that ends in ones; an offset into the ones
-/// gives a mask that ends in zeros.
+/// Ones between zeros. Kernels read kTileRows numbers from an offset into this array: an offset into the
+/// first zeros gives a mask that ends in ones; an offset into the ones gives a mask that ends in zeros.
 constexpr double kOnesBetween[3 * kTileRows] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
                                                 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
 
@@ -416,7 +416,6 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   }
 }
 
-/// The kernels for one instruction set.
 #define NETLOFT_KERNELS(name, Register, ...)                                                                 \
   struct name {                                                                                              \
     __VA_ARGS__ static Elimination eliminate(const FrontPanels& f, double least, std::int32_t* exchanged) {  \

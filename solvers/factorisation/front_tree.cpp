@@ -38,10 +38,10 @@ class Supernodes {
   cholmod_factor* factor_ = nullptr;
 };
 
-/// Neighbouring supernodes become one of n vertices if n ≤ 2, or n ≤ 6 with at most a fraction of 0.8 of
-/// zeros, or n ≤ 16 with 0.1, or with 0.05. Seven sets were compared, from no merging to 6, 16, 32, 0.8, 0.2,
-/// 0.08, on tangents of 500 to 10⁵ unknowns: none is better by more than 4 %, and the largest takes 1.5 times
-/// as long at 500.
+/// Neighbouring supernodes are merged into one of n vertices if n ≤ 2, if n ≤ 6 and at most a fraction of 0.8
+/// of its entries are zeros, if n ≤ 16 and the fraction is at most 0.1, or if it is at most 0.05. Seven sets
+/// were compared, from no merging to 6, 16, 32, 0.8, 0.2, 0.08, on tangents of 500 to 10⁵ unknowns: none is
+/// better by more than 4 %, and the largest takes 1.5 times as long at 500.
 void merge(cholmod_common& common) {
   constexpr std::size_t kVertices[] = {2, 6, 16};
   constexpr double kZeros[] = {0.8, 0.1, 0.05};

@@ -10,7 +10,7 @@
 namespace netloft {
 namespace {
 
-constexpr double kLeastPivot = 1e-8;  // relative to the norm of the columns of L
+constexpr double kLeastPivot = 1e-8;  // least pivot, relative to the norm of the columns of L
 
 }  // namespace
 

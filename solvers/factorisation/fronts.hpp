@@ -43,8 +43,8 @@ class Fronts {
 
   /// Eliminates a front with this thread alone if `workers` is null, else with all `workers`.
   Elimination eliminate(std::size_t front, Workers* workers);
-  /// Both solve the part of L y = b, or of U x = y, that belongs to a front, in the vector by_place(). Call
-  /// forward() for children before parents, backward() for parents before children.
+  /// forward() and backward() solve the part of L y = b, or of U x = y, that belongs to a front, in the
+  /// vector by_place(). Call forward() for children before parents, backward() for parents before children.
   void forward(std::size_t front);
   void backward(std::size_t front);
 
@@ -64,7 +64,7 @@ class Fronts {
   const MatrixKernels& matrix_kernels_ = matrix_kernels();
   std::vector<double> values_;  // values of the matrix, by slot
   Room panels_, updates_[2];
-  std::vector<std::int32_t> exchanged_;  // rows, by place
+  std::vector<std::int32_t> exchanged_;  // row exchanged with each pivot's row, by place of the pivot
   std::vector<double> by_place_, of_front_;
 };
 

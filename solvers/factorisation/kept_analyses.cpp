@@ -11,7 +11,7 @@
 namespace netloft {
 namespace {
 
-constexpr double kLargestKept = 4e6;  // entries of a factor
+constexpr double kLargestKept = 4e6;  // most entries of a factor that is kept
 
 /// A factorisation with the pattern that it has analysed.
 struct Analysed {

@@ -113,7 +113,6 @@ NETLOFT_INLINE void multiply(const MatrixBlocks& A, const double* values, std::s
   }
 }
 
-/// The kernels for one instruction set.
 #define NETLOFT_KERNELS(name, Register, ...)                                                                 \
   struct name {                                                                                              \
     __VA_ARGS__ static void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {           \

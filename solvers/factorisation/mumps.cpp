@@ -24,8 +24,8 @@ namespace {
 
 enum Job { kBegin = -1, kEnd = -2, kAnalyse = 1, kFactorise = 2, kSolve = 3 };
 
-/// An instance of MUMPS. Its numbers have the names of the users' guide of MUMPS 5.5, section 6, and count
-/// from one as they do there.
+/// An instance of MUMPS. Its parameters have the names and the indices, from one, of the users' guide of
+/// MUMPS 5.5, section 6.
 class MumpsInstance {
  public:
   explicit MumpsInstance(bool symmetric);
@@ -180,7 +180,7 @@ FactorResult MumpsFactorisation::factorise(std::span<const double> values) {
 /// predicts; the amount is unknown, so it is increased step by step.
 int MumpsFactorisation::factorise_with_room() {
   constexpr int kNoRoomForIntegers = -8, kNoRoomForReals = -9;
-  constexpr int kMostRoom = 10000;  // [percent] in addition to the prediction
+  constexpr int kMostRoom = 10000;  // memory in addition to the prediction [percent]
   for (;;) {
     const int status = mumps_->run(kFactorise);
     MUMPS_INT& room = mumps_->icntl(14);

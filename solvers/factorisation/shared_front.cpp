@@ -6,8 +6,8 @@
 namespace netloft {
 namespace {
 
-// With less work [floating-point operations], threads cost more than they save. One thread needs 25
-// microseconds for it.
+// With less work than this [floating-point operations], threads cost more than they save. One thread does it
+// in 25 microseconds.
 constexpr double kWorthwhile = 1e6;
 constexpr std::ptrdiff_t kSlicesPerThread = 4;  // so that a thread without a core of its own delays little
 

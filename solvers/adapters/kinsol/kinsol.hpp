@@ -16,8 +16,9 @@ struct Kinsol {
   struct Parameters {
     std::int64_t strategy = 0;
     double damping = 0;        // μ
-    double longest_step = 0;   // root mean square over the unknowns, in lengths of the largest element
-    double shortest_step = 0;  // largest component of the step relative to the unknown
+    double longest_step = 0;   // longest step: root mean square over the unknowns, in lengths of the largest
+                               // element
+    double shortest_step = 0;  // shortest step: its largest component relative to the unknown
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);
 };

@@ -21,7 +21,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-// Number of points used in the likelihood. Its minimum has a width of 1/√n, and a value takes n³/3
+// Number of points used in the likelihood. Its minimum has a width of 1/√n, and each evaluation takes n³/3
 // operations.
 constexpr Index kLikelihoodPoints = 150;
 // Range of the lengths over the extent of the points. With shorter lengths, points are uncorrelated; with

@@ -9,9 +9,8 @@
 namespace netloft::newton {
 
 /// The range of the damping μ of K + μ M, and how μ rises and falls. Below `least_damping`, μ becomes 0. For
-/// an unsymmetric K, whose definiteness is unknown, μ rises from 0 to the square root of a double's rounding,
-/// and falls down to the rounding itself, because soft parts of a gear need less damping than stiff ones, by
-/// the ratio of their stiffnesses.
+/// an unsymmetric K, whose definiteness is unknown, μ rises from 0 to √ε and falls down to ε, the rounding
+/// error of a double, because soft parts of a gear need less damping than stiff ones.
 struct DampingRange {
   double least, most, factor;
   double end;  // a smaller μ becomes 0

@@ -16,9 +16,9 @@ namespace {
 /// accepts only a smaller t.
 constexpr double kTrusted = 0.5;
 
-/// Returns μ for the next direction: lower after a step by the merit with t > ½ or by ‖r‖, multiplied by
-/// 1/(2 t) after a shorter step by the merit, higher if no step was found. After a step by the slope, or
-/// along negative curvature alone, μ is the damping of that step's matrix.
+/// Returns μ for the next direction. μ falls if ‖r‖, or the merit with t > ½, accepted the step; it is
+/// multiplied by 1/(2 t) if the merit accepted a shorter step; it rises if no step was found. After a step by
+/// the slope, or along negative curvature alone, μ is the damping of that step's matrix.
 double damping_after(const Step& step, const DampingRange& range) {
   if (!step) return range.raised(step.damping);
   if (step.rule == Step::Rule::residual) return range.lowered(step.damping);

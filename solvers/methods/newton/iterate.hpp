@@ -60,7 +60,7 @@ class Iterate {
   /// Moves u to u(t) and evaluates the tangent there. If forces are undefined at u(t), returns false and
   /// leaves u and the tangent unchanged.
   bool try_move(const Path& path, double t);
-  /// Does the same as try_move, but only if ‖r‖ does not rise.
+  /// Moves u like try_move, but only if ‖r‖ does not rise.
   bool try_move_if_residual_below(const Path& path, double t);
 
  private:

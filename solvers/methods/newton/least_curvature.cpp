@@ -13,7 +13,7 @@ namespace {
 
 using Few = std::array<double, LeastCurvature::kSteps>;
 
-// Relative increase of θ by a longer basis below which v is accurate enough.
+// v is accurate enough if a longer basis increases θ by less than this fraction.
 constexpr double kFound = 0.01;
 
 /// The upper left n × n of a symmetric tridiagonal matrix T with the diagonal a and the off-diagonal b.

@@ -26,7 +26,8 @@ class StallCount {
   }
 
  private:
-  std::int64_t most_steps_, steps_without_halving_ = 0;     // limit and number of such steps in a row
+  std::int64_t most_steps_, steps_without_halving_ = 0;     // limit and number of steps in a row without
+                                                            // halving
   double least_ = std::numeric_limits<double>::infinity();  // the decrease that must be halved next
 };
 
@@ -41,8 +42,8 @@ class RoundOffSteps {
   /// Moves u by the whole step, or by a part of it by the slope, (7).
   Step take(Iterate& iterate, const Direction& direction);
   /// Tries the undamped K, once at every point, after a damped step that has not moved u. If K is positive
-  /// definite or unsymmetric, its step is tried by the same two rules. If all forces have an energy and K is
-  /// nearly definite, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
+  /// definite or unsymmetric, its step is tried by take(). If all forces have an energy and K is nearly
+  /// definite, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
   Step fall_back(Iterate& iterate, double damping);
   /// Allows (7) again after stalled steps, because a step judged by the merit has moved u.
   void reset_stall_count() { stall_.reset(); }
@@ -59,7 +60,7 @@ class RoundOffSteps {
   NegativeCurvature& curvature_;
   StallCount stall_;
   std::optional<std::size_t> fell_back_at_;  // Iterate::count() when fall_back was last used
-  std::vector<double> s_;                    // step of fall_back
+  std::vector<double> s_;                    // the step s that fall_back tries
 };
 
 }  // namespace netloft::newton

@@ -3,7 +3,7 @@
 
 namespace netloft::newton {
 
-/// The result of trying a direction: whether u has moved, and by which rule.
+/// The result of trying a direction: whether u has moved, and which rule accepted the step.
 struct Step {
   enum class Rule { none, energy, residual, slope };
   Rule rule = Rule::none;

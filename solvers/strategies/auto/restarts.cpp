@@ -10,8 +10,8 @@ namespace netloft::automatic {
 
 namespace {
 
-/// Largest force on a node that only resistance to compression bears, over the largest load: the imbalance at
-/// the equilibrium `at` if resistance to compression is removed.
+/// Removes resistance to compression at the equilibrium `at`. Returns the largest force on a node that is
+/// then out of balance, relative to the largest load.
 double borne_by_compression(Search& search, const Stage& at) {
   return search.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }

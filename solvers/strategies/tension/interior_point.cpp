@@ -8,7 +8,7 @@ namespace netloft::tension {
 
 namespace {
 
-/// Limit of μ and of the residual at convergence, over the load.
+/// Limit of μ and of the residual at convergence, relative to the load.
 constexpr double kSolved = 0x1p-26;
 
 /// Returns at most one, and NaN for NaN.
@@ -107,7 +107,7 @@ void InteriorPoint::set_member(std::size_t e) {
   forces_[e] = {-y[1], -y[2], -y[3]};
 }
 
-/// Factorises the matrix as a positive definite one, until r has made it indefinite once.
+/// Factorises the matrix, which counts as positive definite until r makes it indefinite for the first time.
 bool InteriorPoint::factorise() {
   if (!is_indefinite_) {
     const Factor factor = members_.factorise();

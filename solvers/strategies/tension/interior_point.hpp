@@ -33,7 +33,8 @@ class InteriorPoint {
   /// The options, which strategies.cpp explains.
   struct Parameters {
     double to_boundary = 0;  // (6)
-    /// Fraction of the way that a step leaves to the boundary, and z₀ − ‖z̄‖ of a taut member at the start.
+    /// The fraction of the way to the boundary of K that a step leaves. A taut member starts with z₀ − ‖z̄‖
+    /// of this size.
     double room() const { return 1 - to_boundary; }
   };
 

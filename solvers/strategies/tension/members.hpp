@@ -80,7 +80,7 @@ class Members {
 
  private:
   static void check(int status) {
-    if (status < 0) throw std::runtime_error("");  // the host knows what went wrong
+    if (status < 0) throw std::runtime_error("");  // the host reports the cause itself
   }
   netloft_members& m_;
 };

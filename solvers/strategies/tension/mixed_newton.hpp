@@ -36,11 +36,12 @@ class MixedNewton {
   struct Stage {
     const char* name = "";
     std::vector<double> factor;  // factor on EA and EA_c of each part, at most 1
-    bool is_far = false;         // T = k ε(u), and μ follows the residual
+    bool is_far = false;         // whether T = k ε(u), and μ follows the residual
     double damping = 0;          // first μ
     double farthest_turn = 0;    // limit of the rotation of a member in one step [rad]
-    bool is_between = false;     // ends after the first whole step, without a tolerance
-    double tolerance = 0;        // ends if no residual exceeds this fraction of the largest reaction
+    bool is_between = false;     // the stage ends after its first whole step, without a tolerance
+    double tolerance = 0;        // the stage ends if no residual exceeds this fraction of the largest
+                                 // reaction
     std::int64_t iterations = 0;
   };
 
@@ -97,7 +98,7 @@ class MixedNewton {
   double damping_ = 0;                                  // μ
   double norm_ = 0;                                     // norm of the last residual
   bool took_whole_step_ = false;
-  bool knows_rest_ = false;  // rest_ and its tangent belong to u
+  bool knows_rest_ = false;  // whether rest_ and its tangent belong to u
 };
 
 }  // namespace netloft::tension

@@ -13,12 +13,12 @@ namespace netloft::tension::cone {
 /// Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010), sections 4 and 5.
 using Point = std::array<double, 4>;
 
-/// J x: x₀, −x̄.
+/// Returns J x = (x₀, −x̄).
 inline Point mirrored(const Point& x) { return {x[0], -x[1], -x[2], -x[3]}; }
 
 inline double length(const Point& x) { return std::sqrt(x[1] * x[1] + x[2] * x[2] + x[3] * x[3]); }
 
-/// x₀² − ‖x̄‖², positive inside K, as a product, which keeps its digits near the boundary of K.
+/// Returns x₀² − ‖x̄‖², positive inside K, by a product that keeps its digits near the boundary of K.
 inline double determinant(const Point& x) { return (x[0] - length(x)) * (x[0] + length(x)); }
 
 /// a ∘ b = (a·b, a₀ b̄ + b₀ ā).
