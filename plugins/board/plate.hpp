@@ -66,7 +66,7 @@ PlateForce<T> plate_force(const Vec3<T>& w, double chord, double span, const T& 
   f.normal = s > T(1e-10) ? rising + past * (falling - rising) : rising;
   const T a = pow(A, 1.25), xi = 0.25 * a / (a + 0.48);
   const T way = has_way ? (chord * w.x * w.x + span * w.z * w.z) / square : T(0);
-  const T lever = (0.5 - xi) * way * potential / (potential * c + kVortex * s);  // (6), over c
+  const T lever = (0.5 - xi) * way * potential / (potential * c + kVortex * s);  // (6), divided by c
   f.ahead_chord = -lever * w.x;
   f.ahead_span = -lever * w.z;
   return f;

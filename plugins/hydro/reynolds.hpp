@@ -16,7 +16,7 @@ namespace netloft::hydro {
 /// φ is continued along its tangent, so that drag is linear in the velocity. Above 10⁵ (3) continues, because
 /// ropes are too rough for a dependable drag crisis. The source's formula for friction along a cable gives a
 /// force over a velocity, not a coefficient; netting_twine.hpp uses it. All formulas are joined without
-/// branches, for loops over lanes.
+/// branches, so that loops over flows vectorise.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
 /// Returns φ by (1) below Re = kBlend. Above, where (1) has a pole at Re = 7.4, it returns a constant that is
@@ -78,8 +78,8 @@ T takagi_phi(const T& reynolds) {
 /// The source of the drag coefficient of a cylinder.
 enum class Cylinder : std::int64_t { choo_casarella, takagi };
 
-/// Calls visit(φ) with the function φ(Re) of a cylinder, so that this function is chosen once, outside a loop
-/// over lanes.
+/// Calls visit(φ) with the function φ(Re) of a cylinder, so that this function is chosen once, outside the
+/// loop over flows.
 template <class Visit>
 auto with_cylinder_phi(std::int64_t cylinder, const Visit& visit) {
   if (cylinder == static_cast<std::int64_t>(Cylinder::takagi))
