@@ -239,7 +239,8 @@ void Bodies::hand_on_masses(std::span<const double> x, std::span<double> blocks,
 
 bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                      std::span<double> a) const {
-  // ¾ of a turn is half-way from half a turn to a whole turn, at which a spin determines no rate of ψ.
+  // ¾ of a turn is half-way from half a turn to a whole turn. At a whole turn, a spin determines no rate of
+  // ψ.
   constexpr double kLongest = 4.71238898038469;
   bool some = false;
   for (const Body& body : bodies_) {

@@ -14,9 +14,9 @@ class TermCalls {
   /// `symmetric`: the matrix holds its lower triangle only.
   TermCalls(TangentChoice tangent, bool symmetric) : tangent_(tangent), symmetric_(symmetric) {}
 
-  /// Calls the terms that have an energy if `with_energy`, otherwise the terms that have none. The caller
-  /// begins with the former, so that the gradient of the energy has the same bits whether or not the latter
-  /// follow. Returns the first status other than NETLOFT_OK.
+  /// Calls the terms that have an energy if `with_energy`, otherwise the others. Callers begin with the terms
+  /// that have an energy, so that its gradient has the same bits whether or not the others follow. Returns
+  /// the first status other than NETLOFT_OK.
   int call(const ElementFamily& family, bool with_energy, netloft_tile& tile, const Request& request,
            TileSums& sums) const;
 

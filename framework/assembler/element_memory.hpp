@@ -19,8 +19,7 @@ std::vector<Memory> make_memories(const ElementTiles& tiles, bool ground_passes)
 /// Returns false if an element could not be evaluated; then nothing has changed.
 bool remember(TileEvaluator& elements, std::span<const double> x, const Kinematics& motion);
 
-/// All numbers that elements remember: first the states of all families, then the stretch rates of their
-/// members.
+/// All numbers that elements remember: the states of all families, then the stretch rates of their members.
 std::vector<double> read_memory(TileEvaluator& elements);
 void write_memory(TileEvaluator& elements, std::span<const double> numbers);
 

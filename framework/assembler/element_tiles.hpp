@@ -8,8 +8,7 @@
 
 namespace netloft {
 
-/// All elements of a scene, cut into tiles of 64. Families on the same nodes form a group and share its
-/// tiles.
+/// All elements of a scene, in tiles of 64. Families on the same nodes form a group and share its tiles.
 struct ElementTiles {
   std::span<const std::unique_ptr<ElementFamily>> families;
   std::vector<FamilyGroup> groups;

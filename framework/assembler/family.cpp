@@ -68,11 +68,11 @@ void ElementFamily::gather_parameters(const Scene& scene) {
 }
 
 void ElementFamily::gather_laws(const Scene& scene, const FamilyPlan& plan) {
-  // Law watches keep pointers to the entries, so that no reallocation may move the entries.
+  // Prevents reallocation, because law watches keep pointers to the entries.
   law_parameters_.reserve(plan.laws.size());
   for (const auto& law : plan.laws) {
     if (!law.type) {
-      laws_.push_back({});  // the water is still: no term reads a law
+      laws_.push_back({});  // in still water, no term reads a law
       continue;
     }
     std::vector<std::string> wrong;

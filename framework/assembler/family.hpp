@@ -10,8 +10,7 @@
 
 namespace netloft {
 
-/// The number of the node whose three coordinates are the rotation of a body. Such nodes follow those of the
-/// scene.
+/// The node whose three coordinates are the rotation of a body. Such nodes follow those of the scene.
 inline std::uint32_t rotation_node(const Scene& scene, std::size_t body) {
   return static_cast<std::uint32_t>(scene.node_count() + body);
 }

@@ -13,8 +13,7 @@
 
 namespace netloft {
 
-/// The inputs of the elements of one tile, in rows of 64 numbers. An input that the scene does not have is
-/// empty.
+/// The inputs of the elements of one tile, in rows of 64 numbers. An input that the scene lacks is empty.
 struct TileInputs {
   std::vector<double> x, x_low;                     // positions [m], and the digits that rounding removes
   std::vector<double> v, a;                         // [m/s], [m/s²]; empty if everything is at rest

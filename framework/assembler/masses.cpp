@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-/// Entry (r, c) of the tangents of all 64 elements of a tile. The tangent is packed if `symmetric`, otherwise
+/// Entry (r, c) of the tangents of all 64 elements of a tile. The tangent is packed if `symmetric`, else
 /// full.
 const double* entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::size_t r,
                        std::size_t c) {

@@ -36,8 +36,7 @@ void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   }
 }
 
-/// The quantities of (1) in mean_of_energy.hpp for one term of one element. μ is zero if no correction is
-/// needed.
+/// Quantities of (1) in mean_of_energy.hpp for a term of an element. μ is zero if no correction is needed.
 struct Lane {
   double way[12] = {}, force[12] = {}, later[12] = {}, g[12] = {};  // Δ, ∇E(x), ∇E(x₁), P Δ
   double work = 0, square = 0, mu = 0;                              // ∇E·Δ, g·g, μ

@@ -11,7 +11,6 @@ namespace netloft {
 
 namespace {
 
-/// Evaluates one term of a family on a tile.
 auto caller_of(const ElementFamily& family, std::size_t term) {
   assert(term < family.active_terms().size());
   return [&family, term](std::size_t, netloft_tile& t, TileSums&) {

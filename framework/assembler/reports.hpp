@@ -25,8 +25,7 @@ class ElementReports {
   /// Energy of one term alone [J]; zero if it has none.
   bool term_energy(std::span<const double> x, std::size_t family, std::size_t term, double& energy,
                    const Kinematics& motion = {});
-  /// Sums the residual (+dE/dx) of one term over the nodes of each part of the family [N]: 3 numbers per
-  /// part.
+  /// Sums the residual (+dE/dx) of a term over the nodes of each part of the family [N]: 3 numbers per part.
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
                 const Kinematics& motion = {});
   /// Sums the residual of one term over each group of nodes, for each part [N]: 3 numbers per part and group.
@@ -34,7 +33,7 @@ class ElementReports {
   bool sum_term_at(std::span<const double> x, std::size_t family, std::size_t term,
                    std::span<const std::int32_t> groups, std::size_t group_count, std::span<double> sums,
                    const Kinematics& motion = {});
-  /// Outputs of a family, [output][element]. An output that could not be computed is NaN; the result is then
+  /// Outputs of a family, [output][element]. An output that cannot be computed is NaN; the result is then
   /// false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
                const Kinematics& motion = {});

@@ -22,8 +22,7 @@ struct FamilyGroup {
   std::vector<std::uint32_t> carried_tiles = {};  // tiles with nodes that a body carries
 };
 
-/// Groups families with the same nodes, in the order of the first family of each group. Does not make the
-/// tilings.
+/// Groups families with the same nodes, in the order of the first family of each group, without tilings.
 std::vector<FamilyGroup> find_family_groups(std::span<const std::unique_ptr<ElementFamily>> families);
 
 }  // namespace netloft

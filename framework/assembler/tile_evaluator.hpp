@@ -43,7 +43,6 @@ class TileEvaluator {
   const ElementTiles& tiles() const { return tiles_; }
   /// Number of threads used; 1 if the scene is too small to gain from more.
   int threads_used() const;
-  /// The memory of each family.
   std::vector<Memory>& memories() { return memories_; }
   MeanForces& mean_forces() { return mean_forces_; }
 

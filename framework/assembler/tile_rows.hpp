@@ -21,7 +21,6 @@ class TileRows {
   double* data() { return all_.data(); }
   const double* data() const { return all_.data(); }
 
-  /// Begins the next tile.
   void begin() { rows_ = 0; }
   /// Opens the first `rows` rows in the first `lanes` lanes for a term to add to; all terms of a tile use the
   /// same number of lanes.

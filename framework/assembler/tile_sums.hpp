@@ -20,7 +20,6 @@ struct TileSums {
         scratch(dofs * dofs * kTileLanes),
         element(dofs * dofs) {}
 
-  /// Begins the next tile.
   void begin(bool with_energy) {
     if (with_energy) std::fill_n(energy, kTileLanes, 0.0);
     force.begin();

@@ -22,7 +22,7 @@ std::string not_finite(const Answer& a, std::size_t lane) {
   return {};
 }
 
-/// Describes the first answer to these states that is not finite. (A term may refuse a state as outside its
+/// Describes the first answer to these states that is not finite. (A term may refuse states outside its
 /// domain.)
 std::string fault_of_terms(const Bench& b, const States& s) {
   for (const auto& term : b.type.terms)

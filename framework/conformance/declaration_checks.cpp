@@ -68,8 +68,7 @@ Finding reads_what_it_declares(Bench& b) {
 
 namespace {
 
-/// An input that a term receives if it declares the trait. A term with the trait `also` may read this input,
-/// too.
+/// An input that a term receives if it declares the trait. Terms with the trait `also` may read it, too.
 struct Input {
   std::uint32_t trait;
   const char* text;

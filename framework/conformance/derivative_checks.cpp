@@ -128,8 +128,7 @@ Finding force_is_gradient(Bench& b) {
 
 namespace {
 
-/// The variable of a derivative: its field, the trait of the terms that read it, and the factors of the
-/// tangent.
+/// The variable of a derivative: its field, the trait of terms that read it, and the factors of the tangent.
 struct Variable {
   std::vector<double> States::*field;
   std::uint32_t trait;

@@ -8,8 +8,7 @@
 
 namespace netloft::conformance {
 
-/// Properties of a practice problem (a small problem with a known solution), in addition to a chain of
-/// springs.
+/// Properties of a practice problem (a small one with a known solution), in addition to a chain of springs.
 struct Practice {
   double stiffness = 100;  // k [N/m]
   double load = 1;         // f [N], on every mass

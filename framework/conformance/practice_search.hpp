@@ -58,8 +58,7 @@ class PracticeSearch {
   std::uint32_t traits() const { return interface_.traits; }
 
   const std::vector<std::vector<double>>& answers() const { return answers_; }
-  /// Largest residual of the best answer in the scene itself, relative to its load; infinite without an
-  /// answer.
+  /// Largest residual of the best answer in the scene itself, relative to the load; infinite without answer.
   double imbalance() const;
   /// Whether some stage found an equilibrium of the scene itself that is better than all answers: a stable
   /// one if no answer is stable, or any equilibrium if no answer is one.

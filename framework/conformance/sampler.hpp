@@ -40,7 +40,7 @@ class ParameterSampler {
   std::mt19937_64 random_;
 };
 
-/// Those of the sampled parameters that have no default.
+/// The sampled parameters that have no default.
 Values required_of(std::span<const netloft_parameter> table, const Values& sampled);
 
 /// Draws parameters, data and states of an element.

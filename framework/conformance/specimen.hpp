@@ -25,7 +25,7 @@ struct Sample {
   std::vector<ByteRange> spoilt = {};
 };
 
-/// The states of up to 64 elements, in arrays [dof][64] like those of a tile. An empty array is passed as
+/// The states of up to 64 elements, in arrays [dof][64] like those of a tile. Empty arrays are passed as
 /// null.
 struct States {
   std::uint32_t first = 0, count = 0;

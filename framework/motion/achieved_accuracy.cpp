@@ -10,11 +10,9 @@ namespace netloft {
 
 namespace {
 
-// Ratio of step lengths, second march to first. The steps of the second march are longer unless stability
-// bounds them.
+// Ratios of the steps of the second march to those of the first: longer, unless stability bounds the steps.
 constexpr double kLonger = 2, kShorter = 0.5;
-// Least relative difference of the mean steps of both marches. Marches with similar steps give no error
-// estimate.
+// Least relative difference of the mean steps of both marches. Similar steps give no estimate of errors.
 constexpr double kLeastDifference = 0.1;
 // Displacement of a disturbed start, divided by the length of the longest element: far below what can be
 // measured on a gear. Steps are solved at least as accurately, see limits_of_comparison().

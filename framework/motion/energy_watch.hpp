@@ -30,7 +30,6 @@ class EnergyWatch {
   /// false if an element failed, see Assembler::fault.
   bool examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
                double& error);
-  /// Accepts the examined step.
   void accept() { judge_ = tried_; }
   /// Replaces the last state by the same state with other rotation vectors of the same rotations.
   bool restate(const MarchState& state);

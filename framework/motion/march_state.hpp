@@ -16,7 +16,7 @@ class Assembler;
 /// Imbalance of forces at rest at the beginning of a march.
 struct StartBalance {
   double residual = 0, load = 0;  // largest nodal residual, largest nodal load [N]
-  std::string node;               // node of the residual; empty: the march has not begun
+  std::string node;               // node with the largest residual; empty: the march has not begun
 };
 
 /// The state that determines the rest of a march (an integration in time) bit by bit, and its report. It is
@@ -36,14 +36,14 @@ struct MarchState {
   double stable_step = 0;   // longest stable step for the last tangent [s]; 0: not yet determined
   std::size_t outputs = 0;  // number of previous outputs
   std::int64_t steps = 0, rejected = 0;
-  double shortest = 0, longest = 0;  // accepted steps [s]
+  double shortest = 0, longest = 0;  // shortest and longest accepted step [s]
   Statistics statistics;             // cost so far, without the march for comparison
   StartBalance start;
-  std::string remark;   // about the start, for the end of the reason; empty: none
+  std::string remark;   // about the start, to be appended to the reason; empty: none
   double t_before = 0;  // beginning of the last step, needed to compare marches between the ends of steps [s]
   std::vector<double> u_before, v_before;  // state at t_before [m], [m/s]
   std::vector<MarchState> other;           // state of the march for comparison, if there is one
-  std::string why_lost;                    // the reason why that march failed, if it did
+  std::string why_lost;                    // why the march for comparison failed; empty: it did not
   // Largest error so far by (1) of achieved_accuracy.hpp [m], and its time [s]; NaN: not compared yet.
   double path_error = std::numeric_limits<double>::quiet_NaN(), path_at = 0;
   std::uint64_t path_of = 0;  // node of path_error

@@ -190,7 +190,7 @@ class March {
     if (other_) all.add(other_->work_done());
     return all;
   }
-  /// Work of this march, that before it was interrupted included.
+  /// Work of this march, including its work before an interruption.
   Statistics own_work() const {
     Statistics all = earlier_;
     all.add(problem_.statistics());
@@ -229,7 +229,8 @@ class March {
   /// Tries a step. Repeats it until the speeds of winches that hold a tension agree with their tensions.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
-    // Without this, the linear stiffness would belong to earlier rope lengths, and differ in a resumed march.
+    // Without this call, the linear stiffness would belong to earlier rope lengths, unlike in a resumed
+    // march.
     problem_.algebra().forget_metric();
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);

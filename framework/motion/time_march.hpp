@@ -43,7 +43,7 @@ struct Snapshot {
   const EnergyBudget* budget;
   const MarchState* state;  // state from which a march can continue; null: continue from an earlier snapshot
   std::span<const WinchMoment> winches = {};
-  const EnergyJudge* judge = nullptr;  // of all steps so far; null if no budget is kept
+  const EnergyJudge* judge = nullptr;  // judges all steps so far; null if no budget is kept
 };
 
 /// Report of an accepted step.

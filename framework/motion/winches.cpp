@@ -10,7 +10,7 @@ namespace netloft {
 namespace {
 
 constexpr double kSettled = 1e-3;  // speed error relative to the largest speed, a thousandth of the band
-// Attempts per step, without those that measure S; half-way, S is measured again.
+// Limit of attempts per step that do not measure S. After half of them, S is measured again.
 constexpr int kMostTries = 12;
 constexpr double kMeasured = 0.02;  // change of speed to measure S, relative to the largest speed
 // Sweeps over the winches to solve (2) and (3); the gear couples winches only weakly.
@@ -167,8 +167,7 @@ void Winches::take(std::span<const double> tensions) {
   }
 }
 
-/// Updates S by Broyden's formula, from the changes of speeds and tensions between the previous attempt and
-/// this one.
+/// Updates S by Broyden's formula, from changes of speeds and tensions between the last attempt and this one.
 void Winches::improve_slopes(std::span<const double> tensions) {
   if (slopes_.empty() || last_w_.empty()) return;
   // Squared change of speeds; largest ratio of a tension's change to its error.

@@ -49,7 +49,6 @@ class Winches {
   /// Judges the attempt by the tensions at the blocks, from the mean forces `residual` over all dofs [N].
   /// After `again`, the rope lengths have changed and the step has to be solved again.
   Verdict judge(std::span<const double> residual);
-  /// Accepts the settled step.
   void accept();
   /// Stores the tensions at the blocks before the first step [N].
   void note_rest(std::span<const double> residual);

@@ -116,8 +116,7 @@ std::string list_choices(const netloft_parameter& p) {
   return text;
 }
 
-/// Returns the error in a text made of several words (joined by +): the first word that is not one of the
-/// choices.
+/// Returns the error in a text of several words (joined by +): the first word that is not one of the choices.
 std::optional<std::string> several_fault(const netloft_parameter& p, const std::string& text) {
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, '+');) {

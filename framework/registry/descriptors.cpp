@@ -267,8 +267,7 @@ void read_inputs(ElementType& e) {
   for (auto id = e.element.inputs; id && *id; ++id) e.inputs.push_back(find_extension_input(*id));
 }
 
-/// Checks that the element lists the inputs that the traits of its terms read. The host provides only listed
-/// inputs.
+/// Checks that the element lists the inputs that its terms read. The host provides only listed inputs.
 void check_inputs(const ElementType& e, const std::string& owner, Faults& faults) {
   for (const auto& t : e.terms)
     for (std::uint32_t trait = 1; trait != 0; trait <<= 1) {

@@ -188,7 +188,7 @@ double RigidBody::arm() const {
 }
 
 std::optional<std::size_t> Scene::body_at(std::uint32_t origin) const {
-  // Bodies are made in the order of their nodes, so that halving finds nearly all; joins may change that
+  // Halving finds nearly all bodies, because they are made in the order of their nodes; joins may change that
   // order.
   std::size_t first = 0, last = bodies.size();
   while (last - first > 1) {

@@ -58,8 +58,7 @@ bool any_part_sets(std::string_view name, const FamilyPlan& family, const Scene&
                      [&](std::uint32_t part) { return sets(scene.parts[part], *family.type, name); });
 }
 
-/// The first parameter, among those that a term needs, that differs from zero in some part; empty if there is
-/// none.
+/// The first parameter that a term needs and that differs from zero in some part; empty if there is none.
 std::string first_set(const netloft_term& term, const FamilyPlan& family, const Scene& scene) {
   for (const auto& name : names_needed_by(term))
     if (any_part_sets(name, family, scene)) return name;

@@ -213,8 +213,7 @@ Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor)
   return to;
 }
 
-/// Reads the velocity of the water at the nodes, with its derivatives with respect to the heights of the
-/// nodes.
+/// Reads the velocity of the water at the nodes, with its derivatives with respect to the nodes' heights.
 template <class T, int Nodes>
 Points<T, Nodes> read_current(const netloft_tile& t, std::size_t lane, const Points<T, Nodes>& x) {
   const auto velocity = read_dual<double, Nodes>(t.current, lane, 0),

@@ -65,7 +65,7 @@ class Motion {
 
  private:
   static Step checked(int status) {
-    if (status < 0) throw std::runtime_error("");  // the host knows the reason
+    if (status < 0) throw std::runtime_error("");  // the host reports the cause itself
     return static_cast<Step>(status);
   }
   netloft_motion& m_;

@@ -147,8 +147,7 @@ class OwnParameters {
   using Parameters = typename C::Parameters;
   static_assert(std::is_trivially_copyable_v<Parameters>, "Parameters must be plain numbers");
 
-  /// Stores which members are declared. Must be called with the complete table before any component is
-  /// created.
+  /// Stores which members are declared. Must be called with the complete table before components are created.
   static void declare(const std::vector<netloft_parameter>& rows) {
     std::vector<DeclaredBytes> declared;
     for (const auto& row : rows) declared.push_back({row.offset, bytes_of_kind(row.kind)});
@@ -158,8 +157,8 @@ class OwnParameters {
     declared_ = std::move(declared);
     is_known_ = true;
   }
-  /// Returns the parameters. If no table describes them, they are unchanged: then not the host but the
-  /// author's own code has filled them.
+  /// Returns the parameters. Parameters that no table describes are unchanged: the author's own code has
+  /// filled them, not the host.
   static Parameters from(const void* host) {
     if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};

@@ -123,8 +123,7 @@ inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& om
 inline Vec3<double> rotation_vector(const std::array<Vec3<double>, 3>& axes) {
   const auto R = [&](int row, int column) { return axes[static_cast<std::size_t>(column)][row]; };
   const double trace = R(0, 0) + R(1, 1) + R(2, 2);
-  // Computes a quaternion from its largest component (S. W. Shepperd, Journal of Guidance and Control 1,
-  // 1978).
+  // Computes a quaternion from its largest component (S. W. Shepperd, J. Guidance and Control 1, 1978).
   int largest = 3;
   for (int i = 0; i < 3; ++i)
     if (R(i, i) > (largest == 3 ? trace : R(largest, largest))) largest = i;

@@ -125,7 +125,7 @@ class Problem {
     return static_cast<Factor>(status);
   }
   static void check(int status) {
-    if (status < 0) throw std::runtime_error("");  // the host knows what went wrong
+    if (status < 0) throw std::runtime_error("");  // the host reports the cause itself
   }
   netloft_problem& p_;
 };

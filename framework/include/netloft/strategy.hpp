@@ -184,8 +184,7 @@ class Search {
     method(p);
     return u;
   }
-  /// Calls method(netloft_members&, u), which changes u, on the members of a variant, and returns its final
-  /// u.
+  /// Calls method(netloft_members&, u), which changes u, on the members of a variant; returns its final u.
   template <class Method>
   Displacements with_members(const Ask& ask, Displacements u, Method&& method) {
     u.resize(size(ask.variant.level));
@@ -248,7 +247,7 @@ class Search {
   }
 
   void check(int status) const {
-    if (status != NETLOFT_OK) throw std::runtime_error("");  // the host knows what went wrong
+    if (status != NETLOFT_OK) throw std::runtime_error("");  // the host reports the cause itself
   }
 
   netloft_search& s_;
