@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kNear = 0.05;   // accepted relative deviation from the requested number of nodes
 constexpr int kTrials = 8;       // sizes that are tried to reach the requested number
-constexpr double kGrid = 1e-10;  // relative rounding of positions; makes port mirror starboard
+constexpr double kGrid = 1e-10;  // relative rounding of positions, by which port mirrors starboard exactly
 
 constexpr int kPartings = 5;  // rounds in which coincident sides of two cloths are separated
 

@@ -44,8 +44,8 @@ bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef
   return (a == b && is_lateral(a)) != (comes_back(one) != comes_back(other));
 }
 
-/// Meshes outwards. In a panel across the middle they count from the middle, in other panels from the start
-/// of the inner side.
+/// Number of meshes outwards, from the middle in a panel across the middle, from the start of the inner side
+/// in other panels.
 double outwards(const GearPanel& panel, double U) {
   return panel.panel->stands == Standing::middle ? std::abs(U) : U;
 }
@@ -71,9 +71,9 @@ Girth::Girth(const Gear& gear, const GearMesh& mesh)
 }
 
 /// Finds for each panel whether the distance from the top along the girth increases outwards (+1) or
-/// decreases (-1). Walks over the seams from the first panel, which is assumed to be on top.
+/// decreases (-1). Follows the seams from the first panel, which is assumed to be on top.
 void Girth::find_senses(const Gear& gear) {
-  std::vector<std::vector<const Seam*>> seams(gear.panels.size());  // by panel
+  std::vector<std::vector<const Seam*>> seams(gear.panels.size());  // seams of each panel
   for (const auto& seam : gear.seams)
     for (const auto& row : seam.edges)
       for (const auto& ref : row)

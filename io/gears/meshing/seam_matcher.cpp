@@ -51,7 +51,7 @@ class Sewer {
 
   /// Joins both halves of middle panels along the line between them.
   void join_halves() {
-    std::map<std::size_t, std::size_t> first;  // by panel
+    std::map<std::size_t, std::size_t> first;  // the first half of each panel
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s) {
       if (!cloths_.sides[s].is_inside) continue;
       const auto [half, is_first] = first.emplace(cloths_.sides[s].edge.panel, s);
@@ -131,8 +131,8 @@ class Sewer {
   }
 
   /// In a row round the net, reverses the edges of every side panel whose outer side is sewn to the panel
-  /// before it; these edges then run inwards. The walk starts at the first panel across the middle and goes
-  /// in both directions.
+  /// before it; these edges then run inwards. Begins at the first panel across the middle and goes in both
+  /// directions.
   void turn_side_panels(Row& row) const {
     const auto first = std::find_if(row.begin(), row.end(),
                                     [&](const auto& s) { return panel_of(s).stands == Standing::middle; });

@@ -200,8 +200,8 @@ class Shaper {
     put_stretches();
   }
 
-  /// Places stretches of ropes one by one: the first between two placed nodes, or if there is none the first
-  /// from one placed node. A rope is looked at again only after one of its nodes has been placed.
+  /// Places stretches of ropes one by one: the first one between two placed nodes or, if there is none, the
+  /// first one with one placed node. A rope is tried again only after one of its nodes has been placed.
   void put_stretches() {
     std::unordered_map<std::uint32_t, std::vector<std::size_t>> ropes_at;
     std::set<std::size_t> between, from_one;  // ropes that may have such a stretch
@@ -321,7 +321,7 @@ class Shaper {
   const Girth& girth_;
   HarmonicFields& fields_;
   const std::vector<KnownCoordinate>& known_;
-  std::unordered_map<std::size_t, double> known_at_;  // by at(node, axis)
+  std::unordered_map<std::size_t, double> known_at_;  // known coordinates, by at(node, axis)
   std::set<std::uint32_t> of_bodies_;                 // the nodes at points of bodies
   std::vector<double> positions_;
   std::vector<bool> placed_;

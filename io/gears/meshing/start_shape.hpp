@@ -28,10 +28,9 @@ struct KnownCoordinate {
 /// because panels that are sewn together need not fit:
 ///   a_j − a_i = cos β m (V_j − V_i)              metres aft                        (1)
 ///   s_j − s_i = ± sin β m (|U_j| − |U_i|)        metres of girth from the top      (2)
-/// m [m] mesh size, β half angle of the meshes of a trawl at work; U, V [meshes] across and deep. A walk over
-/// the seams gives the sign in (2): the sign changes at seams of outer to outer or inner to inner sides, as
-/// from top to bottom. S(a), half the girth, is s on the lower middle line, which may be a seam of port to
-/// starboard.
+/// m [m] mesh size, β half angle of the meshes of a trawl at work; U, V [meshes] across and deep. The seams
+/// determine the sign in (2): it changes at seams of outer to outer or inner to inner sides, as from top to
+/// bottom. S(a), half the girth, is s on the lower middle line, which may be a seam of port to starboard.
 ///   φ = π s/S,  y = ± w sin φ,  z = h cos φ,  h = k w                              (3)
 /// (3) puts the netting on rings of half width w and height h, k = 0.4: half an ellipse with the arc length S
 /// on each side. At an end that is closed by a seam, z = 0.

@@ -22,7 +22,7 @@ double number_of(const Pieces& pieces, const char* key, const char* unit) {
 }
 
 /// Whether pieces are floats, which lie side by side along a rope. Other pieces are discs threaded on the
-/// rope, which are thinner than wide.
+/// rope, which are shorter than wide.
 bool is_float(const Pieces& pieces) { return number_of(pieces, "buoyancy", "N") > 0; }
 
 void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_sides,

@@ -257,7 +257,8 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
                       "on both sides");
 }
 
-/// Refuses a pair of ropes that both lead to a point of a body in the middle beside the middle.
+/// Refuses a pair of ropes that both lead to the same point of a middle body if this point is not in the
+/// middle.
 void check_end_aside(const NetPlan& plan, const Rope& rope, const std::string& end,
                      formats::Diagnostics& diagnostics) {
   const auto dot = end.find('.');

@@ -301,7 +301,8 @@ class GearMaker {
 
   const NetPlan& plan_;
   const HangingsByRope hangings_;
-  std::map<const Panel*, std::vector<std::size_t>> pieces_;  // the panels of the gear that it became
+  std::map<const Panel*, std::vector<std::size_t>> pieces_;  // the panels of the gear made from each panel of
+                                                             // the plan
   Gear gear_;
 };
 

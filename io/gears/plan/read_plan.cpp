@@ -37,7 +37,7 @@ class PlanReader {
  public:
   PlanReader(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics)
       : root_(root, diagnostics), diagnostics_(diagnostics), catalogue_(catalogue) {
-    root_.has("catalogue");  // the caller reads it
+    root_.has("catalogue");  // the caller reads this key
   }
 
   NetPlan read() {

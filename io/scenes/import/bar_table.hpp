@@ -16,8 +16,8 @@ struct TableNode {
   formats::Place place;
   std::array<double, 3> at{}, force{};  // position [m], force [N]
   std::string hold;                     // held axes: "", "z", "xyz"
-  double mass = 0, buoyancy = 0;        // [kg]; or instead the buoyancy minus the weight in water [N]
-  double volume = 0, drag_area = 0;     // of displaced water [m³]; drag coefficient times area [m²]
+  double mass = 0, buoyancy = 0;        // mass [kg], or instead buoyancy minus weight in water [N]
+  double volume = 0, drag_area = 0;     // displaced water [m³]; drag coefficient times area [m²]
 };
 
 /// A rope: all bars with the same rope name, in the order of their rows.
@@ -28,7 +28,7 @@ struct TableRope {
   };
   std::string name;
   formats::Place place;
-  double diameter = 0, EA = 0, density = 0, EI = 0;  // [m], [N], [kg/m³], [N m²]
+  double diameter = 0, EA = 0, density = 0, EI = 0;  // [m], [N], [kg/m³], [N m²] in this order
   std::optional<double> EA_compression;              // [N]
   std::optional<double> normal, tangential;          // coefficients of drag
   double bed = 0;  // stiffness of the seabed under the rope [N/m²]; 0: no seabed

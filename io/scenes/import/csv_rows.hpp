@@ -18,8 +18,7 @@ struct CsvCell {
 /// and a quote within them is doubled. Lines end with LF, CR LF or CR.
 class CsvRows {
  public:
-  /// `text` must outlive this object. The separator of cells is the first comma, semicolon or tab of the
-  /// text.
+  /// `text` must outlive this object. Cells are separated by the first comma, semicolon or tab of the text.
   CsvRows(std::string_view text, int file);
 
   /// The next row that is not blank; empty at the end. Lines that begin with # are skipped.

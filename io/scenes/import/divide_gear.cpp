@@ -29,10 +29,10 @@ namespace {
 
 constexpr double kMostParts = 1e5;    // limit of parts along one side of a panel
 constexpr double kLongestSide = 100;  // mesh side [m]
-// Least distance of inner nodes from the border, as a fraction of the step, so that no triangle is flat.
-// FEMNET has some nodes at 0.24.
+// Least distance of inner nodes from the border, as a fraction of the meshing step, so that no triangle is
+// flat. FEMNET has some nodes at 0.24.
 constexpr double kNearest = 0.2;
-// A triangle whose area is less than half of this has no netting [meshes²].
+// A triangle is flat and has no netting if twice its area is less than this [meshes²].
 constexpr double kFlat = 1e-9;
 
 Triple between(const Triple& a, const Triple& b, double t) {
@@ -48,7 +48,7 @@ double along(const Triple& a, const Triple& b, const Triple& c, const Triple& d)
 /// A line between two points of the gear. It is divided once, for all panels and cables that are sewn
 /// together there.
 struct Line {
-  std::vector<std::uint32_t> nodes;  // from end to end
+  std::vector<std::uint32_t> nodes;  // in their order from one end to the other
   Triple from{}, to{};               // positions of its ends in the drawing
 };
 

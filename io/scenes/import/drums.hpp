@@ -23,7 +23,7 @@ struct HauledBar {
 /// `kHauledWithin` of them. Returns nothing if there are more than `kMostHauls` lengths to compute.
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
-inline constexpr double kMostHauls = 2e7;  // time steps times bars: about a second of work
+inline constexpr double kMostHauls = 2e7;  // limit of time steps times bars; this many take about a second
 /// Tolerance of the lengths [m]: a tenth of what a drum hauls at 0.2 m/s in one time step of FEMNET.
 inline constexpr double kHauledWithin = 1e-4;
 

@@ -45,9 +45,9 @@ struct FolderCheck {
     std::vector<std::string> features = {};
   };
   std::vector<Gear> gears;
-  std::map<std::string, int> needs;     // by left-out feature: number of gears that need it
-  std::map<std::string, int> features;  // by feature of FEMNET: number of gears that use it
-  int whole = 0;                        // number of gears of which no feature is left out
+  std::map<std::string, int> needs;     // number of gears that need each left-out feature
+  std::map<std::string, int> features;  // number of gears that use each feature of FEMNET
+  int whole = 0;                        // number of gears without a left-out feature
 };
 FolderCheck check_folder(const std::filesystem::path& folder, bool moves = false);
 

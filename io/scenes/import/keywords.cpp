@@ -174,7 +174,6 @@ class KeywordReader {
     gear_.type_boxes.push_back(box);
   }
 
-  /// Reads `count` numbers.
   std::vector<double> numbers(std::size_t count) {
     std::vector<double> all;
     while (all.size() < count && !in_.has_failed()) all.push_back(number());

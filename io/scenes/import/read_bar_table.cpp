@@ -279,8 +279,7 @@ class TableOfBars {
     return {};
   }
 
-  /// Checks that a bar ends at every node: holds and loads act through bars, and in a truncated file bars are
-  /// missing.
+  /// Checks that a bar ends at every node: holds and loads act through bars, and truncated files lack bars.
   void check_ends() {
     std::vector<bool> is_used(table_.nodes.size());
     for (const auto& rope : table_.ropes)

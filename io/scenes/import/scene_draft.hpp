@@ -80,7 +80,6 @@ void find_hauled(SceneDraft& to);
 
 void write_netting(SceneDraft& to);
 void write_cables(SceneDraft& to);
-/// Writes the clamps between cables.
 void write_clamps(SceneDraft& to);
 /// Writes what acts on nodes by their node type: masses, boxes of buoyancy, forces and beds.
 void write_loads(SceneDraft& to);

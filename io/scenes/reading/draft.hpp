@@ -77,7 +77,7 @@ class Draft {
 
   formats::Diagnostics& diagnostics_;
   std::set<std::string> riders_;
-  mutable formats::NameIndex numbers_;  // of geometries
+  mutable formats::NameIndex numbers_;  // the names in `geometries`
   mutable std::optional<NodeElements> node_elements_;
 };
 

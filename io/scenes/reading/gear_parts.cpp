@@ -374,7 +374,7 @@ void count_on_one_side(formats::Table& contact, double shoes) {
     const double* real = said->value.as<double>();
     const std::int64_t* whole = said->value.as<std::int64_t>();
     pieces = real ? *real : whole ? static_cast<double>(*whole) : -1;
-    if (!(pieces >= 0)) return;  // reported where it is read
+    if (!(pieces >= 0)) return;  // an error that is reported where `pieces` is read
     std::erase_if(contact.members, [](const formats::Member& m) { return m.key == "number"; });
   }
   formats::put(contact, "each", {contact.members.front().place, pieces / shoes});

@@ -19,7 +19,7 @@ class GearSteps {
   /// Divides the gear into triangles and bars. Returns false after an error in the plan or in `[gear]`; the
   /// rest of the scene is then not read.
   virtual bool divide() { return true; }
-  /// Instead of all steps below: reads the tables of the plan that need no mesh, which are its bodies and the
+  /// Called instead of all steps below. Reads the tables of the plan that need no mesh: its bodies and the
   /// elements of its panels, ropes and floats.
   virtual void read_undivided(PartReader&) {}
   /// The ship of the plan; null if there is none.

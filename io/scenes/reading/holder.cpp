@@ -111,7 +111,7 @@ std::string spell(const std::array<double, 3>& p) {
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// Whether two lengths, or two speeds, are one up to round-off.
+/// Whether two lengths, or two speeds, are equal up to round-off.
 bool is_one(double a, double b) { return std::abs(a - b) <= 1e-9 * (1 + std::abs(a)); }
 
 /// An axis of a frame, or of the world if the frame is null.
@@ -155,7 +155,7 @@ HoldEntry read_hold(formats::TableReader& table) {
   return entry;
 }
 
-/// Nodes that the net plan has moved by a ship have the course of its blocks.
+/// Nodes that a ship of the net plan moves keep their motion.
 Holder::Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {
   for (const Guide& guide : scene.guides) {
     const auto grip = std::make_shared<const Grip>(Grip{{}, guide.course});
@@ -188,7 +188,7 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
   return held;
 }
 
-/// The position of a node in an entry: where it is sketched, if the entry gives no other place.
+/// The position that an entry gives a node, by default the initial one.
 Point Holder::place(const HoldEntry& entry, std::size_t i, const std::vector<std::uint32_t>& nodes) const {
   if (!entry.at.empty())
     return along_line(entry.at, nodes.size() > 1 ? double(i) / double(nodes.size() - 1) : 0);
@@ -196,7 +196,7 @@ Point Holder::place(const HoldEntry& entry, std::size_t i, const std::vector<std
   return {x[0], x[1], x[2]};
 }
 
-/// The axes of a node to which its bits in `held` refer; null for those of the world.
+/// The axes of a node to which its bits in `held` refer; null for the axes of the world.
 const std::array<double, 9>* Holder::frame_of(std::uint32_t node) const {
   const auto at = scene_.frames.find(node);
   return at == scene_.frames.end() ? nullptr : &at->second;
@@ -207,23 +207,23 @@ Point Holder::position(std::uint32_t node) const {
   return {x[0], x[1], x[2]};
 }
 
-/// Whether a node can be held along the axes of an entry, too: the bits of all three axes mean the same in
-/// all frames, those of fewer only in one.
+/// Whether a node that may be held already can be held along the axes of an entry: it cannot if both hold
+/// fewer than three axes, of different frames.
 bool Holder::can_hold(std::uint32_t node, const HoldEntry& entry) const {
   if (scene_.held[node] == 0 || scene_.held[node] == kAllAxes || entry.axes == kAllAxes) return true;
   const auto* own = frame_of(node);
   return entry.frame ? own && *own == *entry.frame : !own;
 }
 
-/// The directions along which both the entry and earlier ones hold a node, which can_hold().
+/// The directions along which both the entry and earlier entries hold a node for which can_hold() is true.
 std::vector<Point> Holder::shared_directions(std::uint32_t node, const HoldEntry& entry) const {
   const auto* frame = entry.frame ? &*entry.frame : nullptr;
   if (scene_.held[node] == kAllAxes) return axes_of(frame, entry.axes);
   return axes_of(frame_of(node), scene_.held[node] & entry.axes);
 }
 
-/// Whether an entry has a node where earlier ones have it, and moves it as they do; otherwise an error says
-/// what differs.
+/// Whether an entry gives a node the place and the motion that earlier entries give it. If not, reports an
+/// error that states the difference.
 bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
                     formats::TableReader& table) const {
   const Point now = position(node);
@@ -249,10 +249,11 @@ bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
   return true;
 }
 
-/// Whether a node moves along `direction` by its grips as it does by `course`: both are cubic between knots,
-/// so that they are one if they agree at the knots of both.
+/// Whether the grips of a node move it along `direction` as `course` does. Courses are cubic between knots,
+/// so that they are equal if they agree at the knots of both.
 bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& direction) const {
-  std::vector<std::pair<Point, const Course*>> parts;  // an axis of the node times its share of the direction
+  std::vector<std::pair<Point, const Course*>> parts;  // an axis of the node, times its component along the
+                                                       // direction
   if (const auto grips = grips_.find(node); grips != grips_.end())
     for (std::size_t k = 0; k < 3; ++k)
       if (const auto& grip = grips->second[k]) {
@@ -276,7 +277,7 @@ bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& 
   });
 }
 
-/// The place of the entry that holds a node most nearly along `direction`.
+/// The place of the entry with the held axis of the node that is nearest to `direction`.
 std::string Holder::holder_of(std::uint32_t node, const Point& direction,
                               formats::Diagnostics& diagnostics) const {
   const Grip* nearest = nullptr;
@@ -291,8 +292,8 @@ std::string Holder::holder_of(std::uint32_t node, const Point& direction,
   return nearest && nearest->said_at ? diagnostics.where(*nearest->said_at) : "the net plan";
 }
 
-/// Holds a node along the axes of an entry that are still free. An entry along a line or in a plane leaves it
-/// where it is sketched.
+/// Holds a node along the axes of an entry that are still free. An entry along a line or in a plane does not
+/// change the initial position.
 void Holder::put(std::uint32_t node, const HoldEntry& entry, const Point& at,
                  const std::shared_ptr<const Grip>& grip) {
   std::uint8_t& held = scene_.held[node];

@@ -17,16 +17,18 @@ struct HoldEntry {
   std::uint8_t axes = kAllAxes;
   // Axes of the hold if the keys `along` or `plane` are used; else those of the world.
   std::optional<std::array<double, 9>> frame;
-  std::vector<std::array<double, 3>> at;  // points of a line; empty: at the initial positions
-  Course course;                          // empty: it stands still
-  bool is_loose = false;                  // Hold::is_loose
+  std::vector<std::array<double, 3>> at;  // points of a line along which nodes are held; empty: at the
+                                          // initial positions
+  Course course;                          // the motion of the nodes; empty: none
+  bool is_loose = false;                  // see Hold::is_loose
 };
 
 /// Reads one hold; errors go to the diagnostics of `table`.
 HoldEntry read_hold(formats::TableReader& table);
 
 /// Holds nodes of a scene at the positions of `[[hold]]` entries, and finds entries that contradict each
-/// other: a node that two of them hold along a direction has one place and one motion along it.
+/// other: entries that hold a node along the same direction must give it the same place and motion along this
+/// direction.
 class Holder {
  public:
   explicit Holder(Scene& scene);
@@ -37,12 +39,13 @@ class Holder {
   Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:
-  /// One entry holds a node along one of its axes.
+  /// Records that one entry, or the net plan, holds a node along an axis.
   struct Grip {
     std::optional<formats::Place> said_at;  // empty: the net plan holds it
     Course course;
   };
-  /// The grips on the three axes of a node; null where it is free, or where the net plan holds it still.
+  /// The grips on the three axes of a node; null for an axis along which the node is free, or held by the net
+  /// plan without motion.
   using Grips = std::array<std::shared_ptr<const Grip>, 3>;
 
   Point place(const HoldEntry& entry, std::size_t i, const std::vector<std::uint32_t>& nodes) const;

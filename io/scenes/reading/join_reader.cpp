@@ -62,7 +62,7 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
   return true;
 }
 
-/// The first element with two nodes in one if only the first `number` joins are made.
+/// The first element of which two nodes become one if only the first `number` joins are made.
 std::optional<Joiner::Collapse> JoinReader::find_collapse(std::size_t number) const {
   formats::hear_interruption();
   Joiner joiner(draft_.geometries);
@@ -71,8 +71,7 @@ std::optional<Joiner::Collapse> JoinReader::find_collapse(std::size_t number) co
   return joiner.find_collapse(nodes_per_element(draft_.types));
 }
 
-/// Reports a join that makes two nodes of an element one, as an error. To find it, halves the list of joins:
-/// the joins before it alone do no harm.
+/// Reports the join that merges two nodes of an element as an error. Finds the first such join by bisection.
 void JoinReader::check_joins(Joiner& joiner) const {
   if (joins_.empty() || !joiner.find_collapse(nodes_per_element(draft_.types))) return;
   std::size_t without = 0, with = joins_.size();

@@ -131,7 +131,7 @@ struct LoadedScene {
   std::vector<formats::SourceFile> files;
   std::optional<GearInScene> gear;                 // empty: the scene has no net plan
   std::map<std::string, Strength> strengths;       // by part; a part of unknown strength is left out
-  mutable formats::NameIndex index_of_parts = {};  // makes place_of fast, and is no part of the data
+  mutable formats::NameIndex index_of_parts = {};  // an index that makes place_of fast
 
   /// The place of a part in the file, for messages; line 0 if there is no such part.
   formats::Place place_of(const std::string& part) const {

@@ -201,7 +201,7 @@ bool MeshParts::has_failed() const {
 void MeshParts::connect(Joiner& joiner) const {
   using Ends = Joiner::Ends;
   std::map<std::pair<const formats::InputMesh*, std::uint32_t>, std::pair<std::size_t, std::uint32_t>> first;
-  // Nodes in common, by the two parts.
+  // The common nodes of each pair of parts.
   std::map<std::pair<std::size_t, std::size_t>, std::pair<Ends, Ends>> common;
   for (const auto& s : standing_)
     for (std::uint32_t own = 0; own < s.nodes.size(); ++own) {

@@ -33,7 +33,6 @@ class MeshParts {
   /// Whether some mesh could not be read. The number of nodes of its parts is then unknown.
   bool has_failed() const;
 
-  /// The files that were read.
   const std::vector<formats::SourceFile>& files() const { return files_; }
 
  private:

@@ -7,8 +7,8 @@
 
 namespace netloft::scenes {
 
-/// The elements at each node of a scene. Riders ask it at every node they stand on, so that the cost of a
-/// rider does not grow with the parts of the scene.
+/// The elements at each node of a scene. With this list, the cost of a rider (a part on other parts) does not
+/// grow with the number of parts of the scene.
 class NodeElements {
  public:
   /// An element, by the index of its part and its number within that part.
@@ -19,14 +19,13 @@ class NodeElements {
   /// `types`: by part. Parts of an unknown type, which are null, have no elements here.
   NodeElements(const Scene& scene, const std::vector<const ElementType*>& types);
 
-  /// The elements at a node, part by part. An element with several corners at the node is there as many
-  /// times.
+  /// The elements at a node, part by part. An element with several corners at the node is listed as often.
   std::span<const At> at(std::uint32_t node) const;
-  /// Those of one part.
+  /// The elements of one part at a node.
   std::span<const At> at(std::uint32_t node, std::size_t part) const;
 
  private:
-  std::vector<std::size_t> begins_;  // per node, and the end
+  std::vector<std::size_t> begins_;  // start of each node's elements, and the end
   std::vector<At> all_;
 };
 

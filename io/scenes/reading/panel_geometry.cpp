@@ -14,7 +14,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Limit of one part, with 3·10⁷ unknowns: three times as many as have been solved. A matrix may have 10⁸.
+// Limit of the elements of one part. They have 3·10⁷ unknowns, three times as many as have been solved; a
+// matrix may have 10⁸.
 constexpr std::int64_t kMostElements = 20000000;
 
 /// Rows and columns of a structured panel.

@@ -17,17 +17,17 @@ namespace {
 
 // Fresh water has 1000 kg/m3, the Dead Sea 1240 kg/m3. A density of 0, for air, is allowed, too.
 constexpr double kLightestWater = 900, kHeaviestWater = 1250;  // [kg/m3]
-// Water has 1.83e-6 m2/s at 0 degC and 35 g/kg of salt, 0.6e-6 m2/s at 45 degC without salt (ITTC
-// 7.5-02-01-03, 2011). The dynamic viscosity, in Pa s, is a thousand times greater.
+// Water has a viscosity of 1.83e-6 m2/s at 0 degC with 35 g/kg of salt, of 0.6e-6 m2/s at 45 degC without
+// salt (ITTC 7.5-02-01-03, 2011). The dynamic viscosity, in Pa s, is a thousand times greater.
 constexpr double kThinnestWater = 0.55e-6, kThickestWater = 2e-6;  // [m2/s]
-// On the ground it is 9.780 m/s2 at the equator and 9.832 m/s2 at the poles (WGS 84), and many round it to
+// Gravity on the ground is 9.780 m/s2 at the equator and 9.832 m/s2 at the poles (WGS 84), often rounded to
 // 10. A gravity of 0, for a scene without weight, is allowed, too.
 constexpr double kLeastGravity = 9.75, kMostGravity = 10;  // [m/s2]
-// This rise is 45 degrees. The slopes of the continents have 3 to 6 degrees, walls of canyons up to 45.
+// A slope of 1 is 45 degrees. The slopes of the continents have 3 to 6 degrees, walls of canyons up to 45.
 constexpr double kSteepestBed = 1;  // [1]
-// This speed is 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
+// 10 m/s are 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
 constexpr double kFastestTow = 10;  // [m/s]
-// This speed is 39 kn. A ship in a heavy sea moves its blocks by less than 5 m/s.
+// 20 m/s are 39 kn. A ship in a heavy sea moves its blocks by less than 5 m/s.
 constexpr double kFastestHold = 20;  // [m/s]
 // A residual of 1 % of the largest load changes results by more than the differences between gears that
 // people compare.
@@ -43,7 +43,7 @@ void check_water(const LoadedScene& loaded, formats::TableReader& root) {
       "sea water is density = \"1.025 t/m3\", or 1025 without a unit; density = 0 is air");
 }
 
-/// Warns of the viscosity of a scene. Models in a tank scale it after it was read.
+/// Warns of the viscosity of a scene. A model test scales the viscosity later, after this check.
 void check_viscosity(const LoadedScene& loaded, formats::TableReader& root) {
   formats::TableReader water = root.table("water", formats::Presence::optional);
   if (loaded.scene.water.density == 0 || !water.has("viscosity")) return;

@@ -17,29 +17,29 @@ namespace {
 // Osmium is the densest element (CRC Handbook of Chemistry and Physics, 97th edition, section 4). In t/m3
 // the number of any material is below 23.
 constexpr double kDensestElement = 22590, kSteel = 7850;  // [kg/m3]
-// A chain has the diameter of the wire of its links, and as a cylinder of this diameter 25 000 to 28 000
-// kg/m3 (the library's). Footropes with rollers or chain loops counted in have up to 30 000 kg/m3 there; more
-// than a chain of osmium would have cannot be.
+// A chain is a cylinder with the diameter of the wire of its links, so that chains of the library have 25 000
+// to 28 000 kg/m3, and footropes that include rollers or chain loops up to 30 000 kg/m3. Nothing is denser
+// than a chain of osmium.
 constexpr double kHeaviestChain = 28000, kDensestRope = kHeaviestChain * kDensestElement / kSteel;
-// Cork has 120 to 240 kg/m3 (L. J. Gibson and M. F. Ashby, Cellular Solids, 1997), the lightest rope of a
-// solid fibre, polypropylene, 910 kg/m3; 0 is a rope without mass.
+// Cork has 120 to 240 kg/m3 (L. J. Gibson and M. F. Ashby, Cellular Solids, 1997), the lightest solid fibre,
+// polypropylene, 910 kg/m3; 0 means a rope without mass.
 constexpr double kLightestMaterial = 100;  // [kg/m3]
-// The thickest ropes moor ships and platforms, and have 0.3 m.
+// The thickest ropes moor ships and platforms, and have a diameter of 0.3 m.
 constexpr double kThickestRope = 1;  // [m]
 // Tolerance for the buoyancy of floats: catalogues round buoyancy, volume and mass by about 5 % each.
 constexpr double kRoundingOfFloats = 0.2;  // fraction of the weight of the displaced water [1]
-// Volume over that of a sphere of the diameter; the floats of the library are spheres. A round bar of 13
-// diameters has 20; litres taken for m3 make a thousand times too much.
+// Volume of a float over that of a sphere of its diameter: 1 in the library, 20 for a round bar that is 13
+// diameters long. Litres that are read as m3 give a thousand times too much.
 constexpr double kLongestFloat = 20;  // [1]
-// Buoyancy over the weight of the water that a sphere of the diameter displaces: 0.56 to 0.63 in the library.
-// A number in kgf that is taken for N makes a tenth of that.
+// Buoyancy of a float over the weight of the water that a sphere of its diameter displaces: 0.56 to 0.63 in
+// the library. A number in kgf that is read as N gives a tenth of that.
 constexpr double kWeakestFloat = 0.1;  // [1]
 
-// Mass over volume. The largest inflated buoys have 20 kg/m3, floats of a net 200 to 500; litres taken for m3
-// make a thousandth of that.
+// Mass of a float over its volume. The largest inflated buoys have 20 kg/m3, floats of a net 200 to 500;
+// litres that are read as m3 give a thousandth of that.
 constexpr double kLightestFloat = 5;  // [kg/m3]
-// Length over that at the start. The longest warps are paid out from a drum to a few times the length at
-// which a motion begins; per cent that are taken for a fraction make a hundred.
+// Length of a warp over its length at the start. The longest warps are paid out from a drum to a few times
+// the length at which a motion begins; per cent that are read as a fraction give a hundred times too much.
 constexpr double kMostShare = 10;  // [1]
 
 /// The checks of one part.
@@ -51,8 +51,8 @@ class PartCheck {
         place_(loaded.parts[p].place),
         diagnostics_(diagnostics) {}
 
-  /// Warns of a density that no material has. In air, or without weight, a density of almost nothing is that
-  /// of a spring, which is meant to have no mass.
+  /// Warns of a density that no material has. In air, or without gravity, a density close to zero is allowed,
+  /// because it models a spring without mass.
   void check_density(const KnownParameter& known, double densest, const std::string& why) {
     const double density = number(known);
     const bool has_weight = water_.density > 0 && water_.gravity > 0;
@@ -128,7 +128,7 @@ class PartCheck {
          "leave buoyancy out to have it from volume and mass, or leave volume out");
   }
 
-  /// Warns of a float whose mass does not fit its volume. One without volume is a weight.
+  /// Warns of a float whose mass does not fit its volume. Floats without volume are weights, and not checked.
   void check_density_of_float() {
     const double volume = number(parameter::kFloatVolume), mass = number(parameter::kFloatMass);
     if (volume == 0 || mass == 0) return;

@@ -5,8 +5,9 @@
 
 namespace netloft::scenes {
 
-/// Warns of densities, diameters and floats that no material or maker has; an error is a rope that is stiffer
-/// in compression than in tension. The limits and their reasons are in plausible_parts.cpp.
+/// Warns of densities and diameters that no material or rope has, and of floats that nobody makes. Reports a
+/// rope that is stiffer in compression than in tension as an error. The limits and their reasons are in
+/// plausible_parts.cpp.
 void check_plausible_parts(const LoadedScene& loaded, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::scenes

@@ -148,7 +148,7 @@ void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& 
 
 void add_bodies(Draft& draft, formats::Diagnostics& diagnostics) {
   Scene& scene = draft.out.scene;
-  std::map<std::uint32_t, std::size_t> origins;  // of the bodies so far
+  std::map<std::uint32_t, std::size_t> origins;  // origin node of each body so far -> its index
   for (std::size_t p = 0; p < draft.geometries.size(); ++p) {
     if (!draft.geometries[p].body) continue;
     const BodyGeometry& geometry = *draft.geometries[p].body;

@@ -61,7 +61,8 @@ void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& 
                         "elements.ropes.type = \"rope/bar\"");
       return;
     }
-    part->parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};  // the motion sets it in every step
+    part->parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};  // the motion sets these factors in every
+                                                                  // step
   }
 }
 

@@ -43,7 +43,8 @@ const NodeQuantity kAngles[] = {
     {"trim", "rad", "angle by which the nose is up", Source::attitude, 2},
 };
 
-/// Splits "max reaction z" into how ("max") and quantity ("reaction z"); how is empty if there is none.
+/// Splits "max reaction z" into how ("max") and quantity ("reaction z"); `how` is empty if the text has no
+/// such word.
 void split_take(ResultRequest& request) {
   const auto space = request.take.find(' ');
   const std::string first = request.take.substr(0, space);

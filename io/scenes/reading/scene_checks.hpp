@@ -8,7 +8,8 @@ namespace netloft::scenes {
 /// Reports half a gear as an error if something in the scene differs between port and starboard.
 void check_symmetry(formats::TableReader& root, const Draft& draft, const WaterReader& water);
 
-/// Questions numbers of a scene that was read without errors, divided or not: its water, its tow, its parts.
+/// Warns of implausible numbers in a scene that was read without errors: in its water, its tow and its parts.
+/// The scene need not be divided into elements.
 void check_undivided(formats::TableReader& root, const Draft& draft);
 
 /// Checks whether a scene that was read without errors can be solved: its holds, its current, its ground and

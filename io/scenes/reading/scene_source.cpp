@@ -32,7 +32,7 @@ void refuse_tables_of_plans(formats::TableReader& root) {
       {"points", "parts have points of their own, such as rope.end; [[hold]] at = [0, 0, -5] places them"},
       {"hang", "[[join]] joins parts at their points and edges"},
       {"elements", "the type of a part, and its parameters, are in [parts.NAME]"}};
-  root.has("panels");  // it may be added, so an unknown table may be meant as this one
+  root.has("panels");  // makes `panels` a known key, so that hints about misspelt tables suggest it
   const auto keys = root.keys();
   for (const auto& [key, hint] : kTables)
     if (std::ranges::find(keys, key) != keys.end() && root.has(key))
@@ -200,7 +200,7 @@ class SceneSource::Memory {
     SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
     std::map<std::string, Strength> strengths;
     const auto plan = read_plan(root, catalogue, registry, diagnostics, strengths);
-    if (!plan) return gears::read_plan(root, *catalogue.load(), diagnostics);  // reports that there is none
+    if (!plan) return gears::read_plan(root, *catalogue.load(), diagnostics);  // reports the missing plan
     if (diagnostics.errors() == 0)
       SceneReader(root, &plan->plan, divisions_, file_.parent_path(), registry, diagnostics, refused).check();
     return plan->plan;
@@ -243,7 +243,7 @@ class SceneSource::Memory {
 
   std::filesystem::path file_;
   std::optional<formats::Document> document_;
-  formats::Diagnostics said_;  // messages of loading the document
+  formats::Diagnostics said_;  // messages about the document when it was loaded
   gears::KeptCatalogue catalogue_;
   gears::Recent<PlanInput, const PlanRead> plans_{4};
   gears::Divisions divisions_;

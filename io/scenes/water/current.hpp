@@ -13,8 +13,8 @@ Current read_current(formats::TableReader& water);
 /// The velocities of a current at one time, from its lowest height to its highest [m/s].
 using VelocitiesOverHeight = std::vector<std::array<double, 3>>;
 
-/// The velocities of a current at all times, and at all heights, between which they are linear. Everywhere
-/// else the velocity is a mean of these, so that none is faster.
+/// The velocities of a current at the times and heights between which it is linear. At any other time or
+/// height its velocity is a mean of these, and so not greater than all of them.
 std::vector<VelocitiesOverHeight> velocities_at_kinks(const Current& current);
 
 }  // namespace netloft::scenes

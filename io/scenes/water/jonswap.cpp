@@ -10,8 +10,9 @@ namespace netloft::scenes {
 
 namespace {
 
-constexpr double kLowest = 0.4, kHighest = 5;  // bounds of f/f_p
-constexpr std::size_t kSamples = 20001;  // samples of the integral: limits of bands are accurate to 1e-6
+constexpr double kLowest = 0.4, kHighest = 5;  // range of f/f_p that the waves cover
+constexpr std::size_t kSamples = 20001;  // number of samples of the integral, with which limits of bands are
+                                         // accurate to 1e-6
 
 /// The energy of waves with frequencies below each sample of f/f_p, as a fraction of the total energy, by the
 /// trapezoidal rule.
