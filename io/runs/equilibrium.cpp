@@ -20,12 +20,12 @@ namespace netloft::runs {
 namespace {
 
 constexpr int kFromElsewhere = 100;  // limit of iterations from an initial guess of the user
-// Largest force in a loose hold, as a fraction of the largest load on a node. The forces that a search leaves
-// at thousands of nodes, each below the tolerance, add up in such a hold to less.
+// Largest force in a loose hold, as a fraction of the largest load on a node. Forces below the tolerance that
+// a search leaves at thousands of nodes add up to less in such a hold.
 constexpr double kLoadOfLoose = 1e-3;
 
-/// Tells the caller which processor time a search may take, and when destroyed, that there is no limit any
-/// more.
+/// Reports to the caller the processor time that a search may take and, when destroyed, that there is no
+/// limit any more.
 class AllowedTime {
  public:
   AllowedTime(const Watch& watch, double seconds) : watch_(watch) { announce(seconds); }
@@ -81,7 +81,8 @@ void reject_crossed(const scenes::LoadedScene& loaded, const Assembler& assemble
                           : ". No gear is meant to have this shape; start each board on its own side"));
 }
 
-/// Rejects equilibria in which a loose hold bears load: without the hold, the gear has none there.
+/// Rejects equilibria in which a loose hold bears load: without the hold, the gear would not be in
+/// equilibrium there.
 void reject_held_up(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   for (const scenes::Hold& hold : loaded.holds) {
     if (!hold.is_loose) continue;
@@ -96,7 +97,7 @@ void reject_held_up(const scenes::LoadedScene& loaded, const Assembler& assemble
   }
 }
 
-/// Rejects equilibria of the model in which the gear that it stands for has none.
+/// Rejects equilibria that only the model has, and not the gear that it represents.
 void reject_what_is_none(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   if (!is_stationary(s)) return;
   reject_crossed(loaded, assembler, s);
@@ -123,8 +124,7 @@ Solution find_equilibrium(PreparedScene& scene, const Watch& watch, const std::v
   return s;
 }
 
-// If the scene finds its equilibrium by a damped motion instead of a solver, the motion starts at rest from
-// `u`.
+// If the scene finds its equilibrium by a damped motion, not a solver, the motion starts at rest from `u`.
 Solution continue_equilibrium(PreparedScene& scene, const std::vector<double>& u, int iterations,
                               const Watch& watch) {
   const scenes::Analysis& analysis = scene.loaded().analysis;

@@ -20,9 +20,8 @@ struct MemoryForecast {
 /// takes over if the first one gives up. tests/bench/memory.py compares the forecast with the memory of runs.
 MemoryForecast foresee_memory(PreparedScene& scene);
 
-/// Total memory available to this process [bytes]: its present memory, plus what the machine, its control
-/// group (memory.max of cgroup 2) and its address limit (ulimit -v) allow. Infinite if none of these is
-/// known.
+/// Memory available to this process [bytes]: its present memory, plus what the machine, its control group
+/// (memory.max of cgroup 2) and its address limit (ulimit -v) allow. Infinite if none of these is known.
 double memory_within_reach();
 
 }  // namespace netloft::runs

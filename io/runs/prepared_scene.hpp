@@ -29,7 +29,7 @@ struct CaseSource {
 };
 
 /// A scene that is ready to be evaluated: read, checked, with a plan of the forces to evaluate, and
-/// assembled. equilibrium.hpp and march.hpp solve it. It cannot be moved, because the assembler refers to the
+/// assembled. equilibrium.hpp and march.hpp solve it. It is not movable, because the assembler refers to the
 /// scene.
 class PreparedScene {
  public:

@@ -7,8 +7,7 @@
 
 namespace netloft::runs {
 
-/// Whether displacements of scene `a` are valid for scene `b`: both scenes have the same unknowns in the same
-/// order.
+/// Whether displacements of scene `a` are valid for scene `b`: both have the same unknowns in the same order.
 bool have_same_topology(const PreparedScene& a, const PreparedScene& b);
 
 /// First-order change of the equilibrium x of `scene` when the scene becomes `near`, which has slightly

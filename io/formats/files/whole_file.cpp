@@ -77,7 +77,7 @@ class FileBeside {
   bool is_named_ = false;
 };
 
-/// Writes the file beside, calls `before_renaming`, and renames it.
+/// Writes the file PATH.new, calls `before_renaming`, and renames the file.
 template <class Action>
 void write_beside(const fs::path& path, std::string_view content, const Action& before_renaming) {
   std::error_code none;
@@ -120,7 +120,7 @@ void keep_as_backup(const fs::path& path) {
   unlink(link_path.c_str());
   if (link(path.c_str(), link_path.c_str()) == 0) {
     const int error = rename(link_path.c_str(), backup.c_str()) == 0 ? 0 : errno;
-    unlink(link_path.c_str());  // rename() leaves it when both names already meant the same file
+    unlink(link_path.c_str());  // rename() keeps this name if both names already meant the same file
     if (error != 0) fail_to_keep(path, backup, error);
     return;
   }

@@ -21,8 +21,8 @@ class WriteError : public std::runtime_error {
 /// folder or device are refused.
 void write_whole(const std::filesystem::path& path, std::string_view content);
 
-/// The same for a file that a user names: what is replaced may be anything, so it is kept as PATH~ unless it
-/// has the same content.
+/// Like write_whole(), for a path that a user names. The replaced file may be any file, so it is kept as
+/// PATH~ unless it has the same content.
 void write_keeping(const std::filesystem::path& path, std::string_view content);
 
 /// Keeps the file `path`, if there is one, as its backup PATH~, which replaces an earlier backup. The file

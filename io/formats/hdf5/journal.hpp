@@ -49,7 +49,6 @@ class Journal {
 
   /// Appends a record. If the system fails to write it, throws FileError and removes the incomplete record.
   Record append(std::uint32_t kind, std::string_view content);
-  /// Removes the file.
   void remove();
 
  private:

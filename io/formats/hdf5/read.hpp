@@ -44,8 +44,8 @@ class Reader {
 
   std::string text(const std::string& path) const;
   std::vector<std::string> strings(const std::string& path) const;
-  /// The same for names, which are printed and become lines of files: throws FileError if one of them has
-  /// control characters.
+  /// Reads names, which are printed and become lines of files. Throws FileError if a name has control
+  /// characters.
   std::vector<std::string> names(const std::string& path) const;
 
   bool has_attribute(const std::string& path, const std::string& name) const;

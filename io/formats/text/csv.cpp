@@ -18,7 +18,7 @@ bool is_number(const std::string& text) {
 }
 
 bool begins_formula(const std::string& text) {
-  constexpr const char* kBeginnings = "=+-@\t";  // a tab is skipped by some programs
+  constexpr const char* kBeginnings = "=+-@\t";  // some programs skip a tab
   return !text.empty() && std::string(kBeginnings).find(text.front()) != std::string::npos &&
          !is_number(text);
 }

@@ -15,7 +15,8 @@ bool is_control(unsigned code) { return code < 0x20 || (code >= kDelete && code 
 /// The next character of a text.
 struct Character {
   std::string_view bytes;
-  unsigned control = 0;  // its code, or of a single byte that is no UTF-8 its value, if is_control
+  unsigned control = 0;  // code of a control character, or value of a byte that is not UTF-8; only if
+                         // is_control
   bool is_control = false;
 };
 
@@ -23,7 +24,7 @@ Character first_of(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
   const std::size_t length = sequence_length(text);
   if (length <= 1) return {text.substr(0, 1), byte(0), is_control(byte(0))};
-  // Two bytes that begin with C2 have the value of the second one (RFC 3629).
+  // A character of two bytes, the first of which is C2, has the value of the second one (RFC 3629).
   const bool is_second_set = length == 2 && byte(0) == 0xC2 && is_control(byte(1));
   return {text.substr(0, length), is_second_set ? byte(1) : 0, is_second_set};
 }
@@ -34,7 +35,8 @@ std::string escaped(unsigned code) {
   return text;
 }
 
-/// Replaces each control character by what `replacement` returns for its code and the text from it on.
+/// Replaces each control character by what `replacement` returns for the code of the character and the text
+/// that begins with it.
 template <class Replacement>
 std::string replaced(std::string_view text, const Replacement& replacement) {
   std::string safe;

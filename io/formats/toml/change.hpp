@@ -34,21 +34,19 @@ struct Change {
 /// text is not valid, the change has a `fault`, which `apply` reports.
 Change read_change(const std::string& text, const std::string& option = "--set");
 
-/// Reads several texts of `--set`.
 std::vector<Change> read_changes(const std::vector<std::string>& texts);
 
 /// Makes a change that replaces the value of a key: make_change({"parts", "net", "cells"}, 8). Errors in the
 /// value are reported as for the corresponding `--set`.
 Change make_change(std::initializer_list<std::string_view> keys, Value value);
 
-/// Whether the first of two changes leaves nothing of the second: it replaces the same value, or a table
-/// around it, by something else.
+/// Whether `change` undoes the `earlier` change completely: it replaces the same value, or a table around
+/// this value, by something else.
 bool undoes(const Change& change, const Change& earlier);
 
 /// Applies a change to a document. Reports a fault of the change, and a path that does not fit the document.
 void apply(Value& root, const Change& change, Diagnostics& diagnostics);
 
-/// Appends the changes of `more` to `all`.
 inline void append(std::vector<Change>& all, const std::vector<Change>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }

@@ -51,7 +51,7 @@ class Diagnostics {
   const std::vector<Diagnostic>& messages() const { return entries_; }
 
   int errors() const { return errors_; }
-  /// Whether the next error is still among those that are shown. If not, nobody reads its hint, which may
+  /// Whether the next error is still among those that are shown. If not, no hint for it is needed, which may
   /// take long to find.
   bool wants_hints() const { return errors_ < static_cast<int>(kMostShown); }
   int warnings() const { return static_cast<int>(entries_.size()) - errors_; }

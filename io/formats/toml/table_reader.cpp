@@ -180,8 +180,8 @@ std::optional<double> read_real(const Spot& at, const Wanted& wanted) {
   return value ? check_range(at, *value, wanted) : std::nullopt;
 }
 
-/// Warns of a plain number that makes an angle of whole radians: who writes 30 means degrees, and who means
-/// radians writes 0.52. Returns whether it is one.
+/// Warns of an angle that is a whole number without a unit, and so in radians: 30 probably means degrees.
+/// Returns whether the number is such an angle.
 bool question_whole_radians(const Spot& at, const Wanted& wanted) {
   const bool is_plain = wanted.unit == "rad" && wanted.written.empty();
   const auto number = is_plain ? plain_number(at.value) : std::nullopt;
@@ -266,7 +266,7 @@ struct TableReader::State {
   Diagnostics* diagnostics;
   bool silent = false;                            // true for a table whose absence has been reported
   std::vector<std::string> known = {};            // keys that have been requested, in this order
-  std::set<std::string, std::less<>> asked = {};  // the same keys, to be found among many
+  std::set<std::string, std::less<>> asked = {};  // the same keys, for a fast search
   std::vector<const Member*> by_key = {};         // the members of the table, sorted by their keys
   std::unordered_map<const Value*, std::shared_ptr<State>> opened = {};
 
@@ -389,8 +389,8 @@ std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& sp
 }
 
 /// Opens { unit = "deg", values = [0, 5, 10] }, which has one unit for all numbers. Any other value is
-/// returned as it is, without a unit. After an error in the unit, only their count is of use, so
-/// that other keys of which there must be as many are not reported, too.
+/// returned as it is, without a unit. After an error in the unit, the numbers are meaningless; their count
+/// still prevents further errors about keys that must have equally many.
 std::optional<TableReader::Numbers> TableReader::numbers_in(const Value& value, std::string_view key,
                                                             const std::string& si_unit,
                                                             const std::string& doc) {

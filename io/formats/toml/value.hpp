@@ -54,7 +54,7 @@ struct Value {
 
 struct Member {
   std::string key;
-  Place place;  // of the key
+  Place place;  // place of the key
   Value value;
   bool operator==(const Member&) const = default;
 };

@@ -130,10 +130,10 @@ const KnownUnit& unit_of(std::string_view text) {
 
 const KnownUnit& wanted_unit(std::string_view si_unit) { return unit_of(si_unit == "1" ? "" : si_unit); }
 
-/// Stands for the unit of a text that may have any.
+/// Stands for the wanted unit of a text that may have any unit.
 constexpr std::string_view kAnyUnit = "?";
 
-/// The common units with the dimension of `si_unit`, and that unit itself; all of them for kAnyUnit.
+/// `si_unit` and the common units with its dimension; all common units for kAnyUnit.
 std::vector<std::string> units_like(std::string_view si_unit) {
   std::vector<std::string> like = common_units();
   const std::optional<Unit> wanted = wanted_unit(si_unit).parsed.unit;
@@ -146,8 +146,8 @@ std::vector<std::string> units_like(std::string_view si_unit) {
   return like;
 }
 
-/// A hint with the candidate that `unit` most likely means. If none is near, a p between two letters is read
-/// as "per": "kph" is "km/h". Empty if there is still none.
+/// A hint with the candidate that `unit` most likely means. If no candidate is similar, a p between two
+/// letters is read as "per": "kph" as "km/h". Empty if no candidate is similar to that either.
 std::string proposal(std::string unit, const std::vector<std::string>& candidates) {
   auto near = nearest(unit, candidates);
   const auto per = unit.find('p', 1);
@@ -156,8 +156,8 @@ std::string proposal(std::string unit, const std::vector<std::string>& candidate
   return near ? "did you mean " + in_quotes(*near) + "?" : "";
 }
 
-/// Refuses a unit that is not known. A word that is the whole unit has the dimension that is wanted; the
-/// dimension of a word in a product may be any.
+/// Refuses a unit that is not known. If the unit is a single word, proposals have the wanted dimension; a
+/// word in a product may have any dimension.
 Quantity refuse_unknown(std::string_view text, const std::string& unit, std::string word,
                         std::string_view si_unit) {
   if (word.empty())
@@ -177,7 +177,8 @@ std::string cure(const std::string& unit, const Dimension& got, const Dimension&
   if (should == "a speed" && unit == "kN") return "kN is the kilonewton; the knot is kn";
   if (should == "a speed" && unit == "ms-1") return "ms is the millisecond; write m/s or m s-1";
   if (is == "a pure number" && unit.empty()) return "add a unit, or omit the quotes for an SI number";
-  // UDUNITS takes kph for a kilophot and knt for a kilonit, which have a dimension that no quantity has here.
+  // UDUNITS takes kph for a kilophot and knt for a kilonit, which have a dimension that no quantity of a
+  // scene has.
   return is == "a quantity" ? proposal(unit, units_like(si_unit)) : "";
 }
 

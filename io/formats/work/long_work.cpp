@@ -8,7 +8,7 @@ namespace netloft::formats {
 namespace {
 
 thread_local WorkFollower* current = nullptr;
-thread_local int depth = 0;  // of work within work
+thread_local int depth = 0;  // depth of work within other work
 
 void leave() {
   if (--depth == 0 && current) current->end();
@@ -23,7 +23,7 @@ LongWork::LongWork(const Step& first) {
   try {
     report(first);
   } catch (...) {
-    leave();  // an object that was not made has no destructor to do it
+    leave();  // the destructor does not run if the constructor throws
     throw;
   }
 }

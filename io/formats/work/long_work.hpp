@@ -14,7 +14,7 @@ struct Step {
   std::string_view unit = {};  // empty: nothing is counted
 };
 
-/// Thrown through long work that the user has interrupted. Whoever has something to keep catches it.
+/// Thrown through long work that the user has interrupted. Functions that have results to keep catch it.
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
@@ -28,7 +28,7 @@ class WorkFollower {
   virtual void end() noexcept = 0;
 };
 
-/// Sets the follower of all long work in this thread, and returns the one before; null: none.
+/// Sets the follower of all long work in this thread, and returns the previous one; null: no follower.
 WorkFollower* follow_work(WorkFollower* follower);
 
 /// Work that may take long, such as reading a scene, from its first step to the end of this object. Work
@@ -41,9 +41,10 @@ class LongWork {
   LongWork& operator=(const LongWork&) = delete;
 };
 
-/// Reports a step of the work under way, if there is any. Throws Interrupted if the work is to end.
+/// Reports a step of the current work to the follower, if there are both. Throws Interrupted if the work is
+/// to end.
 void report(const Step& step);
-/// Does the same within a step that takes long.
+/// Throws Interrupted if the work is to end; for calls within a step that takes long.
 void hear_interruption();
 
 }  // namespace netloft::formats

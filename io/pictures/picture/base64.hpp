@@ -7,7 +7,6 @@ namespace netloft::pictures {
 
 using Bytes = std::span<const unsigned char>;
 
-/// The bytes of a text.
 inline Bytes bytes_of(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }

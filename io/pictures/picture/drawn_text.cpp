@@ -48,7 +48,6 @@ float advance_of(int character, float scale) {
   return scale * static_cast<float>(advance);
 }
 
-/// Blends a colour into a pixel.
 void blend(Image& image, long x, long y, const Colour& colour, float opacity) {
   if (x < 0 || y < 0 || x >= static_cast<long>(image.width) || y >= static_cast<long>(image.height)) return;
   const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);

@@ -25,7 +25,7 @@ void add_common_options(CLI::App& command, CommonOptions& o);
 /// Adds --plugins, --color and --json.
 void add_plugin_options(CLI::App& command, PluginOptions& o);
 CLI::Option* add_set_option(CLI::App& command, std::vector<std::string>& set, const std::string& doc);
-/// --scene-plugins.
+/// Adds --scene-plugins.
 void add_scene_plugins_option(CLI::App& command, SceneOptions& o);
 /// Adds the scene, and the options that find its plugins.
 void add_scene_options(CLI::App& command, SceneOptions& o);

@@ -46,7 +46,6 @@ std::size_t state_of(int state, const results::StoredShape& result, const std::s
                    (count == 1 ? " has one state, 0" : " has states 0 to " + std::to_string(count - 1))};
 }
 
-/// Writes a file and reports it.
 void write_and_report(const CommonOptions& options, const std::string& output, const std::string& content,
                       const std::vector<std::string>& sources, const std::vector<std::string>& endings = {}) {
   replace_file(output, content, sources, endings);

@@ -28,7 +28,7 @@ bool is_worthless_hdf5(const std::string& part) {
   }
 }
 
-/// How the run of a journal ended, as the end of a sentence.
+/// Describes how the run that wrote a journal ended, as the end of a sentence.
 std::string how_it_ended(const std::string& outcome) {
   if (outcome == formats::kRunning.outcome || outcome == name_of(MarchStatus::interrupted))
     return "did not end; --resume goes on from them";

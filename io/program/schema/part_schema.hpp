@@ -11,7 +11,6 @@ namespace netloft::program::schema {
 class PartSchema {
  public:
   void add(const ElementType& e, const PluginContent& plugin);
-  /// Adds a rigid body.
   void add_body(const ElementType& e, const PluginContent& plugin);
   Json schema() const;
   Json definitions = Json::object();

@@ -8,7 +8,7 @@ namespace netloft::program {
 
 /// Errors of an input as one JSON object with `status` and `errors`, for programs.
 std::string errors_json(const formats::Diagnostics& diagnostics, int exit_code);
-/// Such an object for a single error without a place.
+/// A single error without a place, as the same kind of object.
 std::string error_json(const std::string& message, int exit_code);
 /// A text as JSON writes it, in quotes.
 std::string json_text(const std::string& text);

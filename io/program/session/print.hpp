@@ -10,7 +10,7 @@ namespace netloft::program {
 
 /// Prints an answer, or a part of one, on standard output.
 void print(std::string_view text);
-/// The same with a line end.
+/// Prints an answer with a line end on standard output.
 void print_line(std::string_view text);
 /// Prints a message with a line end on standard error. Terminal::say() also removes a progress line first.
 void print_error(std::string_view text);

@@ -11,9 +11,9 @@ namespace netloft::program {
 
 class Terminal;
 
-/// Shows how far the reading and meshing of scenes is, and ends them by formats::Interrupted after an
+/// Shows the progress of reading and meshing scenes, and ends both by formats::Interrupted after an
 /// interruption. It draws in a thread of its own, because one step may take long, and only while something is
-/// read: nothing else may write to the terminal then.
+/// read. Nothing else may write to the terminal during that time.
 class ReadingProgress : public formats::WorkFollower {
  public:
   explicit ReadingProgress(Terminal& terminal);
@@ -33,10 +33,10 @@ class ReadingProgress : public formats::WorkFollower {
 
   Terminal& terminal_;
   formats::WorkFollower* before_;
-  mutable std::mutex mutex_;  // of all below, and of the terminal while something is read
+  mutable std::mutex mutex_;  // protects all members below, and the terminal while something is read
   std::condition_variable wake_;
   bool is_over_ = false;
-  std::string deed_, of_, unit_;  // of the step; the deed is empty while nothing is read
+  std::string deed_, of_, unit_;  // words for the step; deed_ is empty while nothing is read
   std::size_t done_ = 0;
   double begun_ = 0;    // [s]
   std::thread thread_;  // started by the first step

@@ -27,7 +27,7 @@ class Session {
   runs::PreparedScene scene_;
 };
 
-/// Throws a UsageError if one of the changes of --set leaves nothing of another.
+/// Throws a UsageError if one change of --set undoes another one completely.
 void refuse_undone(const std::vector<std::string>& set);
 
 /// The scene of a command line with the changes of --set and, if the command has them, --strategy and

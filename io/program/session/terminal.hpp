@@ -27,7 +27,7 @@ class Terminal {
   void say(const std::string& text);
   /// Shows all messages, in colour if the terminal has it.
   void say(const formats::Diagnostics& diagnostics);
-  /// The progress of what is read while this terminal exists; it shows itself.
+  /// The progress of reading scenes. It is shown without further calls while this terminal exists.
   const ReadingProgress& reading() const { return *reading_; }
 
   /// Shows the progress of a search after the first second: a line that is redrawn on a terminal, a line of
@@ -41,7 +41,7 @@ class Terminal {
   /// step that was done last.
   void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
                          const std::string& last);
-  /// Shows the progress of reading a scene once that has taken two of the `seconds`.
+  /// Shows the progress of reading a scene for `seconds` so far; nothing in the first two.
   void progress_in_reading(const formats::Step& step, double seconds);
   void clear();
 

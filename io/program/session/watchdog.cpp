@@ -96,8 +96,8 @@ void Watchdog::watch() {
   }
 }
 
-/// Most steps of reading hear an interruption by themselves; some take long, such as a factorisation for the
-/// initial shape of a large gear.
+/// Ends a run if reading does not end after an interruption. Most steps of reading check for interruptions;
+/// some take long, such as a factorisation for the initial shape of a large gear.
 void Watchdog::look_at_interruption(double now) {
   if (!to_finish_.empty()) terminal_.say("netloft: " + std::exchange(to_finish_, {}));
   if (interrupted_at_ == 0) interrupted_at_ = now;

@@ -20,7 +20,7 @@ struct Overdue {
   std::string sentence;      // "loops/forever, solve, did not come back for 2 s after Ctrl-C"
 };
 
-/// Ends a run that does not hear an interruption. Solvers check for interruptions and for the time limit
+/// Ends a run that does not react to an interruption. Solvers check for interruptions and for the time limit
 /// between steps, but a call of a plugin may never return. The watchdog runs in its own thread and calls
 /// `last_act`, which writes what was found so far, if, after an interruption or the limit,
 ///   the same call of a plugin has gone on for 2 s, or
@@ -37,8 +37,8 @@ class Watchdog {
 
   /// Sets the processor time that is allowed from now on [s].
   void allow(double seconds);
-  /// Makes an interruption from now on lead to a sentence, and to no end: what is left is short, and worth
-  /// it.
+  /// From now on, an interruption prints `sentence` and does not end the program, because the remaining work
+  /// is short and its result worth waiting for.
   void let_finish(std::string sentence);
 
  private:

@@ -15,7 +15,7 @@ namespace {
 // Least uncounted pull, as a fraction of the pull of the warps. Pulls are measured to a hundredth at best.
 constexpr double kCounts = 0.01;
 
-/// The nodes of the scene at which warps begin, from where the figures of towing count their pull.
+/// The nodes of the scene at which warps begin. The figures of towing count the pull at these nodes.
 std::set<std::uint32_t> starts_of_warps(const scenes::LoadedScene& loaded) {
   std::set<std::uint32_t> starts;
   if (const auto warps = loaded.gear->roles.find("warp"); warps != loaded.gear->roles.end())
@@ -33,7 +33,7 @@ std::vector<std::string> uncounted_pull_warnings(const scenes::LoadedScene& load
   if (!pull) return warnings;
   const auto starts = starts_of_warps(loaded);
   for (const scenes::Hold& hold : loaded.holds) {
-    double forwards = 0;  // of the whole gear [N]
+    double forwards = 0;  // pull forwards, of the whole gear [N]
     for (std::size_t i = 0; i < hold.nodes.size(); ++i)
       if (!starts.contains(hold.nodes[i]))
         forwards -= loaded.gear->times * assembler.reaction(hold.nodes[i], residual, hold.axes[i])[0];

@@ -32,7 +32,7 @@ std::vector<double> round_steps(double lo, double hi) {
   const double step = round_above((hi - lo) / kTicks);
   std::vector<double> ticks;
   for (double k = std::ceil(lo / step - 1e-9); k * step <= hi + 1e-9 * step; ++k)
-    ticks.push_back(k * step + 0.0);  // no -0
+    ticks.push_back(k * step + 0.0);  // turns -0 into 0
   return ticks;
 }
 

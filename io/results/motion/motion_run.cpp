@@ -293,7 +293,7 @@ class MotionRun {
     try {
       make_file();
     } catch (
-        const formats::Interrupted&) {  // the journal has all, and makes the file when the run is resumed
+        const formats::Interrupted&) {  // the journal has all outputs; a resumed run makes the file from it
       march.status = MarchStatus::interrupted;
       march.reason = "interrupted while the result was written";
       result_.outcome = name_of(march.status);

@@ -13,13 +13,14 @@ namespace netloft::results {
 /// The findings of a MotionWatch so far, from which it continues.
 struct MotionFindings {
   double t = 0, numerical = 0;  // time of the last output [s], energy that the scheme had taken by then [J]
-  std::vector<double> v;        // velocities of the nodes then, three each; empty before the first output
+  std::vector<double> v;        // velocities of the nodes at the last output, three each; empty before the
+                                // first output
   std::optional<NumericalLoss> loss;  // empty before the second output, and without an energy budget
-  std::vector<FallenBoard> fallen;    // each board once, with the time at which it was first seen so
+  std::vector<FallenBoard> fallen;    // each board once, with the time at which it was found
 };
 
-/// Compares every output of a motion with the one before it: which energy did the scheme take between them,
-/// and which boards have fallen or pushed inward?
+/// Compares every output of a motion with the previous one. Finds the energy that the scheme took in between,
+/// and boards that have fallen or are pushed inward.
 class MotionWatch {
  public:
   MotionWatch(const Scene& scene, const Assembler& assembler) : scene_(scene), assembler_(assembler) {}

@@ -49,7 +49,7 @@ std::string chaos_text(const AchievedAccuracy& a) {
 }
 
 /// The error of the path, and whether it meets the requested accuracy. In a chaotic motion, it is the error
-/// until the motion cannot be predicted; it is unknown if that is so from the first output.
+/// until the motion cannot be predicted; it is unknown if no output can be predicted.
 std::string error_text(const AchievedAccuracy& a) {
   const char* until = a.is_predictable() ? "" : " until it cannot be predicted";
   if (std::isnan(a.path) && !a.is_predictable()) return "";

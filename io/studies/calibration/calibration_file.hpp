@@ -47,8 +47,7 @@ struct CalibrationFile {
   std::vector<MeasuredFigure> measured;
 };
 
-/// Reads a calibration file. Errors are reported to `diagnostics`; the result must not be used if there are
-/// any.
+/// Reads a calibration file. Errors are reported to `diagnostics`; if there are any, do not use the result.
 CalibrationFile read_calibration_file(const std::filesystem::path& path, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::studies

@@ -60,7 +60,8 @@ class Comparing {
     describe();
     try {
       run_all();
-    } catch (const formats::Interrupted&) {  // while a scene was read; the methods before it stay
+    } catch (const formats::Interrupted&) {  // interrupted while a scene was read; results of earlier methods
+                                             // stay
     }
     out_.is_interrupted = is_interrupted();
     return std::move(out_);

@@ -9,7 +9,7 @@ namespace netloft::studies {
 /// improved it until only round-off was left.
 struct ReferenceAnswer {
   Method method;
-  bool independent = true;  // true: its solver is of another plugin than the tested method
+  bool independent = true;  // whether its solver is from another plugin than the tested method
   double tolerance = 0;     // tolerance to which this solver converged
   Stability stability = Stability::unknown;
   Polished answer;

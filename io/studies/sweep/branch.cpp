@@ -138,8 +138,8 @@ Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   return way;
 }
 
-/// Steps from the last point to the next, by the whole step or by halves of it. False if the branch ends on
-/// the way.
+/// Steps from the last point to the next, by the whole step or by halves of it. Returns false if the branch
+/// ends between the two points.
 bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Values& values, Way& way) {
   const Solved start = way.back().solved;
   const double shortest = std::ldexp(1.0, -options_.halvings);

@@ -23,7 +23,8 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// A word for a comment of Slurm, which splits it at blanks and knows no quotes of the shell.
+/// Returns a word for a comment that Slurm reads. Slurm splits comments at blanks and does not know quotes of
+/// the shell.
 std::string plain_word(std::string word) {
   const auto is_plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';

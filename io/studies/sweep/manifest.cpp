@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 3;
-const std::string kSum = "crc32";  // of the first line without this entry, and of all items
+const std::string kSum = "crc32";  // checksum of the first line without this entry, and of all items
 
 std::string line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -126,8 +126,8 @@ void read_head(const Json& json, Study& study) {
     study.files.emplace_back(file.at("path").get<std::string>(), file.at("hash").get<std::string>());
 }
 
-/// Checks that values, which tables show, are those that are set, from which results follow. The values
-/// belong to the columns from `first` on.
+/// Checks that the values that tables show are those to which the scenes are set. The values belong to the
+/// columns from `first` on.
 void require_set(const Study& study, std::size_t first, const std::vector<VariableValue>& values,
                  const std::vector<std::string>& set) {
   std::vector<std::string> expected;

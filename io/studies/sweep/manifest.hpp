@@ -17,8 +17,8 @@ class StudyError : public std::runtime_error {
 std::string manifest_text(const Study& study);
 
 /// Reads a manifest that manifest_text() wrote. Throws StudyError, with the line number if there is one, if
-/// it is damaged or contradicts itself: its checksum covers all of it, its names may become files and lines
-/// of scripts, and the values in its tables are those that are set.
+/// the manifest is damaged (its checksum is wrong), if a name cannot be the name of a file or stand in a
+/// script, or if a value in its tables is not the value to which the scene is set.
 Study read_manifest(const std::filesystem::path& path);
 
 /// Paths of files in the folder of a study.

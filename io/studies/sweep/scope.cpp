@@ -107,7 +107,7 @@ class ScopeRun {
       row.depth = request_.depths[d];
       try {
         solve(row);
-      } catch (const formats::Interrupted&) {  // while a scene was read; the points before it stay
+      } catch (const formats::Interrupted&) {  // interrupted while a scene was read; earlier points are kept
       }
       if (row.points.size() == request_.scopes.size()) find_lengths(request_, row);
     }
