@@ -123,7 +123,7 @@ Finding body_turns_with_the_world(Bench& b) {
       b.sampler.direction(axis);
       note_in_turned_world(b, term, s, b.sampler.uniform(0.5, 3) * V{axis[0], axis[1], axis[2]}, worst);
     }
-  return judged(worst, "all terms act from outside");
+  return judged(worst, "all terms act from outside the element");
 }
 
 /// Checks that one or two additional full turns change nothing.
@@ -179,7 +179,7 @@ Finding sides_mirror_each_other(Bench& b) {
         worst.note(difference(b, expected, found, s, scale[lane], lane),
                    [&] { return b.place(term, s, lane); });
     }
-  return judged(worst, "all terms act from outside");
+  return judged(worst, "all terms act from outside the element");
 }
 
 namespace {

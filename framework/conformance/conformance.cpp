@@ -137,7 +137,7 @@ const std::vector<Check<Bench>>& table() {
       {"full-turns-change-nothing",
        full_turns_change_nothing,
        {"no-hidden-state"},
-       "read the axes of the body, not the components of its rotation vector, which count turns"},
+       "read the axes of the body, not the components of its rotation vector, which also count full turns"},
       {"body-turns-with-the-world",
        body_turns_with_the_world,
        {"full-turns-change-nothing", "translation-changes-nothing"},

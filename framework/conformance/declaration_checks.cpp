@@ -75,14 +75,14 @@ struct Input {
   std::uint32_t also = 0;
 };
 constexpr Input kInputs[] = {
-    {NETLOFT_READS_VELOCITY, "velocities, which take reads_velocity"},
-    {NETLOFT_READS_ACCELERATION, "accelerations, which take reads_acceleration"},
-    {NETLOFT_READS_CURRENT, "the current, which takes reads_current"},
-    {NETLOFT_READS_STATE, "what the element remembers, which takes reads_state"},
-    {NETLOFT_READS_TIME, "the time, which takes reads_time", NETLOFT_READS_WAVES},
-    {NETLOFT_READS_GROUND, "the velocity of the ground, which takes reads_ground"},
-    {NETLOFT_READS_BED, "the bed of the scene, which takes reads_bed"},
-    {NETLOFT_READS_WAVES, "acceleration and surface of the water, which take reads_waves"}};
+    {NETLOFT_READS_VELOCITY, "velocities without the trait reads_velocity"},
+    {NETLOFT_READS_ACCELERATION, "accelerations without the trait reads_acceleration"},
+    {NETLOFT_READS_CURRENT, "the current without the trait reads_current"},
+    {NETLOFT_READS_STATE, "the memory of the element without the trait reads_state"},
+    {NETLOFT_READS_TIME, "the time without the trait reads_time", NETLOFT_READS_WAVES},
+    {NETLOFT_READS_GROUND, "the velocity of the ground without the trait reads_ground"},
+    {NETLOFT_READS_BED, "the bed of the scene without the trait reads_bed"},
+    {NETLOFT_READS_WAVES, "acceleration and surface of the water without the trait reads_waves"}};
 
 /// Returns the same states with other values of one input: NaN, or numbers that differ from place to place.
 /// All terms receive the input, whatever they declare.

@@ -137,9 +137,9 @@ Finding estimate_shrinks_as_said(IntegratorBench& b) {
   const double coarse = estimate_with(b, 50), fine = estimate_with(b, 100);
   if (coarse == 0 && fine == 0) return not_applicable("it gives no estimate of its errors");
   const double seen = std::log2(coarse / fine);
-  return up_to(
-      std::abs(seen - b.order()), kOrderSeen,
-      "the estimate shrinks with order " + std::to_string(seen) + ", it says " + std::to_string(b.order()));
+  return up_to(std::abs(seen - b.order()), kOrderSeen,
+               "the estimate shrinks with order " + std::to_string(seen) + ", but `order` is " +
+                   std::to_string(b.order()));
 }
 
 Finding estimate_is_honest(IntegratorBench& b) {
@@ -191,7 +191,7 @@ Finding integrator_has_no_hidden_state(IntegratorBench& b) {
   b.run(first, {0.01, 0.02}, 0.1);
   b.run(other, {0.03}, 0.09);
   b.run(again, {0.01, 0.02}, 0.1);
-  return moves_alike(first, again) ? Finding{} : failed("the same steps twice, answers differ");
+  return moves_alike(first, again) ? Finding{} : failed("two runs of the same steps give different answers");
 }
 
 Finding remembers_nothing_in_scratch(IntegratorBench& b) {

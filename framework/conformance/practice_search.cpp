@@ -326,7 +326,7 @@ void PracticeSearch::end_own_method() {
 int PracticeSearch::transfer(std::uint32_t from, const double* u, std::uint32_t to, double* out) {
   end_own_method();
   if (std::max(from, to) >= scene_.levels)
-    note(Slip::out_of_range, "transfers between levels that there are not");
+    note(Slip::out_of_range, "transfers between levels that do not exist");
   const std::uint32_t source = size_of(from), target = size_of(to), bends = scene_.like.buckling > 0 ? 1 : 0;
   if (target == 0) return NETLOFT_OK;
   const std::uint32_t masses = target - bends;

@@ -113,7 +113,7 @@ Finding reports_what_is_true(SolverBench& b) {
     if (problem.iterations > 0)
       worst.note(problem.worst_report, [] { return "a residual given to `progress`"; });
   }
-  return judged(worst, "it never says `progress`");
+  return judged(worst, "it never calls `progress`");
 }
 
 Finding says_progress(SolverBench& b) {
@@ -148,7 +148,7 @@ Finding solver_has_no_hidden_state(SolverBench& b) {
     b.solve(other);
     if (round == 0) first = problem.u();
     if (std::memcmp(first.data(), problem.u().data(), first.size() * sizeof(double)) != 0)
-      return failed("solved twice, answers differ");
+      return failed("two solves of the same problem give different answers");
   }
   return {};
 }

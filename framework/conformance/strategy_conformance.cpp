@@ -62,7 +62,7 @@ Finding is_answered(StrategyBench& b, PracticeScene scene) {
   if (!b.takes(search)) return not_applicable(kNoScene);
   const int status = b.run(search);
   if (status == NETLOFT_OK && search.stages == 0 && search.answers().empty())
-    return not_applicable("it requests no stage of such a scene");
+    return not_applicable("it requests no stage in such a scene");
   Finding f;
   f.figure = search.imbalance();
   f.limit = kBalancedSearch;
@@ -189,7 +189,7 @@ Finding strategy_has_no_hidden_state(StrategyBench& b) {
     PracticeSearch other(kTwoMeshes), again(first.scene());
     if (b.takes(other)) b.run(other);
     b.run(again);
-    return first.trace() == again.trace() ? "" : "the same search twice, stages or answers differ";
+    return first.trace() == again.trace() ? "" : "two runs of the same search differ in stages or answers";
   });
 }
 
@@ -257,7 +257,7 @@ std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std
   const bool ends = room == 0 || std::find(text.begin(), text.begin() + room, '\0') != text.begin() + room;
   return is_guard_whole && ends
              ? ""
-             : "writes past the room of " + std::to_string(room) + " bytes, or no end of the text";
+             : "writes more than " + std::to_string(room) + " bytes, or does not end the text with a zero";
 }
 
 Finding explains(StrategyBench& b, bool asks) {

@@ -142,7 +142,7 @@ SolveStatus status_of(const Assessment& a, const StaticProblem& problem, const J
 
 /// Sentence about a tangent that is not positive definite, with the node where this was found.
 std::string first_not_convex(const StaticProblem& problem, const Assembler& assembler, const Scene& scene) {
-  return "its tangent is not positive definite, first met at " +
+  return "its tangent is not positive definite, as was first found at " +
          assembler.node_name(scene,
                              assembler.numbering().node(Dof(std::max(0, problem.last_factor().column))));
 }

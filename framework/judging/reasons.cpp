@@ -102,9 +102,9 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
         return "there is not enough memory, or room in files, to factorise the matrix";
       const auto column = problem.last_factor().column;
       return "the tangent stiffness is singular" +
-             (column >= 0
-                  ? ", first met at " + assembler.node_name(scene, assembler.numbering().node(Dof(column)))
-                  : std::string());
+             (column >= 0 ? ", as was first found at " +
+                                assembler.node_name(scene, assembler.numbering().node(Dof(column)))
+                          : std::string());
     }
     case NETLOFT_LEFT_DOMAIN:
       return problem.met_bad_numbers() ? "forces overflowed"

@@ -177,17 +177,16 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
     const std::string who = owner + ": term \"" + shown(t.name) + "\"";
     faults.require(t.evaluate != nullptr, who + " has no function");
     faults.require(!(t.traits & NETLOFT_CONSERVATIVE) || (t.traits & NETLOFT_SYMMETRIC),
-                   who + " is said to be conservative and not symmetric, which cannot be");
-    faults.require(
-        !(t.traits & (NETLOFT_HAS_CONVEX | NETLOFT_HAS_METRIC)) || (t.traits & NETLOFT_SYMMETRIC),
-        who + " offers a convex part or a metric, which are symmetric, and is not symmetric itself");
+                   who + " is declared conservative but not symmetric, which is impossible");
+    faults.require(!(t.traits & (NETLOFT_HAS_CONVEX | NETLOFT_HAS_METRIC)) || (t.traits & NETLOFT_SYMMETRIC),
+                   who + " offers a convex part or a metric, but is not declared symmetric");
     faults.require(!(t.traits & NETLOFT_READS_STATE) || e.state_width > 0,
                    who + " reads a state, but the element remembers nothing");
     faults.require(!(t.traits & NETLOFT_IS_DRAG) || !(t.traits & NETLOFT_READS_CURRENT) ||
                        (t.traits & NETLOFT_READS_VELOCITY),
                    who +
-                       " is drag that reads the current and no velocity, so a motion would lose it: declare "
-                       "reads_velocity, and let it follow from the current less the velocity");
+                       " is drag that reads the current but no velocity, so it would be wrong in a motion: "
+                       "declare reads_velocity, and use the current minus the velocity");
     for (const auto& name : names_needed_by(t))
       faults.require(has_earlier_real(e.parameters, e.parameters.size(), name),
                      who + " needs the parameter \"" + name + "\", which the element does not have");

@@ -210,9 +210,9 @@ char read_report(int pipe) {
 std::string fault_of(char word, int status) {
   if (word == kCameBack) return "";
   if (word == kNeedsMemory)
-    return "wanted more than " + std::to_string(kMemory >> 20) + " MiB of memory when it was opened";
+    return "needed more than " + std::to_string(kMemory >> 20) + " MiB of memory when it was opened";
   if (word == kIsLate || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
-    return "did not come back within " + std::to_string(kSeconds) + " s when it was opened";
+    return "did not return within " + std::to_string(kSeconds) + " s when it was opened";
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) return "was interrupted when it was opened";
   if (WIFSIGNALED(status))
     return std::string("crashed while it was opened (") + strsignal(WTERMSIG(status)) +

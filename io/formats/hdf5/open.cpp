@@ -66,7 +66,7 @@ class ObjectVisit {
   void visit(const Handle& group, const std::string& path, std::size_t depth) {
     if (depth > kDeepestGroup)
       throw FileError(path + " is nested deeper than " + std::to_string(kDeepestGroup) +
-                      " groups, and no result is");
+                      " groups, which no result has");
     require_first_visit(group, path);
     std::vector<Link> links;
     check(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, append_link, &links));
@@ -89,7 +89,8 @@ class ObjectVisit {
     check(H5Oget_info1(group, &info));
     if (!groups_.insert(info.addr).second)
       throw FileError(
-          path + " is a group that is also in another place, possibly in itself, and no result has such");
+          path +
+          " is a group that is also in another place, possibly in itself; results have no such groups");
   }
 
   std::set<haddr_t> groups_;  // addresses of the visited groups

@@ -134,7 +134,7 @@ std::optional<SealedFile> read_seal(int fd) {
       last_line(length, static_cast<std::uint32_t>(
                             sum)))  // not in the form that append_seal() writes, such as "A" instead of "a"
     throw FileError("it is damaged: its checksums cannot be read");
-  if (length > size - kLastLine) throw FileError("it is damaged: its checksums begin behind its end");
+  if (length > size - kLastLine) throw FileError("it is damaged: its checksums would begin beyond its end");
   std::string table(size - length, '\0');
   read_at(fd, length, table.data(), table.size());
   const std::string_view summed = std::string_view(table).substr(0, table.size() - kSumAndEnd);

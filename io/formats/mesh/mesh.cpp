@@ -46,7 +46,7 @@ std::optional<ElementFault> fault_of(const MeshRegion& region, std::size_t eleme
   if (is_triangle && !has_netting(number))
     return ElementFault{false, "the corners lie on one line in meshes: there is no netting between them"};
   if (region.kind == RegionKind::bars && !(number[0] >= 0 && number[0] < number[1] && number[1] <= 1))
-    return ElementFault{false, "shares of a rope grow from 0 at its beginning to 1 at its end"};
+    return ElementFault{false, "shares of a rope must grow from 0 at its beginning to 1 at its end"};
   if (region.kind == RegionKind::twines && !(number[0] > 0 && number[1] > 0))
     return ElementFault{false, "a bar of twines must have a length and a number of twines above zero"};
   return {};

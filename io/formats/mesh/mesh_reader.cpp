@@ -69,7 +69,7 @@ class MeshReader {
     std::string& last = row.size() == 2 ? name : kind;
     if (row.size() > 2 || !last.ends_with(']'))
       return error(row[0].place,
-                   "a section is begun by one word or two in brackets, such as [triangles wing]",
+                   "a section begins with one or two words in brackets, such as [triangles wing]",
                    "names have no blanks");
     last.pop_back();
     const bool has_name = row.size() == 2 && !name.empty();
@@ -84,7 +84,7 @@ class MeshReader {
     else
       error(row[0].place,
             "there is no section " + in_quotes(kind) + (has_name ? " with a name" : " without a name"),
-            "there are [nodes], [triangles NAME], [bars NAME], [twines NAME], [set NAME] and [end]");
+            "sections are [nodes], [triangles NAME], [bars NAME], [twines NAME], [set NAME] and [end]");
   }
 
   void begin_region(const Place& place, RegionKind kind, const std::string& name) {

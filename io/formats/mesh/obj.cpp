@@ -135,7 +135,7 @@ class ObjReader {
                           (region.size() > 0 && region.numbers.empty() == has_shares);
     if (is_mixed)
       return builder_.error(row[0].place,
-                            "some bars of this rope say which share of the rope they are, and others do not",
+                            "some bars of this rope state their share of the rope, and others do not",
                             "write l vertex/texture … with vt and the share, or neither");
     for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
       const std::uint32_t nodes[] = {corners[k].node, corners[k + 1].node};

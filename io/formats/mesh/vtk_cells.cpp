@@ -29,7 +29,7 @@ void add_line(const VtkCells& cells, std::size_t c, MeshBuilder& builder) {
       builder.region(cells.region_of(c, "rope"), is_netting ? RegionKind::twines : RegionKind::bars);
   if (!is_netting && region.size() > 0 && region.numbers.empty() != !shares)
     return builder.error(cells.places[c],
-                         "some bars of this rope say which share of the rope they are, and others do not");
+                         "some bars of this rope state their share of the rope, and others do not");
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
     builder.add_element(region, &nodes[k], is_netting ? twines : shares, cells.places[c]);
 }

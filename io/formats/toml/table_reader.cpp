@@ -163,7 +163,7 @@ std::optional<double> read_in_unit(const Spot& at, const Wanted& wanted) {
   const auto number = plain_number(at.value);
   if (!number) {
     at.refuse_type("a number in " + wanted.written, wanted.doc,
-                   "the unit beside the values is that of all of them");
+                   "the unit beside the values applies to all of them");
     return std::nullopt;
   }
   const std::string written = format(*number) + ' ' + wanted.written;

@@ -33,7 +33,7 @@ void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_
                       "give pieces of another size a table of their own in [floats]");
   else if (is_on_both_sides && std::fmod(pieces.number, 2) != 0 && diagnostics.errors() == 0)
     diagnostics.warning(pieces.spread_place,
-                        fmt::format("{}: {:g} pieces to port and to starboard, {:g} on either side", path,
+                        fmt::format("{}: {:g} pieces on both sides together, {:g} on each side", path,
                                     pieces.number, pieces.number / 2),
                         "the number is that of the whole gear, to port and to starboard");
 }

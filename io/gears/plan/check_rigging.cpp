@@ -68,8 +68,8 @@ void say_mismatch(const Join& join, const std::string& path, const EdgeRow& a, c
   const std::string message = fmt::format(
       "{}: {} has {}, but {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b), in_percent(off),
       join.take_up > 0 ? fmt::format(" of the take-up {:.3g}", join.take_up) : "");
-  const std::string cure =
-      fmt::format("take_up = {:.4g}, if that many meshes of the second belong to one of the first", ratio);
+  const std::string cure = fmt::format(
+      "take_up = {:.4g}, if that many meshes of the second edge belong to one mesh of the first", ratio);
   if (std::abs(off) > limits.joining_error)
     diagnostics.error(join.places[1], message, cure);
   else
@@ -160,7 +160,7 @@ void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::strin
   const double length = hanging.length > 0 ? hanging.length : hanging.ratio * stretched;
   const double ratio = length / stretched;
   const std::string said =
-      fmt::format("{}: {} is {} m long when its meshes are stretched, {} m of {} are given to it", path,
+      fmt::format("{}: {} is {} m long when its meshes are stretched, but gets {} m of {}", path,
                   hanging.edge, in_metres(stretched), in_metres(length), hanging.rope);
   if (ratio > 1 + limits.stretching)
     diagnostics.error(hanging.place,
@@ -181,12 +181,12 @@ void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const 
     diagnostics.error(
         h.rope_place,
         fmt::format("{}: {} exists to port and to starboard, but {} only once", path, h.edge, rope.name),
-        "give the rope stands = \"pair\", or \"middle\" if it runs from one side to the other");
+        "set stands = \"pair\" for the rope, or \"middle\" if it runs from one side to the other");
   if (rope.stands == Standing::pair && !is_twice)
     diagnostics.error(
         h.rope_place,
         fmt::format("{}: {} exists only once, but {} to port and to starboard", path, h.edge, rope.name),
-        "give the rope stands = \"middle\" if it runs from one side to the other");
+        "set stands = \"middle\" for the rope if it runs from one side to the other");
 }
 
 std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]", key, i); }
@@ -235,7 +235,7 @@ void check_rope_length(double hung, const Rope& rope, const CheckLimits& limits,
       fmt::format("{} is {} m long, but edges take {} m of it: it is {} m too short", rope.name,
                   in_metres(rope.length), in_metres(hung), in_metres(missing));
   const std::string cure =
-      fmt::format("give the rope length = \"{} m\", or give its edges less", in_metres(hung));
+      fmt::format("set length = \"{} m\" for the rope, or give its edges less of it", in_metres(hung));
   if (missing > limits.short_rope * rope.length)
     diagnostics.error(rope.place, message, cure);
   else
@@ -250,11 +250,12 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
   const bool is_once =
       rope.stands == Standing::alone || (rope.stands == Standing::middle && &end == &rope.between[0]);
   if (is_once && standing_of_point(plan, end) == Standing::pair)
-    diagnostics.error(rope.between_place,
-                      fmt::format("{}: {} exists to port and to starboard, but {} only once", path, end,
-                                  rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
-                      "give the rope stands = \"pair\"; a rope with \"middle\" starts in the middle and ends "
-                      "on both sides");
+    diagnostics.error(
+        rope.between_place,
+        fmt::format("{}: {} exists to port and to starboard, but {} only once", path, end,
+                    rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
+        "set stands = \"pair\" for the rope; a rope with \"middle\" starts in the middle and ends "
+        "on both sides");
 }
 
 /// Refuses a pair of ropes that both lead to the same point of a middle body if this point is not in the
@@ -384,7 +385,7 @@ void check_roles(const NetPlan& plan, formats::Diagnostics& diagnostics) {
       diagnostics.error(rope.role_place,
                         fmt::format("{}: {} is the {} already, at {}", rope.name, earlier->second->name,
                                     rope.role, diagnostics.where(earlier->second->role_place)),
-                        "give one of the two role = \"fishing-line\" or \"ground-rope\", if it is one");
+                        "set role = \"fishing-line\" or \"ground-rope\" for one of the two, if it is one");
   }
 }
 

@@ -29,7 +29,7 @@ void add_plan_options(CLI::App& draw, DrawOptions& o) {
   add_set_option(draw, o.set, kSetInPlan)->group(kForPlans);
   auto* mesh = draw.add_flag("--mesh", o.mesh, "draw the triangles into which a simulation divides the plan");
   mesh->group(kForPlans);
-  draw.add_option("--nodes", o.nodes, "about how many nodes, those of ropes included; else 2000")
+  draw.add_option("--nodes", o.nodes, "about how many nodes, those of ropes included; default: 2000")
       ->needs(mesh)
       ->check(CLI::Range(3, 1000000))
       ->type_name("N")
@@ -43,13 +43,13 @@ void add_picture_options(CLI::App& draw, DrawOptions& o) {
   const auto flag = [&](const char* name, bool& value, const char* doc) {
     draw.add_flag(name, value, doc)->group(kForResults);
   };
-  option("--view", o.view, "direction of view; else oblique")
+  option("--view", o.view, "direction of view; default: oblique")
       ->check(CLI::IsMember({"side", "top", "front", "oblique"}));
-  as_word(option("--field", o.field, "quantity that is shown by colours, or the word part; else tension"),
+  as_word(option("--field", o.field, "quantity that is shown by colours, or the word part; default: tension"),
           "NAME");
   add_state_option(draw, o.state)->group(kForResults);
-  option("--width", o.width, "pixels; else 1000")->check(CLI::Range(300, 8000));
-  option("--fit", o.fit, "what has to fit into the picture; else netting")
+  option("--width", o.width, "pixels; default: 1000")->check(CLI::Range(300, 8000));
+  option("--fit", o.fit, "what has to fit into the picture; default: netting")
       ->check(CLI::IsMember({"netting", "boards", "all"}));
   flag("--dark", o.dark, "draw on dark ground");
   flag("--log", o.log, "logarithmic colours");
@@ -73,7 +73,7 @@ void add_draw_command(CLI::App& app, Chosen& chosen) {
                                draw_command, refuse_options_of_others);
   draw.add_option("GEAR", o.file, "net plan or polars (TOML), or result (.hdf)")->required();
   as_word(draw.add_option("-o,--output", o.output,
-                          "picture; else the name of the gear or result with .svg, in this folder"),
+                          "picture; default: the name of the gear or result with .svg, in this folder"),
           "FILE.svg|FILE.png");
   add_common_options(draw, o);
   add_plan_options(draw, o);
@@ -101,10 +101,11 @@ void add_femnet_options(CLI::App& import, ImportOptions& o, CLI::Option* gear, C
   import.add_flag("--motion", o.motion, "write the motion that the file describes, with waves and drums")
       ->group(kForFemnet);
   auto* mesh =
-      as_word(import.add_option(
-                  "--mesh", o.mesh,
-                  "file of the mesh; else the file of the same name beside GEAR, if it belongs to this gear"),
-              "FILE")
+      as_word(
+          import.add_option(
+              "--mesh", o.mesh,
+              "file of the mesh; default: the file of the same name beside GEAR, if it belongs to this gear"),
+          "FILE")
           ->group(kForFemnet)
           ->excludes(divide);
   auto* check = import.add_option("--check", o.folder,
@@ -128,7 +129,7 @@ void add_import_command(CLI::App& app, Chosen& chosen) {
   auto* output = as_word(
       import.add_option(
           "-o,--output", o.output,
-          "scene; else the gear's name with .toml, in this folder. The mesh is written beside the scene"),
+          "scene; default: the gear's name with .toml, in this folder. The mesh is written beside the scene"),
       "FILE.toml");
   add_common_options(import, o);
   add_femnet_options(import, o, gear, output);

@@ -26,13 +26,13 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       add_command(app, chosen, "compare",
                   "speed against error of several solvers or integrators on one scene", compare_command);
   add_scene_options(command, o);
-  command.add_option("--accuracy", o.accuracy, "accuracies of motions, one per decade; else 1e-3:1e-1")
+  command.add_option("--accuracy", o.accuracy, "accuracies of motions, one per decade; default: 1e-3:1e-1")
       ->type_name("LO:HI");
   add_compared_method(command, o, "--integrator", "integrator ",
                       "an integrator to compare on a scene that moves, such as newmark");
   add_compared_method(command, o, "--strategy", "strategy ", "a strategy to compare, as run takes it");
   add_compared_method(command, o, "--solver", "", "a solver to compare, as run takes it");
-  command.add_option("--tolerance", o.tolerance, "tolerances, one per decade; else 1e-10:1e-2")
+  command.add_option("--tolerance", o.tolerance, "tolerances, one per decade; default: 1e-10:1e-2")
       ->type_name("LO:HI");
   as_word(
       command.add_option("--cells", o.cells,
@@ -41,9 +41,9 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
   command
       .add_option(
           "--reference", o.reference,
-          "solver or integrator whose answer is taken as exact; else one that differs from each method")
+          "solver or integrator whose answer is taken as exact; default: one that differs from each method")
       ->type_name(kMethod);
-  command.add_option("--repeats", o.repeats, "runs of each; the cheapest counts; else 3")
+  command.add_option("--repeats", o.repeats, "runs of each; the cheapest counts; default: 3")
       ->check(CLI::Range(1, 1000));
   command.add_option("--csv", o.csv, "write the tables as comma-separated values")->type_name("FILE.csv");
   command.add_option("-o,--output,--plot", o.plot, "draw work over precision")
@@ -55,7 +55,7 @@ void add_refine_command(CLI::App& app, Chosen& chosen) {
       add_command(app, chosen, "refine",
                   "solve a scene on finer and finer meshes, and extrapolate its results", refine_command);
   add_method_options(command, o);
-  command.add_option("--nodes", o.nodes, "of a gear: about how many nodes; else 500,2000,8000,30000")
+  command.add_option("--nodes", o.nodes, "of a gear: about how many nodes; default: 500,2000,8000,30000")
       ->check(CLI::Range(std::int64_t{10}, std::int64_t{10'000'000}))
       ->delimiter(',')
       ->type_name("N,N,…")

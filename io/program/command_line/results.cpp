@@ -22,7 +22,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
   auto* csv = report.add_flag("--csv", o.csv, "comma-separated values on standard output")->excludes(json);
   report.add_flag("--html", o.html, "as a page in one file, without scripts")->excludes(csv);
   as_word(report.add_option("-o,--output", o.output,
-                            "file of the page; else the result's name with .html, in this folder"),
+                            "file of the page; default: the result's name with .html, in this folder"),
           "FILE.html")
       ->excludes(csv);
 }
@@ -45,10 +45,10 @@ void add_export_command(CLI::App& app, Chosen& chosen) {
   add_state_option(convert, o.state);
   add_json_option(convert, o);
   as_word(convert.add_option("--field", o.field,
-                             "quantity that is shown by colours, or the word part; else tension"),
+                             "quantity that is shown by colours, or the word part; default: tension"),
           "NAME")
       ->group(kForGltf);
-  convert.add_option("--table", o.table, "nodes or elements; else nodes")
+  convert.add_option("--table", o.table, "nodes or elements; default: nodes")
       ->check(CLI::IsMember({"nodes", "elements"}))
       ->group(kForTables);
 }
@@ -60,9 +60,9 @@ void add_view_command(CLI::App& app, Chosen& chosen) {
       view_command);
   view.add_option("RESULT", o.results, "result files (.hdf)")->required();
   as_word(view.add_option("-o,--output", o.output,
-                          "page; else the first result's name with .html, in this folder"),
+                          "page; default: the first result's name with .html, in this folder"),
           "FILE.html");
-  view.add_option("--states", o.states, "most outputs of a motion that the page keeps; else 100")
+  view.add_option("--states", o.states, "most outputs of a motion that the page keeps; default: 100")
       ->check(CLI::Range(2, 100000));
   add_json_option(view, o);
 }

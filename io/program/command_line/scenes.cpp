@@ -16,9 +16,9 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
                   run_command);
   add_method_options(run, o);
   o.words = chosen.words;
-  as_word(
-      run.add_option("-o,--output", o.output, "result file; else the scene's name with .hdf, in this folder"),
-      "FILE.hdf");
+  as_word(run.add_option("-o,--output", o.output,
+                         "result file; default: the scene's name with .hdf, in this folder"),
+          "FILE.hdf");
   run.add_flag("--resume", o.resume,
                "go on with a motion from the .part that a killed or interrupted run left");
   run.add_flag("--overwrite", o.overwrite, "replace the .part that such a run left, and all its outputs")

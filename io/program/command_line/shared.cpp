@@ -81,7 +81,7 @@ void add_method_options(CLI::App& command, MethodOptions& o) {
 }
 
 CLI::Option* add_state_option(CLI::App& command, int& state) {
-  return command.add_option("--state", state, "number of the output of a motion, from 0; else the last")
+  return command.add_option("--state", state, "number of the output of a motion, from 0; default: the last")
       ->check(CLI::Range(0, 100000000));
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr const char *kForSlurm = "For Slurm", *kForParallel = "For GNU parallel";
 
 constexpr const char* kFigureDoc =
-    "a figure of the table; may be repeated; else all but those of single parts";
+    "a figure of the table; may be repeated; default: all but those of single parts";
 
 template <class Options>
 void add_folder(CLI::App& action, Options& o) {
@@ -36,7 +36,7 @@ void add_plan_action(CLI::App& study, Chosen& chosen) {
                                "check a study file and write the manifest of its items", study_plan_command);
   plan.add_option("STUDY", o.file, "study file (TOML)")->required();
   as_word(plan.add_option("-o,--output", o.output,
-                          "folder of the study; else its name with .study, in this folder"),
+                          "folder of the study; default: its name with .study, in this folder"),
           "FOLDER");
   add_plugin_options(plan, o);
 }
@@ -45,12 +45,12 @@ void add_run_action(CLI::App& study, Chosen& chosen) {
   auto [run, o] =
       add_command(study, chosen, "run", "compute the items that have no result yet", study_run_command);
   add_folder(run, o);
-  as_word(run.add_option("--items", o.items, "compute only these items, such as 1-10 or 3,7; else all"),
+  as_word(run.add_option("--items", o.items, "compute only these items, such as 1-10 or 3,7; default: all"),
           "A-B");
   run.add_option("--jobs", o.jobs,
-                 "items that are computed at the same time; else as many as the machine has cores")
+                 "items that are computed at the same time; default: as many as the machine has cores")
       ->check(CLI::Range(1, 4096));
-  run.add_option("--threads", o.threads, "threads of the assembly of each item; else one")
+  run.add_option("--threads", o.threads, "threads of the assembly of each item; default: one")
       ->check(CLI::Range(1, 1024));
   add_plugin_options(run, o);
 }
@@ -75,12 +75,12 @@ void add_submit_action(CLI::App& study, Chosen& chosen) {
       ->required()
       ->check(CLI::IsMember({"parallel", "slurm"}));
   add_plugin_options(submit, o);
-  submit.add_option("--chunk", o.chunk, "items in a task; else as many as take a minute")
+  submit.add_option("--chunk", o.chunk, "items in a task; default: as many as take a minute")
       ->check(CLI::Range(1, 1000000))
       ->group(kForSlurm);
   submit
       .add_option("--jobs", o.jobs,
-                  "items that are computed at the same time; else as many as there are cores")
+                  "items that are computed at the same time; default: as many as there are cores")
       ->check(CLI::Range(1, 4096))
       ->group(kForParallel);
 }
@@ -91,14 +91,14 @@ void add_show_action(CLI::App& study, Chosen& chosen) {
   const auto named = [&app = show](const char* flag, auto& value, const char* doc, const char* type) {
     as_words(app.add_option(flag, value, doc), type);
   };
-  named("--figure", o.figures, "a figure of the table; may be repeated; else all that vary", "NAME");
-  named("--over", o.over, "variable of the axis; else the first of the path", "NAME");
+  named("--figure", o.figures, "a figure of the table; may be repeated; default: all that vary", "NAME");
+  named("--over", o.over, "variable of the axis; default: the first of the path", "NAME");
   named("--by", o.by,
-        "variable that gets a line for each of its values; else the next variable with listed values",
+        "variable that gets a line for each of its values; default: the next variable with listed values",
         "NAME");
-  named("--at", o.at, "value of another variable; may be repeated; else the first value of each",
+  named("--at", o.at, "value of another variable; may be repeated; default: the first value of each",
         "NAME=VALUE");
-  named("-o,--output", o.output, "page or picture; else the study's name with .html, in its folder",
+  named("-o,--output", o.output, "page or picture; default: the study's name with .html, in its folder",
         "FILE.html|FILE.svg");
 }
 
@@ -121,7 +121,7 @@ void add_sobol_action(CLI::App& study, Chosen& chosen) {
   as_words(action.add_option("--figure", o.figures, kFigureDoc), "NAME");
   as_words(action.add_option(
                "--at", o.at,
-               "a variable that is held fixed; may be repeated, or with commas between; else all vary"),
+               "a variable that is held fixed; may be repeated, or with commas between; default: all vary"),
            "NAME=VALUE");
   as_words(action.add_option("-o,--output", o.output, "picture of the indices as bars"), "FILE.svg");
 }
@@ -149,10 +149,10 @@ void add_scope_command(CLI::App& app, Chosen& chosen) {
                                       const char* type) {
     return as_word(app.add_option(flag, value, doc), type);
   };
-  range("--depth", o.depth, "depths [m]; else 7 of them", "LO:HI[:N]")->required();
-  range("--warp", o.warp, "lengths of warp over the depth; else 2:5:13", "LO:HI[:N]");
-  range("--heel", o.heel, "heel of the boards [deg], outward; else -5:5", "LO:HI");
-  range("--spread", o.spread, "spread of the boards [m]; else any", "LO:HI");
+  range("--depth", o.depth, "depths [m]; default: 7 of them", "LO:HI[:N]")->required();
+  range("--warp", o.warp, "lengths of warp over the depth; default: 2:5:13", "LO:HI[:N]");
+  range("--heel", o.heel, "heel of the boards [deg], outward; default: -5:5", "LO:HI");
+  range("--spread", o.spread, "spread of the boards [m]; default: any", "LO:HI");
   range("-o,--output", o.output, "draw the lengths over the depth", "FILE.svg|FILE.html");
 }
 

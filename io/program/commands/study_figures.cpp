@@ -80,7 +80,7 @@ int study_estimate_command(const StudyEstimateOptions& o) {
   }
   if (!found) return report_unready(diagnostics, runs::PreparedScene::State::wrong_input, terminal);
   if (const std::string changed = what_changed(study, o.folder); !changed.empty())
-    terminal.say("netloft: " + changed + "; estimates are of what was planned");
+    terminal.say("netloft: " + changed + "; the estimates are those of the study as it was planned");
   print_line(o.json ? studies::estimate_json(study.name, *found)
                     : studies::estimate_text(study.name, *found));
   return kDone;
@@ -101,7 +101,7 @@ int study_sobol_command(const StudySobolOptions& o) {
   if (!found) return report_unready(diagnostics, runs::PreparedScene::State::wrong_input, terminal);
   if (!o.output.empty()) write_bars(o, *found);
   if (const std::string changed = what_changed(study, o.folder); !changed.empty())
-    terminal.say("netloft: " + changed + "; indices are of what was planned");
+    terminal.say("netloft: " + changed + "; the indices are those of the study as it was planned");
   print_line(o.json ? studies::indices_json(study.name, *found) : studies::indices_text(study.name, *found));
   return kDone;
 }

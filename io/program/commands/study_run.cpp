@@ -44,7 +44,8 @@ std::vector<std::size_t> read_items(const std::string& text, std::size_t count) 
     const std::size_t from = read_id(range.substr(0, dash), text, count);
     const std::size_t to =
         dash == std::string_view::npos ? from : read_id(range.substr(dash + 1), text, count);
-    if (to < from) throw UsageError{fmt::format("--items {}: {} comes after {}", text, from, to)};
+    if (to < from)
+      throw UsageError{fmt::format("--items {}: the range begins at {}, beyond its end, {}", text, from, to)};
     for (std::size_t id = from; id <= to; ++id) places.push_back(id - 1);
     at = comma + 1;
   }
@@ -146,8 +147,8 @@ class Campaign {
     const Json json = {
         {"items", asked_}, {"computed", done_}, {"computed_before", before}, {"failed", failed_}};
     print_answer(o_, json,
-                 fmt::format("{}: {} computed, {} before, {} failed", count_of(asked_, "item"), done_, before,
-                             failed_));
+                 fmt::format("{}: {} computed now, {} earlier, {} failed", count_of(asked_, "item"), done_,
+                             before, failed_));
     if (interrupt_flag()) return end_interrupted(terminal_, what_is_left());
     return failed_ ? kOther : kDone;
   }

@@ -166,7 +166,7 @@ void end_check(int signal) {
   const char* check = check_under_way();
   say("netloft: ");
   say(under_test.view());
-  say(is_over ? " did not come back from " : " was interrupted in ");
+  say(is_over ? " did not return from " : " was interrupted in ");
   say(check ? "the check " : "its making or its first evaluation");
   say_if(check);
   say(is_over ? " within its processor time (--seconds)\n" : "\n");
@@ -188,7 +188,7 @@ void tell_of_an_early_end() {
   if (under_test.empty() && !innermost_plugin(calls).type) return;
   std::fflush(stdout);
   say_what_happened(" ended the program (exit) in ");
-  say("; a plugin returns, with a status and a sentence where it cannot go on\n");
+  say("; a plugin must return, with a status and a sentence if it cannot continue\n");
   _exit(kOther);
 }
 

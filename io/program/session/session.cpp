@@ -70,8 +70,8 @@ int Session::open() {
   const scenes::Analysis& analysis = scene_.loaded().analysis;
   if (names_strategy_ && analysis.kind == AnalysisKind::dynamics && !analysis.dynamics.from_equilibrium)
     throw UsageError{
-        "--strategy finds equilibria, and this motion does not begin at one; --set "
-        "analysis.start=equilibrium lets it"};
+        "--strategy finds equilibria, and this motion does not begin at one; with --set "
+        "analysis.start=equilibrium it does"};
   if (diagnostics.warnings()) terminal_.say(diagnostics);
   return kDone;
 }

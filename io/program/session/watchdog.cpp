@@ -36,7 +36,7 @@ int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConver
 
 /// Ends the program if the results are not written in time, because another call of a plugin never returns.
 void give_up(int) {
-  constexpr char words[] = "netloft: the results so far could not be written: a plugin does not come back\n";
+  constexpr char words[] = "netloft: the results so far could not be written: a plugin does not return\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
   _exit(interrupt_flag() ? kInterrupted : kNotConverged);
 }
@@ -103,7 +103,7 @@ void Watchdog::look_at_interruption(double now) {
   if (interrupted_at_ == 0) interrupted_at_ = now;
   const std::string under_way = terminal_.reading().under_way();
   if (!under_way.empty() && now - interrupted_at_ > kGraceOfReading)
-    end(true, under_way + " did not end with the interruption");
+    end(true, under_way + " did not end after the interruption");
 }
 
 /// Compares the calls of all threads with those at the last inspection.
@@ -144,7 +144,7 @@ void Watchdog::look_at(Seen& seen, bool interrupted, double now) {
 
 void Watchdog::end(bool interrupted, const CallFrame& frame, double waited) {
   end(interrupted,
-      fmt::format("{}, did not come back for {:.0f} s after {}", text_of(frame), waited,
+      fmt::format("{}, did not return for {:.0f} s after {}", text_of(frame), waited,
                   interrupted ? "the interruption" : "its processor time was over (analysis.max_seconds)"));
 }
 

@@ -141,7 +141,7 @@ std::string figures_line(const std::vector<NumberDifference>& numbers) {
   if (words.empty()) return any_error ? "none beyond its error" : "none";
   return first_of(words) +
          (any_error ? ""
-                    : "; errors of the mesh are not known (run --error finds them), so that none is marked");
+                    : "; errors of the mesh are not known (run --error finds them), so no change is marked");
 }
 
 /// Writes three lines of summary.
@@ -174,8 +174,8 @@ void numbers_text(const std::vector<NumberDifference>& numbers, Out out) {
     if (d.is_changed()) row_text(d, width, out);
   fmt::format_to(
       out,
-      "{} of {} numbers changed; * marks a change larger than the errors, of solver and mesh, of both "
-      "results; ±?: that of the mesh is not known\n",
+      "{} of {} numbers changed; * marks a change larger than the errors (of solver and mesh) of both "
+      "results; ±?: the error of the mesh is not known\n",
       changed, numbers.size());
 }
 

@@ -40,8 +40,7 @@ std::vector<std::string> uncounted_pull_warnings(const scenes::LoadedScene& load
     if (forwards > kCounts * std::abs(pull->value))
       warnings.push_back(
           fmt::format("{} pulls the gear forwards with {:.4g} N, which towing/pull ({:.4g} N) leaves out: "
-                      "role = \"warp\" counts a "
-                      "rope that begins there",
+                      "give a rope that begins there role = \"warp\" to count its pull",
                       hold.name, forwards, pull->value));
   }
   return warnings;

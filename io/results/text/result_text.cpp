@@ -32,8 +32,8 @@ void shapes_text(const FoundShapes& shapes, Out out) {
   if (!shapes.others.empty())
     fmt::format_to(out, "  the answer is the one {}\n",
                    shapes.by_energy ? "of least energy"
-                                    : "that was found first: forces without an energy do not say which the "
-                                      "gear takes");
+                                    : "that was found first: forces without an energy do not show which of "
+                                      "them the gear takes");
 }
 
 void head_text(const Result& result, Out out) {

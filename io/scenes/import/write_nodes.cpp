@@ -147,8 +147,8 @@ void hold_what_is_loose(SceneDraft& to) {
     to.line("loose", "true");
     to.note({}, "node " + std::to_string(loose[i].node + 1),
             "is held along " + axes +
-                ", because nothing in the file holds it there; an equilibrium in which the hold bears load "
-                "is none");
+                ", because nothing in the file holds it there; an equilibrium in which this hold bears "
+                "load is not valid");
   }
 }
 

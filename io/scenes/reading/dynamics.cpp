@@ -208,7 +208,8 @@ bool is_integrator(Registry& registry, const std::string& name) {
 Course read_course(formats::TableReader& hold) {
   const bool by_way = hold.has("displacement"), by_speed = hold.has("velocity");
   if (by_way && by_speed)
-    hold.error("velocity", "is one way to say how it moves, displacement is another; give one of them");
+    hold.error("velocity",
+               "is given beside displacement, and each of them determines the motion; give one of them");
   if (by_way == by_speed) return {};
   const char* key = by_way ? "displacement" : "velocity";
   formats::TableReader table = hold.table(key);

@@ -238,11 +238,11 @@ bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
                       spell(now) + by,
                   kCureOfPlaces);
     else if (entry.course.knots.empty())
-      table.error("on", name + " stands still here and moves" + by, kCureOfMotions);
+      table.error("on", name + " is not moved here, but is moved" + by, kCureOfMotions);
     else
       table.error(table.has("velocity") ? "velocity" : "displacement",
-                  name + " moves here and " +
-                      (moves_alike(node, {}, direction) ? "stands still" : "moves otherwise") + by,
+                  name + " is moved here, but " +
+                      (moves_alike(node, {}, direction) ? "not moved" : "moved differently") + by,
                   kCureOfMotions);
     return false;
   }

@@ -85,7 +85,7 @@ void JoinReader::check_joins(Joiner& joiner) const {
                      at.path + ": " + formats::in_quotes(draft_.out.scene.parts[fault.part].name) +
                          " element " + std::to_string(fault.element) +
                          " would have two of its corners in one node, and no size",
-                     "join nodes that are no neighbours: more cells make room");
+                     "join nodes that are not neighbours; with more cells there are nodes between them");
 }
 
 /// Numbers the nodes of the scene, and converts the elements of parts to these numbers.

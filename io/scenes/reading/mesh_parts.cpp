@@ -16,7 +16,7 @@ namespace {
 const GeometryKey kMesh{"mesh", "1", "file with the mesh of the gear", GeometryKey::Shape::word, {}, {}};
 const GeometryKey kRegion{"region",
                           "1",
-                          "region of the mesh; else the one that has the name of the part",
+                          "region of the mesh; default: the one with the name of the part",
                           GeometryKey::Shape::word,
                           {},
                           {},

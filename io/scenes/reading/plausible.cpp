@@ -49,11 +49,11 @@ void check_viscosity(const LoadedScene& loaded, formats::TableReader& root) {
   if (loaded.scene.water.density == 0 || !water.has("viscosity")) return;
   const double viscosity = water.real("viscosity", {.unit = "m2/s"});
   if (viscosity >= kThinnestWater && viscosity <= kThickestWater) return;
-  root.diagnostics().warning(water.place("viscosity"),
-                             fmt::format("water.viscosity = {:.4g} m2/s: water has {:.2g} to {:.2g} m2/s",
-                                         viscosity, kThinnestWater, kThickestWater),
-                             "the kinematic viscosity is wanted, viscosity = \"1.19 mm2/s\" in the sea, and "
-                             "not the dynamic one");
+  root.diagnostics().warning(
+      water.place("viscosity"),
+      fmt::format("water.viscosity = {:.4g} m2/s: water has {:.2g} to {:.2g} m2/s", viscosity, kThinnestWater,
+                  kThickestWater),
+      "give the kinematic viscosity, not the dynamic one: viscosity = \"1.19 mm2/s\" in the sea");
 }
 
 void check_gravity(const LoadedScene& loaded, formats::TableReader& root) {
@@ -72,8 +72,9 @@ void check_slopes(const LoadedScene& loaded, formats::TableReader& root) {
     if (std::abs(slope) > kSteepestBed)
       root.diagnostics().warning(
           root.table("bed").place(key),
-          fmt::format("bed.{} = {:.4g}: the bed rises by that many metres over one, by {:.3g} degrees", key,
-                      slope, formats::kDegreesPerRadian * std::atan(slope)),
+          fmt::format(
+              "bed.{} = {:.4g}: the bed would rise by that many metres in a metre, or by {:.3g} degrees", key,
+              slope, formats::kDegreesPerRadian * std::atan(slope)),
           fmt::format("a slope of 5 % is {} = \"5 %\", or 0.05", key));
 }
 

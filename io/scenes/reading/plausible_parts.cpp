@@ -123,9 +123,9 @@ class PartCheck {
     const double off = mass > 0 ? std::abs(given - follows) : given - lift;
     if (off <= kRoundingOfFloats * lift) return;
     warn(fmt::format("float.buoyancy = {:.4g} N is used; float.volume = {:.4g} m3 with float.mass = {:.4g} "
-                     "kg would give {:.4g} N, and they count in motions alone",
+                     "kg would give {:.4g} N, but volume and mass count in motions only",
                      given, volume, mass, follows),
-         "leave buoyancy out to have it from volume and mass, or leave volume out");
+         "leave buoyancy out, so that it follows from volume and mass, or leave volume out");
   }
 
   /// Warns of a float whose mass does not fit its volume. Floats without volume are weights, and not checked.
@@ -149,7 +149,8 @@ class PartCheck {
     if (sphere == 0) return;
     const double displaced = std::max(volume, buoyancy / weight_of(1));
     if (displaced > kLongestFloat * sphere)
-      warn(fmt::format("it displaces {:.4g} m3, and a sphere of its diameter {:.4g} m3", displaced, sphere),
+      warn(fmt::format("the float displaces {:.4g} m3, but a sphere of its diameter {:.4g} m3", displaced,
+                       sphere),
            "a number without a unit is in m3, N or m; volume = \"4.19 L\" and buoyancy = \"2.7 kgf\" state "
            "their units");
     else if (buoyancy > 0 && buoyancy < kWeakestFloat * weight_of(sphere))

@@ -87,7 +87,7 @@ void WaterReader::lay_bottom() {
   for (std::size_t p = 0; p < draft_.types.size(); ++p)
     is_felt |= bottom_.lay_under(*draft_.types[p], out_.scene.parts[p]);
   if (!is_felt)
-    root_.table("bed").error("bottom", "has no effect: nothing rests on the bed that would feel it",
+    root_.table("bed").error("bottom", "has no effect, because nothing that rests on the bed uses it",
                              "a part of the type seabed/bed, or a board that ploughs");
 }
 

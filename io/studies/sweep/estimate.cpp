@@ -305,7 +305,7 @@ class Estimator {
       std::set<double> levels;
       for (const Numbers& point : known.points) levels.insert(point[k]);
       if (levels.size() < 3)
-        return fmt::format("points that have this figure are at {} of {} only",
+        return fmt::format("this figure is known at only {} of {}",
                            levels.size() == 1 ? "one value" : "two values",
                            table_.columns[free_[k]].variable.name);
     }

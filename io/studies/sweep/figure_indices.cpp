@@ -342,7 +342,7 @@ class Analysis {
       std::set<double> levels;
       for (const Numbers& point : known.points) levels.insert(point[c]);
       if (levels.size() < kLeastLevels)
-        return fmt::format("points that have this figure are at {} of {} only",
+        return fmt::format("this figure is known at only {} of {}",
                            levels.size() == 1 ? "one value" : "two values", name(coordinates_[c].column));
     }
     return {};

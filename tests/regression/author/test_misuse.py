@@ -103,7 +103,7 @@ class Misuse(WithInstallation):
     def test_the_time_read_and_not_declared(self):
         grows = "for (auto& f : out.force) f = f * g;\nfor (auto& row : out.tangent)\nfor (double& entry : row) entry *= g;"
         self.found(self.element(EVALUATE, after=f"const double g = 1 + s.time; out.energy *= g; {grows}"), "reads-the-inputs-it-declares")
-        self.assertIn("term elastic reads the time, which takes reads_time", self.sh("netloft test otter.so", expect=1).out)
+        self.assertIn("term elastic reads the time without the trait reads_time", self.sh("netloft test otter.so", expect=1).out)
 
     def test_checks_that_do_not_apply_are_counted_and_listed_on_demand(self):
         self.compile(self.element(EVALUATE))

@@ -141,12 +141,12 @@ ALL = [
         ("netloft test hostile/exits --plugins $PLUGINS", 1, "hostile/exits ended the program (exit) in its making or its first evaluation",
          {"needs": "PLUGINS"}),
         ("netloft run evil.toml --plugins $PLUGINS -o e.hdf --set analysis.max_seconds=0.2", 3,
-         "hostile/loops, term pull, did not come back for … s after its processor time was over (analysis.max_seconds)",
+         "hostile/loops, term pull, did not return for … s after its processor time was over (analysis.max_seconds)",
          {"prepare": "evil loops > evil.toml", "needs": "PLUGINS"}),
         ("interrupted netloft run gear-library/scenes/hanging-rope.toml --solver central-difference --set analysis.max_iterations=1000000 "
          "--set analysis.tolerance=1e-16 -o n.hdf", 130, "interrupted; largest residual"),
         ("interrupted netloft run line.toml --plugins $PLUGINS -o e.hdf --solver hostile/stalls", 130,
-         "hostile/stalls, solve, did not come back for … s after the interruption",
+         "hostile/stalls, solve, did not return for … s after the interruption",
          {"prepare": 'line 0 "100 kN" > line.toml', "holds": "test -s e.hdf", "needs": "PLUGINS"})),
     *answers(
         "12. Limits, signals, pipes and unknown commands",
@@ -164,7 +164,7 @@ ALL = [
         ("netloft scope $sea --depth 60:66:2 --warp 3:4:2 --set 'analysis.kind=\"dynamic\"' --set analysis.duration=2", 2,
          "scope follows equilibria, but this scene is a motion"),
         ("netloft run $panel --strategy deflation:by=deflation -o x.hdf", 2,
-         'analysis.deflation.by: by = "deflation" leads back to deflation/deflation, which would call itself without an end'),
+         'analysis.deflation.by: by = "deflation" leads back to deflation/deflation, which would call itself without end'),
         ("netloft plan $panel --strategy coarse-to-fine:by=coarse-to-fine", 2, "leads back to coarse-to-fine/coarse-to-fine"),
         ("netloft plan $panel --solver auto", 4, '"auto" is a strategy, not a solver'),
         ("netloft run $panel --solver newmark --set analysis.work=10 -o x.hdf", 3, "the budget of work was spent at t = … without coming to rest"),

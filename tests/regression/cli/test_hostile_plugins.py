@@ -104,17 +104,17 @@ class EndlessLoops(Hostile):
     def check_kept(self, name):
         with h5py.File(self.folder / f"{name}.hdf") as f:
             self.assertEqual(f["VTKHDF/NumberOfPoints"][0], 5)
-            self.assertIn("did not come back", f["netloft/status"].attrs["sentence"])
+            self.assertIn("did not return", f["netloft/status"].attrs["sentence"])
 
     def test_end_with_a_name_and_keep_what_was_found(self):
         self.wait_until_it_loops(self.runs["interrupted"])
         self.runs["interrupted"].send_signal(signal.SIGINT)
-        self.end_of("element", 3, "hostile/loops, term pull, did not come back", "analysis.max_seconds")
-        out = self.end_of("asks", 3, "hostile/asks, solve, did not come back")
+        self.end_of("element", 3, "hostile/loops, term pull, did not return", "analysis.max_seconds")
+        out = self.end_of("asks", 3, "hostile/asks, solve, did not return")
         self.assertIn("not converged", out)
         self.check_kept("asks")
-        self.end_of("strategy", 3, "hostile/insists, run, did not come back")
-        out = self.end_of("interrupted", 130, "hostile/stalls, solve, did not come back", "after the interruption")
+        self.end_of("strategy", 3, "hostile/insists, run, did not return")
+        out = self.end_of("interrupted", 130, "hostile/stalls, solve, did not return", "after the interruption")
         self.assertIn("interrupted", out)
         self.check_kept("interrupted")
 
@@ -132,32 +132,32 @@ class EndlessLoopsElsewhere(Hostile):
     def test_in_a_comparison(self):
         self.scene()
         self.ends(3, "compare", "line.toml", "--solver", "newton", "--solver", "hostile/asks", "--set", self.LIMIT,
-                  says=r"hostile/asks, solve, did not come back for \d+ s .*; the comparison ends here without a table")
+                  says=r"hostile/asks, solve, did not return for \d+ s .*; the comparison ends here without a table")
 
     def test_in_a_comparison_for_a_program(self):
         self.scene()
         run = self.netloft("compare", "line.toml", "--solver", "hostile/stalls", "--set", self.LIMIT, "--plugins", str(PLUGINS), "--json")
         self.assertEqual(run.code, 3, run.err)
         self.assertEqual(run.json()["status"], "not converged")
-        self.assertIn("hostile/stalls, solve, did not come back", run.json()["reason"])
+        self.assertIn("hostile/stalls, solve, did not return", run.json()["reason"])
 
     def test_in_a_refinement(self):
         self.scene()
         self.ends(3, "refine", "line.toml", "--solver", "hostile/stalls", "--set", self.LIMIT,
-                  says=r"hostile/stalls, solve, did not come back for \d+ s .*; the refinement ends here without a table")
+                  says=r"hostile/stalls, solve, did not return for \d+ s .*; the refinement ends here without a table")
 
     def test_in_the_suite_which_shows_what_it_has(self):
         self.ends(3, "hard_cases", str(SOURCE / "tests/stability"), "--solver", "newton", "--solver", "hostile/stalls", "--case", "hanging",
                   "--size", "small", "--seconds-per-case", "0.2",
-                  says=r"hostile/stalls, solve, did not come back for \d+ s .*; the suite ends here, after 0 of its cases", out="stability, seed 1")
+                  says=r"hostile/stalls, solve, did not return for \d+ s .*; the suite ends here, after 0 of its cases", out="stability, seed 1")
 
     def test_in_a_study(self):
         self.scene("loops")
         self.write("s.toml", 'scene = "line.toml"\npath = []\nset = ["%s"]\n[variables.g]\nkey = "water.gravity"\nvalues = [9, 10]\n' % self.LIMIT)
         self.ends(0, "study", "plan", "s.toml", says="^")
-        says = r"hostile/loops, term pull, did not come back for \d+ s .*; item 1 has no record"
+        says = r"hostile/loops, term pull, did not return for \d+ s .*; item 1 has no record"
         self.ends(1, "study", "run", "s.study", says="item 1: the worker ended with exit code 3: " + says)
-        self.assertRegex(next((self.folder / "s.study" / "items").glob("*.failed")).read_text(), "hostile/loops, term pull, did not come back")
+        self.assertRegex(next((self.folder / "s.study" / "items").glob("*.failed")).read_text(), "hostile/loops, term pull, did not return")
 
     def calibration(self, solver):
         self.write("c.toml", '[scenes.a]\nscene = "line.toml"\nset = ["%s", "analysis.solver=%s"]\n[variables.g]\nkey = "water.gravity"\nrange = [9, 10]\n'
@@ -167,16 +167,16 @@ class EndlessLoopsElsewhere(Hostile):
     def test_in_a_calibration(self):
         self.scene()
         self.ends(3, *self.calibration("hostile/stalls"),
-                  says=r"hostile/stalls, solve, did not come back for \d+ s .*; the calibration ends here without an answer")
+                  says=r"hostile/stalls, solve, did not return for \d+ s .*; the calibration ends here without an answer")
 
     def test_in_a_calibration_before_its_first_solve(self):
         self.scene("loops")
         self.ends(3, *self.calibration("newton"),
-                  says=r"hostile/loops, term pull, did not come back for \d+ s .*; the calibration ends here without an answer")
+                  says=r"hostile/loops, term pull, did not return for \d+ s .*; the calibration ends here without an answer")
 
     def test_in_checks(self):
         self.ends(1, "test", "hostile/loops", "--seconds", "0.3",
-                  says=r"hostile/loops did not come back from (the check [a-z-]+|its making or its first evaluation) within its processor time")
+                  says=r"hostile/loops did not return from (the check [a-z-]+|its making or its first evaluation) within its processor time")
 
     def test_in_checks_that_are_interrupted(self):
         run = subprocess.Popen(self.command("test", "hostile/loops", "--plugins", str(PLUGINS)), stderr=subprocess.PIPE, text=True,
@@ -201,7 +201,7 @@ class HarmAtTheStart(InFreshFolder):
         self.check("ends_with_any_code", "ended the program while it was opened")
 
     def test_memory_without_end_is_told(self):
-        self.check("eats_memory", "wanted more than 1024 MiB of memory when it was opened")
+        self.check("eats_memory", "needed more than 1024 MiB of memory when it was opened")
 
     def test_a_word_that_is_nowhere_is_told(self):
         self.check("wild_word", "crashed while it was opened (Segmentation fault)")

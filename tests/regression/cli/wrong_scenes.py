@@ -280,7 +280,7 @@ GUIDES = [
           change=[(HOLD, HOLD + "\nvelocity = { t = [0, 1], up = [0, 1] }"), ("tolerance = 1e-10", 'kind = "dynamic"\nduration = 1')]),
     edit("displacement of nothing", HOLD, HOLD + "\ndisplacement = { t = [0, 1] }", "24:16", "has no x, y or z"),
     edit("velocity and displacement", HOLD, HOLD + "\nvelocity = { t = [0] }\ndisplacement = { t = [0] }", "24:12",
-         "is one way to say how it moves"),
+         "is given beside displacement"),
 ]
 
 BED = '[parts.bed]\ntype = "seabed/plane"\non = "rope"\nseabed = { depth = 5 }\n'

@@ -60,7 +60,7 @@ TEST(NamedComponent, IsRefusedWhereItLeadsBackToACaller) {
     }
   };
   const std::string itself =
-      "leads back to coarse-to-fine/coarse-to-fine, which would call itself without an end";
+      "leads back to coarse-to-fine/coarse-to-fine, which would call itself without end";
   EXPECT_NE(why("coarse-to-fine", {}).find(itself), std::string::npos);
   EXPECT_NE(why("deflation", {{"deflation/deflation", by("coarse-to-fine")}}).find(itself),
             std::string::npos);

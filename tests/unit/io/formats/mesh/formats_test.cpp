@@ -130,7 +130,7 @@ TEST(Obj, AnswersWhatIsWrongWithItsPlace) {
                   {"f 1/1 2/2 3/3", "f 1 2 3", "the corner has no coordinates on its panel"},
                   {"f 1/1 2/2 3/3", "f 1/1 1/2 3/3", "a node appears twice"},
                   {"f 1/1 2/2 3/3", "f 1/1 2/2 3/1", "the corners lie on one line in meshes"},
-                  {"l 2 3", "l 2/1 3/2", "some bars of this rope say which share"},
+                  {"l 2 3", "l 2/1 3/2", "some bars of this rope state their share"},
                   {"l 2 3", "l 2", "a line has two corners or more"},
                   {"v 0 0 0", "solid net", "this file is no mesh that can be read"},
                   {"l 1 2", "l 1 99999999999999999999", "there is no vertex \"99999999999999999999\""}});
@@ -153,7 +153,7 @@ TEST(Vtk, AnswersWhatIsWrongWithItsPlace) {
                         {"CELL_TYPES 7", "CELL_KINDS 7", "\"CELL_KINDS\" is not read"},
                         {"panel_corners", "corners", "triangles need the array panel_corners"},
                         {"0 0 10 0 0 5", "0 0 10 0 20 0", "the corners lie on one line in meshes"},
-                        {"0 0.25", "0.5 0.25", "shares of a rope grow from 0"}});
+                        {"0 0.25", "0.5 0.25", "shares of a rope must grow from 0"}});
   for (std::size_t end = 0; end + 30 < good.size(); end += 13) {
     const Read cut(good.substr(0, end));
     EXPECT_TRUE(cut.diagnostics.errors() > 0 || !cut.mesh.positions.empty()) << end;

@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongFile{"NegativeNode", "0 1 2  0 0", "0 1 -2  0 0", "7:5", "is no number of a node"},
                     WrongFile{"NodeTwice", "0 1 2  0 0", "0 1 1  0 0", "7:1", "appears twice"},
                     WrongFile{"NoNetting", "10 0 10 5", "10 0 20 0", "7:8", "on one line in meshes"},
-                    WrongFile{"SharesBackwards", "0 0.25", "0.25 0.25", "9:6", "shares of a rope grow"},
+                    WrongFile{"SharesBackwards", "0 0.25", "0.25 0.25", "9:6", "shares of a rope must grow"},
                     WrongFile{"NoTwines", "5 3", "5 0", "11:6", "above zero"},
                     WrongFile{"SetOfNoNode", "0 2\n", "0 7\n", "13:3", "there is no node 7"}),
     [](const auto& wrong) { return wrong.param.name; });

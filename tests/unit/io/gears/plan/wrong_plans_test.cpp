@@ -232,7 +232,7 @@ const Wrong kSewing[] = {
     {"HalfAFloat", "\"11 along headline\"", "\"11.5 along headline\"",
      "error: floats.top.spread: 11.5 pieces"},
     {"OddNumberOnTwoSides", "\"11 along headline\"", "\"3 at headline.end\"",
-     "warning: floats.top.spread: 3 pieces to port and to starboard, 1.5 on either side"},
+     "warning: floats.top.spread: 3 pieces on both sides together, 1.5 on each side"},
     {"FloatsInABunch", "{ buoyancy = \"25 N\" }", "{ buoyancy = \"25 N\", diameter = \"0.6 m\" }",
      "warning: floats.top.spread: 11 floats of 0.6 m side by side are 6.6 m long, but headline is only 6 m"},
     {"MoreFloatsThanPlaces", "{ buoyancy = \"25 N\" }", "{ buoyancy = \"25 N\", diameter = \"2.2 m\" }",
