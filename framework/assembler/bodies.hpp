@@ -65,7 +65,7 @@ class Bodies {
                std::span<double> a) const;
 
  private:
-  using Matrix3 = std::array<double, 9>;  // row by row
+  using Matrix3 = std::array<double, 9>;  // entries row by row
   static constexpr std::size_t kNoBlock = ~std::size_t{0};
   using Place = std::array<std::size_t, 3>;  // indices in vectors over all dofs
   struct Body {
@@ -109,7 +109,7 @@ class Bodies {
   std::vector<Body> bodies_;
   std::vector<std::array<std::uint32_t, 2>> pairs_;
   std::vector<Point> points_;
-  std::vector<Slopes> slopes_;  // one per point
+  std::vector<Slopes> slopes_;  // derivatives of each point
   std::vector<Product> products_;
   // For each node of the scene: the node itself, or the origin and the rotation of the body that carries the
   // node.

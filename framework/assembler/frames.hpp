@@ -25,7 +25,7 @@ class Frames {
   void turn_matrix(double* values) const;
 
  private:
-  using Matrix3 = std::array<double, 9>;  // row by row
+  using Matrix3 = std::array<double, 9>;  // entries row by row
   struct Node {
     std::array<std::size_t, 3> place;  // indices of its three dofs in vectors over all dofs
     Matrix3 Q;

@@ -19,7 +19,7 @@ struct TileInputs {
   std::vector<double> v, a;                         // [m/s], [m/s²]; empty if everything is at rest
   std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
-  std::vector<double> bed;                          // per node: height, slopes and second derivatives
+  std::vector<double> bed;                          // bed per node: height, slopes and second derivatives
   // Data of extensions of the plugin interface, for the family that receives the tile.
   ExtensionInputs extensions;
   // the time [s] of the current in `current`, if the current is uniform

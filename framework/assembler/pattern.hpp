@@ -14,7 +14,7 @@ namespace netloft {
 /// look-ups. Blocks include rows and columns of held axes, which are not in the pattern.
 struct NodeBlocks {
   std::vector<std::size_t> column_start;  // first block of each column (node), and one past the last
-  std::vector<std::uint32_t> row_node;    // ascending in a column
+  std::vector<std::uint32_t> row_node;    // row (node) of each block, ascending in a column
 
   std::size_t count() const { return row_node.size(); }
   /// Index of the first of the nine values of a block. The block must exist, with row >= column if the matrix

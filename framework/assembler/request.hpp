@@ -30,7 +30,7 @@ struct Request {
   bool conservative_only = false;  // leave out forces without an energy; the residual is then the gradient
   std::uint32_t without = 0;       // terms with any of these traits are left out
   double* residual = nullptr;      // over all dofs, +dE/dx [N]: of unknowns, then of held dofs (reactions)
-  double* gradient = nullptr;      // also over all dofs: the part of the residual that has an energy [N]
+  double* gradient = nullptr;      // part of the residual that has an energy, over all dofs [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // values of the matrix, Assembler::value_slots() long [N/m]
   Kinematics motion = {};

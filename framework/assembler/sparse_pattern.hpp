@@ -11,7 +11,7 @@ namespace netloft {
 struct SparsePattern {
   std::int32_t size = 0;                   // unknowns
   std::vector<std::int32_t> column_start;  // size + 1
-  std::vector<std::int32_t> row;           // one per entry
+  std::vector<std::int32_t> row;           // row of each entry
   std::vector<std::int32_t> node;          // unknown -> node, for orderings of the node graph; size long
   bool symmetric = true;
   std::vector<std::int32_t> slot;  // entry -> index of its value; empty: entry k has index k

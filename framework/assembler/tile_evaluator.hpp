@@ -66,7 +66,7 @@ class TileEvaluator {
   Gatherer gatherer_;
   TermCalls calls_;
   MeanForces mean_forces_;
-  std::vector<Memory> memories_;     // per family
+  std::vector<Memory> memories_;     // memory of each family
   std::vector<double> tile_energy_;  // [J]
   Workers workers_;
   std::vector<std::unique_ptr<Work>> works_;

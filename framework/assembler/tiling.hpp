@@ -27,7 +27,7 @@ struct Tiling {
   std::vector<std::int32_t> vector_map;   // [tile][dof][64] -> index in vectors over all dofs
   std::vector<std::int32_t>
       block_map;  // [tile][block][64] -> index of the first of nine values; ~index: add the transpose
-  std::vector<std::vector<Twin>> twins;  // per tile, if the matrix is symmetric; nearly always empty
+  std::vector<std::vector<Twin>> twins;  // twins of each tile, if the matrix is symmetric; mostly empty
   std::size_t blocks_per_element = 0;    // number of pairs of corners (P, Q), Q <= P if symmetric
   // Index of the first unused block (one per tile), which collects the entries of held nodes.
   std::size_t first_spare = 0;

@@ -8,7 +8,7 @@
 
 namespace netloft {
 
-struct JudgedPoint;  // assessment.hpp
+struct JudgedPoint;  // defined in assessment.hpp
 
 /// Reason for which the host stopped a solver.
 enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, unsettled };

@@ -41,7 +41,7 @@ struct LawBench {
   std::vector<Values> values;
   std::vector<ParameterBlock> parameters;
   std::vector<std::string> faults;
-  std::vector<Flows> tiles;  // one per set of parameters
+  std::vector<Flows> tiles;  // flows for each set of parameters
 
  private:
   Flows sample();

@@ -13,7 +13,7 @@ namespace {
 /// Sum of the forces and energies of the members of one element.
 struct Pull {
   double energy = 0;
-  std::vector<double> force;  // by degree of freedom
+  std::vector<double> force;  // sum of the forces, by degree of freedom
 };
 
 /// Adds the energy and the forces of a member (netloft_member) at a state of its element. Returns false if it

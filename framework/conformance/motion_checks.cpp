@@ -9,7 +9,7 @@ namespace netloft::conformance {
 
 namespace {
 
-constexpr double kLowDigits = 1e-3;  // relative to the distance of nodes; far above rounding, to be visible
+constexpr double kLowDigits = 1e-3;  // shift relative to the distance of nodes; far above rounding
 constexpr const char* kAllFromOutside = "all terms act from outside the element";
 
 /// Whether the forces of a term act between the nodes of its element only: no weight, no water, no inertia.

@@ -36,7 +36,7 @@ struct Assessment {
   std::string reason;    // a sentence
   std::string at_fault;  // node or element at which the residual is largest, forces are undefined, or growth
                          // is largest
-  std::vector<double> x, residual;  // over all dofs [m], [N]
+  std::vector<double> x, residual;  // positions [m] and forces [N] over all dofs
   std::vector<double> x_low;        // digits that rounding removes from x [m]; empty: unknown
   double energy = 0;                // [J]
   Balance balance;

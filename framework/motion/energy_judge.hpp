@@ -64,7 +64,7 @@ class EnergyJudge {
   bool makes_too_much() const { return !(made() <= 0.5 * given() + negligible()); }
 
   enum : std::size_t { kMade, kKinetic, kStored, kReleased, kNegligible, kInARow, kGiven };
-  std::vector<double> sums_;  // from index kGiven on: for each k of (2), the sum and its maximum
+  std::vector<double> sums_;  // from index kGiven on, the sum and its maximum for each k of (2)
 };
 
 }  // namespace netloft

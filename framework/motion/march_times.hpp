@@ -22,7 +22,7 @@ class MarchTimes {
 
  private:
   const MarchSettings& settings_;
-  std::vector<double> corners_;  // including outputs, unless outputs are dense
+  std::vector<double> corners_;  // corners, including outputs unless outputs are dense
 };
 
 }  // namespace netloft

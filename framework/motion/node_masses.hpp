@@ -50,7 +50,7 @@ class NodeMasses {
   std::vector<Node> nodes_;
   // Node -> body, and index in Node::nodes.
   std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> of_bodies_;
-  std::vector<std::size_t> node_of_body_;  // index in nodes_
+  std::vector<std::size_t> node_of_body_;  // index in nodes_ of each body
   std::vector<double> blocks_;
   double coupled_ = 0;
 };

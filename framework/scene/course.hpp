@@ -19,7 +19,7 @@ struct Course {
   struct Moment {
     Point d{}, v{}, a{};  // [m], [m/s], [m/s²]
   };
-  std::vector<Knot> knots;  // increasing in t
+  std::vector<Knot> knots;  // knots in increasing order of t
 
   Moment at(double t) const;
 };

@@ -45,8 +45,8 @@ struct Current {
     std::array<double, 3> velocity;  // [m/s]
   };
   std::vector<Sample> samples;       // the profile, increasing in z
-  std::vector<Factor> factors = {};  // increasing in t
-  std::vector<Drift> drifts = {};    // increasing in t
+  std::vector<Factor> factors = {};  // samples in increasing order of t
+  std::vector<Drift> drifts = {};    // samples in increasing order of t
   std::array<double, 3> tow = {};    // [m/s]
 
   bool flows() const;
@@ -81,10 +81,10 @@ struct LawChoice {
 struct Part {
   std::string name;                  // "net"
   std::string type;                  // "priour/triangle"
-  Values parameters;                 // by parameter name
+  Values parameters;                 // values by name of the parameter
   std::vector<std::uint32_t> nodes;  // scene nodes of the elements, element by element
   ElementData data;
-  std::map<std::string, LawChoice> laws = {};  // by slot name; absent: the slot's default
+  std::map<std::string, LawChoice> laws = {};  // laws by name of the slot; absent: the slot's default
   bool companion = false;      // made on the pairs of neighbours of the preceding part of this name
   double viscosity_ratio = 1;  // effective viscosity over that of the water, in models of gears
 };
@@ -151,7 +151,7 @@ struct Scene {
   std::vector<RigidBody> bodies;  // their points are `carried`
   std::vector<bool> carried;      // per node: whether a body carries it; empty if there are no bodies
   std::vector<Guide> guides;      // motions of held nodes in time
-  std::vector<NodeLabel> labels;  // per node
+  std::vector<NodeLabel> labels;  // label of each node
   std::vector<Part> parts;
   std::vector<Setting> settings = {};
   std::vector<Winch> winches = {};

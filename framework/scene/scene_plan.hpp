@@ -33,15 +33,15 @@ enum class AnalysisKind { statics, dynamics };
 
 /// An unknown that all elements of a part share.
 struct GlobalPlan {
-  std::uint32_t part = 0;  // index in the scene
+  std::uint32_t part = 0;  // index of the part in the scene
   std::string name, unit, doc;
 };
 
 /// All elements of one type with the same laws.
 struct FamilyPlan {
   const ElementType* type = nullptr;
-  std::vector<LawPlan> laws;         // one per slot
-  std::vector<std::uint32_t> parts;  // indices in the scene
+  std::vector<LawPlan> laws;         // law of each slot
+  std::vector<std::uint32_t> parts;  // indices of parts in the scene
   std::size_t elements = 0;
   std::vector<TermPlan> terms;
   std::vector<GlobalPlan> globals = {};

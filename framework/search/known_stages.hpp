@@ -15,7 +15,7 @@ struct StageRequest {
   bool by_strategy = false;  // whether a strategy solves the stage; otherwise a solver does
   std::string by;            // type of the strategy or solver
   Values parameters;
-  netloft_variant variant{};  // relative to the original scene
+  netloft_variant variant{};  // variant relative to the original scene
   double tolerance = 0, path = 0;
   std::uint32_t iterations = 0, flags = 0;
   std::vector<double> start{};  // displacements of the unknowns
@@ -50,7 +50,7 @@ class KnownStages {
 
  private:
   std::size_t most_, numbers_ = 0;
-  std::list<KnownStage> stages_;  // in the order of their last request
+  std::list<KnownStage> stages_;  // results in the order of their last request
 };
 
 }  // namespace netloft

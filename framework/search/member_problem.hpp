@@ -78,7 +78,7 @@ class MemberProblem {
   // Indices of the matrix values in rows and columns of bodies' rotations: on the diagonal, and all others.
   std::vector<std::size_t> of_rotations_, beside_;
   std::vector<MemberSite> sites_;
-  std::vector<MemberWeights> weights_;    // by member
+  std::vector<MemberWeights> weights_;    // weights of each member
   std::vector<double> x_, step_;          // over all degrees of freedom
   std::vector<double> tangent_, values_;  // tangent of r; matrix of (1)
 };

@@ -18,7 +18,7 @@ double amount_of(const Scene& scene, const Setting& setting);
 /// An equilibrium of a scene for given factors, and the reactions at the nodes of its settings [N].
 struct SetEquilibrium {
   Solution solution;
-  std::vector<double> reactions;  // one per setting; empty: no equilibrium was found
+  std::vector<double> reactions;  // reaction of each setting; empty: no equilibrium was found
 };
 
 /// Finds the equilibrium for these factors. The solution begins at the displacements `start` or, if `start`

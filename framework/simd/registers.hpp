@@ -6,7 +6,7 @@
 // inlined, so that they are compiled for the same set. Registers are passed as `Register::V`, never as a
 // deduced type, because deduced types lose the attribute for unaligned access.
 #define NETLOFT_INLINE [[gnu::always_inline]] inline
-#define NETLOFT_INLINED __attribute__((always_inline))  // the same for lambdas
+#define NETLOFT_INLINED __attribute__((always_inline))  // the attribute for lambdas
 
 #if defined(__x86_64__)
 #define NETLOFT_AVX2 [[gnu::target("avx2,fma")]]

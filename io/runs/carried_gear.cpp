@@ -81,7 +81,7 @@ class Netting {
   const std::vector<double>&u_, &v_;
   Place low_{}, side_{};
   std::size_t count_ = 1;
-  std::vector<std::vector<std::uint32_t>> cells_;  // by cell: triangles whose bounding box touches it
+  std::vector<std::vector<std::uint32_t>> cells_;  // triangles whose bounding box touches each cell
 };
 
 std::size_t at(std::uint32_t node) { return 3 * std::size_t{node}; }

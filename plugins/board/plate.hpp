@@ -32,7 +32,7 @@ template <class T>
 struct PlateForce {
   T normal;       // C_N, along y where w_y > 0
   T ahead_chord;  // point at which the force acts, aft of the middle along the chord [m]
-  T ahead_span;   // the same, above the middle along the span [m]
+  T ahead_span;   // height of this point above the middle along the span [m]
 };
 
 namespace detail {

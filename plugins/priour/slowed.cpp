@@ -15,7 +15,7 @@ double middle(const netloft_tile& t, bool with_low, int axis, std::size_t i) {
 }  // namespace
 
 Slowing::Slowing(const Triangle::Lanes& p, const netloft_tile& t, std::uint32_t kind_of_law) : acts(p.slows) {
-  const bool with_low = kind_of_law == NETLOFT_TWINE_LAW;  // as in drag.hpp
+  const bool with_low = kind_of_law == NETLOFT_TWINE_LAW;  // like the positions in drag.hpp
   for (std::size_t i = 0; i < t.count && acts; ++i) {
     const double along =
         p.slowed_x[i] * middle(t, with_low, 0, i) + p.slowed_y[i] * middle(t, with_low, 1, i);

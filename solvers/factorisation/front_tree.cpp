@@ -107,7 +107,7 @@ class FrontTreeBuilder {
 
   const SparsePattern& pattern_;
   FrontTree tree_;
-  Indices vertex_start_;  // by place: first unknown of each vertex, and the end of the last
+  Indices vertex_start_;  // first unknown of each vertex by place, and the end of the last
   Indices place_;         // unknown -> k, its place in the order of elimination
   Indices front_;         // k -> front
   Indices local_;         // k -> place in the current front

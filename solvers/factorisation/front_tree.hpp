@@ -33,7 +33,7 @@ struct FrontEntries {
   std::uint32_t slot = 0;             // slot of the first entry
   std::uint32_t target = 0;           // place of the first entry in the panels of its front
   std::int32_t down = 0, across = 0;  // distance in the panels to the next row, and to the next column
-  std::int32_t size = 1;              // rows and columns
+  std::int32_t size = 1;              // number of rows and of columns
 };
 
 /// The elimination of a matrix of symmetric pattern front by front (Duff and Reid 1983). Every front adds up

@@ -9,7 +9,7 @@ namespace netloft {
 /// A matrix in blocks of three rows and columns, whose nine values are contiguous, row by row.
 struct MatrixBlocks {
   struct Column {
-    std::int32_t column;  // the first of three
+    std::int32_t column;  // index of the first of three columns
     std::size_t first;    // index of its first block
   };
   struct Block {
@@ -28,8 +28,8 @@ struct MatrixBlocks {
 /// Unknowns of a front that are consecutive among the unknowns of its parent, too. Either all or none of them
 /// are pivots of the parent.
 struct UnknownRun {
-  std::int32_t from = 0;   // among the others of the front
-  std::int32_t place = 0;  // among the unknowns of the parent
+  std::int32_t from = 0;   // first unknown of the run among the others of the front
+  std::int32_t place = 0;  // place of this unknown among the unknowns of the parent
   std::int32_t count = 0;
 };
 

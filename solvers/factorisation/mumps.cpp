@@ -96,8 +96,8 @@ class MumpsFactorisation final : public Factorisation, public ForeseesMemory {
   MemoryPool pool_;
   std::unique_ptr<MumpsInstance> mumps_;  // null for a matrix without unknowns
   const SparsePattern* pattern_ = nullptr;
-  std::vector<MUMPS_INT> row_, column_;  // counted from one
-  std::vector<double> value_;            // in the order of the entries
+  std::vector<MUMPS_INT> row_, column_;  // rows and columns of the entries, counted from one
+  std::vector<double> value_;            // values in the order of the entries
   bool has_factor_ = false;
   std::string ordering_;
   double entries_ = 0, flops_ = 0;

@@ -118,12 +118,12 @@ class Family {
   /// arguments of the law are the arrays of a netloft_law_tile.
   const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
 
-  std::vector<Parameters> parameters_;  // per part
+  std::vector<Parameters> parameters_;  // parameters of each part
   std::vector<netloft_bound_law> laws_;
   std::vector<std::uint32_t> part_;
   std::vector<Data> data_;
   std::vector<Lanes> lanes_;
-  std::vector<Whole> wholes_;  // per part
+  std::vector<Whole> wholes_;  // data of each part as a whole
 };
 
 }  // namespace netloft

@@ -28,7 +28,7 @@ struct SeriesLayout {
 struct SeriesState {
   double time = 0;
   std::vector<double> points;               // 3n [m]
-  std::vector<std::vector<double>> fields;  // in the order of `changing`
+  std::vector<std::vector<double>> fields;  // fields in the order of `changing`
   std::vector<double> row;                  // numbers in the order of the columns
 };
 

@@ -198,7 +198,7 @@ class MeshReader {
   bool has_ended_ = false;
   std::size_t elements_ = 0;
   std::set<std::string> names_, set_names_;
-  std::vector<std::vector<Place>> element_places_;  // by region
+  std::vector<std::vector<Place>> element_places_;  // places of the elements of each region
   std::vector<Place> index_places_;  // places of the indices in all sets, one set after another
 };
 

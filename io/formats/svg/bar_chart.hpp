@@ -13,7 +13,7 @@ struct BarChart {
   };
   struct Row {
     std::string name;
-    std::vector<Bar> bars;  // in the order of the kinds
+    std::vector<Bar> bars;  // bars in the order of the kinds
   };
   struct Group {
     std::string title;

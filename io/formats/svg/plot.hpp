@@ -17,7 +17,7 @@ struct PlotSeries {
   };
   std::string name;
   std::vector<Point> points;
-  std::vector<Span> band = {};    // in ascending order of x
+  std::vector<Span> band = {};    // spans in ascending order of x
   bool is_line = true;            // whether there is a line, or only markers
   std::vector<Point> curve = {};  // the line, if it is not straight between the points
 };

@@ -161,7 +161,7 @@ class Loader {
 
   std::vector<SourceFile>& files_;
   Diagnostics& diagnostics_;
-  std::vector<fs::path> chain_;  // from the root to the file that is being read
+  std::vector<fs::path> chain_;  // files from the root to the one that is being read
   std::set<std::string> done_;
 };
 

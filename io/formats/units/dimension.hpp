@@ -12,8 +12,8 @@ using Dimension = std::map<std::string, int>;
 
 struct DimensionName {
   Dimension dimension;
-  std::string unit;  // in engineering notation: "kg/m3"
-  std::string name;  // with its article: "a density"
+  std::string unit;  // unit in engineering notation: "kg/m3"
+  std::string name;  // name with its article: "a density"
 };
 
 /// The unit and the name of a dimension; a dimension without a special name is "a quantity".

@@ -8,7 +8,7 @@ namespace netloft::formats {
 
 /// The SI value of a text such as "10 mm", or a sentence that explains why it has none.
 struct Quantity {
-  double value = 0;   // in the requested unit; finite
+  double value = 0;   // finite value in the requested unit
   std::string error;  // empty if the value is valid
   std::string hint;   // the cure, if one is known
   bool ok() const { return error.empty(); }

@@ -23,9 +23,9 @@ namespace netloft::gears {
 struct CataloguePart {
   std::string name;
   const PartKind* kind = nullptr;
-  std::map<std::string, double> numbers;         // by key, in the units of its kind
+  std::map<std::string, double> numbers;         // numbers by key, in the units of the part's kind
   std::map<std::string, std::string> texts;      // source, uncertainty, …
-  std::map<std::string, formats::Value> tables;  // unchanged from the file
+  std::map<std::string, formats::Value> tables;  // tables, unchanged from the file
   std::string file;
 };
 

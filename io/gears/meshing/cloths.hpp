@@ -13,7 +13,7 @@ struct ClothSide {
   bool is_inside = false;    // whether it is the line between both halves of a middle panel
   bool is_reversed = false;  // whether it runs against the direction of the outline's edge
   EdgeKind kind{};
-  bool is_on_plane = false;           // on the plane of symmetry of half a gear
+  bool is_on_plane = false;           // whether it is on the plane of symmetry of half a gear
   bool goes_aft = false;              // whether an outer or inner side runs aft
   PanelPoint from, to;                // x is outwards on either side of the gear
   double edge_from = 0, edge_to = 1;  // fractions of the edge, in the edge's direction

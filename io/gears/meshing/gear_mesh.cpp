@@ -372,11 +372,11 @@ class Divider {
   double size_;
   SeamLines lines_;
   std::vector<std::vector<std::uint32_t>> line_nodes_;
-  std::vector<Border> borders_;    // one per cloth
-  std::vector<PlaneMesh> planes_;  // one per cloth
+  std::vector<Border> borders_;    // border of each cloth
+  std::vector<PlaneMesh> planes_;  // triangles of each cloth
   // For each panel, its own numbers of the nodes in its middle, by node of the gear
   std::map<std::size_t, std::map<std::uint32_t, std::uint32_t>> in_middle_;
-  std::vector<int> senses_;  // one per cloth
+  std::vector<int> senses_;  // orientation of each cloth
   GearMesh mesh_;
 };
 

@@ -50,7 +50,7 @@ struct GearMesh {
   std::vector<PanelMesh> panels;
   std::vector<RopeMesh> ropes;
   std::map<std::string, std::uint32_t> points;  // "towing-point", "headrope.end", "top-wing.fore-outer"
-  std::vector<std::uint32_t> middle;            // in half a gear: nodes on the plane of symmetry
+  std::vector<std::uint32_t> middle;            // nodes on the plane of symmetry, in half a gear
   MeshQuality quality;
 };
 

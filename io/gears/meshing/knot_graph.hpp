@@ -37,7 +37,7 @@ class HarmonicFields {
  private:
   std::size_t nodes_;
   std::vector<Gain> sides_;
-  Recent<std::vector<std::uint32_t>, GainFactors> factors_{8};  // by the set of nodes with values
+  Recent<std::vector<std::uint32_t>, GainFactors> factors_{8};  // factors by the set of nodes with values
 };
 
 }  // namespace netloft::gears

@@ -19,7 +19,7 @@ struct RopeStretch {
 using RopeCourse = std::vector<RopeStretch>;
 
 struct RopeCourses {
-  std::vector<RopeCourse> courses;            // in the order of the gear
+  std::vector<RopeCourse> courses;            // courses in the order of the gear's ropes
   std::map<std::string, std::size_t> points;  // ends of ropes, corners of panels and points of the plan
 };
 

@@ -24,7 +24,7 @@ using Row = std::vector<DirectedSide>;
 struct Borders {
   const Cloths& cloths;
   EqualPoints points;
-  std::vector<std::vector<Break>> breaks;  // by side, increasing from 0 to 1
+  std::vector<std::vector<Break>> breaks;  // points of each side, increasing from 0 to 1
   std::vector<std::array<Row, 2>> seams;   // both sides have the same number of runs between breaks
 
   std::size_t start(DirectedSide s) const {

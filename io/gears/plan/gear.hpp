@@ -65,7 +65,7 @@ struct GearRope {
   const Rope* rope = nullptr;
   bool is_mirrored = false;
   double length = 0;                   // unstretched [m]
-  std::vector<HungEdge> hung;          // from start to end
+  std::vector<HungEdge> hung;          // edges from its start to its end
   std::array<std::string, 2> between;  // names in this gear of the points at its ends
   std::string middle;  // point tied to its middle, if it lies across the middle of a whole gear
 };
@@ -75,7 +75,7 @@ struct GearRope {
 struct GearPieces {
   std::string name;
   const Pieces* pieces = nullptr;
-  double number = 0;           // in the modelled part; half a gear has half of the pieces across the plane
+  double number = 0;           // pieces in the modelled part; half a gear has half of those across the plane
   std::string rope;            // distributed along this rope
   std::vector<EdgeRef> edges;  // distributed along these edges in proportion to the length of their twines
   std::string point;           // all of them at this point

@@ -149,7 +149,7 @@ struct Join {
 struct Pieces {
   std::string name, part_name;
   formats::Value piece;
-  double number = 0;      // in the whole gear
+  double number = 0;      // pieces in the whole gear
   std::string along, at;  // exactly one of them is set
   formats::Place place, spread_place;
 
@@ -188,16 +188,16 @@ struct PlanBody {
 /// time.
 struct ShipMoment {
   double t;        // [s]
-  double speed;    // over the ground [m/s]
-  double heading;  // relative to the initial heading, positive to starboard [rad]
+  double speed;    // speed over the ground [m/s]
+  double heading;  // heading relative to the initial one, positive to starboard [rad]
 };
 
 /// The ship that tows the gear. Reading it adds the points `block` and the ropes `warp` to the plan.
 struct Ship {
-  double speed = 0;                        // over the ground [m/s]
+  double speed = 0;                        // speed over the ground [m/s]
   double block_height = 0, block_gap = 0;  // height above the water; distance between port and starboard [m]
   double efficiency = 0;                   // towing power divided by the heat power of the fuel; 0: unknown
-  std::vector<ShipMoment> path;            // in a motion; empty: constant speed, straight ahead
+  std::vector<ShipMoment> path;            // path in a motion; empty: constant speed, straight ahead
   std::vector<ShipMoment> path_port;       // path of a second ship, to port; empty if there is only one ship
   formats::Place place, speed_place, path_place;
 };

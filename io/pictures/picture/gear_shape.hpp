@@ -19,8 +19,8 @@ struct GearShape {
   std::vector<Point3> nodes;
   std::optional<results::StoredField> field;  // the field that is coloured; empty: colours show the parts
   results::FieldScales scales;
-  std::vector<double> values;                     // by cell
-  std::vector<std::array<double, 3>> at_corners;  // by triangle, for netting
+  std::vector<double> values;                     // values of the cells
+  std::vector<std::array<double, 3>> at_corners;  // values at the corners of each triangle, for netting
   results::CatchBody fish;
   std::vector<results::BodyPlate> plates;
   std::vector<Point3> hulls;  // corners of the triangles of ships

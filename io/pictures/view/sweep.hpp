@@ -8,14 +8,14 @@ namespace netloft::pictures {
 /// The setting that differs between the results of a sweep.
 struct Varied {
   std::string name;                 // "tow.speed"; empty: no such setting
-  std::vector<std::string> values;  // as written, by result
+  std::vector<std::string> values;  // value of each result, as written
   std::vector<double> numbers;      // the leading numbers; NaN for a value without one
   std::string unit = {};            // the text after the numbers, if it is the same in all results
 };
 
 /// The command and the scene of a result.
 struct SweepInput {
-  std::vector<std::string> command;  // one entry per word
+  std::vector<std::string> command;  // words of the command line
   std::string scene;                 // the text of its scene
 };
 

@@ -58,7 +58,7 @@ class PanelIndex {
   }
 
   void insert(std::size_t t) {
-    std::array<std::array<std::size_t, 2>, 2> range{};  // by axis: first and last column
+    std::array<std::array<std::size_t, 2>, 2> range{};  // first and last column along each axis
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const std::array<std::size_t, 3> at = {column(corner(t, 0), axis), column(corner(t, 1), axis),
                                              column(corner(t, 2), axis)};

@@ -36,7 +36,7 @@ void add(const std::array<double, 3>& force, std::array<double, 3>& sum) {
 /// A companion is a part that adds further elements to another part and has its name; the force on the
 /// companion counts as a force on that part.
 std::vector<PartLoad> find_part_loads(const Scene& scene, const std::vector<PartForce>& forces) {
-  std::map<std::string, std::map<std::string, std::array<double, 3>>> sums;  // by term, then by part
+  std::map<std::string, std::map<std::string, std::array<double, 3>>> sums;  // sums by term, then by part
   for (const auto& f : forces) add(f.force, sums[f.term][f.part]);
   std::vector<PartLoad> rows;
   for (auto& [term, of_parts] : sums)

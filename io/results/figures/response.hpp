@@ -28,7 +28,7 @@ struct PartForce {
 /// The contribution of one part and term to the force on a rigid body: the sum over the nodes of the body,
 /// that is, its origin and its points.
 struct BodyForce {
-  std::uint32_t body = 0, part = 0;  // indices in the scene
+  std::uint32_t body = 0, part = 0;  // indices of body and part in the scene
   PartForce of;
 };
 
@@ -38,7 +38,7 @@ struct Response {
   std::vector<double> x;
   FamilyOutputs outputs;
   std::vector<PartForce> forces;       // internal forces are left out: they sum to zero over a part
-  std::vector<BodyForce> body_forces;  // of all terms, internal ones too, for parts with a node on the body
+  std::vector<BodyForce> body_forces;  // forces of all terms, for parts with a node on the body
 };
 
 /// Evaluates all elements of the scene at positions x; without `with_forces` only their outputs, which is

@@ -157,7 +157,7 @@ struct Result {
   double work = 0;  // work in the units of framework/balance/work.hpp
   double reading_seconds = 0, setup_seconds = 0;
   Statistics statistics;
-  std::vector<Stage> stages;          // in the order in which they ran; one if the search solved only once
+  std::vector<Stage> stages;  // stages in the order in which they ran; one if the search solved only once
   std::vector<Iteration> iterations;  // accepted steps of the solver
   std::optional<Motion> motion;       // empty: the result is an equilibrium
 

@@ -139,7 +139,7 @@ std::vector<std::array<double, 3>> values_at_corners(const StoredMesh& mesh,
   struct Mean {
     double sum = 0, count = 0;
   };
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Mean> means;  // by part and node
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Mean> means;  // means by part and node
   const auto mean_at = [&](std::size_t t, std::size_t corner) -> Mean& {
     return means[{mesh.cell_part[mesh.triangle_cells[t]], mesh.triangles[t][corner]}];
   };

@@ -104,7 +104,7 @@ class ResultMesh {
   void say(const std::string& text) { comment_ += (comment_.empty() ? "" : "\n") + text; }
 
   const StoredShape& stored_;
-  std::vector<double> strain_, twine_area_;  // by cell
+  std::vector<double> strain_, twine_area_;  // strain and twine area of each cell
   formats::InputMesh mesh_;
   std::string comment_;
 };

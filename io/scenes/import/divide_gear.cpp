@@ -48,7 +48,7 @@ double along(const Triple& a, const Triple& b, const Triple& c, const Triple& d)
 /// A line between two points of the gear. It is divided once, for all panels and cables that are sewn
 /// together there.
 struct Line {
-  std::vector<std::uint32_t> nodes;  // in their order from one end to the other
+  std::vector<std::uint32_t> nodes;  // nodes in order from one end to the other
   Triple from{}, to{};               // positions of its ends in the drawing
 };
 
@@ -393,7 +393,7 @@ class Divider {
   int errors_before_;
   GearLinks links_;
   std::map<std::size_t, std::uint32_t> node_of_point_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Line> lines_;  // by the two nodes at their ends
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Line> lines_;  // lines by the two nodes at their ends
   MeshFile mesh_;
 };
 

@@ -84,16 +84,16 @@ struct Clamp {
 /// out.
 struct Drum {
   formats::Place place;
-  int cable = 0;                      // counted from 0
+  int cable = 0;                      // number of the cable, from 0
   double shortest = 0, longest = 0;   // limits of the length of a bar [m]
   std::vector<double> times, speeds;  // [s], [m/s]
-  std::vector<int> ends;              // from each time on: which end of the cable, 1 or 2, has the drum
+  std::vector<int> ends;              // end of the cable (1 or 2) that has the drum from each time on
 };
 
 /// The motion of the nodes of a type. Velocities are linear between the times, and zero after the last time.
 struct NodeMotion {
   formats::Place place;
-  int type = 0;  // counted from 0
+  int type = 0;  // number of the type, from 0
   std::vector<double> times;
   std::array<std::vector<double>, 3> velocity;
 };

@@ -135,7 +135,7 @@ TwineBar::TwineBar(const Panel& p) {
 
 std::vector<Loose> find_loose(const GearFile& gear, const MeshFile& file) {
   Pieces pieces(file);
-  std::map<std::uint32_t, Loose> found;  // by the leader of a connected piece
+  std::map<std::uint32_t, Loose> found;  // loose nodes by the leader of their connected piece
   for (std::uint32_t n = 0; n < file.nodes.size(); ++n)
     if (pieces.is_used(n)) found.try_emplace(pieces.leader(n), Loose{n, {true, true, true}});
   for (std::uint32_t n = 0; n < file.nodes.size(); ++n) {

@@ -64,9 +64,9 @@ class Draft {
   std::vector<Mention> both_sides(const Mention& m) const;
 
   LoadedScene out;
-  std::vector<Geometry> geometries;            // in the order of out.scene.parts
-  std::vector<const ElementType*> types;       // in the same order
-  std::vector<bool> is_sound;                  // in the same order
+  std::vector<Geometry> geometries;            // geometries in the order of out.scene.parts
+  std::vector<const ElementType*> types;       // element types in the order of out.scene.parts
+  std::vector<bool> is_sound;                  // whether each part is sound, in the order of out.scene.parts
   std::map<std::string, Joiner::Ends> points;  // points with a name without a dot, by this name
 
  private:

@@ -59,7 +59,7 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
     in_scene.bill = bill_of(plan);
     in_scene.sheet = sheet_of(plan, gear_);
   } else {
-    gear_ = gears::make_gear(plan, gears::Extent::whole);  // for the names of its parts
+    gear_ = gears::make_gear(plan, gears::Extent::whole);  // gives the names of the gear's parts
   }
   insert_names();
   formats::TableReader table = root.table("elements", formats::Presence::optional);

@@ -76,7 +76,7 @@ class GearParts : public GearSteps {
   const gears::NetPlan& plan_;
   Draft& draft_;
   formats::Diagnostics& diagnostics_;
-  formats::Place place_;  // of `[gear]`
+  formats::Place place_;  // place of `[gear]`
   gears::Gear gear_;
   std::set<std::string> names_;           // names of everything in the gear
   std::optional<PlanElements> elements_;  // empty until `[elements]` is read

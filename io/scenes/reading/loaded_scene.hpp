@@ -75,7 +75,7 @@ struct BillItem {
   double number = 1;         // how many there are in the whole gear
   double length = 0;         // unstretched length of one rope [m]
   double diameter = 0;       // diameter of a twine, a rope or a piece [m]
-  double breaking_load = 0;  // of a rope, or of the twines of a bar [N]
+  double breaking_load = 0;  // breaking load of a rope, or of the twines of a bar [N]
   double mass = 0;           // mass of a piece or a body in air [kg]
   double area = 0;           // projected area of a body [m2]
 };
@@ -103,18 +103,18 @@ struct GearInScene {
   double ship_speed = 0;       // speed over the ground [m/s]; 0 without a ship
   double ship_efficiency = 0;  // towing power over the heating power of the fuel; 0: unknown
   std::vector<BillItem> bill;
-  std::map<std::string, SheetPlace> sheet;  // by the name of the panel
+  std::map<std::string, SheetPlace> sheet;  // places of panels by their name
 };
 
 /// The strength of a part, from the net plan or the catalogue.
 struct Strength {
-  double breaking_load = 0;  // of a rope, or of the twines of a bar [N]; NaN: not known
+  double breaking_load = 0;  // breaking load of a rope, or of the twines of a bar [N]; NaN: not known
   std::string material;      // name in the catalogue; empty if the scene gives the load
 };
 
 /// Names and outline of a rigid body of Scene::bodies.
 struct BodyInScene {
-  std::uint32_t part = 0;                      // index in Scene::parts
+  std::uint32_t part = 0;                      // index of the part in Scene::parts
   double side = 1;                             // 1 to starboard, -1 to port
   std::vector<std::string> points;             // names, in the order of RigidBody::points
   std::vector<std::array<double, 3>> outline;  // corners in body axes, for pictures [m]
@@ -123,14 +123,14 @@ struct BodyInScene {
 /// A scene, read from its file and checked.
 struct LoadedScene {
   Scene scene;
-  std::vector<PartGeometry> parts;  // in the order of scene.parts
-  std::vector<BodyInScene> bodies;  // in the order of scene.bodies
+  std::vector<PartGeometry> parts;  // geometries in the order of scene.parts
+  std::vector<BodyInScene> bodies;  // bodies in the order of scene.bodies
   std::vector<Hold> holds;
   std::vector<ResultRequest> results;
   Analysis analysis;
   std::vector<formats::SourceFile> files;
-  std::optional<GearInScene> gear;                 // empty: the scene has no net plan
-  std::map<std::string, Strength> strengths;       // by part; a part of unknown strength is left out
+  std::optional<GearInScene> gear;            // empty: the scene has no net plan
+  std::map<std::string, Strength> strengths;  // strengths by part; a part of unknown strength is left out
   mutable formats::NameIndex index_of_parts = {};  // an index that makes place_of fast
 
   /// The place of a part in the file, for messages; line 0 if there is no such part.

@@ -13,9 +13,9 @@ class Dice {
   Dice(std::string_view name, std::uint64_t number);
 
   std::uint64_t next();
-  double uniform(double lo, double hi);                  // from lo to hi, which is excluded
+  double uniform(double lo, double hi);                  // a number from lo to hi, hi excluded
   double log_uniform(double lo, double hi);              // lo and hi are above zero
-  std::int64_t whole(std::int64_t lo, std::int64_t hi);  // from lo to hi, which are included
+  std::int64_t whole(std::int64_t lo, std::int64_t hi);  // a number from lo to hi, both included
   std::size_t index(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
  private:

@@ -7,7 +7,7 @@ namespace netloft::studies {
 /// The result of a calibration: its fit, or the reason why there is no fit.
 struct Calibration {
   CalibrationFile file;
-  std::vector<Measurement> measured;  // in the order of the file; each value in the unit of its figure
+  std::vector<Measurement> measured;  // values in the order of the file, each in the unit of its figure
   std::vector<std::string> units;
   Fit fit;                         // its rows are the measurements: fitted ones first, then those held back
   std::vector<std::size_t> order;  // for each row of `fit`, the index of its measurement in the file
@@ -15,7 +15,7 @@ struct Calibration {
   int solves = 0;
   double cpu_seconds = 0;
   std::vector<std::string> unstable;  // scenes with an unstable equilibrium at the fitted parameters
-  std::string trouble;  // if the fit did not converge: why the last failed scene has no equilibrium
+  std::string trouble;  // why the last failed scene has no equilibrium, if the fit did not converge
 
   /// Half width of the intervals of parameters and of the bands of predictions, in standard deviations.
   double width() const;

@@ -25,8 +25,8 @@ MeshSize count_mesh(const scenes::LoadedScene& loaded);
 
 /// The argument of `--cells`: "8,16,32", or "net=8,16,32" to divide that part alone.
 struct CellList {
-  std::string part;                 // empty: all parts, in proportion
-  std::vector<std::int64_t> cells;  // increasing
+  std::string part;                 // name of the part; empty: all parts, in proportion
+  std::vector<std::int64_t> cells;  // numbers of cells, increasing
 };
 
 /// Reads the argument of `--cells`. Throws std::invalid_argument with a sentence if it is not a list of

@@ -11,7 +11,7 @@ enum class Engine { parallel, slurm };
 struct ScriptOptions {
   std::string program;               // path of netloft
   std::vector<std::string> plugins;  // folders of plugins, in the syntax of --plugins
-  std::size_t chunk = 1;             // items per task
+  std::size_t chunk = 1;             // number of items in a task
   std::string why_chunk;             // the reason for `chunk`, a sentence
   int jobs = 0;                      // tasks at a time; 0: one per core
 };

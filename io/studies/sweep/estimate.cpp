@@ -29,7 +29,7 @@ using Numbers = std::vector<double>;
 /// The values of one figure in the selected rows of the table, by point; coordinates are scaled to [0, 1].
 struct Known {
   std::vector<Numbers> points;
-  std::vector<Numbers> samples;  // for each point: one number, or one for every sample
+  std::vector<Numbers> samples;  // one number for each point, or one for every sample
 };
 
 double squared_distance(const Numbers& a, const Numbers& b) {

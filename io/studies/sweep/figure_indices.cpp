@@ -32,7 +32,7 @@ using Group = std::vector<std::size_t>;  // indices of points
 /// value.
 struct Coordinate {
   std::size_t column = 0;
-  Numbers levels;              // ascending
+  Numbers levels;              // values in ascending order
   std::optional<double> held;  // the held value; empty: the coordinate varies
   bool is_sampled = false;
 

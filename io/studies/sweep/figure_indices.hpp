@@ -22,7 +22,7 @@ struct FigureIndices {
   double mean = 0, deviation = 0;  // mean and deviation over the variables' space
   double off = 0;          // root mean square error of the response at left-out points, over deviation
   std::size_t points = 0;  // number of points used
-  std::vector<SobolIndex> variables;  // in the order of StudyIndices::variables
+  std::vector<SobolIndex> variables;  // indices in the order of StudyIndices::variables
   std::string why_not;                // the reason if there are no indices
 };
 

@@ -27,7 +27,7 @@ struct ScopePoint {
 /// The results at one depth.
 struct ScopeRow {
   double depth = 0;
-  std::vector<ScopePoint> points;  // in the order of increasing warp; complete unless the user interrupted
+  std::vector<ScopePoint> points;  // points by increasing warp; complete unless the user interrupted
   std::optional<Interval> warp;    // lengths for which the boards are within their bands
   // Index of the point, within `warp`, whose heel is nearest to the middle of its band.
   std::optional<std::size_t> chosen;

@@ -10,8 +10,8 @@ namespace netloft::studies {
 
 /// The fraction of a function's variance that one of its variables causes.
 struct SobolIndex {
-  WithError first;  // by the variable alone
-  WithError total;  // by the variable, including its interactions with others
+  WithError first;  // fraction caused by the variable alone
+  WithError total;  // fraction caused by the variable and its interactions with others
 };
 
 struct SobolIndices {

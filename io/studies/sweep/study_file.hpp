@@ -16,7 +16,7 @@ enum class Combination { grid, list };
 
 struct DesignVariable {
   Variable variable;
-  Distribution distribution;  // for a variable with an interval
+  Distribution distribution;  // distribution of a variable with an interval
   bool is_in_path = false;
   bool is_sound = true;  // whether it was read without errors
   bool is_sampled() const { return variable.interval.has_value(); }
@@ -29,7 +29,7 @@ struct StudyFile {
   formats::Place scene_place;
   std::vector<std::string> set;  // overrides of all points, in the syntax of `--set`
   formats::Place set_place;
-  std::vector<DesignVariable> variables;  // in the order of the file
+  std::vector<DesignVariable> variables;  // variables in the order of the file
   Combination combination = Combination::grid;
   Sampling sampling = Sampling::latin_hypercube;
   std::size_t samples = 0;

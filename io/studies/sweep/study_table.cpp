@@ -85,7 +85,7 @@ class Collector {
   const Study& study_;
   const std::filesystem::path& folder_;
   StudyTable table_;
-  std::map<std::string, std::size_t> places_;    // indices of figures
+  std::map<std::string, std::size_t> places_;    // indices of figures by name
   std::map<std::string, std::size_t> programs_;  // number of items by version of the program
 };
 

@@ -10,8 +10,8 @@ struct StudyRow {
   // Numbers of the item, of its sample and of the point, from 1; sample 0: nothing was sampled.
   std::size_t item = 0, sample = 0, point = 0;
   std::vector<VariableValue> values;  // values of the variables, by column
-  PointRecord record;                 // of a missing item: a record with the status "missing"
-  std::vector<double> figures;        // by figure of the table; NaN: the point does not have it
+  PointRecord record;                 // record of the point; of a missing item, one with the status "missing"
+  std::vector<double> figures;        // value of each figure of the table; NaN: the point does not have it
 };
 
 /// All points of a study with their results, in the order of the manifest.

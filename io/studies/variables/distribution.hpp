@@ -15,7 +15,7 @@ namespace netloft::studies {
 struct Distribution {
   enum class Kind { uniform, logarithmic, normal };
   Kind kind = Kind::uniform;
-  double mean = 0, deviation = 1;  // of (3), in the variable's unit
+  double mean = 0, deviation = 1;  // parameters of (3), in the variable's unit
 };
 
 /// F⁻¹ of (3), the quantile of the standard normal distribution; 0 < q < 1.

@@ -10,13 +10,13 @@ namespace netloft::studies {
 
 /// One value of a variable.
 struct VariableValue {
-  std::string text;              // as for `--set`: "2.5 kn", "pe-braided-4mm", "[64, 64]"
-  std::optional<double> number;  // in the unit of the variable; empty for names, switches and arrays
+  std::string text;              // value as for `--set`: "2.5 kn", "pe-braided-4mm", "[64, 64]"
+  std::optional<double> number;  // value in the unit of the variable; empty for names, switches and arrays
 };
 
 /// A key of a scene that a variable sets: key = offset + factor × variable, in the variable's unit.
 struct FollowingKey {
-  std::string path;  // as for `--set`: "tow.speed", "points.towing-point.at[2]"
+  std::string path;  // path as for `--set`: "tow.speed", "points.towing-point.at[2]"
   double factor = 1, offset = 0;
   bool follows_as_it_is() const { return factor == 1 && offset == 0; }
 };

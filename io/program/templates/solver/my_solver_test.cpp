@@ -16,7 +16,7 @@ int evaluate(void*, std::uint32_t, const double* u, double* energy, double* r) {
   }
   return NETLOFT_OK;
 }
-double diagonal = 0;  // of the matrix (2, -1; -1, 2), increased by the fraction `shift`
+double diagonal = 0;  // diagonal of the matrix (2, -1; -1, 2), increased by the fraction `shift`
 int factorise(void*, int, double shift) {
   diagonal = 2 * (1 + shift);
   return NETLOFT_FACTOR_OK;
