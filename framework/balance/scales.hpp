@@ -34,7 +34,7 @@ class Scales {
 
   /// Longest extent of an element [m]; 1 if there is none.
   double element_size() const { return element_size_; }
-  /// Largest difference between a coordinate at the start and the first coordinate [m], at least 1.
+  /// Largest difference between any coordinate and the first one at the start [m]; at least 1.
   double gear_size() const { return gear_size_; }
   /// Largest nodal sum of the forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }

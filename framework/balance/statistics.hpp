@@ -15,11 +15,11 @@ inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_
 /// Cost of a solve, counted and timed by the host in the same way for every solver.
 struct Statistics {
   int iterations = 0;
-  int energies = 0, residuals = 0, matrices = 0;  // evaluations
+  int energies = 0, residuals = 0, matrices = 0;  // numbers of evaluations
   int factorisations = 0, refused_factorisations = 0, solves = 0;
   double assembly_seconds = 0, analysis_seconds = 0, factorisation_seconds = 0, solve_seconds = 0;
-  double total_seconds = 0, total_cpu_seconds = 0;  // including the host's final checks
-  double solver_cpu_seconds = 0;                    // without the host's final checks
+  double total_seconds = 0, total_cpu_seconds = 0;  // times including the host's final checks
+  double solver_cpu_seconds = 0;                    // time without these checks
 
   /// Adds the cost of another solve.
   void add(const Statistics& other) {

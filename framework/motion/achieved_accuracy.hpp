@@ -72,7 +72,7 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state);
 
-/// Stores t as the time from which two marches differ by more than `allowed` [m], unless a time is stored.
+/// Stores t as the time from which two marches differ by more than `allowed` [m], unless one is stored.
 void note_parting(const std::vector<double>& here, const std::vector<double>& there, double t, double allowed,
                   MarchState& state);
 

@@ -8,7 +8,7 @@ namespace {
 using wide::Eight, wide::Four, wide::Two;
 
 constexpr double kIdentity[8] = {1, 0, 0, 0, 1, 0, 0, 0};
-constexpr std::size_t kBlock = 9, kLine = 6;  // numbers per member
+constexpr std::size_t kBlock = 9, kLine = 6;  // numbers of K and of `lines` per member
 
 /// A 3 x 3 block in registers. It is read through pointers, because clang assumes that a reference returned
 /// by a call is aligned.

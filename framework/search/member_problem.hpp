@@ -62,7 +62,7 @@ class MemberProblem {
   Statistics statistics_;
   Factors factors_;
   Stop stop_ = Stop::none;
-  double begun_ = 0, begun_cpu_ = 0, load_ = 0;  // [s], [s], largest entry of r in the last evaluation [N]
+  double begun_ = 0, begun_cpu_ = 0, load_ = 0;  // times of the start [s]; largest |r| at the last state [N]
 
   std::vector<netloft_member> members_;
   std::vector<std::uint32_t> part_;

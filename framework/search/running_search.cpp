@@ -156,7 +156,7 @@ void RunningSearch::run(const StrategyType& type, const void* parameters) {
   const int status = call_strategy(type, parameters, interface_);
   close();
   if (status == NETLOFT_OK) return;
-  // If nested strategies fail for one reason, the innermost is named.
+  // If nested strategies fail for the same reason, the innermost is named.
   const std::string failed = "the strategy ", why = message_;
   failure_ = why.starts_with(failed) ? why : failed + type.type + " failed" + (why.empty() ? "" : ": ") + why;
   if (!has_any()) throw std::runtime_error(failure_);

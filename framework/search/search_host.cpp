@@ -24,8 +24,8 @@ const SolverType& no_solver() {
 }
 
 // How many numbers KnownStages stores at most, per unknown of the scene. They suffice for about ten points on
-// its own mesh, and take less memory than a factor of netting. On samples of small and medium hard cases, 32
-// numbers cost 1 % and 2 % more factorisations; 128 and 256 saved at most 3 %.
+// the scene's own mesh, and take less memory than a factor of netting. On samples of small and medium hard
+// cases, 32 numbers cost 1 % and 2 % more factorisations; 128 and 256 saved at most 3 %.
 constexpr std::size_t kNumbersKept = 64;
 
 // Largest depth of nested calls of strategies. Grid sequencing by the strategy `auto` takes two nested calls

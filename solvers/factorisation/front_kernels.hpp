@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// The part of the factors that belongs to a front of n pivots and u other unknowns, by columns:
+/// The part of the factors that belongs to a front of n pivots and u other unknowns, stored by columns:
 ///   left   (n + u) × n   L₁₁\U₁₁ above L₂₁, column stride left_stride(n, u)
 ///   upper  u × n         U₁₂ᵀ, column stride upper_stride(u)
 /// Columns are padded, so that all loops have steps of kTileRows.
@@ -53,9 +53,9 @@ struct FrontKernels {
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); the numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);
 
-  // (1) and (2) in pieces, for several threads. Pieces for different ranges `from` to `to` are independent of
-  // each other; ranges of rows begin at a multiple of kTileRows after the first row.
-  /// Computes L₁₁\\U₁₁ and L₂₁ in the columns of one block of pivots.
+  // The functions below compute (1) and (2) in pieces for several threads. Pieces for different ranges `from`
+  // to `to` are independent of each other; ranges of rows begin at a multiple of kTileRows after the first
+  // row. Computes L₁₁\\U₁₁ and L₂₁ in the columns of one block of pivots.
   Elimination (*eliminate_block)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
                                  double least_pivot, std::int32_t* exchanged);
   /// Computes U₁₁ in the rows from `begin` to `end` and the columns from `from` to `to`.

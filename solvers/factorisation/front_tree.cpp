@@ -112,7 +112,7 @@ class FrontTreeBuilder {
   Indices front_;         // k -> front
   Indices local_;         // k -> place in the current front
   Indices row_, column_;  // row and column of the first entry of each FrontTree::of_matrix
-  /// A piece of the entries of the matrix: three rows and columns, or one.
+  /// A block of entries of the matrix: of three rows and columns, or of one.
   struct Piece {
     std::int32_t row, column;
     std::uint32_t slot;

@@ -13,15 +13,15 @@ namespace netloft {
 /// A dense step of the elimination: n pivots, and the u other unknowns to which they are coupled at that
 /// step.
 struct Front {
-  std::int32_t first = 0;    // first of its pivots, in the order of elimination
+  std::int32_t first = 0;    // first pivot of the front, in the order of elimination
   std::int32_t pivots = 0;   // n
   std::int32_t others = 0;   // u
   std::int32_t parent = -1;  // the front that eliminates the first of the others
   // Indices of the first number of the front in each list:
-  std::size_t indices = 0;  // its others, in FrontTree::other and FrontTree::place
-  std::size_t panels = 0;   // its panels, in the factors
-  std::size_t runs = 0;     // the runs of its others, in FrontTree::runs
-  std::size_t entries = 0;  // its entries of the matrix, in FrontTree::of_matrix
+  std::size_t indices = 0;  // other unknowns, in FrontTree::other and FrontTree::place
+  std::size_t panels = 0;   // panels, in the factors
+  std::size_t runs = 0;     // runs of other unknowns, in FrontTree::runs
+  std::size_t entries = 0;  // entries of the matrix, in FrontTree::of_matrix
 };
 
 /// Operations that the elimination of a front takes.

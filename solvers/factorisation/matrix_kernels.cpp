@@ -30,8 +30,8 @@ NETLOFT_INLINE void add(const double* x, std::ptrdiff_t count, double* y) {
   if (i < count) y[i] += x[i];
 }
 
-/// Adds the update of a child: columns that are pivots of the front to the left panel; in other columns, rows
-/// that are pivots to the upper panel, and the rest to C.
+/// Adds the update of a child to a front: the columns of pivots to the left panel, the rows of pivots in
+/// other columns to the upper panel, and the rest to C.
 template <class Register>
 NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {
   const std::ptrdiff_t n = f.pivots, from = upper_stride(child.others), left = left_stride(n, f.others),
@@ -59,7 +59,7 @@ NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, do
 template <class Register>
 NETLOFT_INLINE bool take(std::span<const double> from, double* to) {
   using V = typename Register::V;
-  constexpr int kApart = 4;  // independent accumulators
+  constexpr int kApart = 4;  // number of independent sums
   V sum[kApart] = {};
   std::size_t i = 0;
   for (; i + kApart * Register::kLanes <= from.size(); i += kApart * Register::kLanes)

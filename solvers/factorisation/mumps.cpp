@@ -53,7 +53,7 @@ MumpsInstance::MumpsInstance(bool symmetric) {
   for (const int stream : {1, 2, 3, 4}) icntl(stream) = 0;  // no output
   icntl(6) = 0;                                             // no permutation by values:
   icntl(7) = 1;                                             // the order is given by us,
-  icntl(12) = 1;                                            // and used unchanged
+  icntl(12) = 1;                                            // and the order is used unchanged
   icntl(13) = 1;                                            // count all negative pivots
   icntl(24) = 1;                                            // name pivots that are zero
 }

@@ -46,7 +46,7 @@ struct Edge {
   std::int32_t low, high;
 };
 
-/// Lists the edges of each vertex. An edge that both its vertices see appears twice.
+/// Lists the edges of each vertex. An edge that is found from both its vertices appears twice.
 std::vector<Edge> collect_edges(const SparsePattern& pattern, const Indices& vertex, const NodeGraph& graph) {
   std::vector<Edge> edges;
   Indices seen_from(graph.size, -1);

@@ -53,7 +53,7 @@ struct ElementFault {
 };
 std::optional<ElementFault> fault_of(const MeshRegion& region, std::size_t element);
 
-inline constexpr std::size_t kMostNodes = 4000000, kMostElements = 4000000;  // most in one mesh
+inline constexpr std::size_t kMostNodes = 4000000, kMostElements = 4000000;  // limits for one mesh
 inline constexpr double kFarthest = 1e6;  // limit of coordinates, in metres and in meshes
 
 /// Whether a text is a mesh: it begins with `netloft mesh`.

@@ -37,7 +37,7 @@ enum class Kind { table, array, text, integer, real, boolean, date };
 /// A value of a file with its place. It does not depend on the parser that read it.
 struct Value {
   Place place;
-  std::variant<Table, Array, std::string, std::int64_t, double, bool, Date> data;  // in the order of Kind
+  std::variant<Table, Array, std::string, std::int64_t, double, bool, Date> data;  // types as in Kind
 
   Kind kind() const { return static_cast<Kind>(data.index()); }
   template <class T>

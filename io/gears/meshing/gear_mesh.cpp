@@ -22,10 +22,10 @@ namespace netloft::gears {
 namespace {
 
 constexpr double kNear = 0.05;   // accepted relative deviation from the requested number of nodes
-constexpr int kTrials = 8;       // sizes that are tried to reach the requested number
+constexpr int kTrials = 8;       // number of sizes that are tried to reach the requested number
 constexpr double kGrid = 1e-10;  // relative rounding of positions, by which port mirrors starboard exactly
 
-constexpr int kPartings = 5;  // rounds in which coincident sides of two cloths are separated
+constexpr int kPartings = 5;  // most rounds in which coincident sides of two cloths are separated
 
 /// The border of a cloth, a piece of netting: its nodes and their positions in the undeformed panel.
 struct Border {

@@ -10,7 +10,7 @@ namespace netloft::gears {
 
 namespace {
 
-/// A point of a row of sides, at a fraction of the extent of the row.
+/// A point on the sides of elements that form one side of a seam, at a fraction of their total extent.
 struct Knot {
   double fraction = 0;
   std::size_t point = 0;

@@ -11,13 +11,13 @@ struct CheckLimits {
   double closing_error = 0.05;  // relative difference of cuttings and aft count, above which it is an error
   double joining_meshes = 2;    // difference of edges sewn mesh to mesh [meshes]
   double joining = 0.02;        // relative difference of such edges; a warning needs both differences
-  double joining_error = 0.10;  // above this the plan must state a take-up ratio
+  double joining_error = 0.10;  // relative difference above which the plan must state a take-up ratio
   double stretching = 0.02;     // relative excess of a rope over the straight twines that are hung on it
   double bunching = 0.2;        // hanging ratio below which meshes are bunched
   double loose_rope = 0.5;      // fraction of a rope below which the edges hung on it take too little
   double crowded = 4;  // width of all floats over the length of their rope; more do not even fit in bunches
-  double short_rope = 0.02;  // missing length of rope
-  double rounding = 1e-3;    // rounding of lengths in plans
+  double short_rope = 0.02;  // relative length that a rope may be too short
+  double rounding = 1e-3;    // relative rounding of lengths in plans
 };
 
 /// Checks whether the net can be sewn: the cuttings agree with the counts, sewn edges fit each other, ropes

@@ -34,7 +34,7 @@ struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
   bool is_of_all = false;  // true: a figure in this column alone does not give a member a row
-  double factor = 1;       // from SI units to the unit of the heading
+  double factor = 1;       // factor from SI units to the unit of the heading
 };
 
 /// The text of a cell: the number in the unit of the heading, with its error if that is known.

@@ -41,7 +41,7 @@ struct FolderCheck {
   struct Gear {
     std::string name;
     bool is_read = false;
-    std::vector<std::string> lines;  // errors, or left-out features
+    std::vector<std::string> lines;  // lines about errors, or about left-out features
     std::vector<std::string> features = {};
   };
   std::vector<Gear> gears;

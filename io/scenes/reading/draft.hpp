@@ -47,7 +47,7 @@ class Draft {
   /// Finds the nodes that a name means ("net", "net.fore", "net.node-17"), by their numbers within one part.
   /// If there are none, reports this at the mention and returns nothing.
   std::optional<Joiner::Ends> find_set(const Mention& m);
-  /// Does the same as find_set(), but the name of a rider is an error, because a rider has no nodes.
+  /// Like find_set(), but the name of a rider is an error, because a rider has no nodes.
   std::optional<Joiner::Ends> find_nodes(const Mention& m);
   /// Converts numbers within a part to numbers of the scene, in which nodes must be numbered already.
   std::vector<std::uint32_t> scene_nodes(const Joiner::Ends& ends) const;
@@ -67,7 +67,7 @@ class Draft {
   std::vector<Geometry> geometries;            // geometries in the order of out.scene.parts
   std::vector<const ElementType*> types;       // element types in the order of out.scene.parts
   std::vector<bool> is_sound;                  // whether each part is sound, in the order of out.scene.parts
-  std::map<std::string, Joiner::Ends> points;  // points with a name without a dot, by this name
+  std::map<std::string, Joiner::Ends> points;  // points whose names have no dot, by name
 
  private:
   std::optional<std::size_t> find_part(const Mention& m, const std::string& name);

@@ -72,7 +72,7 @@ struct BillItem {
   std::string kind;          // netting, rope, piece, body
   std::string name;          // name in the plan
   std::string part_name;     // name in the catalogue; empty if the plan has numbers instead
-  double number = 1;         // how many there are in the whole gear
+  double number = 1;         // number of such items in the whole gear
   double length = 0;         // unstretched length of one rope [m]
   double diameter = 0;       // diameter of a twine, a rope or a piece [m]
   double breaking_load = 0;  // breaking load of a rope, or of the twines of a bar [N]

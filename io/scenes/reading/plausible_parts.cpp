@@ -15,7 +15,7 @@ namespace netloft::scenes {
 namespace {
 
 // Osmium is the densest element (CRC Handbook of Chemistry and Physics, 97th edition, section 4). In t/m3
-// the number of any material is below 23.
+// every density is below 23.
 constexpr double kDensestElement = 22590, kSteel = 7850;  // [kg/m3]
 // A chain is a cylinder with the diameter of the wire of its links, so that chains of the library have 25 000
 // to 28 000 kg/m3, and footropes that include rollers or chain loops up to 30 000 kg/m3. Nothing is denser

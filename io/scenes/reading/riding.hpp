@@ -22,8 +22,8 @@ void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<do
 /// `length` is zero.
 void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider);
 
-/// Copies the bars of the rope with index `rope`, with their data, that have exactly one end among `nodes`;
-/// this end is the first node of the copy.
+/// Copies those bars of the rope with index `rope` that have exactly one end among `nodes`, with their data.
+/// This end is the first node of the copy.
 void ride_on_bars_at(const Scene& scene, std::size_t rope, const NodeElements& elements,
                      const std::vector<std::uint32_t>& nodes, Part& rider);
 

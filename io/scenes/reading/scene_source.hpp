@@ -26,7 +26,7 @@ class SceneSource {
                        formats::Diagnostics& diagnostics, bool& refused) const;
 
   /// The net plan with `changes` applied: checks whether the net can be sewn, and reads all tables of the
-  /// scene that need no mesh. A file without a net plan is an error. The other arguments as above.
+  /// scene that need no mesh. A file without a net plan is an error. For the other arguments see instance().
   gears::NetPlan check_plan(const std::vector<formats::Change>& changes, Registry& registry,
                             formats::Diagnostics& diagnostics, bool& refused) const;
 

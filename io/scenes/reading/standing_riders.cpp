@@ -162,7 +162,7 @@ class RiderMaker {
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   }
 
-  /// The length of rope or twine that each node represents [m]: of all parts that `on` names, each once.
+  /// The length of rope or twine that each node represents [m], in all parts that `on` names.
   std::vector<double> carried() const {
     std::vector<double> lengths;
     for (const auto node : nodes_) {

@@ -14,14 +14,14 @@ struct MeshResult {
   std::size_t unknowns = 0;
   Trial trial;
   double error = std::numeric_limits<double>::quiet_NaN();  // largest distance of a node [m]
-  double order = std::numeric_limits<double>::quiet_NaN();  // observed on this and the two coarser meshes
+  double order = std::numeric_limits<double>::quiet_NaN();  // order on this and two coarser meshes
 };
 
 /// The error caused by dividing a gear into cells, without the error of the solver.
 struct Discretisation {
   std::string part;  // name of the part whose cells are counted
   std::vector<MeshResult> levels;
-  double order = std::numeric_limits<double>::quiet_NaN();  // observed on the three finest meshes
+  double order = std::numeric_limits<double>::quiet_NaN();  // order on the three finest meshes
   // Whether the observed orders agree. If not, errors are distances to the finest mesh, which itself has no
   // error.
   bool steady = false;

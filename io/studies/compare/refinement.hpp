@@ -7,7 +7,7 @@ namespace netloft::studies {
 /// The numbers that a scene reports on successively finer meshes.
 struct Refinement {
   std::string scene;
-  std::vector<NumbersOnMesh> meshes;  // the coarsest first
+  std::vector<NumbersOnMesh> meshes;  // meshes, the coarsest first
   std::vector<std::string> missing;   // sentences about meshes without an answer
   bool is_interrupted = false;  // true: the user interrupted; the mesh in progress and finer ones are missing
 };

@@ -27,7 +27,7 @@ struct Trial {
   // Largest distance of a node from the reference; for a motion, over all outputs [m].
   double error = std::numeric_limits<double>::quiet_NaN();
   double energy = 0;                      // [J]
-  std::vector<double> x, u;               // the answer, as in Solution
+  std::vector<double> x, u;               // positions and displacements, as in Solution
   std::vector<std::vector<double>> path;  // path of a motion: x at every output
   std::int64_t steps = 0, rejected = 0;   // accepted and rejected time steps of a motion
   bool is_damped = true;                  // false: loss factors of materials were left out

@@ -191,7 +191,7 @@ class Fitter {
   const std::vector<Prior>& priors_;
   const std::vector<Measurement>& measured_;
   const FitOptions& options_;
-  Point point_, sloped_;  // the best one, and the last one whose slopes are known
+  Point point_, sloped_;  // the best point, and the last whose slopes are known
   Matrix slopes_, normal_;
   Vector gradient_;
   double damping_ = kDamping;

@@ -17,7 +17,7 @@ namespace {
 
 enum Preconditioner { stiffness, diagonal, none };
 
-/// Largest move of a node in the first step, over the largest element: no curvature is known then.
+/// Limit of the first step, for which no curvature is known: largest move of a node over the largest element.
 constexpr double kFirstReach = 1;
 
 class Minimiser {

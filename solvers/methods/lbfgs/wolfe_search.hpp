@@ -21,15 +21,15 @@ struct Sample {
 /// For a parabola, (3) is (1).
 struct LineSearch {
   double decrease = 1e-4, curvature = 0.9;  // c₁ < ½, c₁ < c₂ < 1
-  double noise = 0;                         // values this close cannot be told apart
+  double noise = 0;                         // values that differ by less cannot be told apart
   int most_samples = 30;
 
   /// `sample(t)` returns φ and φ' at t. The returned sample is the last one taken; it satisfies (1) or (3),
   /// and also (2) unless the limit of samples was reached. Returns nothing if no t was found that lowers φ.
   template <class Function>
   std::optional<Sample> find(const Sample& start, double first, Function&& sample) const {
-    Sample low = start;          // the lowest so far that satisfies (1) or (3)
-    std::optional<Sample> high;  // beyond low: a suitable t is between them
+    Sample low = start;          // lowest sample that satisfies (1) or (3)
+    std::optional<Sample> high;  // a sample such that a suitable t is between it and `low`
     double t = first;
     for (int i = 0; i < most_samples; ++i, t = high ? between(low, *high) : kStretch * low.t) {
       const Sample at = sample(t);

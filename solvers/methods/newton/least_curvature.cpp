@@ -16,7 +16,7 @@ using Few = std::array<double, LeastCurvature::kSteps>;
 // v is accurate enough if a longer basis increases θ by less than this fraction.
 constexpr double kFound = 0.01;
 
-/// The upper left n × n of a symmetric tridiagonal matrix T with the diagonal a and the off-diagonal b.
+/// The upper left n × n block of a symmetric tridiagonal matrix T with the diagonal a and the off-diagonal b.
 struct Tridiagonal {
   std::span<const double> a, b;
   std::size_t n() const { return a.size(); }

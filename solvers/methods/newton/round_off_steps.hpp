@@ -18,7 +18,7 @@ namespace netloft::newton {
 class StallCount {
  public:
   explicit StallCount(std::int64_t most_steps) : most_steps_(most_steps) {}
-  /// Counts one more step, and returns whether they have stalled.
+  /// Counts one more step, and returns whether the steps have stalled.
   bool stalls_with(double decrease);
   void reset() {
     least_ = std::numeric_limits<double>::infinity();

@@ -14,7 +14,7 @@ struct Attempt {
   const char* name;        // used in `without` and in the report
   const char* strategy;    // the strategy that runs
   const char* parameters;  // parameters of the strategy
-  const char* because;     // why it is tried, printed by `netloft plan`
+  const char* because;     // why the strategy is tried, printed by `netloft plan`
 };
 
 /// The attempts that suit a scene, in the order in which they are tried.
