@@ -9,7 +9,7 @@ namespace netloft {
 /// The nodal blocks of the mass matrix ∂r/∂a, summed from the tangents of the elements without a sparse
 /// matrix. Explicit schemes solve with these blocks.
 struct MassBlocks {
-  std::span<double> nodes;    // a 3 x 3 block per node, row by row [kg]
+  std::span<double> nodes;    // for each node a 3 x 3 block, row by row [kg]
   std::span<double> between;  // a 3 x 3 block per body, origin x rotation [kg]
   double coupled = 0;         // largest entry of the mass matrix that is in none of these blocks [kg]
 };

@@ -26,7 +26,7 @@ struct StepEnds {
 
 /// The sums that an evaluation computes. A sum that is null or `none` is not computed.
 struct Request {
-  double* energy = nullptr;        // one number [J]
+  double* energy = nullptr;        // the energy, one number [J]
   bool conservative_only = false;  // leave out forces without an energy; the residual is then the gradient
   std::uint32_t without = 0;       // terms with any of these traits are left out
   double* residual = nullptr;      // over all dofs, +dE/dx [N]: of unknowns, then of held dofs (reactions)

@@ -22,17 +22,17 @@ struct ConformanceOptions {
 /// Result of one check. A check is skipped if it does not apply, or if another check that it depends on
 /// failed, so that one mistake shows as one failure.
 struct CheckResult {
-  std::string name;  // "force-is-gradient"
+  std::string name;  // name of the check, such as "force-is-gradient"
   bool passed = false, skipped = false;
   bool depends = false;          // whether it was skipped because a check on which it depends failed
   double figure = 0, limit = 0;  // the worst figure and its limit; both zero for yes-or-no checks
   std::string detail;            // where the worst figure occurred, or why the check was skipped
-  std::string hint;              // a likely cause
+  std::string hint;              // a likely cause of the failure
 };
 
 struct TermTiming {
   std::string term;
-  std::string want;        // "force", "force + tangent"
+  std::string want;        // what was computed: "force", "force + tangent"
   double nanoseconds = 0;  // time per element, in full tiles that stay in the cache
   std::string per = "element";
 };

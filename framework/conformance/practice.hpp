@@ -16,7 +16,7 @@ struct Practice {
   double wall = 0;         // position at which the energy is infinite, for every mass [m]; 0: none
   double swirl = 0;        // a force without an energy, s (u_{i+1} − u_{i−1}) [N/m]
   double grip = 0;         // S [N/m], a stiffness near one position only, for every mass
-  double runaway = 0;      // l [m], the load is f (1 + u²/l²); 0: it is constant
+  double runaway = 0;      // length l [m] in the load f (1 + u²/l²); 0: the load is constant
   double buckling = 0;  // h [N/m]; the last unknown is a deflection v of a column that buckles, without mass
   bool no_factor = false;      // no matrix can be factorised
   bool no_number = false;      // every evaluation away from the start overflows

@@ -30,7 +30,7 @@ struct PracticeScene {
 enum class Slip {
   stage_without_name,
   stage_not_filled,  // the size of a struct or the displacements are missing
-  out_of_range,      // a level of mesh, a factor or a limit
+  out_of_range,      // a level of mesh, a factor or a limit is out of range
   calls_itself,      // the strategy calls itself with the same scene, start and parameters
   over_budget,       // a stage was offered more work than is left
   start_no_number,

@@ -33,7 +33,7 @@ struct StepLeft {
 struct Assessment {
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
-  std::string reason;    // a sentence
+  std::string reason;    // the reason, as a sentence
   std::string at_fault;  // node or element at which the residual is largest, forces are undefined, or growth
                          // is largest
   std::vector<double> x, residual;  // positions [m] and forces [N] over all dofs

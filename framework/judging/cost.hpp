@@ -6,8 +6,8 @@ namespace netloft {
 
 /// A stage: one solve by a strategy, of the scene itself or of an easier variant.
 struct StageRecord {
-  std::string name;    // "tension only"
-  std::string solver;  // "newton/newton"
+  std::string name;    // such as "tension only"
+  std::string solver;  // such as "newton/newton"
   std::size_t unknowns = 0;
   SolveStatus status = SolveStatus::not_converged;
   std::string reason;

@@ -89,8 +89,8 @@ void EnergyBudget::retract() {
 }
 
 /// Adds the work of winches in a step, (7), from the power ∂E/∂t at constant positions at both ends of the
-/// step. A difference over the whole step would stretch elements by all the rope that is hauled in during the
-/// step: in a stiff rope, that strain is many times the actual one, and the energy rises with its square.
+/// step. An energy difference over a step would stretch elements by all the rope that is hauled in during the
+/// step: many times the actual strain of a stiff rope. The energy rises with the square of the strain.
 bool EnergyBudget::add_winches(const MeanStep* mean) {
   if (mean) return add_winches_of_means(mean->t);
   const double h = next_.t - now_.t;

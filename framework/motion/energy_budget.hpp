@@ -66,7 +66,7 @@ class EnergyBudget {
   struct Account {
     std::string name;
     std::vector<std::pair<std::size_t, std::size_t>> terms;  // (family, term)
-    bool in_the_middle = false;  // a damper: (5) is evaluated in the middle of each step
+    bool in_the_middle = false;  // true: (5) is evaluated in the middle of each step
     double value = 0, first = 0;
   };
   /// A state, and its forces over all dofs, as residuals.

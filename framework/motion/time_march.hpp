@@ -55,7 +55,7 @@ struct StepRecord {
 
 struct MarchResult {
   MarchStatus status = MarchStatus::failed;
-  std::string reason;  // a sentence
+  std::string reason;  // why the motion ended, as a sentence
   std::vector<double> u;
   double t = 0;
   std::int64_t steps = 0, rejected = 0;

@@ -63,7 +63,7 @@ std::vector<T> read_array(const T* from, std::uint32_t count) {
 
 /// An element type: the plugin's description, checked and copied to the layout of this program.
 struct ElementType {
-  std::string type;  // "rope/bar"
+  std::string type;  // such as "rope/bar"
   netloft_element element{};
   std::vector<netloft_parameter> parameters;
   std::vector<netloft_datum> data;
@@ -86,7 +86,7 @@ struct ElementType {
 
 /// A solver type: the plugin's description, checked.
 struct SolverType {
-  std::string type;  // "newton/newton"
+  std::string type;  // such as "newton/newton"
   netloft_solver solver{};
   std::vector<netloft_parameter> parameters;
   const PluginOrigin* origin = nullptr;
@@ -94,7 +94,7 @@ struct SolverType {
 
 /// A type of time integrator: the plugin's description, checked.
 struct IntegratorType {
-  std::string type;  // "newmark/newmark"
+  std::string type;  // such as "newmark/newmark"
   netloft_integrator integrator{};
   std::vector<netloft_parameter> parameters;
   const PluginOrigin* origin = nullptr;
@@ -105,7 +105,7 @@ struct IntegratorType {
 
 /// A strategy type: the plugin's description, checked.
 struct StrategyType {
-  std::string type;  // "auto/auto"
+  std::string type;  // such as "auto/auto"
   netloft_strategy strategy{};
   std::vector<netloft_parameter> parameters;
   const PluginOrigin* origin = nullptr;
@@ -113,7 +113,7 @@ struct StrategyType {
 
 /// A type of hydrodynamic law: the plugin's description, checked.
 struct LawType {
-  std::string type;  // "hydro/morison"
+  std::string type;  // such as "hydro/morison"
   netloft_law law{};
   std::vector<netloft_parameter> parameters;
   std::vector<netloft_validity> validity;

@@ -15,8 +15,8 @@ struct CallFrame {
   // The owner of the code that runs: the host, an element, or a method (solver, strategy …), which calls the
   // host in turn.
   enum class Kind : std::uint32_t { host, element, method };
-  const char* type = nullptr;  // "rope/bar"
-  const char* what = nullptr;  // "term", "create", "solve"
+  const char* type = nullptr;  // component, such as "rope/bar"
+  const char* what = nullptr;  // its function: "term", "create", "solve"
   const char* name = nullptr;  // name of the term; may be null
   Kind kind = Kind::host;
 };

@@ -79,8 +79,8 @@ struct LawChoice {
 
 /// A named part of a gear: elements of one type on nodes of the scene.
 struct Part {
-  std::string name;                  // "net"
-  std::string type;                  // "priour/triangle"
+  std::string name;                  // name of the part, such as "net"
+  std::string type;                  // type of its elements, such as "priour/triangle"
   Values parameters;                 // values by name of the parameter
   std::vector<std::uint32_t> nodes;  // scene nodes of the elements, element by element
   ElementData data;
@@ -148,7 +148,7 @@ struct Scene {
   /// Axes of nodes that are held along axes other than x, y and z: the columns of a rotation matrix, stored
   /// row by row. Bits of `held` then refer to these axes.
   std::map<std::uint32_t, std::array<double, 9>> frames;
-  std::vector<RigidBody> bodies;  // their points are `carried`
+  std::vector<RigidBody> bodies;  // bodies; their points are `carried`
   std::vector<bool> carried;      // per node: whether a body carries it; empty if there are no bodies
   std::vector<Guide> guides;      // motions of held nodes in time
   std::vector<NodeLabel> labels;  // label of each node

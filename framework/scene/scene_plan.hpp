@@ -58,7 +58,7 @@ struct ScenePlan {
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
   bool between = false;               // forces are averaged over steps in time, whose matrix is not symmetric
-  std::string unsymmetric_because;    // "priour/triangle drag"
+  std::string unsymmetric_because;    // what makes it unsymmetric, such as "priour/triangle drag"
   std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
 
   /// Whether some active term depends on the motion of the ground.

@@ -172,7 +172,7 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
       const auto c = detail::coefficients_of(p, whole, w, image);
       const Vec3<T> along = dot(c.force, w) * w;
       Vec3<T> f = (0.125 * b.water.density * p.area * u * u) *
-                  (p.drag * along + p.lift * (c.force - along));  // a quarter of (2) or (4)
+                  (p.drag * along + p.lift * (c.force - along));  // a quarter of the force by (2) or (4)
       f.y = d.side * f.y;
       push.push(b.to_world(f), b.to_world(Vec3<T>{r.x + c.at_chord, T(0), r.z + c.at_span}));
     }

@@ -24,7 +24,7 @@ inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 template <class T>
 T creeping_phi(const T& Re) {
   using std::log;
-  constexpr double kAtOne = 2.0794415416798357 - 0.077215665;  // ln 8 − …
+  constexpr double kAtOne = 2.0794415416798357 - 0.077215665;  // ln 8 − 0.0772
   const T sigma = at_least(kAtOne - log(Re), kAtOne - std::log(kBlend));
   return (8 * 3.14159265358979323846 / sigma) * (1.0 - 0.87 / (sigma * sigma));  // (1)
 }

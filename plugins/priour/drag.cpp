@@ -66,7 +66,7 @@ void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const do
   for (int r = 0; r < 3; ++r)
     for (std::size_t i = 0; i < t.count; ++i) {
       const double k = length[i] * twines.inverse[i];
-      double along = 0;  // f_t Û of row r
+      double along = 0;  // component along Û of row r of the derivative
       for (int a = 0; a < 3; ++a) along += f.d_direction[3 * r + a][i] * twines.t[a][i];
       for (int a = 0; a < 3; ++a) {
         const double across = k * (f.d_direction[3 * r + a][i] - along * twines.t[a][i]);
@@ -229,7 +229,7 @@ Status DryDrag::tile(const Family<Triangle>& family, netloft_tile& t) {
 
 void Drag::output(const Family<Triangle>& family, const netloft_tile& t, double* values) {
   std::fill_n(values, t.count, 0.0);
-  if (!family.law(0).evaluate) return;  // in still water the part has no law
+  if (!family.law(0).evaluate) return;  // a part in still water has no law
   const Slowing slowed(family.lanes(t), t, family.law(0).kind);
   Force F;
   compute(family, t, slowed.acts ? &slowed : nullptr, F);

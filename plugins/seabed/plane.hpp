@@ -29,7 +29,7 @@ namespace netloft::seabed {
 /// depth of a wire of weight w per metre is ε/2 + w/k if that is more than ε, else √(2 ε w/k).
 struct Plane {
   static constexpr auto stencil = NETLOFT_NODE;
-  static constexpr std::uint32_t kRemembers = 4;  // a, then 1 if there is a past step
+  static constexpr std::uint32_t kRemembers = 4;  // remembered numbers: a, and 1 if there is a past step
 
   struct Parameters {
     double depth = 0, slope_x = 0, slope_y = 0, stiffness = 0, softness = 0;

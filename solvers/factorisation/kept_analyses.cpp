@@ -41,7 +41,7 @@ class Shelf {
 
  private:
   std::mutex mutex_;
-  std::array<std::unique_ptr<Analysed>, 3> kept_;  // one factorisation of each class
+  std::array<std::unique_ptr<Analysed>, 3> kept_;  // one factorisation for each class of matrices
 };
 
 class LentFactorisation final : public Factorisation, public ForeseesMemory {

@@ -150,7 +150,7 @@ Handle unfold(const std::filesystem::path& part) {
     if (journal.size() > 0) fold_series(journal, file, "a temporary file");
     write_last_row(tree, journal);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL));
-    require_own_data(file);  // a long name in the journal may make deeply nested groups
+    require_own_data(file);  // a long name in the journal could otherwise make deeply nested groups
     return file;
   });
 }

@@ -21,10 +21,10 @@ struct PathStep {
 /// A new value for a path of a document. It may replace a table; missing tables on the path are created.
 struct Change {
   std::string option = "--set";  // option before the text, for messages
-  std::string path;              // "hold[0].at[2]"
+  std::string path;              // such as "hold[0].at[2]"
   std::string text;              // "hold[0].at[2]=-19 m", for messages
   std::vector<PathStep> steps;
-  Value value;              // its places are positions in `text`, without a file
+  Value value;              // new value; its places are positions in `text`, without a file
   std::string fault, hint;  // why the text is not valid, and the cure; both are empty if it is valid
   bool operator==(const Change&) const = default;
 };

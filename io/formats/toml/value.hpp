@@ -15,7 +15,7 @@ struct Member;
 struct Value;
 
 struct Table {
-  std::vector<Member> members;  // in the order of the file
+  std::vector<Member> members;  // members in the order of the file
   const Member* find(std::string_view key) const;
   Member* find(std::string_view key);
   bool operator==(const Table&) const;

@@ -23,7 +23,7 @@ struct PartKind {
   const char* doc;
   std::vector<PartKey> numbers;
   std::vector<const char*> texts = {};   // required texts besides source and uncertainty
-  std::vector<const char*> tables = {};  // curves, passed on unchanged
+  std::vector<const char*> tables = {};  // tables of curves, which are passed on unchanged
   std::vector<const char*> beside = {};  // tables passed on unchanged, beside `key` in the part of a scene
 };
 

@@ -49,7 +49,7 @@ struct GearMesh {
   std::size_t nodes = 0;
   std::vector<PanelMesh> panels;
   std::vector<RopeMesh> ropes;
-  std::map<std::string, std::uint32_t> points;  // "towing-point", "headrope.end", "top-wing.fore-outer"
+  std::map<std::string, std::uint32_t> points;  // points by name, such as "headrope.end"
   std::vector<std::uint32_t> middle;            // nodes on the plane of symmetry, in half a gear
   MeshQuality quality;
 };

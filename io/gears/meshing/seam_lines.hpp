@@ -46,7 +46,7 @@ struct SeamLines {
   std::vector<std::vector<SideRun>> sides;  // runs by index in Cloths::sides
   std::vector<std::vector<RopeRun>> ropes;  // runs by index in Gear::ropes
   std::vector<std::array<std::size_t, 2>> rope_ends;
-  std::vector<std::size_t> rope_middles;  // for ropes across the middle of a whole gear; kNoPoint for others
+  std::vector<std::size_t> rope_middles;      // middles of ropes across a whole gear; else kNoPoint
   std::map<std::string, std::size_t> points;  // points by name
   std::vector<bool> is_on_plane;              // whether each line is on the plane of half a gear
   std::size_t number_of_points = 0;

@@ -16,7 +16,7 @@ namespace {
 
 /// One side of a seam, which consists of one or more edges, counted over the whole gear.
 struct EdgeRow {
-  std::string name;      // "bottom-wing.side + bottom-body.side"
+  std::string name;      // such as "bottom-wing.side + bottom-body.side"
   double meshes = 0;     // sum over port and starboard
   double stretched = 0;  // [m]
   int times = 1;

@@ -78,7 +78,7 @@ struct GearPieces {
   double number = 0;           // pieces in the modelled part; half a gear has half of those across the plane
   std::string rope;            // distributed along this rope
   std::vector<EdgeRef> edges;  // distributed along these edges in proportion to the length of their twines
-  std::string point;           // all of them at this point
+  std::string point;           // all pieces are at this point
 };
 
 /// A point of the plan that is not the end of a rope or the corner of a panel.
@@ -113,8 +113,8 @@ struct Gear {
   /// The name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
   /// If a row of edges goes round the net, returns the last panel of the row; otherwise nothing. Such a row
-  /// has two panels across the middle, such as the upper and the lower panel before a tube: it goes from the
-  /// middle of the first panel outwards, and along the last panel back to the middle.
+  /// begins in the middle of its first panel, goes outwards, and comes back to the middle along its last
+  /// panel (upper and lower panel before a tube, for example).
   std::optional<std::size_t> last_of_ring(const std::vector<EdgeRef>& row) const;
 
  private:

@@ -36,11 +36,11 @@ struct MeshCount {
 /// A stretch of a side that is cut at one rate, going aft.
 struct Cut {
   std::string name;
-  std::string written;  // "5B1P in"
+  std::string written;  // rate and direction as written, such as "5B1P in"
   CuttingRate rate;
   bool is_known = true;  // false: the text is not a rate, and `rate` is a guess
   int goes = 0;          // +1 if the panel becomes wider going aft, -1 if narrower, 0 if straight
-  // Meshes in the plan; if neither is given, the cut takes the rest of the depth.
+  // Numbers of meshes in the plan; a cut without either takes the rest of the depth.
   std::optional<double> said_across, said_deep;
   double across = 0, deep = 0;  // computed meshes
   double selvedge = 0;          // meshes that are gathered into the seam along the cut
@@ -65,7 +65,7 @@ struct Panel {
   std::string orientation = "diamond";
   double angle = 0;           // rotation of the netting in the panel, from outwards towards aft [rad]
   std::string twine_name;     // name in the catalogue; empty if the plan states the numbers
-  formats::Value twine;       // a table: diameter, EA, density, …
+  formats::Value twine;       // a table of the properties of the twine: diameter, EA, density, …
   double twine_diameter = 0;  // [m]
   int twines = 1;             // number of twines side by side: 2 in double netting
   std::vector<MeshCount> fore, aft;
@@ -100,7 +100,7 @@ struct Rope {
   std::string name;
   Standing stands = Standing::alone;
   std::string part_name;
-  formats::Value rope;                // a table: diameter, EA, density, …
+  formats::Value rope;                // a table of the properties of the rope: diameter, EA, density, …
   double length = 0;                  // unstretched [m]
   std::optional<double> length_port;  // length of the rope to port, if different [m]
   // Tension at the start of the rope to starboard and to port, if the solver finds the length [N].
@@ -168,7 +168,7 @@ struct Point {
 /// A point of a rigid body to which ropes lead; it is also a point of the plan, body.name.
 struct BodyPoint {
   std::string name;
-  double y = 0;  // in the body's own axes, to starboard [m]; 0 if the scene cannot read the point
+  double y = 0;  // position in the body's own axes, to starboard [m]; 0 if the scene cannot read the point
   bool operator==(const BodyPoint&) const = default;
 };
 

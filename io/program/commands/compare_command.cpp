@@ -192,7 +192,7 @@ int run_comparison(const CompareOptions& options) {
   Registry registry;
   find_scene_plugins(options, registry);
   runs::CaseSource source = source_of(options);
-  if (options.threads == 0) source.threads = 1;  // so that CPU seconds equal seconds of wall time
+  if (options.threads == 0) source.threads = 1;  // one thread, so that CPU seconds equal seconds of wall time
   if (const int code = Inspection(options, registry, terminal).check(source, task); code != kDone)
     return code;
   catch_interrupts();

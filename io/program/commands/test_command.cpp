@@ -25,7 +25,7 @@ struct Targets {
   std::vector<const SolverType*> solvers;
   std::vector<const IntegratorType*> integrators;
   std::vector<const StrategyType*> strategies;
-  std::string file;  // their file; empty if they are compiled in
+  std::string file;  // file of the components; empty if they are compiled in
 };
 
 Targets find_targets(const std::string& target, Registry& registry) {

@@ -160,7 +160,7 @@ void PartSchema::add(const ElementType& e, const PluginContent& plugin) {
   definitions[name + "-on"] = rider_schema(e, plugin);
   types_.push_back(e.type);
   offers_.push_back(reference(name + "-on"));
-  if (e.is_on_body()) return check(e, reference(name + "-on"));  // its body comes from [bodies]
+  if (e.is_on_body()) return check(e, reference(name + "-on"));  // its body is in [bodies]
   definitions[name] = part_schema(e, plugin);
   definitions[name + "-mesh"] = mesh_part_schema(e, plugin);
   offers_.push_back(reference(name));

@@ -17,7 +17,7 @@ class Terminal;
 /// A plugin, or the reading of a scene, that continued after its time was over.
 struct Overdue {
   bool interrupted = false;  // true: by the user; false: the processor time of the analysis is used up
-  std::string sentence;      // "loops/forever, solve, did not return for 2 s after Ctrl-C"
+  std::string sentence;      // such as "loops/forever, solve, did not return for 2 s after Ctrl-C"
 };
 
 /// Ends a run that does not react to an interruption. Solvers check for interruptions and for the time limit

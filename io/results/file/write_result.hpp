@@ -16,7 +16,7 @@ Origins make_origins(const scenes::LoadedScene& loaded, const RunContext& contex
 
 /// The shape at the end of one stage of the search for the equilibrium.
 struct StageShape {
-  std::string name;       // "coarse: converged"
+  std::string name;       // such as "coarse: converged"
   std::vector<double> x;  // values of all degrees of freedom
 };
 

@@ -17,8 +17,8 @@ struct FigureTable {
 
 /// A figure that a report shows first, in the unit that is usual in the trade.
 struct PrincipalFigure {
-  std::string name;         // "headline height"
-  std::string value, unit;  // "0.41 ± 0.06", "m"
+  std::string name;         // such as "headline height"
+  std::string value, unit;  // such as "0.41 ± 0.06" and "m"
   std::string doc;
 };
 

@@ -125,7 +125,7 @@ struct Finding {
   enum class Kind { note, left_out };  // left_out: results differ from those of FEMNET
   formats::Place place;
   Kind kind = Kind::note;
-  std::string what;  // "keyword tarp"
+  std::string what;  // such as "keyword tarp"
   std::string text;
 };
 

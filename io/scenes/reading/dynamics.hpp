@@ -21,7 +21,7 @@ struct Dynamics {
   // Whether the motion starts from the equilibrium. If not, it starts at rest from start_file or the initial
   // positions.
   bool from_equilibrium = false;
-  std::filesystem::path start_file = {};  // a result file; relative to the scene unless absolute
+  std::filesystem::path start_file = {};  // result file of the start; relative to the scene unless absolute
 };
 
 /// The keys of `[analysis]` that concern motions.

@@ -41,7 +41,7 @@ struct ResultRequest {
   enum class Source { position, displacement, reaction, attitude, output };
   std::string name, of, take;
   std::string how;       // min, max, mean, sum, range
-  std::string quantity;  // "z", "tension"
+  std::string quantity;  // such as "z" or "tension"
   std::string unit, doc;
   Source source = Source::position;
   // 0, 1, 2: x, y, z; 3: length of the vector. For an attitude 0: heading, 1: heel, 2: trim.

@@ -38,7 +38,7 @@ class PlanElements {
   /// The table `[elements.KIND]` and the element type that it chooses.
   struct Made {
     const GearElements* of = nullptr;
-    formats::Value said;  // a table of TOML
+    formats::Value said;  // the table as read
     const ElementType* type = nullptr;
   };
 

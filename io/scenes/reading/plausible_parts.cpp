@@ -21,8 +21,8 @@ constexpr double kDensestElement = 22590, kSteel = 7850;  // [kg/m3]
 // to 28 000 kg/m3, and footropes that include rollers or chain loops up to 30 000 kg/m3. Nothing is denser
 // than a chain of osmium.
 constexpr double kHeaviestChain = 28000, kDensestRope = kHeaviestChain * kDensestElement / kSteel;
-// Cork has 120 to 240 kg/m3 (L. J. Gibson and M. F. Ashby, Cellular Solids, 1997), the lightest solid fibre,
-// polypropylene, 910 kg/m3; 0 means a rope without mass.
+// Cork has 120 to 240 kg/m3 (L. J. Gibson and M. F. Ashby, Cellular Solids, 1997). The lightest solid fibre,
+// polypropylene, has 910 kg/m3. 0 means a rope without mass.
 constexpr double kLightestMaterial = 100;  // [kg/m3]
 // The thickest ropes moor ships and platforms, and have a diameter of 0.3 m.
 constexpr double kThickestRope = 1;  // [m]

@@ -9,7 +9,7 @@ struct Calibration {
   CalibrationFile file;
   std::vector<Measurement> measured;  // values in the order of the file, each in the unit of its figure
   std::vector<std::string> units;
-  Fit fit;                         // its rows are the measurements: fitted ones first, then those held back
+  Fit fit;                         // rows: the fitted measurements, then those held back
   std::vector<std::size_t> order;  // for each row of `fit`, the index of its measurement in the file
   bool is_interrupted = false;     // true: the user interrupted
   int solves = 0;

@@ -39,7 +39,7 @@ struct MethodResult {
 /// Speed against error of several methods on one scene.
 struct Comparison {
   bool is_of_motions = false;
-  std::string scene, mesh;  // "32 x 32 cells of net"
+  std::string scene, mesh;  // `mesh`: such as "32 x 32 cells of net"
   std::size_t unknowns = 0;
   double factorisation_seconds = 0;  // processor time of one factorisation of the tangent
   int repeats = 1;

@@ -15,7 +15,7 @@ struct Trial {
   bool failed = false;  // true: its plugin broke down; `reason` has the error
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
-  std::string reason;  // a sentence
+  std::string reason;  // why there is no answer, as a sentence
   // "finished", "lost", "out of time", "out of work" or "interrupted"; empty: it is an equilibrium.
   std::string of_motion;
   // Processor time of the solver without the final checks of the host, in the fastest repeat.
@@ -44,7 +44,7 @@ struct Trial {
 
 /// A compared method: a solver in the syntax of `--solver`, or a strategy or an integrator after its keyword.
 struct Method {
-  std::string specification;  // "newton:method=classic", "strategy auto", "integrator newmark"
+  std::string specification;  // such as "newton:method=classic", "strategy auto", "integrator newmark"
 
   /// "solver", "strategy" or "integrator". The scene's table [analysis] has a key of this name.
   std::string kind() const;

@@ -17,7 +17,7 @@ using Values = std::vector<VariableValue>;
 // If more than this fraction of the change in a step remains after all halvings, the change is a jump. A
 // smooth path leaves 2^-5 of the change, a jump leaves all of it.
 constexpr double kLeftOfAJump = 0.25;
-constexpr double kElsewhere = 4;  // a larger distance over the extrapolated change means another branch
+constexpr double kElsewhere = 4;  // least ratio of distance to extrapolated change on another branch
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 

@@ -17,7 +17,7 @@ struct Solved {
 
 /// The equilibrium at the next point, and how it was found.
 struct Reached {
-  Solution solution;                // its cost includes that of intermediate points
+  Solution solution;                // equilibrium; its cost includes that of intermediate points
   bool was_continued = false;       // false: found by a new search
   std::vector<std::string> events;  // folds and jumps, as sentences
 };

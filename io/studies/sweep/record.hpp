@@ -9,7 +9,7 @@ namespace netloft::studies {
 
 /// A number that a point reports.
 struct StudyFigure {
-  std::string name, unit;  // "gear/mouth/area", "results/pull", "held/warp/x"
+  std::string name, unit;  // names such as "gear/mouth/area", "results/pull", "held/warp/x"
   double value = 0;        // NaN: this point does not have the figure
 };
 

@@ -17,7 +17,7 @@ struct StudyRow {
 /// All points of a study with their results, in the order of the manifest.
 struct StudyTable {
   std::vector<StudyColumn> columns;
-  std::vector<StudyFigure> figures;  // their names and units; `value` is not used
+  std::vector<StudyFigure> figures;  // names and units of the figures; `value` is not used
   std::vector<StudyRow> rows;
   std::vector<std::string> sentences;  // about items that are missing, damaged, or of other versions
   std::size_t missing_items = 0;

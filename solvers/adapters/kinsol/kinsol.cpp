@@ -108,7 +108,7 @@ void check(int status, const Host& host) {
 void set_limits(void* kinsol, const Host& host) {
   const auto& p = host.parameters;
   const double n = static_cast<double>(host.problem.size());
-  check(KINSetMaxSetupCalls(kinsol, 1), host);  // a tangent for every step
+  check(KINSetMaxSetupCalls(kinsol, 1), host);  // a new tangent for every step
   check(KINSetFuncNormTol(kinsol, std::numeric_limits<double>::min()), host);
   check(KINSetScaledStepTol(kinsol, p.shortest_step), host);
   check(KINSetMaxNewtonStep(kinsol, p.longest_step * std::sqrt(n)), host);

@@ -49,7 +49,7 @@ struct FitOptions {
 ///   J_f N⁻¹ J_fᵀ + σ²,  J_f = (∂f/∂θ) s                                                           (4)
 struct Fit {
   bool converged = false;
-  std::string reason;                             // a sentence
+  std::string reason;                             // why the fit ended, as a sentence
   std::vector<double> parameters;                 // θ*
   std::vector<double> deviations;                 // standard deviations of the posterior
   std::vector<std::vector<double>> correlations;  // correlations of the posterior

@@ -46,7 +46,7 @@ class Directions {
   NearlyDefinite& nearly_definite_;
   std::vector<double> s_;
   double convex_fraction_ = 1;       // last θ
-  bool tests_near_definite_ = true;  // the last K + μ M was positive definite, or the last K nearly definite
+  bool tests_near_definite_ = true;  // the last K + μ M was positive definite, or the last K nearly so
 };
 
 }  // namespace netloft::newton

@@ -66,7 +66,7 @@ class Globalised {
     const double energy = iterate_.energy();
     if (direction.nearly_definite) step.leaves_saddle = leave_saddle(direction.damping);
     if (!step && is_at_round_off) step = at_round_off_.fall_back(iterate_, direction.damping);
-    if (step.leaves_saddle) by_merit_.add_gain(energy - iterate_.energy());  // all forces have an energy
+    if (step.leaves_saddle) by_merit_.add_gain(energy - iterate_.energy());  // here all forces have an energy
     if (step.rule == Step::Rule::energy || step.leaves_saddle) at_round_off_.reset_stall_count();
     return step;
   }

@@ -39,7 +39,7 @@ class MixedNewton {
     bool is_far = false;         // whether T = k ε(u), and μ follows the residual
     double damping = 0;          // first μ
     double farthest_turn = 0;    // limit of the rotation of a member in one step [rad]
-    bool is_between = false;     // the stage ends after its first whole step, without a tolerance
+    bool is_between = false;     // true: the stage ends after its first whole step, without a tolerance
     double tolerance = 0;        // the stage ends if no residual exceeds this fraction of the largest
                                  // reaction
     std::int64_t iterations = 0;

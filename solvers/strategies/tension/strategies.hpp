@@ -5,8 +5,8 @@
 
 namespace netloft::tension {
 
-/// Solves with members that bear tension only by the interior-point method, then the scene itself from there
-/// with the solver of the analysis.
+/// Solves the scene by the interior-point method, with members that bear tension only. From the result, the
+/// solver of the analysis then solves the scene itself.
 struct Only {
   using Parameters = InteriorPoint::Parameters;
   static void describe(StrategyTable<Only>& table);
@@ -14,8 +14,8 @@ struct Only {
   static std::string explain(const Parameters& parameters, Search& search);
 };
 
-/// Solves from soft to stiff with tensions as unknowns, then the scene itself from there with the solver of
-/// the analysis.
+/// Solves stages from soft to stiff with tensions as unknowns. From the result, the solver of the analysis
+/// then solves the scene itself.
 struct FromSoft {
   using Parameters = Stages::Parameters;
   static void describe(StrategyTable<FromSoft>& table);

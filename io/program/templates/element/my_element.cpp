@@ -10,7 +10,7 @@ struct MyElement {
   struct Parameters {  // set by users, once per part of a gear
     double k = 0, c = 0;
   };
-  struct Data {  // one per element
+  struct Data {  // data of one element
     double rest_length = 0;
   };
   struct Elastic {
