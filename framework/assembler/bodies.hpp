@@ -50,8 +50,8 @@ class Bodies {
   /// null.
   void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
                const BodyMatrices& matrices, bool exact);
-  /// In the values of a metric (a positive semi-definite matrix), to which (3) has been applied, replaces the
-  /// rotation block A of each body by tr(A) I, an upper bound of A (5). The reason: A is singular if all
+  /// Replaces the rotation block A of each body by tr(A) I, an upper bound of A (5), in the values of a
+  /// metric (a positive semi-definite matrix) to which (3) has been applied. The reason: A is singular if all
   /// points of the body are on one line, because nothing resists a rotation about that line.
   ///   tr(A) I ≥ A                                                                           (5)
   void resist_turning(double* metric) const;
@@ -83,7 +83,7 @@ class Bodies {
   /// Derivatives of the position and the rates of a point.
   struct Slopes {
     Matrix3 G;
-    std::array<Matrix3, 3> second;           // ∂²x_i/∂q²
+    std::array<Matrix3, 3> second;           // second derivatives ∂²x_i/∂q²
     Matrix3 velocity, acceleration_by_rate;  // ∂ẋ/∂q, ∂ẍ/∂q̇
     Matrix3 acceleration;                    // ∂ẍ/∂q
   };
@@ -103,7 +103,7 @@ class Bodies {
 
   struct Target {
     std::uint32_t node;
-    int point;  // the point whose G is used; -1: the identity is used
+    int point;  // point whose G is used; -1: use the identity
   };
   std::int32_t unknowns_ = 0;
   std::vector<Body> bodies_;

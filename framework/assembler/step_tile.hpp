@@ -20,7 +20,7 @@ struct StepTile {
   std::vector<double> before, after;  // positions at the ends of the step, [dof][64] [m]
   // Energies and forces of one term at two positions: [2][64] [J], [2][dof][64] [N].
   std::vector<double> energies, forces;
-  std::vector<netloft_member> members_before, members, members_after;  // [lane][member]
+  std::vector<netloft_member> members_before, members, members_after;  // members of each lane
 };
 
 /// One family of a tile. Its forces and tangents in the middle of a step have been summed and are then

@@ -10,9 +10,9 @@ namespace netloft::conformance {
 
 /// Properties of a practice problem (a small one with a known solution), in addition to a chain of springs.
 struct Practice {
-  double stiffness = 100;  // k [N/m]
-  double load = 1;         // f [N], on every mass
-  double stiffening = 0;   // c [N/m³]
+  double stiffness = 100;  // stiffness k of every spring [N/m]
+  double load = 1;         // force f on every mass [N]
+  double stiffening = 0;   // stiffening c of (1) [N/m³]
   double wall = 0;         // position at which the energy is infinite, for every mass [m]; 0: none
   double swirl = 0;        // a force without an energy, s (u_{i+1} − u_{i−1}) [N/m]
   double grip = 0;         // S [N/m], a stiffness near one position only, for every mass

@@ -11,8 +11,8 @@ namespace netloft::conformance {
 
 /// Properties of a practice motion (a small motion with a known solution).
 struct PracticeSwing {
-  double damping = 0;      // ζ, fraction of the critical damping
-  double push = 0;         // f [m/s²], proportional to time
+  double damping = 0;      // fraction ζ of the critical damping
+  double push = 0;         // acceleration f, proportional to time [m/s²]
   int fails = NETLOFT_OK;  // the status that every function of the host returns
   // Number of unknowns, with ω = 1, 1.5, 2 … rad/s, and u = 1, ½, ⅓ … m at the start.
   std::uint32_t unknowns = 3;
@@ -81,7 +81,7 @@ class PracticeMotion {
   netloft_motion interface_{};
   std::vector<double> start_, next_u_, next_v_, next_a_, error_;
   std::vector<double> rates_;  // remembered rates r of (4) [m/s]
-  double memory_ = 0;          // ν of the current step
+  double memory_ = 0;          // memory ν of the current step
   std::deque<std::vector<double>> scratch_;
   bool left_alone_ = true;
   char message_[256] = "";

@@ -241,8 +241,8 @@ Finding survives_its_bounds(StrategyBench& b) {
 
 constexpr std::size_t kExplainGuard = 64;
 
-/// Calls `explain` with room for a text of the given size. Returns an error if `explain` writes beyond that
-/// room or, if `asks`, only an error if it requests a stage or answers.
+/// Calls `explain` with room for a text of the given size. Returns an error if `explain` writes beyond this
+/// room; if `asks` is true, returns an error only if `explain` requests a stage or answers.
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;

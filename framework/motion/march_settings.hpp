@@ -17,7 +17,7 @@ struct MarchSettings {
   double output_interval = 0;  // [s]; 0: outputs at the beginning and the end
   bool dense = false;          // outputs may lie between the ends of steps; otherwise steps end at outputs
   bool budget = true;          // keep the energy budget
-  bool judged = true;          // fail if the motion contains energy that nothing supplied
+  bool judged = true;          // fail if the motion has energy that nothing supplied
   bool check = false;          // compare with a second integration, with longer or shorter steps
   bool disturb = false;        // compare with another integration, from a slightly displaced start
   double pace = 1;             // factor on all step lengths

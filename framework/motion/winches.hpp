@@ -64,11 +64,11 @@ class Winches {
 
  private:
   struct Rope {
-    std::span<double> table;            // two rows (t, σ), at both ends of the step
+    std::span<double> table;            // two rows: time t, length factor σ, at both ends of the step
     double before = 1, now = 1;         // σ at both ends of the last step
     double speed = 0, tension = 0;      // speed and tension in the last step [m/s], [N]
     double w = 0, T = 0;                // speed and tension of this attempt
-    double wanted = 0;                  // T* [N]
+    double wanted = 0;                  // requested tension T* [N]
     const WinchStage* stage = nullptr;  // stage of its control in this attempt
   };
   const WinchStage& stage_at(std::size_t k, double t) const;

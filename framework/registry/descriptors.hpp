@@ -71,7 +71,7 @@ struct ElementType {
   std::vector<netloft_output> outputs;
   std::vector<netloft_law_slot> laws;
   std::vector<netloft_global> globals;
-  netloft_element_members members{};   // all zeros if it has none
+  netloft_element_members members{};   // all zeros: the element has no members
   std::uint32_t state_width = 0;       // numbers that each element remembers
   const char* rides_on = nullptr;      // element on whose pairs the host creates this one; null: users do
   std::vector<ExtensionInput> inputs;  // inputs of its tiles, in the order of its list

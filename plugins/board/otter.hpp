@@ -43,7 +43,7 @@ struct Otter {
     double area = 0, chord = 0, span = 0;
     double lift = 1, drag = 1;        // f_L, f_D
     double parasite = 0;              // C_0
-    double ploughing = 0, power = 1;  // p [N/m], n of (5)
+    double ploughing = 0, power = 1;  // p [N/m] and exponent n of (5)
     netloft_table polar{}, polar_slip{}, pressure{}, bottom{};
   };
   using Data = solids::Sided;
@@ -51,7 +51,7 @@ struct Otter {
   /// The tables of a part.
   struct Whole {
     Surface lift, drag, side, ploughing;
-    Curve chord, span;  // ξ, η
+    Curve chord, span;  // fractions ξ and η of (3)
     bool is_of_attack_alone = false;
   };
   static void check(const Parameters& p, const Data&);
@@ -84,7 +84,7 @@ namespace detail {
 template <class T>
 struct Coefficients {
   Vec3<T> force;
-  T at_chord, at_span;  // (3) [m]
+  T at_chord, at_span;  // point of action by (3) [m]
 };
 
 /// Returns i of plate.hpp (7), the effect of the bed, from the clearance of the lower edge of the board.

@@ -30,7 +30,7 @@ namespace netloft::boards {
 /// is a choice. The error of C_N is about 20 % near the greatest lift.
 template <class T>
 struct PlateForce {
-  T normal;       // C_N, along y where w_y > 0
+  T normal;       // coefficient C_N of the force along y, positive where w_y > 0
   T ahead_chord;  // point at which the force acts, aft of the middle along the chord [m]
   T ahead_span;   // height of this point above the middle along the span [m]
 };
@@ -66,7 +66,7 @@ PlateForce<T> plate_force(const Vec3<T>& w, double chord, double span, const T& 
   f.normal = s > T(1e-10) ? rising + past * (falling - rising) : rising;
   const T a = pow(A, 1.25), xi = 0.25 * a / (a + 0.48);
   const T way = has_way ? (chord * w.x * w.x + span * w.z * w.z) / square : T(0);
-  const T lever = (0.5 - xi) * way * potential / (potential * c + kVortex * s);  // (6), divided by c
+  const T lever = (0.5 - xi) * way * potential / (potential * c + kVortex * s);  // Δ/c of (6)
   f.ahead_chord = -lever * w.x;
   f.ahead_span = -lever * w.z;
   return f;

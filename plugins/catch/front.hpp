@@ -27,14 +27,14 @@ namespace netloft::catches {
 /// its tangent.
 struct Front {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
-  static constexpr int globals = 1;  // ξ
+  static constexpr int globals = 1;  // shared unknown: ξ
 
   struct Parameters {
     double pressure = 0, speed = 0, drag_coefficient = 0, volume = 0, front = 0, direction = 0;
-    netloft_table growth{};  // t [s], σ
+    netloft_table growth{};  // columns: time t [s], fraction σ
   };
   struct Data {
-    double outward = 1;  // o
+    double outward = 1;  // sign o of (2)
   };
   struct Whole {
     double triangles = 0;
@@ -51,8 +51,8 @@ struct Front {
   static double first_front(const Parameters& p, const Whole&) { return p.front; }
   template <class T>
   static Behind<T> behind(const std::array<T, 3>& s);
-  static double full(const Parameters& p, const Water& w);                      // p [Pa]
-  static double volume(const Parameters& p, const Data& d, const State<4>& s);  // v [m³]
+  static double full(const Parameters& p, const Water& w);                      // pressure p [Pa]
+  static double volume(const Parameters& p, const Data& d, const State<4>& s);  // volume v [m³]
   static double on(const Parameters& p, const Data& d, const State<4>& s);      // p Σ w [Pa]
 
   struct Push {

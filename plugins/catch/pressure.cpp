@@ -64,7 +64,7 @@ Pressure::Fraction cut_off(const std::array<std::size_t, 3>& corner, const Cut& 
 /// Adds the force (3) and its tangent. `pressure` is o p.
 void push(double pressure, const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
   const double half = pressure / 2;
-  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);                   // (2), without o
+  const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);  // normal n of (2), without the sign o
   for (std::size_t i = 0; i < 3; ++i) out.force[i] = -(fraction.at[i] * half) * n;  // (3)
   if (!s.wants_tangent) return;
   for (int j = 0; j < 3; ++j) {

@@ -38,16 +38,16 @@ namespace netloft::catches {
 /// drag on the front is that of the missing volume to V₀.
 struct Pressure {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
-  static constexpr int globals = 1;  // m
+  static constexpr int globals = 1;  // shared unknown: m
 
   struct Parameters {
     double pressure = 0, speed = 0, drag_coefficient = 0, meshes = 0, volume = 0, middle = 0;
     std::int64_t across = 0;
-    netloft_table growth{};  // t [s], σ
+    netloft_table growth{};  // columns: time t [s], fraction σ
   };
   struct Data {
-    std::array<double, 3> to_aft{};  // s [meshes]
-    double outward = 1;              // o
+    std::array<double, 3> to_aft{};  // distance s of each corner [meshes]
+    double outward = 1;              // sign o of (2)
   };
   /// Sums over all triangles of a part.
   struct Whole {
@@ -69,9 +69,9 @@ struct Pressure {
   static double first_front(const Parameters& p, const Whole& whole);
 
   static Fraction fraction_behind_front(const std::array<double, 3>& to_aft, double meshes);  // (5)
-  static double full(const Parameters& p, const Water& w);                                    // p [Pa]
-  static double on(const Parameters& p, const Data& d, const State<4>& s);                    // φ p [Pa]
-  static double volume(const Parameters& p, const Data& d, const State<4>& s);                // φ v [m³]
+  static double full(const Parameters& p, const Water& w);                      // pressure p [Pa]
+  static double on(const Parameters& p, const Data& d, const State<4>& s);      // mean pressure φ p [Pa]
+  static double volume(const Parameters& p, const Data& d, const State<4>& s);  // volume φ v [m³]
 
   struct Push {
     static Status evaluate(const Parameters& p, const Data& d, const Whole& whole, const State<4>& s,

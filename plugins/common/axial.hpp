@@ -30,8 +30,8 @@ struct Bar {
   double l;        // current length [m]
   double inverse;  // 1/l [1/m]
   double T;        // tension [N]
-  double k;        // dT/dl [N/m]
-  double energy;   // ψ [J]
+  double k;        // stiffness dT/dl [N/m]
+  double energy;   // elastic energy ψ [J]
 };
 
 inline Bar stretch(double wx, double wy, double wz, double l0, double EA, double EA_compression) {

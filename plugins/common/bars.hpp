@@ -24,12 +24,12 @@ namespace netloft::bars {
 /// 2.3 and eq. (2); Morison et al. 1950.
 struct Lanes {
   double l0[kLanes];                          // [m]
-  double EA[kLanes], EA_compression[kLanes];  // N EA, N EA_c [N]
+  double EA[kLanes], EA_compression[kLanes];  // N EA and N EA_c of N twines [N]
   double twine[kLanes];                       // N l₀, total length in the water [m]
   double volume[kLanes], density[kLanes], diameter[kLanes];
-  double damping[kLanes], added_mass[kLanes];  // N η, C_a
-  double loss[kLanes];                         // N times the loss of loss.hpp
-  double surface[kLanes];                      // σ of surface.hpp
+  double damping[kLanes], added_mass[kLanes];  // N η, and the coefficient C_a
+  double loss[kLanes];                         // N times loss_of() of loss.hpp
+  double surface[kLanes];                      // factor σ of surface.hpp
 };
 
 /// Fills in the numbers of one element (a lane). `parallel` is N, which is used nowhere else. `P` has EA,

@@ -124,8 +124,8 @@ inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
 /// A damper for every bar, with the tension c (dl/dt − g l); the unstretched length of the damper grows at
 /// the rate g.
 struct Dampers {
-  double c[kLanes] = {}, slope[kLanes] = {};  // c, dc/dl
-  double growth[kLanes] = {};                 // g [1/s]
+  double c[kLanes] = {}, slope[kLanes] = {};  // c and dc/dl
+  double growth[kLanes] = {};                 // rate g [1/s]
 };
 
 /// Adds the dampers. With the chord w, its rate w' and y' = dl/dt − g l, the derivatives of the tension are

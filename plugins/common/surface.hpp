@@ -17,7 +17,7 @@ namespace netloft::surface {
 /// above z = 0 in waves. Source: partial immersion of bars and netting in FEMNET (D. Priour), where netting
 /// keeps its weight in water.
 struct Cube {
-  double side;  // h [m]
+  double side;  // side h of the cube [m]
   double dry(double z) const { return side > 0 ? std::clamp(0.5 + z / side, 0.0, 1.0) : 0; }
   /// d(1 − w)/dz.
   double slope(double z) const { return 2 * std::abs(z) < side ? 1 / side : 0; }

@@ -28,7 +28,7 @@ struct Box {
     bool hangs = false;
   };
   struct Data {
-    double pieces = 0;  // s
+    double pieces = 0;  // number s of boxes
   };
   /// d of (1) and its derivative with respect to z.
   struct Depth {

@@ -33,12 +33,12 @@ struct Float {
   enum Law : std::int64_t { kConstant, kSphere };
 
   struct Data {
-    double pieces = 0;  // s
+    double pieces = 0;  // number s of floats
   };
 
   static void check(const Parameters&, const Data& d);
   static double net_buoyancy(const Parameters& p, const Water& w);  // (1)
-  static double drag_factor(const Parameters& p, const Water& w);   // κ [kg/m]
+  static double drag_factor(const Parameters& p, const Water& w);   // factor κ of (3) [kg/m]
 
   struct Buoyancy {
     static Status evaluate(const Parameters& p, const Data& d, const State<1>& s, Local<1>& out);

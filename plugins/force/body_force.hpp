@@ -15,7 +15,7 @@ struct OnBody {
   static constexpr auto stencil = NETLOFT_BODY;
 
   struct Parameters {
-    double x = 0, y = 0, z = 0;  // F
+    double x = 0, y = 0, z = 0;  // force F [N]
   };
   struct Data {
     double side = 1;              // -1 to port

@@ -15,10 +15,10 @@ struct Constant {
   static constexpr auto stencil = NETLOFT_NODE;
 
   struct Parameters {
-    double x = 0, y = 0, z = 0;  // F
+    double x = 0, y = 0, z = 0;  // force F [N]
   };
   struct Data {
-    double pieces = 0;  // s
+    double pieces = 0;  // number s of forces
   };
 
   static void check(const Parameters&, const Data& d);

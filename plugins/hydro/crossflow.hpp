@@ -18,7 +18,7 @@ namespace netloft::hydro {
 /// between the laws. The force is regular everywhere: without flow, or with none across, û and g are zero.
 /// Source: cross-flow principle, as in the trawl-gear paper, eqs. (2) and (4).
 struct CrossFlow {
-  double shielding;   // r
+  double shielding;   // factor r on W
   double tangential;  // C_t
 };
 

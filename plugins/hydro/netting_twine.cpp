@@ -8,7 +8,7 @@ namespace {
 constexpr double kStillSpeed = 1e-150;  // speed below which its square is zero [m/s]
 
 struct Factors {
-  LaneNumber across, along, knots;  // values k, a, m, and slopes g, h, n
+  LaneNumber across, along, knots;  // k, a, m as values, and g, h, n as slopes
 };
 
 /// The velocities (1) of one flow.

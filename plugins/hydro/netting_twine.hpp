@@ -33,10 +33,10 @@ struct NettingTwine {
     double shielding = 0, knots = 0, knot_diameter = 0;
     std::int64_t cylinder = 0;
   };
-  static constexpr double kAlong = 0.1;  // ε
+  static constexpr double kAlong = 0.1;  // ε of (4)
 
   template <class T>
-  static T friction(double density, double viscosity, const T& along) {  // (4), of e D/ν
+  static T friction(double density, double viscosity, const T& along) {  // a of (4), from e D/ν
     using std::pow, std::sqrt;
     const T Re = sqrt(along * along + 1.0);
     return (std::numbers::pi * density * viscosity) * (0.55 * sqrt(Re) + 0.084 * pow(Re, 2.0 / 3));

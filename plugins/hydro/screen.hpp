@@ -32,7 +32,7 @@ struct ScreenParameters {
 ///   ∂F/∂S = ½ρ u [α_S U + λ_S q n] + ∂F/∂U W dr/dS                          (6)
 template <class T>
 struct ScreenCoefficients {
-  T drag, lift;  // C_D and λ
+  T drag, lift;  // coefficients C_D and λ
 };
 
 /// C_D of LolandModel at normal incidence, θ = 0. The model of the wake, (14), uses it too.

@@ -20,8 +20,8 @@ struct Net {
     double damping = 0, added_mass = 0, surface = 0, loss_factor = 0, loss_frequency = 10;
   };
   struct Data {
-    double rest_length = 0;  // l₀ [m]
-    double parallel = 1;     // N, twines
+    double rest_length = 0;  // unstretched length l₀ [m]
+    double parallel = 1;     // number N of parallel twines
   };
   using Lanes = bars::Lanes;
 

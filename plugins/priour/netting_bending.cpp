@@ -30,7 +30,7 @@ struct Logarithm {
   double L, L1, L2;
 };
 
-constexpr double kSign[2] = {1, -1};  // σ
+constexpr double kSign[2] = {1, -1};  // sign σ of each triangle
 
 /// The quantities of (1)–(3) and (8) at a state.
 struct Fold {

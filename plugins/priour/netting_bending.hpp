@@ -41,7 +41,7 @@ struct Bending {
   };
   struct Data {
     std::array<double, 4> u{}, v{};      // twine coordinates of a, b, c, d [bars]
-    std::array<double, 2> bar_length{};  // l₀ of both triangles [m]
+    std::array<double, 2> bar_length{};  // bar lengths l₀ of both triangles [m]
   };
 
   /// κ [N m] and M [m²] of (3), (6).

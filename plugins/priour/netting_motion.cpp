@@ -23,7 +23,7 @@ void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf
     const axial::Damper one = damper(i, twines.inverse[i]);
     const double eta = p.bars[i] * one.c, slope = p.bars[i] * one.slope;
     const Vec3<double> s = unit(twines, i);
-    Vec3<double> rate;  // U′
+    Vec3<double> rate;  // rate U′ of U
     for (int q = 0; q < 3; ++q)
       for (int axis = 0; axis < 3; ++axis) rate[axis] += c[q][i] * entry(t.v, 3 * q + axis, i);
     const double along = dot(s, rate);

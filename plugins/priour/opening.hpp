@@ -9,13 +9,12 @@ namespace netloft::priour {
 ///   dE/dc = −(|d|/2) H (α−α₀)/s                                                                  (2)
 ///   d²E/dc² = (|d|/2) H [½ − (α−α₀) c/s]/s²              c = cos 2α, s = sin 2α by angle (1)      (3)
 ///   α² = Σ_k A_k e^k,  A_k = 2^(k−1) / (k² C(2k, k)),  e = 1 − c                                  (4)
-/// H [N·m/rad] is given, or follows from the bending stiffness EI of the twines. For small angles, H = 12
-/// EI/a for twines clamped at knots, the distance a [m] of one bar apart: each half of a bar is a cantilever
-/// under the shear of the other twine (5). α₀ [rad] half angle of the unloaded mesh. For α₀ = 0 the energy is
-/// smooth for closed meshes, where (2), (3) are 0/0: (4) replaces them below e = kSeries. E has a cusp at α =
-/// 0 (unless α₀ = 0) and at α = π/2: there, states with s < kCusp are outside the domain; knot contact
-/// prevents them. Source: the trawl-gear paper, eq. (3); Priour 2001. Other programs use half of (1), or 2
-/// cos α times the couple.
+/// H [N·m/rad] is given, or H = 12 EI/a from the bending stiffness EI of the twines (5). Twines are clamped
+/// at the knots, and each half of a bar of length a [m] is a cantilever under the shear of the other twine,
+/// at small angles. α₀ [rad] half angle of the unloaded mesh. For α₀ = 0 the energy is smooth for closed
+/// meshes, where (2), (3) are 0/0: (4) replaces them below e = kSeries. E has a cusp at α = 0 (unless α₀ = 0)
+/// and at α = π/2: there, states with s < kCusp are outside the domain; knot contact prevents them. Source:
+/// the trawl-gear paper, eq. (3); Priour 2001. Other programs use half of (1), or 2 cos α times the couple.
 struct Opening {
   static constexpr double kSeries = 0.1, kCusp = 1e-8;
 

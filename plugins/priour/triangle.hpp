@@ -29,22 +29,22 @@ struct Triangle {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
     double EI = 0, opening_stiffness = 0, opening_angle = 0, knot_size = 0;
     double damping = 0, added_mass = 0, surface = 0, loss_factor = 0, loss_frequency = 10;
-    double slowed_by = 0, slowed_front = 0, slowed_radius = 0, slowed_direction = 0;  // slowed.hpp
-    std::int64_t number = 1;                                                          // N
+    double slowed_by = 0, slowed_front = 0, slowed_radius = 0, slowed_direction = 0;  // see slowed.hpp
+    std::int64_t number = 1;  // number N of twines side by side
   };
   struct Data {
     std::array<double, 3> u{}, v{};  // twine coordinates of the corners [bars]
     double bar_length = 0;           // l₀, knot to knot [m]
   };
   struct Lanes {
-    double a[3][kLanes], b[3][kLanes];  // (2), (3) [1/bar]
-    double bars[kLanes];                // N |d|/2
+    double a[3][kLanes], b[3][kLanes];  // a of (2) and b of (3) [1/bar]
+    double bars[kLanes];                // number of bars N |d|/2
     double l0[kLanes], EA[kLanes], EA_compression[kLanes];
     double volume[kLanes], density[kLanes];
     double H[kLanes], H_of_EI[kLanes], alpha0[kLanes];  // opening (1), (5)
     double diameter[kLanes], damping[kLanes], added_mass[kLanes];
-    double loss[kLanes];      // loss of one twine, loss.hpp
-    double surface[kLanes];   // σ of surface.hpp
+    double loss[kLanes];      // loss_of() of one twine, see loss.hpp
+    double surface[kLanes];   // factor σ of surface.hpp
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
     // b, ξ, R and e of slowed.hpp, and whether the water is slowed at some element.
     double slowed_by[kLanes], slowed_front[kLanes], slowed_radius[kLanes], slowed_x[kLanes], slowed_y[kLanes];

@@ -19,13 +19,13 @@ struct Bar {
 
   struct Parameters {
     double EA = 0, EA_compression = 0, diameter = 0, density = 0;
-    double weight_in_water = 0;  // w of (3)
+    double weight_in_water = 0;  // weight w of (3)
     double constant_tension = 0, damping = 0, loss_factor = 0, loss_frequency = 10;
     double added_mass = 0, sag = 0, surface = 0;
-    netloft_table length_share{};  // t [s], σ
+    netloft_table length_share{};  // columns: time t [s], factor σ
   };
   struct Data {
-    double rest_length = 0;  // l₀ [m]
+    double rest_length = 0;  // unstretched length l₀ [m]
   };
   struct Lanes : bars::Lanes {
     double constant_tension[kLanes], weight_in_water[kLanes];

@@ -24,7 +24,7 @@ struct Clamp {
     std::int64_t curvature = of_bars;
   };
   struct Data {
-    std::array<double, 2> rest_length{};  // L₁, L₂ [m]
+    std::array<double, 2> rest_length{};  // unstretched lengths L₁, L₂ [m]
   };
 
   struct Elastic {

@@ -24,7 +24,7 @@ struct Mirror {
     std::int64_t axis = 0, curvature = of_bars, side = 0;  // side: 0 positive, 1 negative
   };
   struct Data {
-    double rest_length = 0;  // L [m]
+    double rest_length = 0;  // unstretched length L [m]
   };
   static void check(const Parameters&, const Data& d) {
     if (!(d.rest_length > 0)) throw std::invalid_argument("a bar of rest length zero has no curvature");

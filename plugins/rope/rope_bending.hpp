@@ -28,7 +28,7 @@ struct Bending {
     std::int64_t curvature = of_bars;
   };
   struct Data {
-    std::array<double, 2> rest_length{};  // L₁, L₂ [m]
+    std::array<double, 2> rest_length{};  // unstretched lengths L₁, L₂ [m]
   };
 
   static double kappa(const Parameters& p, const Data& d) {

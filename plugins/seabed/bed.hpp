@@ -26,9 +26,9 @@ struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
     double stiffness = 0, softness = 0, friction = 0, radius = 0;
-    double shear_stiffness = 0;                  // κ
-    double loss_factor = 0, loss_frequency = 1;  // η, f₀ [Hz]
-    netloft_table bottom{};                      // x, y, m, q
+    double shear_stiffness = 0;                  // shear stiffness κ
+    double loss_factor = 0, loss_frequency = 1;  // loss factor η, its frequency f₀ [Hz]
+    netloft_table bottom{};                      // columns: x, y, factors m and q
   };
   using Data = Plane::Data;
   /// Local factors m and q over x and y.

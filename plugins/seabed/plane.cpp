@@ -85,8 +85,8 @@ namespace {
 /// to rounding; such a node counts as sticking, because otherwise rounding would decide which nodes of a line
 /// at rest stick.
 struct Hold {
-  double n[3], unit[3];       // normal, and d̂
-  double way, limit, spring;  // |d|, μ N, κ L
+  double n[3], unit[3];       // normal n, and direction d̂
+  double way, limit, spring;  // distance |d|, largest force μ N, stiffness κ L
   double rounding;            // rounding error of |d| [m]
   double limit_slope;         // −∂(μ N)/∂h = μ K f''
   bool slides() const { return spring * (way - rounding) > limit; }
@@ -143,7 +143,7 @@ void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i, double* st
 struct Drag {
   double n[3], w[3];   // normal, velocity over the bed
   Plane::Slip slip;    // slip at the speed |w|
-  double limit;        // μ N
+  double limit;        // largest friction μ N
   double limit_slope;  // −∂(μ N)/∂h = μ K f''
 };
 

@@ -40,9 +40,9 @@ struct Plane {
     double pieces = 0;  // each counts as one metre if length is zero
   };
   struct Lanes {
-    double n[3][kLanes], offset[kLanes];     // (1): h = n·x + offset
-    double K[kLanes], softness[kLanes];      // k L, ε
-    double friction[kLanes], shear[kLanes];  // μ, κ L
+    double n[3][kLanes], offset[kLanes];     // height h = n·x + offset of (1)
+    double K[kLanes], softness[kLanes];      // stiffness k L, depth ε
+    double friction[kLanes], shear[kLanes];  // friction μ, shear stiffness κ L
   };
 
   /// f, f', f'' of (2).

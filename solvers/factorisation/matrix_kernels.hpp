@@ -13,7 +13,7 @@ struct MatrixBlocks {
     std::size_t first;    // index of its first block
   };
   struct Block {
-    std::int32_t row;  // the first of three
+    std::int32_t row;  // first of three rows
     std::uint32_t slot;
   };
   struct Entry {

@@ -99,9 +99,9 @@ int evaluate_law(const void* parameters, const netloft_law_tile* flow) noexcept 
 /// Quantities for which a law may be valid in a limited range only. W is the velocity of the water relative
 /// to the twine, D the diameter, ν the viscosity, S the solidity.
 enum class Quantity : std::uint32_t {
-  reynolds = NETLOFT_REYNOLDS,                      // ‖W‖ D/ν
+  reynolds = NETLOFT_REYNOLDS,                      // Reynolds number ‖W‖ D/ν
   reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // the same number for the part of W across a twine
-  reynolds_in_meshes = NETLOFT_REYNOLDS_IN_MESHES,  // ‖W‖ D/(ν (1 − S))
+  reynolds_in_meshes = NETLOFT_REYNOLDS_IN_MESHES,  // Reynolds number ‖W‖ D/(ν (1 − S))
   solidity = NETLOFT_SOLIDITY,
   attack = NETLOFT_ATTACK,  // angle between flow and twine or netting [rad]
 };

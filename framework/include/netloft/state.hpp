@@ -37,7 +37,7 @@ struct Water {
 /// curvatures there.
 struct Bed {
   bool is_there = false;
-  double x = 0, y = 0;                          // the place [m]
+  double x = 0, y = 0;                          // coordinates of the place [m]
   double height = 0, slope_x = 0, slope_y = 0;  // z_b [m], its derivatives with respect to x and y
   double xx = 0, xy = 0, yy = 0;                // second derivatives of z_b [1/m]
 

@@ -13,7 +13,7 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kSeaWater = 1025;  // ρ_w [kg/m³]
+constexpr double kSeaWater = 1025;  // density ρ_w of sea water [kg/m³]
 
 /// Entries at the head of a file that apply to all of its parts.
 struct FileHead {

@@ -11,7 +11,7 @@ namespace netloft::gears {
 
 namespace {
 
-const double kTowedHalfAngle = std::numbers::pi / 8;  // β of start_shape.hpp; sin β = 0.38
+const double kTowedHalfAngle = std::numbers::pi / 8;  // angle β of start_shape.hpp; sin β = 0.38
 constexpr double kRopeWeight = 1e-4;                  // weight of a bar relative to a side of a triangle
 
 bool is_lateral(EdgeKind kind) { return kind == EdgeKind::outer || kind == EdgeKind::inner; }

@@ -14,8 +14,8 @@ class Girth {
 
   /// Whether the node belongs to netting or to a rope on which netting is hung.
   bool covers(std::uint32_t node) const { return covered_[node]; }
-  double aft(std::uint32_t node) const { return aft_[node]; }        // a [m]
-  double around(std::uint32_t node) const { return around_[node]; }  // s [m]
+  double aft(std::uint32_t node) const { return aft_[node]; }        // distance aft, a [m]
+  double around(std::uint32_t node) const { return around_[node]; }  // distance around, s [m]
   int side(std::uint32_t node) const {
     return side_[node];
   }  // -1: port, 0: on the plane of symmetry, 1: starboard

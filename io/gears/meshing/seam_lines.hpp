@@ -15,7 +15,7 @@ struct Line {
   std::array<std::size_t, 2> ends{};  // indices of its end points
   double length = 0;                  // length in half-open netting, or length of rope [m]
   double size = 0;                    // requested size of its elements [m]
-  double knots = 0;  // if every knot is a node: number of bars along it, on the side that has more; else 0
+  double knots = 0;                   // number of bars on the side with more, if every knot is a node; else 0
   bool is_netting = false;
   std::vector<double> fractions;  // fractions of its length at its inner nodes, increasing in (0, 1)
 };

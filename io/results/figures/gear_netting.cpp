@@ -15,7 +15,7 @@ namespace {
 /// Sums over the modelled netting, which may be half of the net.
 struct Amount {
   double area = 0, filtered = 0, twine_area = 0, mass = 0;
-  bool is_spread = false;  // true: it has triangles, so that the areas are known
+  bool is_spread = false;  // whether netting has triangles, so that areas are known
 
   void add(const Amount& other) {
     area += other.area;

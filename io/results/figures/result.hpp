@@ -103,7 +103,7 @@ struct Iteration {
 /// Energy that the time integration lost or created by its own error during a motion (energy_judge.hpp).
 struct NumericalLoss {
   double lost = 0, given = 0;             // total over the motion [J]
-  double negligible = 0;                  // W of energy_judge.hpp [J]; 0 in files of older versions
+  double negligible = 0;                  // energy W of energy_judge.hpp [J]; 0 in files of older versions
   double worst = 0, from = 0, until = 0;  // largest loss between two outputs [J], and their times [s]
   std::string node;                       // node whose velocity changed most between these outputs
   /// Whether the loss exceeds a twentieth of the energies in the motion, given + W. If so, no accuracy

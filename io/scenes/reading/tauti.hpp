@@ -19,7 +19,7 @@ namespace netloft::scenes {
 /// the model; in numbers of the full-scale gear, with the viscosity ν of the tank, they are
 ///   netting V d/ν λ'^−1.5,   ropes and floats V (λ D_M)/ν λ⁻¹ λ'^−0.5                      (3)
 struct TautiModel {
-  double lengths = 1, twines = 1;  // λ, λ'
+  double lengths = 1, twines = 1;  // ratios λ, λ' of (1)
 
   /// The viscosity with which netting of the full scale has the Reynolds number (3), over the viscosity in
   /// the tank.

@@ -19,7 +19,7 @@ std::vector<double> read_column(formats::TableReader& profile, const char* key, 
   return column;
 }
 
-/// Refuses a table of heights or times alone, whose water would be still.
+/// Refuses a table that has heights or times but no velocity, so that the water would be still.
 void require_velocity(const formats::TableReader& table) {
   const auto keys = table.keys();
   const auto is_argument = [](const auto& key) { return key == "z" || key == "t" || key == "factor"; };

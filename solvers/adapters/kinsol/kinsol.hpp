@@ -15,7 +15,7 @@ namespace netloft::kinsol {
 struct Kinsol {
   struct Parameters {
     std::int64_t strategy = 0;
-    double damping = 0;        // μ
+    double damping = 0;        // factor μ of (1)
     double longest_step = 0;   // longest step: root mean square over the unknowns, in lengths of the largest
                                // element
     double shortest_step = 0;  // shortest step: its largest component relative to the unknown

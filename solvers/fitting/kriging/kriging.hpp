@@ -9,8 +9,8 @@ namespace netloft {
 
 /// The prediction at one point.
 struct KrigingValue {
-  double value = 0;      // m of (3)
-  double deviation = 0;  // s of (4)
+  double value = 0;      // prediction m of (3)
+  double deviation = 0;  // standard deviation s of (4)
 };
 
 /// The parameters of the correlation of values at two points, (1) and (2) of Kriging.
@@ -18,7 +18,7 @@ struct KrigingScales {
   enum class Correlation { matern, gaussian };
   Correlation correlation = Correlation::matern;
   std::vector<double> lengths;  // ℓ, a number for each coordinate, over the extent of the points
-  double scatter = 0;           // ν
+  double scatter = 0;           // scatter ν of (1)
 };
 
 /// Universal kriging: values y at n points are the sum of a plane f β, f = (1, x₁ … x_d), and of a stationary

@@ -50,11 +50,11 @@ struct FitOptions {
 struct Fit {
   bool converged = false;
   std::string reason;                             // why the fit ended, as a sentence
-  std::vector<double> parameters;                 // θ*
+  std::vector<double> parameters;                 // best parameters θ*
   std::vector<double> deviations;                 // standard deviations of the posterior
   std::vector<std::vector<double>> correlations;  // correlations of the posterior
   std::vector<bool> at_end;                       // whether θ*_j is at an end of the range of its prior
-  std::vector<double> predictions;                // f(θ*)
+  std::vector<double> predictions;                // predictions f(θ*)
   std::vector<double> model_deviations;           // standard deviations of f, by (4) without σ²
   double misfit = 0, prior_misfit = 0;            // the two sums of (1)
   int steps = 0;

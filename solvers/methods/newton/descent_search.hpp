@@ -13,7 +13,7 @@ namespace netloft::newton {
 /// The search returns the largest accepted t.
 struct DescentSearch {
   Refinement refinement = {};
-  double longest() const { return 1 / refinement.margin; }  // (E)
+  double longest() const { return 1 / refinement.margin; }  // limit (E) of t
 
   /// `merit(t)` gives a Sample, or nothing if forces are undefined at t. Returns nothing if no t is accepted.
   template <class Merit>

@@ -45,7 +45,7 @@ class Directions {
   const DampingRange& range_;
   NearlyDefinite& nearly_definite_;
   std::vector<double> s_;
-  double convex_fraction_ = 1;       // last θ
+  double convex_fraction_ = 1;       // last fraction θ of the convex part
   bool tests_near_definite_ = true;  // the last K + μ M was positive definite, or the last K nearly so
 };
 

@@ -77,7 +77,7 @@ class Iterate {
   double energy_ = 0, energy_trial_ = 0;
   std::size_t count_ = 0;
   std::vector<double> r_, trial_, r_trial_, gradient_;
-  std::vector<double> d_;  // empty, as is the gradient, if all forces have an energy
+  std::vector<double> d_;  // d and the gradient are empty if all forces have an energy
   bool is_split_ = false;  // whether d_ belongs to u
   Known known_ = Known::nothing;
 };

@@ -28,7 +28,7 @@ class NearlyDefinite {
 
  private:
   const DampingRange& range_;
-  double sigma_;  // σ of the last K that was nearly definite
+  double sigma_;  // shift σ of the last K that was nearly definite
 };
 
 }  // namespace netloft::newton

@@ -37,7 +37,7 @@ class MixedNewton {
     const char* name = "";
     std::vector<double> factor;  // factor on EA and EA_c of each part, at most 1
     bool is_far = false;         // whether T = k ε(u), and μ follows the residual
-    double damping = 0;          // first μ
+    double damping = 0;          // damping factor μ at the start of the stage
     double farthest_turn = 0;    // limit of the rotation of a member in one step [rad]
     bool is_between = false;     // true: the stage ends after its first whole step, without a tolerance
     double tolerance = 0;        // the stage ends if no residual exceeds this fraction of the largest
@@ -95,7 +95,7 @@ class MixedNewton {
   std::vector<Line> lines_;
   std::vector<double> T_;  // tension of each member; empty before the first stage
   std::vector<double> rest_, residual_, mixed_, step_;  // r; residual of (1); right-hand side of (2); s
-  double damping_ = 0;                                  // μ
+  double damping_ = 0;                                  // factor μ of the damping D
   double norm_ = 0;                                     // norm of the last residual
   bool took_whole_step_ = false;
   bool knows_rest_ = false;  // whether rest_ and its tangent belong to u

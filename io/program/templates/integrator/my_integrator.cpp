@@ -11,7 +11,7 @@
 /// − 1/6| + δ) (a₁ − a).
 struct MyIntegrator {
   struct Parameters {
-    double damping = 0;  // δ
+    double damping = 0;  // δ of (2)
   };
   static double order(const Parameters&) { return 3; }  // the error of one step shrinks with h³
   static double stable_step(const Parameters&, double) { return 0; }
