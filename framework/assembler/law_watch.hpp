@@ -55,7 +55,7 @@ class LawWatch {
 double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_law_tile& flow,
                      std::size_t lane);
 
-/// "solidity", "Reynolds number across" …
+/// The name of a quantity, such as "Reynolds number across".
 const char* name_of_quantity(std::uint32_t quantity);
 
 }  // namespace netloft

@@ -133,8 +133,8 @@ void prefill(std::vector<double>& values, const std::vector<double>& like) {
     values[i] = (largest(like, i % kLanes) + 1) * (1 + 0.01 * static_cast<double>(i / kLanes % 7));
 }
 
-/// Difference between `sum` and the numbers of prefill() plus the answer, relative to the largest number of
-/// the element.
+/// Difference between `sum` and its correct value, the numbers of prefill() plus the answer, relative to the
+/// largest number of the element.
 double adding_error(const std::vector<double>& sum, const std::vector<double>& answer, std::size_t lane) {
   std::vector<double> before(answer.size());
   prefill(before, answer);

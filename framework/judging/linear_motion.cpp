@@ -156,7 +156,7 @@ bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, const Ma
 }
 
 bool linearise(Assembler& assembler, const RestPlace& at, LinearMotion& m) {
-  const std::size_t slots = assembler.value_slots();  // more slots than entries of the pattern
+  const std::size_t slots = assembler.value_slots();  // there are more slots than entries of the pattern
   std::vector<double> metric(slots);
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->assign(slots, 0.0);
   const double* low = at.x_low.empty() ? nullptr : at.x_low.data();

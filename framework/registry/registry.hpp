@@ -26,15 +26,15 @@ class Registry {
   /// Adds a plugin by its file in any folder; its name is the stem of the file.
   const PluginContent& add_file(const std::filesystem::path& file);
 
-  /// "rope/bar". Throws UnknownComponent or PluginRefused.
+  /// The element with this name, such as "rope/bar". Throws UnknownComponent or PluginRefused.
   const ElementType& element(const std::string& type);
-  /// "newton", short for "newton/newton".
+  /// The solver with this name; "newton" is short for "newton/newton".
   const SolverType& solver(const std::string& type);
-  /// "newmark", short for "newmark/newmark".
+  /// The integrator with this name; "newmark" is short for "newmark/newmark".
   const IntegratorType& integrator(const std::string& type);
-  /// "auto", short for "auto/auto".
+  /// The strategy with this name; "auto" is short for "auto/auto".
   const StrategyType& strategy(const std::string& type);
-  /// "hydro/morison".
+  /// The law with this name, such as "hydro/morison".
   const LawType& law(const std::string& type);
   const PluginContent& plugin(const std::string& name);
 

@@ -37,8 +37,8 @@ struct Borders {
 /// Finds the common points of all seams; corners closer than `snap` [m] along a seam are merged.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 
-/// An error, with a sentence for the user, about a seam that joins points of one of its edges to each other,
-/// so that its rows cannot lie side by side.
+/// The error, with a sentence for the user, for a seam that joins points of one edge to each other, so that
+/// the joined edges cannot lie side by side.
 std::invalid_argument cannot_sew(const Gear& gear, const Cloths& cloths, const std::array<Row, 2>& rows);
 
 /// The sides that form an edge, in the direction of the edge. An edge across the middle may have two sides.

@@ -21,7 +21,7 @@ struct CuttingRate {
   int half_meshes_across() const { return bars + 2 * meshes; }  // (1)
   int half_meshes_deep() const { return bars + 2 * points; }    // (2)
   bool is_straight() const { return half_meshes_across() == 0; }
-  /// The meshes across in `deep` meshes aft; undefined for a rate that goes across only (AM).
+  /// Number of meshes across in `deep` meshes aft; undefined for a rate that goes across only (AM).
   double across(double deep) const { return deep * half_meshes_across() / half_meshes_deep(); }
   double deep(double across) const { return across * half_meshes_deep() / half_meshes_across(); }
 

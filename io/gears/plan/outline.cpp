@@ -71,8 +71,8 @@ void draw_counts(Pen& pen, const Panel& panel, const std::vector<MeshCount>& cou
              {pen.at().x + direction * count.meshes, pen.at().y});
 }
 
-/// Meshes that seams gather at the corner before cut k of a side; if k is the number of cuts, at its last
-/// corner.
+/// Meshes that seams gather at the corner before cut k of a side; if k is the number of cuts, at the last
+/// corner of the side.
 double selvedge_at(const std::vector<Cut>& side, std::size_t k) {
   return std::max(k > 0 ? side[k - 1].selvedge : 0.0, k < side.size() ? side[k].selvedge : 0.0);
 }

@@ -59,7 +59,7 @@ struct Origins {
 
 /// The names of a scene with a net plan.
 struct GearNames {
-  int times = 1;                   // 2: one half was modelled
+  int times = 1;                   // 2 if only one half was modelled, else 1
   std::string headline, footrope;  // names of ropes
 };
 

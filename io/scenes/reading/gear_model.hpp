@@ -19,8 +19,8 @@ struct GearModel {
 /// Reads `[gear]`. Returns nothing if its keys have errors, which are reported.
 std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
-/// The names among `names`, those of the modelled gear, that a name of the plan means: the name itself, or
-/// port and starboard copies in a whole gear. Empty if there are none.
+/// Selects from `names`, the names of the modelled gear, those that a name of the plan means: the name
+/// itself, or its port and starboard copies in a whole gear. Empty if there are none.
 std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::scenes
