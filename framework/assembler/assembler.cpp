@@ -109,8 +109,8 @@ ElementReports& Assembler::reports() { return parts_->reports; }
 bool Assembler::evaluate(std::span<const double> x, const Request& request) {
   assert(is_over_dofs(x));
   assert((request.matrix == MatrixKind::none) == !request.values && "a matrix is asked for with its values");
-  assert((request.residual || !request.gradient) && "a gradient is found beside a residual");
-  assert((!request.between || !request.gradient) && "mean forces of a step are the gradient of nothing");
+  assert((request.residual || !request.gradient) && "a gradient is computed together with a residual");
+  assert((!request.between || !request.gradient) && "mean forces of a step are not a gradient");
   for (double* forces : {request.residual, request.gradient})
     if (forces) std::fill_n(forces, numbering_.dofs(), 0.0);
   if (request.values) std::fill_n(request.values, value_slots(), 0.0);

@@ -68,7 +68,7 @@ void write_memory(TileEvaluator& elements, std::span<const double> numbers) {
       std::copy_n(numbers.begin(), memory.all().size(), memory.all().begin());
       numbers = numbers.subspan(memory.all().size());
     }
-  assert(numbers.empty() && "it is the memory of a scene with as many elements");
+  assert(numbers.empty() && "the memory belongs to a scene with as many elements");
 }
 
 }  // namespace netloft

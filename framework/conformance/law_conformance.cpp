@@ -148,7 +148,7 @@ const std::vector<Check<LawBench>>& law_table() {
       {"outputs-finite",
        law_outputs_are_finite,
        {"evaluates-without-error"},
-       "write every output; without flow, along and across the direction something is divided by zero"},
+       "write every output; do you divide by zero without flow, or for flow along or across?"},
       {"nothing-written-past-count",
        law_writes_nothing_past_count,
        {"outputs-finite"},

@@ -315,8 +315,8 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"comes-to-an-end",
        comes_to_an_end,
        {"no-exception-escapes"},
-       "does a loop wait for work to be used up? A stage or a strategy that declines uses none. Does it call "
-       "itself?"},
+       "does a loop wait for work to be used up? A stage or a strategy that declines uses none. Does the "
+       "strategy call itself?"},
       {"stops-at-an-error",
        stops_at_an_error,
        {"no-exception-escapes"},

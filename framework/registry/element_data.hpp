@@ -31,7 +31,7 @@ inline constexpr HostDatum kParallel{
     "twines side by side that one bar represents; the bar lies along the twines of a panel"};
 inline constexpr HostDatum kU{"u", 3, "1", "first twine coordinate of the corners, in bars"};
 inline constexpr HostDatum kV{"v", 3, "1", "second twine coordinate of the corners, in bars"};
-inline constexpr HostDatum kBarLength{"bar_length", 1, "m", "unstretched bar of the netting"};
+inline constexpr HostDatum kBarLength{"bar_length", 1, "m", "unstretched length of a bar of the netting"};
 inline constexpr HostDatum kToAft{"to_aft", 3, "1", "meshes from the corners to the aft edge of the panel"};
 inline constexpr HostDatum kOutward{
     "outward", 1, "1", "1 if the corners are counter-clockwise seen from outside, -1 if clockwise", true};

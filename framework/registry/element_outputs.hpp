@@ -16,19 +16,21 @@ struct KnownOutput {
 
 namespace output {
 
-inline constexpr KnownOutput kMass{"mass", "kg", "in air: summed up by rope and panel"};
+inline constexpr KnownOutput kMass{"mass", "kg", "mass in air, summed up by rope and panel"};
 inline constexpr KnownOutput kTwineArea{"twine_area", "m2",
                                         "length times diameter of twines: summed up by panel"};
-inline constexpr KnownOutput kKnots{"knots", "1", "by which the opening of meshes is weighed"};
+inline constexpr KnownOutput kKnots{"knots", "1",
+                                    "number of knots, by which the opening of meshes is weighted"};
 inline constexpr KnownOutput kHalfAngle{"half_angle", "rad",
                                         "half the angle between the twines of a mesh: its opening"};
 inline constexpr KnownOutput kDrag{"drag", "N", "force of the water: drawn by length and area"};
 inline constexpr KnownOutput kStrain{"strain", "1",
-                                     "by which a result as a mesh has its unstretched lengths"};
-inline constexpr KnownOutput kNormalForce{"normal_force", "N",
-                                          "of the ground on a node: what touches the bed, and how hard"};
-inline constexpr KnownOutput kPressure{"pressure", "Pa", "of a catch on netting: where it is drawn"};
-inline constexpr KnownOutput kVolume{"volume", "m3", "of a catch, in the element"};
+                                     "strain, which gives a mesh made from a result its unstretched lengths"};
+inline constexpr KnownOutput kNormalForce{
+    "normal_force", "N", "force of the ground on a node: shows which nodes touch the bed, and how hard"};
+inline constexpr KnownOutput kPressure{"pressure", "Pa",
+                                       "pressure of a catch on netting: shows where to draw the catch"};
+inline constexpr KnownOutput kVolume{"volume", "m3", "volume of a catch in the element"};
 
 inline constexpr std::array kKnown = {kMass,   kTwineArea,   kKnots,    kHalfAngle, kDrag,
                                       kStrain, kNormalForce, kPressure, kVolume};

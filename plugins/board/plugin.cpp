@@ -61,7 +61,7 @@ void add_board(Plugin& plugin, const char* name, const char* doc) {
          "drag coefficient of brackets and edges, added to that of a flat plate; not used with a polar",
          {.lo = 0, .hi = 5, .fallback = 0.05});
   e.real("board.ploughing", &P::ploughing, "N/m",
-         "force on a metre of the lower edge at a depth of 0.1 m in the ground, across its motion",
+         "force across the motion, on a metre of the lower edge at a depth of 0.1 m in the ground",
          {.lo = 0, .hi = 1e6, .fallback = 0});
   e.real("board.power", &P::power, "1",
          "exponent of the depth in the force of ploughing: 1 in clay, 2 in sand",

@@ -5,7 +5,7 @@ using namespace netloft;
 using bodies::BodySolid;
 
 NETLOFT_PLUGIN("body", "0.1.0", "Rigid bodies") {
-  auto& e = plugin.element<BodySolid>("solid", "Rigid body that is heavy, buoyant and resists the water");
+  auto& e = plugin.element<BodySolid>("solid", "Rigid body with weight, buoyancy and drag");
   solids::declare_solid(e, "body.", {.lo = 0, .hi = 1e9, .fallback = 0});
   using P = BodySolid::Parameters;
   const Real area{.lo = 0, .hi = 1e6, .fallback = 0};

@@ -28,7 +28,7 @@ void add_front(netloft::Plugin& plugin) {
          "speed of the water through the gear, which adds the pressure of the flow it stops",
          {.lo = 0, .hi = 50, .fallback = 0});
   f.real("catch.drag_coefficient", &Front::Parameters::drag_coefficient, "1",
-         "pressure divided by the dynamic pressure of that speed", {.lo = 0, .hi = 1e3, .fallback = 1.4});
+         "pressure divided by the dynamic pressure at catch.speed", {.lo = 0, .hi = 1e3, .fallback = 1.4});
   f.global("front", "m", "position of the plane along the flow", "catch.volume", Front::first_front);
   f.data("outward", &Front::Data::outward, "1", kOutward);
   f.term<Front::Push, netloft::from_outside | netloft::is_drag | netloft::reads_time>(
@@ -66,7 +66,7 @@ NETLOFT_PLUGIN("catch", "0.1.0", "The catch and its pressure on the cod-end") {
          "speed of the water through the gear, which adds the pressure of the flow it stops",
          {.lo = 0, .hi = 50, .fallback = 0});
   c.real("catch.drag_coefficient", &Pressure::Parameters::drag_coefficient, "1",
-         "pressure divided by the dynamic pressure of that speed", {.lo = 0, .hi = 10, .fallback = 1.4});
+         "pressure divided by the dynamic pressure at catch.speed", {.lo = 0, .hi = 10, .fallback = 1.4});
   c.global("front", "1", "meshes along the netting that the catch fills, from its aft end", "catch.volume",
            Pressure::first_front);
   c.data("to_aft", &Pressure::Data::to_aft, "1", "meshes from each corner to the aft end of the netting");

@@ -159,15 +159,15 @@ void declare_solid(ElementTable<E>& e, const std::string& prefix, Real mass) {
   static std::deque<std::string> names;  // kept until the program ends
   const auto name = [&](const char* own) { return names.emplace_back(prefix + own).c_str(); };
   e.real(name("mass"), static_cast<double P::*>(&Solid::mass), "kg", "mass in air", mass);
-  e.real(name("volume"), static_cast<double P::*>(&Solid::volume), "m3", "volume of water it displaces",
-         {.lo = 0, .hi = 1e6, .fallback = 0});
+  e.real(name("volume"), static_cast<double P::*>(&Solid::volume), "m3",
+         "volume of the water that the body displaces", {.lo = 0, .hi = 1e6, .fallback = 0});
   for (const SolidRow& row : kSolidRows)
     e.real(name(row.name), static_cast<double P::*>(row.member), row.unit, row.doc, row.range);
   e.data("side", static_cast<double E::Data::*>(&Sided::side), "1", "1, or -1 if the body is mirrored");
   const char* needs = names.emplace_back(prefix + "mass " + prefix + "volume").c_str();
   e.template term<Weight, needs_gravity | is_weight>("weight", "weight less buoyancy", needs);
   e.template term<Inertia, reads_velocity | reads_acceleration | needs_motion>(
-      "inertia", "inertia of its mass and of the water that moves with it");
+      "inertia", "inertia of the body and of the water that moves with it");
 }
 
 }  // namespace netloft::solids

@@ -15,11 +15,10 @@ constexpr const char* kShielding =
 /// Adds the parameter that chooses a source of the drag coefficient of a cylinder over the Reynolds number.
 template <class Table>
 void add_cylinder(Table& law, auto member) {
-  law.choice(
-      "cylinder", member,
-      "source of the drag coefficient of a cylinder over the Reynolds number: Choo and Casarella 1971, or "
-      "Takagi et al. 2004, lower and steeper below 200",
-      {"choo-casarella", "takagi"});
+  law.choice("cylinder", member,
+             "source of the drag coefficient of a cylinder over the Reynolds number: Choo and Casarella "
+             "1971, or Takagi et al. 2004, which is lower and steeper below a Reynolds number of 200",
+             {"choo-casarella", "takagi"});
 }
 
 template <class L>
@@ -53,11 +52,10 @@ void add_netting_twine(netloft::Plugin& plugin) {
       "netting-twine",
       "Twines of knotted netting: drag across, friction along and knots, each over its Reynolds number");
   add_cylinder(law, &P::cylinder);
-  law.real(
-      "knots", &P::knots, "1",
-      "frontal area of the knots over that of the twines: 0.39 times the square of knot_diameter times the "
-      "diameter of the twine over the length of a bar",
-      {.lo = 0, .hi = 10, .fallback = 0.1});
+  law.real("knots", &P::knots, "1",
+           "frontal area of the knots over that of the twines: 0.39 times the square of knot_diameter, times "
+           "the ratio of twine diameter to bar length",
+           {.lo = 0, .hi = 10, .fallback = 0.1});
   law.real("knot_diameter", &P::knot_diameter, "1", "diameter of a knot over that of the twine",
            {.lo = 0.1, .hi = 20, .fallback = 2.5});
   law.real("shielding", &P::shielding, "1", kShielding, {.lo = 0, .hi = 2, .fallback = 1});
@@ -77,7 +75,7 @@ void add_knotted(netloft::Plugin& plugin) {
   law.real("friction_slope", &KnottedParameters::friction_slope, "1",
            "increase of the friction coefficient with the sine of the angle of attack",
            {.lo = -10, .hi = 10, .fallback = 0});
-  law.valid(Quantity::reynolds, 600, 3000, "Imai 1986: the coefficients do not depend on it there",
+  law.valid(Quantity::reynolds, 600, 3000, "Imai 1986: the coefficients are constant in this range",
             {.unless = "measured_at"});
 }
 
@@ -90,7 +88,8 @@ NETLOFT_PLUGIN("hydro", "0.1.0", "Forces of flowing water on twines, ropes and n
   m.real("tangential", &Morison::Parameters::tangential, "1",
          "drag coefficient of the flow along, on the diameter", {.lo = 0, .hi = 100, .fallback = 0.08});
   m.real("shielding", &Morison::Parameters::shielding, "1", kShielding, {.lo = 0, .hi = 2, .fallback = 1});
-  m.valid(Quantity::reynolds, 330, 1e5, "Choo and Casarella 1971: a cylinder has 1.2 within 10 % there");
+  m.valid(Quantity::reynolds, 330, 1e5,
+          "Choo and Casarella 1971: a cylinder has 1.2 within 10 % in this range");
 
   auto& r = plugin.law<MorisonReynolds>(
       "morison-reynolds",

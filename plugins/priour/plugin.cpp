@@ -27,7 +27,7 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   t.real("twine.opening_angle", &Triangle::Parameters::opening_angle, "rad",
          "half angle between the twines of an unloaded mesh", {.lo = 0, .hi = 1.5707, .fallback = 0});
   t.real("twine.knot_size", &Triangle::Parameters::knot_size, "m",
-         "knots of this size touch when a mesh closes; zero lets it close",
+         "knots of this size touch when a mesh closes; 0: meshes close completely",
          {.lo = 0, .hi = 10, .fallback = 0});
   t.real("twine.damping", &Triangle::Parameters::damping, "N s",
          "damping of stretch: tension per strain rate, EA times a relaxation time",
@@ -60,7 +60,7 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
         "force of the water on the netting, twine by twine or as a screen");
   t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
   t.data("v", &Triangle::Data::v, "1", "twine coordinate of the corners along v, in bars");
-  t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched bar, from knot to knot");
+  t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched length of a bar, from knot to knot");
   t.term<Triangle::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
                                 netloft::has_metric | netloft::of_members>(
       "elastic", "tension of the twines, and their small resistance when slack",
@@ -132,7 +132,8 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
                {.lo = 0.01, .hi = 1.56, .fallback = 0.78539816339744831});
   bending.data("u", &Bending::Data::u, "1", "twine coordinate of the corners along u, in bars");
   bending.data("v", &Bending::Data::v, "1", "twine coordinate of the corners along v, in bars");
-  bending.data("bar_length", &Bending::Data::bar_length, "m", "unstretched bar of both triangles");
+  bending.data("bar_length", &Bending::Data::bar_length, "m",
+               "unstretched length of a bar in both triangles");
   bending.term<Bending::Elastic, netloft::conservative | netloft::symmetric>(
       "bending", "moment against the curvature of the netting", "twine.EI");
   bending.output("turning_angle", "rad", "angle by which the second triangle turns away from the first",

@@ -42,7 +42,7 @@ void add_mirror(netloft::Plugin& plugin) {
   mirror.choice("mirror.curvature", &Mirror::Parameters::curvature, kCurvature, {"bars", "nodes"});
   mirror.data("rest_length", &Mirror::Data::rest_length, "m", "unstretched length of the bar");
   mirror.term<Mirror::Elastic, netloft::conservative | netloft::symmetric | netloft::from_outside>(
-      "mirror", "moment against the curvature of rope and image", "mirror.EI");
+      "mirror", "moment against the curvature of the rope at the plane of symmetry", "mirror.EI");
 }
 
 }  // namespace
@@ -77,13 +77,12 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.real("rope.added_mass", &Bar::Parameters::added_mass, "1",
            "added mass across the rope over the mass of the water it displaces",
            {.lo = 0, .hi = 10, .fallback = 1});
-  bar.real(
-      "rope.sag", &Bar::Parameters::sag, "1",
-      "fraction of the sag within a bar: 0 straight bars, 1 all of it, which needs fewer bars for the same "
-      "error",
-      {.lo = 0, .hi = 1, .fallback = 0});
+  bar.real("rope.sag", &Bar::Parameters::sag, "1",
+           "fraction of the sag within a bar that counts; 0: straight bars; 1: all of it, which needs fewer "
+           "bars for the same error",
+           {.lo = 0, .hi = 1, .fallback = 0});
   bar.table("rope.length_share", &Bar::Parameters::length_share,
-            "unstretched length over that at the start, as rope is paid out or hauled",
+            "unstretched length divided by that at the start, as rope is paid out or hauled",
             {{"t", "s"}, {"share", "1"}});
   bar.real("rope.surface", &Bar::Parameters::surface, "1",
            "fraction of buoyancy and drag that is lost above z = 0; 0 in water without a surface",
@@ -124,7 +123,8 @@ NETLOFT_PLUGIN("rope", "0.1.0", "Ropes, wires and chains as elastic bars") {
   bar.output("strain", "1", "elongation over unstretched length",
              [](auto& p, auto& d, auto& s) { return Bar::stretch(p, d, s).l / d.rest_length - 1; });
   bar.output_lanes("drag", "N", "magnitude of the force of the water on the bar", Bar::drag_of);
-  bar.output_lanes("angle_to_flow", "rad", "angle between bar and flow, 0 along it", Bar::angle_of);
+  bar.output_lanes("angle_to_flow", "rad", "angle between bar and flow; 0: the flow is along the bar",
+                   Bar::angle_of);
   bar.output_lanes("mass", "kg", "mass of the unstretched rope, in air", Bar::mass_of);
 
   auto& bending = plugin.element<Bending>("bending", "Resistance to bending between two neighbouring bars");

@@ -14,7 +14,7 @@ void add_bed(netloft::Plugin& plugin) {
   e.real("seabed.stiffness", &P::stiffness, "N/m2", "force per metre of rope and metre of depth",
          {.lo = 0, .hi = 1e12, .fallback = 1e5});
   e.real("seabed.softness", &P::softness, "m",
-         "depth below the surface of the bed at which it reaches seabed.stiffness",
+         "depth below the surface of the bed at which the bed reaches seabed.stiffness",
          {.lo = 1e-6, .hi = 10, .fallback = 0.02});
   e.real("seabed.friction", &P::friction, "1", "friction force over normal force",
          {.lo = 0, .hi = 10, .fallback = 0});
@@ -62,7 +62,7 @@ NETLOFT_PLUGIN("seabed", "0.1.0", "The ground under a gear, with contact and fri
   e.real("seabed.stiffness", &Plane::Parameters::stiffness, "N/m2",
          "force per metre of rope and metre of depth", {.lo = 0, .hi = 1e12, .fallback = 1e5});
   e.real("seabed.softness", &Plane::Parameters::softness, "m",
-         "depth below the surface of the seabed at which it reaches seabed.stiffness",
+         "depth below its surface at which the seabed reaches seabed.stiffness",
          {.lo = 0, .hi = 10, .fallback = 1e-3});
   e.real("seabed.friction", &Plane::Parameters::friction, "1", "friction force over normal force",
          {.lo = 0, .hi = 10, .fallback = 0});

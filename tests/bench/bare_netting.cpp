@@ -16,7 +16,7 @@ NETLOFT_PLUGIN("bare", "0.1.0", "Netting without the terms that such a scene doe
          {.lo = 0, .hi = 3e4});
   t.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
   t.data("v", &Triangle::Data::v, "1", "twine coordinate of the corners along v, in bars");
-  t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched bar, from knot to knot");
+  t.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched length of a bar, from knot to knot");
   t.term<Triangle::Elastic, netloft::conservative | netloft::symmetric | netloft::has_convex |
                                 netloft::has_metric>("elastic", "tension");
   t.term<Triangle::Weight, netloft::conservative | netloft::symmetric | netloft::constant |

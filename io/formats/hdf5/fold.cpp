@@ -123,7 +123,7 @@ void fold_series(const SeriesJournal& journal, hid_t file, const std::string& fi
   write_columns(tree, layout.columns, rows);
   if (journal.size() > 1)
     tree.write_ints(kRoot + "/xdmf/cells", mixed_cells(layout.mesh), "1",
-                    "cells as the index for viewers, NAME.xdmf, refers to them");
+                    "cells, to which the index for viewers, NAME.xdmf, refers");
 }
 
 void make_result(const SeriesJournal& journal, const std::filesystem::path& final_path,

@@ -28,16 +28,16 @@ std::vector<PartKey> line_numbers(const char* diameter, double thickest, double 
 std::vector<PartKey> rope_numbers(const char* diameter) {
   auto numbers = line_numbers(diameter, 1, 1e12);
   numbers.push_back(
-      {"weight_in_water", "N/m", "weight of a metre in sea water, negative if it floats", -1e6, 1e6});
+      {"weight_in_water", "N/m", "weight of a metre in sea water; negative: the rope floats", -1e6, 1e6});
   return numbers;
 }
 
 std::vector<PartKey> piece_numbers() {
   return {
       {"diameter", "m", "diameter across the flow", 0, 20},
-      {"buoyancy", "N", "net upward force of one in sea water; negative if it sinks", -1e7, 1e7},
+      {"buoyancy", "N", "net upward force of one piece in sea water; negative: it sinks", -1e7, 1e7},
       {"mass", "kg", "mass of one in air", 0, 1e6},
-      {"volume", "m3", "volume of the water displaced by one", 0, 1e3},
+      {"volume", "m3", "volume of the water that one piece displaces", 0, 1e3},
       {"material_density", "kg/m3", "density of its material", 1, 3e4},
       {"area", "m2", "area across the flow", 0, 1e3},
       {"drag_coefficient", "1", "drag coefficient on the area across the flow", 0, 10},
@@ -59,8 +59,8 @@ std::vector<PartKey> board_numbers() {
       {"area", "m2", "projected area", 1e-4, 1e3, kRequired},
       {"chord", "m", "length along the flow", 1e-2, 100, kRequired},
       {"span", "m", "height of a board, width of a kite", 1e-2, 100, kRequired},
-      {"lift", "1", "factor on its force across the flow", 0, 5},
-      {"drag", "1", "factor on its force along the flow", 0, 5},
+      {"lift", "1", "factor on the force across the flow", 0, 5},
+      {"drag", "1", "factor on the force along the flow", 0, 5},
       {"parasite", "1", "drag coefficient of brackets and edges, added to that of a flat plate", 0, 5},
   };
   add_axes(numbers, {"centre_x", "centre_y", "centre_z"}, "m", "centre of mass from the middle", 1e3);

@@ -86,7 +86,7 @@ std::string closing_cure(const Panel& panel, double difference) {
   const Cut& cut = panel.outer.back();
   const double across = cut.across - cut.goes * difference / sides;
   if (cut.goes == 0 || cut.rate.half_meshes_deep() == 0 || across < 0) return cure;
-  return cure + fmt::format(", or {} M of {} in {} instead of {}, closes it",
+  return cure + fmt::format(", or {} M of {} in {} instead of {}, closes the panel",
                             in_meshes(cut.rate.deep(across)), cut.written, cut.name, in_meshes(cut.deep));
 }
 

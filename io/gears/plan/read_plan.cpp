@@ -42,7 +42,7 @@ class PlanReader {
 
   NetPlan read() {
     if (root_.has("parts") && !root_.has("panels")) {
-      root_.error("parts", "a scene out of parts, which has no net plan: its pieces of netting are [panels]",
+      root_.error("parts", "this scene is made of parts; a net plan has its pieces of netting in [panels]",
                   "`netloft plan` says what a scene needs, and what is wrong with it");
       return std::move(plan_);
     }
@@ -111,8 +111,9 @@ class PlanReader {
   /// once.
   void check_name(const std::string& name, formats::TableReader& tables) {
     const bool has_dot = name.find('.') != std::string::npos;
-    const std::string fault =
-        has_dot ? "must not hold a dot, which leads to its edges (bag.fore)" : formats::name_fault(name);
+    const std::string fault = has_dot
+                                  ? "must not contain a dot, which separates a part from its edges (bag.fore)"
+                                  : formats::name_fault(name);
     if (!fault.empty())
       diagnostics_.error(tables.place(name), "the name " + formats::in_quotes(name) + " " + fault);
     if (!names_.insert(name).second)

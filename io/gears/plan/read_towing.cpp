@@ -125,7 +125,8 @@ void add_ship(NetPlan& plan, formats::TableReader& table, const Catalogue& catal
       table.real("speed", {.unit = "m/s", .doc = "speed over the ground", .range = formats::between(0, 50)});
   if (table.has("efficiency"))
     ship.efficiency = table.real(
-        "efficiency", {.unit = "1", .doc = "towing power over the heat of the fuel", .range = {0, 1, true}});
+        "efficiency",
+        {.unit = "1", .doc = "towing power divided by the heating power of the fuel", .range = {0, 1, true}});
   if (table.has("path")) {
     formats::TableReader path = table.table("path");
     ship.path = read_path(path, ship.speed);

@@ -81,10 +81,11 @@ class StageReader {
       stage_.rows.push_back({0, table_.real("tension", {.unit = "N", .doc = kOfBlock, .range = kTensions})});
     if (!before_) check_tension_of_start();
     const double first = stage_.rows.empty() ? warp_.tension.value_or(0) : stage_.rows[0][1];
-    stage_.max_speed = table_.real("max_speed", {.unit = "m/s",
-                                                 .doc = "speed at which the winch can pay out and haul",
-                                                 .range = {0, 50, true},
-                                                 .fallback = kWinchSpeed});
+    stage_.max_speed =
+        table_.real("max_speed", {.unit = "m/s",
+                                  .doc = "largest speed at which the winch can pay out and haul",
+                                  .range = {0, 50, true},
+                                  .fallback = kWinchSpeed});
     stage_.band = table_.real("band", {.unit = "N",
                                        .doc = "deviation of the tension at which the winch runs at max_speed",
                                        .range = {0, 1e9, true},
@@ -123,9 +124,9 @@ class StageReader {
     if (warp_.tension)
       return table_.error("length", "is given beside warp.tension, which determines the initial length",
                           "run the scene with the tension once, and write the length that was found");
-    read_column_of("length", "m", "length of warp that is out", {0, 1e5, true}, warp_.length);
+    read_column_of("length", "m", "length of warp that is paid out", {0, 1e5, true}, warp_.length);
     if (!stage_.rows.empty() && std::abs(stage_.rows[0][1]) > 1e-9 * warp_.length)
-      table_.error("length", "begins with another value than warp.length, which is out at the start");
+      table_.error("length", "begins with another value than warp.length, the length paid out at the start");
     for (const auto& [t, more] : stage_.rows)
       if (!(shortest() + more > 0)) return table_.error("length", kTooShort);
   }

@@ -43,7 +43,7 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
           "--reference", o.reference,
           "solver or integrator whose answer is taken as exact; default: one that differs from each method")
       ->type_name(kMethod);
-  command.add_option("--repeats", o.repeats, "runs of each; the cheapest counts; default: 3")
+  command.add_option("--repeats", o.repeats, "number of runs of each method; the fastest counts; default: 3")
       ->check(CLI::Range(1, 1000));
   command.add_option("--csv", o.csv, "write the tables as comma-separated values")->type_name("FILE.csv");
   command.add_option("-o,--output,--plot", o.plot, "draw work over precision")
@@ -55,14 +55,14 @@ void add_refine_command(CLI::App& app, Chosen& chosen) {
       add_command(app, chosen, "refine",
                   "solve a scene on finer and finer meshes, and extrapolate its results", refine_command);
   add_method_options(command, o);
-  command.add_option("--nodes", o.nodes, "of a gear: about how many nodes; default: 500,2000,8000,30000")
+  command.add_option("--nodes", o.nodes, "for a gear: numbers of nodes; default: 500,2000,8000,30000")
       ->check(CLI::Range(std::int64_t{10}, std::int64_t{10'000'000}))
       ->delimiter(',')
       ->type_name("N,N,…")
       ->allow_extra_args(false);
-  as_word(
-      command.add_option("--cells", o.cells, "of other scenes: cells across the scene, or cells of one part"),
-      "[PART=]N,N,…");
+  as_word(command.add_option("--cells", o.cells,
+                             "for other scenes: cells across the scene, or cells of one part"),
+          "[PART=]N,N,…");
 }
 
 }  // namespace

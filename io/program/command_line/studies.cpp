@@ -106,10 +106,11 @@ void add_estimate_action(CLI::App& study, Chosen& chosen) {
   auto [estimate, o] = add_action(study, chosen, "estimate",
                                   "print figures between the points that were computed, with their errors",
                                   study_estimate_command);
-  as_words(estimate.add_option("--at", o.at,
-                               "values of the variables; give all sampled variables, or none of them for "
-                               "medians and bands over the samples; may be repeated, or with commas between"),
-           "NAME=VALUE")
+  as_words(
+      estimate.add_option("--at", o.at,
+                          "values of the variables; give all sampled variables, or none of them for medians "
+                          "and bands over the samples; repeat the option, or separate by commas"),
+      "NAME=VALUE")
       ->required();
   as_words(estimate.add_option("--figure", o.figures, kFigureDoc), "NAME");
 }
@@ -121,7 +122,7 @@ void add_sobol_action(CLI::App& study, Chosen& chosen) {
   as_words(action.add_option("--figure", o.figures, kFigureDoc), "NAME");
   as_words(action.add_option(
                "--at", o.at,
-               "a variable that is held fixed; may be repeated, or with commas between; default: all vary"),
+               "a variable that is held fixed; repeat the option, or separate by commas; default: all vary"),
            "NAME=VALUE");
   as_words(action.add_option("-o,--output", o.output, "picture of the indices as bars"), "FILE.svg");
 }
@@ -150,7 +151,7 @@ void add_scope_command(CLI::App& app, Chosen& chosen) {
     return as_word(app.add_option(flag, value, doc), type);
   };
   range("--depth", o.depth, "depths [m]; default: 7 of them", "LO:HI[:N]")->required();
-  range("--warp", o.warp, "lengths of warp over the depth; default: 2:5:13", "LO:HI[:N]");
+  range("--warp", o.warp, "lengths of warp divided by the depth; default: 2:5:13", "LO:HI[:N]");
   range("--heel", o.heel, "heel of the boards [deg], outward; default: -5:5", "LO:HI");
   range("--spread", o.spread, "spread of the boards [m]; default: any", "LO:HI");
   range("-o,--output", o.output, "draw the lengths over the depth", "FILE.svg|FILE.html");

@@ -25,12 +25,12 @@ Json hold_schema() {
        {"anyOf", {name, {{"type", "array"}, {"items", name}, {"minItems", 1}}}}},
       true);
   put(hold, "axes",
-      {{"type", "string"}, {"pattern", "^[xyz]+$"}, {"description", "axes along which it cannot move"}},
+      {{"type", "string"}, {"pattern", "^[xyz]+$"}, {"description", "axes along which nodes cannot move"}},
       false);
   const Json direction = {
       {"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
-  for (const auto& [key, doc] : {std::pair{"along", "direction of the line on which it slides"},
-                                 std::pair{"plane", "normal of the plane in which it stays"}}) {
+  for (const auto& [key, doc] : {std::pair{"along", "direction of the line on which the nodes slide"},
+                                 std::pair{"plane", "normal of the plane in which the nodes stay"}}) {
     Json own = direction;
     own["description"] = doc;
     put(hold, key, own, false);
@@ -40,14 +40,14 @@ Json hold_schema() {
   put(hold, "loose",
       {{"type", "boolean"},
        {"default", false},
-       {"description", "only keeps the gear from drifting: in equilibrium it bears nothing"}},
+       {"description", "true: the hold only keeps the gear from drifting, and bears nothing in equilibrium"}},
       false);
   put(hold, "displacement",
-      columns_schema("displacement from where it is held, over time",
+      columns_schema("displacement of the held nodes from the place of the hold, over time",
                      {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"z", "m"}}),
       false);
   put(hold, "velocity",
-      columns_schema("velocity of what is held, over time",
+      columns_schema("velocity of the held nodes, over time",
                      {{"t", "s"}, {"x", "m/s"}, {"y", "m/s"}, {"z", "m/s"}}),
       false);
   return {{"type", "array"}, {"items", hold}};
@@ -135,7 +135,7 @@ void put_gear(Json& scene) {
   nodes = {{"anyOf", Json::array({nodes, {{"const", scenes::kKnots}}})},
            {"description", nodes["description"]}};
   Json finer = {{"type", "object"}, {"additionalProperties", {{"type", "number"}, {"exclusiveMinimum", 0}}}};
-  finer["description"] = "by panel or rope: how many times shorter the sides of triangles, or the bars, are";
+  finer["description"] = "by panel or rope: factor by which the sides of triangles, or the bars, are shorter";
   put(gear, "finer", finer, false);
   for (const auto& of : scenes::gear_elements())
     put(elements, of.kind,
@@ -161,7 +161,8 @@ void put_files(Json& scene) {
   put(scene, "include",
       {{"type", "array"},
        {"items", {{"type", "string"}}},
-       {"description", "files that are read first, under this one; named relative to it"}},
+       {"description",
+        "files that are read first and that this file overrides; names are relative to its folder"}},
       false);
   put(scene, "catalogue",
       {{"type", "array"},

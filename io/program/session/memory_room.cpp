@@ -49,7 +49,7 @@ std::string memory_text(const runs::MemoryForecast& f, double within_reach) {
       "memory: about {}, {} of it for the factorised matrix{}; {}", gibibytes(f.total()), gibibytes(f.factor),
       f.stability > 0 ? ", " + gibibytes(f.stability) + " to judge stability" : "",
       within_reach < std::numeric_limits<double>::infinity() ? gibibytes(within_reach) + " are available"
-                                                             : "how much is available is not known");
+                                                             : "the available memory is not known");
 }
 
 std::string note_of_memory(const runs::MemoryForecast& f, double within_reach) {

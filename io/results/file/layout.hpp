@@ -123,10 +123,10 @@ void visit_motion(File&& file, AnyMotion& m) {
   file.number("cost/rejected_steps", m.rejected, "1", "rejected time steps");
   file.number("motion/shortest_step", m.shortest, "s", "shortest step");
   file.number("motion/longest_step", m.longest, "s", "longest step");
-  file.number("motion/stable_step", m.stable_step, "s", "longest stable step with all members taut; 0: any");
+  file.number("motion/stable_step", m.stable_step, "s", "longest stable step with taut members; 0: no limit");
   file.sometimes("motion/start", m.start, [&](auto& s) {
     file.text("motion/start/node", s.node, "node furthest out of balance at the start");
-    file.number("motion/start/residual", s.residual, "N", "force out of balance there");
+    file.number("motion/start/residual", s.residual, "N", "force out of balance at that node");
     file.number("motion/start/load", s.load, "N", "largest load on a node");
   });
   file.sometimes("accuracy", m.accuracy, [&](auto& a) {
@@ -142,7 +142,7 @@ void visit_motion(File&& file, AnyMotion& m) {
     file.number("accuracy/path_time", a.path_at, "s", "time of the error of the path");
     file.text("accuracy/path_node", a.path_of, "node of the error of the path");
     file.known("accuracy/unpredictable_from", a.unpredictable_from, "s",
-               "no accuracy gives the path after this");
+               "time after which no accuracy gives the path");
   });
   file.sometimes("motion/loss", m.loss, [&](auto& l) {
     file.number("motion/loss/lost", l.lost, "J", "energy that the time scheme removed");
@@ -159,15 +159,16 @@ void visit_motion(File&& file, AnyMotion& m) {
 template <class File, class AnyResult>
 void visit_others(File&& file, AnyResult& r) {
   file.sometimes("shapes", r.shapes, [&](auto& s) {
-    file.number("shapes/restarts", s.restarts, "1", "searches for other equilibria");
-    file.number("shapes/times", s.times, "1", "times that the solution was found");
-    file.number("shapes/by_energy", s.by_energy, "1", "1: it has the least energy; 0: it was found first");
+    file.number("shapes/restarts", s.restarts, "1", "number of searches for other equilibria");
+    file.number("shapes/times", s.times, "1", "how often the solution was found");
+    file.number("shapes/by_energy", s.by_energy, "1",
+                "1: the answer has the least energy; 0: it was found first");
     using Other = FoundShapes::Other;
     file.column("shapes/energy", s.others, &Other::energy, "J", "energy of the other equilibria");
     file.column("shapes/distance", s.others, &Other::distance, "m",
                 "largest distance of a node from the solution");
     file.column("shapes/furthest", s.others, &Other::furthest, "", "node with the largest distance");
-    file.column("shapes/found", s.others, &Other::times, "1", "times that the equilibrium was found");
+    file.column("shapes/found", s.others, &Other::times, "1", "how often the equilibrium was found");
   });
   file.sometimes("swing", r.swing, [&](auto& s) {
     file.text("swing/furthest", s.furthest, "the node that moves furthest");

@@ -30,10 +30,11 @@ void shapes_text(const FoundShapes& shapes, Out out) {
                    "(found {} time{})\n",
                    other.distance, other.furthest, other.energy, other.times, plural(other.times));
   if (!shapes.others.empty())
-    fmt::format_to(out, "  the answer is the one {}\n",
-                   shapes.by_energy ? "of least energy"
-                                    : "that was found first: forces without an energy do not show which of "
-                                      "them the gear takes");
+    fmt::format_to(
+        out, "  the answer is the one {}\n",
+        shapes.by_energy
+            ? "of least energy"
+            : "that was found first: forces without an energy do not show which equilibrium the gear takes");
 }
 
 void head_text(const Result& result, Out out) {

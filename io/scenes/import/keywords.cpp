@@ -128,7 +128,7 @@ class KeywordReader {
 
   void leave_to_mesher() {
     gear_.of_mesher.push_back({name_place_, Finding::Kind::left_out, "keyword " + name_.substr(0, 40),
-                               "changes the drawing, which is used as it is"});
+                               "changes the drawing; the import uses the drawing as the file has it"});
   }
 
   void leave_to_motion() {
@@ -210,8 +210,8 @@ class KeywordReader {
     if (in_.has_failed()) return;
     if (!(d.shortest > 0) || !(d.longest >= d.shortest))
       return in_.fail(name_place_, name_ +
-                                       ": bars remain at least as long as the first length, which is above "
-                                       "zero, and at most as the second");
+                                       ": the two lengths are the least and the greatest length of a bar, "
+                                       "and the first must be above zero");
     if (std::any_of(d.ends.begin(), d.ends.end(), [](int end) { return end != 1 && end != 2; }))
       return in_.fail(name_place_, name_ + ": a drum is at end 1 or 2 of its cable");
     gear_.drums.push_back(std::move(d));

@@ -109,7 +109,7 @@ void find_hauled(SceneDraft& to) {
     const std::string what = "the drum of cable " + std::to_string(d.cable + 1);
     if (!hauled) to.leave_out(d.place, what, "takes too many steps");
     if (to.gear.cables[static_cast<std::size_t>(d.cable)].EI > 0)
-      to.leave_out(d.place, what, "the cable bends, but not where the drum shortens it");
+      to.leave_out(d.place, what, "the cable has bending stiffness, except where the drum shortens it");
   }
 }
 
@@ -127,7 +127,8 @@ void write_clamps(SceneDraft& to) {
     const double EI = std::min(to.gear.cables[first].EI, to.gear.cables[second].EI);
     if (!do_meet(to, first, second) || !(EI > 0)) {
       to.note(clamp.place, what,
-              EI > 0 ? "do not meet: they cannot be clamped" : "do not bend: their clamp does nothing");
+              EI > 0 ? "do not meet: they cannot be clamped"
+                     : "have no bending stiffness, so that their clamp has no effect");
       continue;
     }
     to.begin_part("clamp-" + std::to_string(i + 1), "rope/clamp");

@@ -21,7 +21,7 @@ void begin_load(SceneDraft& to, const std::string& name, const std::string& type
   to.begin_part(name + "-" + std::to_string(on + 1), type);
   to.line("on", quoted("*." + type_name(on)));
   to.body.line("each", formats::spell_number(share) +
-                           (share == 1 ? "" : "  # of each, what is on this side of the plane of symmetry"));
+                           (share == 1 ? "" : "  # fraction of each on this side of the plane of symmetry"));
 }
 
 /// The mean added mass over the axes: a scene has one added mass for all axes.

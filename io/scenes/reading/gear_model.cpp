@@ -88,7 +88,7 @@ void read_finer(formats::TableReader& table, const gears::Gear& gear, gears::Fin
   for (const auto& name : finer.keys()) {
     const double times =
         finer.real(name, {.unit = "1",
-                          .doc = "how many times shorter the sides of triangles, or the bars, are",
+                          .doc = "factor by which the sides of triangles, or the bars, are shorter",
                           .range = formats::between(1 / kMostFiner, kMostFiner)});
     const auto meant = meant_by(name, names);
     if (meant.empty())

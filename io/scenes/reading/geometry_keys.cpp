@@ -27,7 +27,7 @@ const GeometryKey kAcross{"panel.across", "1", "meshes across the panel", Shape:
 const GeometryKey kAlong{"panel.along", "1", "meshes along the panel", Shape::real, kMeshes, {}};
 const GeometryKey kBar{"panel.bar",
                        "m",
-                       "unstretched bar, from knot to knot: half the mesh size",
+                       "unstretched length of a bar, from knot to knot: half the mesh size",
                        Shape::real,
                        {.lo = 0, .hi = 100, .lo_open = true},
                        {}};

@@ -14,7 +14,7 @@ namespace {
 std::uint8_t read_axes(formats::TableReader& table) {
   const int before = table.diagnostics().errors();
   const std::string text =
-      table.text("axes", {.doc = "axes along which it cannot move: letters of xyz", .fallback = "xyz"});
+      table.text("axes", {.doc = "axes along which nodes cannot move: letters of xyz", .fallback = "xyz"});
   if (table.diagnostics().errors() > before) return kAllAxes;
   std::uint8_t axes = 0;
   for (const char c : text) {
@@ -54,10 +54,10 @@ void read_frame(formats::TableReader& table, HoldEntry& entry) {
     table.error(
         "at", "cannot be combined with along or plane, which pass through the nodes where they are sketched",
         "sketch the part where the line or plane is");
-  const auto d = along ? table.reals("along", {.doc = "direction of the line on which it slides",
+  const auto d = along ? table.reals("along", {.doc = "direction of the line on which the nodes slide",
                                                .range = formats::between(-1e6, 1e6),
                                                .count = formats::exactly(3)})
-                       : table.reals("plane", {.doc = "normal of the plane in which it stays",
+                       : table.reals("plane", {.doc = "normal of the plane in which the nodes stay",
                                                .range = formats::between(-1e6, 1e6),
                                                .count = formats::exactly(3)});
   if (d.size() != 3) return;
@@ -148,8 +148,8 @@ HoldEntry read_hold(formats::TableReader& table) {
   read_frame(table, entry);
   read_at(table, entry);
   entry.is_loose = table.boolean(
-      "loose",
-      {.doc = "only keeps the gear from drifting: in equilibrium it bears nothing", .fallback = false});
+      "loose", {.doc = "true: the hold only keeps the gear from drifting, and bears nothing in equilibrium",
+                .fallback = false});
   entry.name =
       table.text("name", {.doc = "name of the reaction", .fallback = entry.on.empty() ? "" : entry.on[0]});
   return entry;

@@ -24,7 +24,7 @@ bool is_turned(formats::TableReader& part) {
 }  // namespace
 
 void PartReader::read_parts(formats::Presence presence) {
-  formats::TableReader parts = root_.table("parts", presence, "the pieces of the gear, a table each");
+  formats::TableReader parts = root_.table("parts", presence, "the parts of the gear, one table each");
   if (presence == formats::Presence::required && root_.kind("parts") == formats::Kind::table &&
       parts.keys().empty())
     root_.error("parts", "there are no parts: a scene needs at least one, such as [parts.net]");
@@ -73,8 +73,9 @@ std::size_t PartReader::read_body_of_plan(const std::string& name, const std::st
 
 void PartReader::check_part_name(const std::string& name, formats::TableReader& parts) {
   const bool has_dot = name.find('.') != std::string::npos;
-  const std::string fault =
-      has_dot ? "must not hold a dot, which leads to its edges (net.fore)" : formats::name_fault(name);
+  const std::string fault = has_dot
+                                ? "must not contain a dot, which separates a part from its edges (net.fore)"
+                                : formats::name_fault(name);
   if (!fault.empty())
     diagnostics_.error(parts.place(name), "the name of a part, " + formats::in_quotes(name) + ", " + fault);
   if (gear_.has_name(name))

@@ -73,7 +73,7 @@ void PlanElements::read_exceptions(formats::TableReader& elements, const gears::
           std::string("has the key ") + contact_elements().key + ", but " +
               (contact_ ? "does not touch the bed" : "no [elements.contact] makes the plan rest on the bed"),
           contact_ ? "leave the key out; only footropes, bridles, sweeps, legs and boards with a toe or heel "
-                     "touch it"
+                     "touch the bed"
                    : "add [elements.contact], so that footropes, bridles, sweeps, legs and boards rest on "
                      "the bed");
     else if (!said->as<formats::Table>())

@@ -51,7 +51,7 @@ void read_named_points(formats::TableReader& table, BodyGeometry& body) {
     const auto at = points.reals(
         name, {.unit = "m", .doc = kPoints.doc, .range = kPoints.range, .count = formats::exactly(3)});
     std::string fault = formats::name_fault(name);
-    if (fault.empty() && name.find('.') != std::string::npos) fault = "must not hold a dot";
+    if (fault.empty() && name.find('.') != std::string::npos) fault = "must not contain a dot";
     if (fault.empty() && (name == "origin" || name.starts_with("node-")))
       fault = "is a name that every body has";
     if (!fault.empty()) points.error(name, "the name of a point, " + formats::in_quotes(name) + ", " + fault);

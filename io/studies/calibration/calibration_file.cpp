@@ -113,7 +113,7 @@ class CalibrationReader {
     for (formats::TableReader row : rows) {
       MeasuredFigure read;
       if (const auto scene =
-              find_scene(row, "scene", row.text("scene", {.doc = "scene in which it was measured"})))
+              find_scene(row, "scene", row.text("scene", {.doc = "scene in which the figure was measured"})))
         read.scene = *scene;
       read.figure =
           row.text("figure", {.doc = "figure that was measured, such as gear/mouth/headline_height"});
@@ -122,7 +122,7 @@ class CalibrationReader {
       read.value = quantity(row, "value", "measured value");
       read.deviation = quantity(row, "deviation", "standard deviation of the measured value");
       read.is_held_back = row.boolean(
-          "held_back", {.doc = "whether the value is not used, but only predicted", .fallback = false});
+          "held_back", {.doc = "true: the value is held back, and is only predicted", .fallback = false});
       file_.measured.push_back(std::move(read));
     }
     if (!rows.empty() && std::all_of(file_.measured.begin(), file_.measured.end(),

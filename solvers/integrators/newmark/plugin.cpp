@@ -92,7 +92,8 @@ double Newmark::stable_step(const Parameters& p, double omega) {
 using netloft::newmark::Newmark;
 
 NETLOFT_PLUGIN("newmark", "0.1.0", "Newmark's time scheme, as published and implicit") {
-  auto& n = plugin.integrator<Newmark>("newmark", "Newmark's scheme, solved, or by the paper's fixed point");
+  auto& n = plugin.integrator<Newmark>(
+      "newmark", "Newmark's scheme, by a solver or by the paper's fixed-point iteration");
   n.choice("corrector", &Newmark::Parameters::corrector,
            "solve: the solver finds each step; fixed-point: the paper's iteration, without a linear system",
            {"solve", "fixed-point"});

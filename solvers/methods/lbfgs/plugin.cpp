@@ -9,11 +9,11 @@ NETLOFT_PLUGIN("lbfgs", "0.1.0", "limited-memory BFGS") {
       "lbfgs",
       "limited-memory BFGS on the energy, preconditioned by the linear stiffness; one factorisation");
   lbfgs.needs(NETLOFT_CONSERVATIVE);
-  lbfgs.integer("memory", &P::memory, "pairs of steps and residual changes that are remembered", 1, 1000, 8);
+  lbfgs.integer("memory", &P::memory, "number of remembered pairs of steps and residual changes", 1, 1000, 8);
   lbfgs.choice("preconditioner", &P::preconditioner,
                "stiffness: the linear stiffness, factorised once; diagonal: its row sums; none",
                {"stiffness", "diagonal", "none"});
-  lbfgs.integer("steps", &P::steps, "steps that make one iteration, after which progress is judged", 1,
+  lbfgs.integer("steps", &P::steps, "number of steps in one iteration, after which progress is judged", 1,
                 1000000, 10);
   lbfgs.real("decrease", &P::decrease, "1", "fraction of the slope by which a step must lower the energy",
              {.lo = 1e-12, .hi = 0.49, .fallback = 1e-4});

@@ -21,9 +21,8 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
               "damping below this is set to zero, where the tangent is symmetric",
               {.lo = 1e-15, .hi = 1e-3, .fallback = 1e-7});
   newton.real("most_damping", &Newton::Parameters::most_damping, "1",
-              "damping at which the method gives up: with 1 a convex energy cannot rise, but the matrix of a "
-              "step in time "
-              "of a rope that snaps taut has no factor then",
+              "damping at which the method gives up: with 1 a convex energy cannot rise, but then the matrix "
+              "of a time step in which a rope snaps taut has no factor",
               {.lo = 1, .hi = 1e6, .fallback = 64});
   newton.real("factor", &Newton::Parameters::factor, "1",
               "factor by which damping falls after a step of more than half the length or at round-off, and "
@@ -37,11 +36,12 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
               "multiple of the slope by which a whole step may raise the merit function, if the merit is as "
               "low as it has ever been; 0: none",
               {.lo = 0, .hi = 100, .fallback = 2});
-  newton.real(
-      "margin", &Newton::Parameters::margin, "1",
-      "fraction of the bracket of a line search that a new point keeps from either end; a step off a saddle "
-      "moves a node by at most 1/margin elements: with 0.2, a saddle at round-off was not left",
-      {.lo = 1e-3, .hi = 0.5, .fallback = 0.1});
+  newton.real("margin", &Newton::Parameters::margin, "1",
+              "least distance of a new point from either end of the bracket of a line search, as a fraction "
+              "of the bracket; a step away from a saddle moves a node by at most 1/margin elements: with "
+              "0.2, a saddle at round-off was not left",
+              {.lo = 1e-3, .hi = 0.5, .fallback = 0.1});
   newton.integer("refinements", &Newton::Parameters::refinements,
-                 "points by which a line search tries to improve on a point that is good enough", 0, 100, 4);
+                 "number of points at which a line search tries to improve on a point that is good enough", 0,
+                 100, 4);
 }

@@ -8,6 +8,6 @@ NETLOFT_PLUGIN("relaxation", "0.1.0", "dynamic relaxation") {
   auto& relaxation = plugin.solver<Relaxation>(
       "relaxation", "dynamic relaxation with kinetic damping and fitted masses; factorises nothing");
   relaxation.integer("steps", &P::steps,
-                     "steps of the motion that make one iteration, after which progress is judged", 1,
+                     "number of steps of the motion in one iteration, after which progress is judged", 1,
                      1000000, 1000);
 }

@@ -49,7 +49,7 @@ const Row kTable[] = {
      [](const Kind& k) { return k.sticks; }},
     {{"direct", "direct", "", "the start may be near the solution"}, [](const Kind&) { return true; }},
     {{"stiffness-steps", "stiffness-steps", "",
-      "soft members can turn in steps in which stiff members cannot"},
+      "soft members can turn farther in one step than stiff members"},
      [](const Kind&) { return true; }},
     {{"pseudo-time", "pseudo-time", "", "a damped motion does not end at an unstable equilibrium"},
      [](const Kind& k) { return !k.sticks; }},

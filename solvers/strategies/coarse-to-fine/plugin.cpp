@@ -65,9 +65,9 @@ struct CoarseToFine {
 
 NETLOFT_PLUGIN("coarse-to-fine", "0.1.0", "Grid sequencing") {
   auto& strategy = plugin.strategy<CoarseToFine>(
-      "coarse-to-fine", "The scene itself from where a coarser mesh is in equilibrium");
+      "coarse-to-fine", "Solves the scene itself from the equilibrium of a coarser mesh");
   strategy.strategy("by", &CoarseToFine::Parameters::by, "strategy that solves the coarser mesh", "direct");
-  strategy.strategy(
-      "then", &CoarseToFine::Parameters::then,
-      "strategy that solves the scene itself from there; empty, and where it finds nothing: the solver", "");
+  strategy.strategy("then", &CoarseToFine::Parameters::then,
+                    "strategy that then solves the scene itself; empty, or if it finds nothing: the solver",
+                    "");
 }

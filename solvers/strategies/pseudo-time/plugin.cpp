@@ -39,13 +39,14 @@ struct PseudoTime {
 
 }  // namespace
 
-NETLOFT_PLUGIN("pseudo-time", "0.1.0", "Along a motion to where it comes to rest") {
+NETLOFT_PLUGIN("pseudo-time", "0.1.0", "Follows a motion until it comes to rest") {
   auto& s = plugin.strategy<PseudoTime>(
-      "pseudo-time", "Along a motion that the linear stiffness damps, until it comes to rest");
+      "pseudo-time", "Follows a motion, damped by the linear stiffness, until it comes to rest");
   using P = PseudoTime::Parameters;
   s.solver("solver", &P::solver, "solver that follows the motion", "ptc");
-  s.real("path", &P::path, "1",
-         "a gear that has moved by this many times its size is taken not to come to rest: in hard cases, "
-         "gears that came to rest had moved by up to 6.3 times their size, most others by 20 to 80 times",
-         {.lo = 0, .hi = 1e6, .fallback = 10});
+  s.real(
+      "path", &P::path, "1",
+      "a gear that has moved by more than this multiple of its size counts as not coming to rest: in hard "
+      "cases, gears that came to rest had moved by up to 6.3 times their size, most others by 20 to 80 times",
+      {.lo = 0, .hi = 1e6, .fallback = 10});
 }

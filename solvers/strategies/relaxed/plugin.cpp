@@ -46,7 +46,7 @@ struct Relaxed {
 
 NETLOFT_PLUGIN("relaxed", "0.1.0", "From a relaxed shape") {
   auto& s = plugin.strategy<Relaxed>(
-      "relaxed", "First near the solution by a solver without matrices, then the scene itself from there");
+      "relaxed", "A solver without matrices comes near the solution; from there, the scene itself is solved");
   using P = Relaxed::Parameters;
   s.solver("solver", &P::solver, "solver that needs no tangent", "relaxation");
 }

@@ -60,6 +60,7 @@ NETLOFT_PLUGIN("stiffness-steps", "0.1.0", "From soft to stiff") {
   auto& s = plugin.strategy<StiffnessSteps>("stiffness-steps",
                                             "From soft to stiff, by caps on all axial stiffnesses");
   using P = StiffnessSteps::Parameters;
-  s.real("factor", &P::factor, "1", "first cap over the largest load on a node, and each cap over the last",
+  s.real("factor", &P::factor, "1",
+         "ratio of the first cap to the largest nodal load, and of each cap to the previous one",
          {.lo = 1.01, .hi = 1e6, .fallback = 10});
 }

@@ -5,8 +5,7 @@ using namespace netloft::tension;
 
 NETLOFT_PLUGIN("tension", "0.1.0", "Strategies whose unknowns are the tensions of ropes and twines") {
   Only::describe(plugin.strategy<Only>(
-      "only", "First the equilibrium of members that bear tension only, then from there the scene itself"));
+      "only", "Solves with members that bear tension only, and from that equilibrium the scene itself"));
   FromSoft::describe(plugin.strategy<FromSoft>(
-      "stages",
-      "From soft to stiff with tensions as unknowns of their own, then from there the scene itself"));
+      "stages", "Solves from soft to stiff with tensions as unknowns, and from the result the scene itself"));
 }

@@ -32,8 +32,8 @@ const char* beginning(const Search& search) {
 void Only::describe(StrategyTable<Only>& t) {
   t.needs(NETLOFT_SEARCH_MEMBERS);
   t.real("to_boundary", &Parameters::to_boundary, "1",
-         "part of the way to the boundary of the cone that a step takes; the rest is the strain by which "
-         "members start inside it, and a step that is shorter ends the method",
+         "fraction of the distance to the boundary of the cone that a step may cover; members start inside "
+         "the cone by a strain of one minus this fraction, and a step shorter than that ends the method",
          {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
 }
 
@@ -56,8 +56,7 @@ void Only::run(const Parameters& parameters, Search& search) {
 
 std::string Only::explain(const Parameters&, Search& search) {
   return "interior point, " + counted(search.members()) + " bearing tension only, " + beginning(search) +
-         ": no step has to guess which are slack\nthe analysis' solver from there: with all forces as they "
-         "are";
+         ": no step has to guess which are slack\nthe analysis' solver from there: all forces are unchanged";
 }
 
 // Damping is a fraction of the linear stiffness. Values marked as fitted were chosen on four real gears, from
@@ -86,8 +85,8 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
       "taken to bear at least the largest tension of all parts divided by this");
   add("tolerance", &P::tolerance, "1", 0.15,
       "largest residual over the largest reaction that ends the first stage; fitted");
-  add("damping", &P::damping, "1", 2e-5, "first damping of later stages; fitted");
-  add("turn", &P::turn, "rad", 0.25, "most that a member turns in a step of a later stage; fitted");
+  add("damping", &P::damping, "1", 2e-5, "initial damping of later stages; fitted");
+  add("turn", &P::turn, "rad", 0.25, "limit of a member's rotation in one step of a later stage; fitted");
   add("factor", &P::factor, "1", 10,
       "factor by which damping falls after a whole step and rises where a matrix cannot be factorised; in "
       "the first stage damping follows the residual, by no more than this factor",
@@ -104,8 +103,8 @@ void FromSoft::run(const Parameters& parameters, Search& search) {
 std::string FromSoft::explain(const Parameters&, Search& search) {
   return "stages from soft to stiff, the tensions of " + counted(search.members()) + " as unknowns, " +
          beginning(search) +
-         ": stiff ropes turn without being stretched\nthe analysis' solver from there: with all forces as "
-         "they are";
+         ": stiff ropes turn without being stretched\nthe analysis' solver from there: all forces are "
+         "unchanged";
 }
 
 }  // namespace netloft::tension

@@ -408,14 +408,14 @@ class Studies(OfOthers):
         self.write("x\ntouch EXECUTED; #.toml", STUDY)
         ended = self.answer("study", "plan", "x\ntouch EXECUTED; #.toml")
         self.assertEqual(ended.code, 2)
-        self.assertRegex(ended.err, r"becomes the name of the study, and must not hold control characters\n  hint: rename the file")
+        self.assertRegex(ended.err, r"becomes the name of the study, and must not contain control characters\n  hint: rename the file")
 
 
 class Scenes(OfOthers):
     def test_do_not_speak_to_the_terminal(self):
         """Nor do their names become those of results."""
-        for old, new, says in (("[parts.rope]", '[parts."ro\\u009b31mpe"]', "must not hold control characters"),
-                               ('"=2+3"', '"\\u001b[31m"', "must not hold control characters"),
+        for old, new, says in (("[parts.rope]", '[parts."ro\\u009b31mpe"]', "must not contain control characters"),
+                               ('"=2+3"', '"\\u001b[31m"', "must not contain control characters"),
                                ('type = "rope/bar"', 'type = "rope/\\u009b31m"', "\\\\u009b31m")):
             self.write("odd.toml", changed(SCENE, (old, new)))
             for words in (["plan", "odd.toml"], ["run", "odd.toml"], ["plan", "odd.toml", "--json"], ["run", "odd.toml", "--json"]):

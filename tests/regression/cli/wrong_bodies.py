@@ -64,7 +64,7 @@ ALL = [
     body("point of two numbers", "eye = [0, 0, 0.5]", "eye = [0, 0]", "18:18", "has 2 values; 3 are expected"),
     body("point without a number", "eye = [0, 0, 0.5]", 'eye = "top"', "18:18", "bodies.clump.points.eye is the text"),
     body("point in millimetres of mercury", "eye = [0, 0, 0.5]", 'eye = [0, 0, "3 kg"]', "18:25", "bodies.clump.points.eye"),
-    body("point with a dot", "eye = [0, 0, 0.5]", '"e.ye" = [0, 0, 0.5]', "18:21", "must not hold a dot",
+    body("point with a dot", "eye = [0, 0, 0.5]", '"e.ye" = [0, 0, 0.5]', "18:21", "must not contain a dot",
          also=[("scene.toml:22:23", '"clump" has no "eye"')]),
     body("point named origin", "foot = [0.1, 0, -0.5]", "foot = [0.1, 0, -0.5], origin = [0, 0, 0]", "18:63", "is a name that every body has"),
     body("points as a list", POINTS, "points = [[0, 0, 0.5]]", "18:10", "bodies.clump.points is an array of 1; a table",

@@ -97,9 +97,9 @@ NAMES = [
     edit("join: no such end", JOIN, 'points = ["net.aft", "rope.stop"]', "20:22", '"rope" has no "stop"', "start"),
     edit("results: no such part", 'of = "net"', 'of = "nett"', "30:19", 'there is no part "nett"', 'did you mean "net"?'),
     edit("results: no such edge", 'of = "net"', 'of = "net.aftt"', "30:19", '"net" has no "aftt"', 'did you mean "net.aft"?'),
-    edit("a dot in a part's name", '[[join]]', '[parts."ro.pe"]\ntype = "rope/bar"\n[[join]]', "19:1", '"ro.pe", must not hold a dot',
+    edit("a dot in a part's name", '[[join]]', '[parts."ro.pe"]\ntype = "rope/bar"\n[[join]]', "19:1", '"ro.pe", must not contain a dot',
          also=[("scene.toml:19:1", f'missing key "{key}"') for key in ("length", "cells", "sketch", "rope")]),
-    edit("a slash in a result's name", "lowest_z", '"lowest/z"', "30:14", "must not hold a slash"),
+    edit("a slash in a result's name", "lowest_z", '"lowest/z"', "30:14", "must not contain a slash"),
     edit("a result without a name", "lowest_z", '""', "30:6", 'the name of a result, "", must not be empty'),
     edit("a result named like a folder", "lowest_z", '"."', "30:7", "must not be made of dots only"),
 ]

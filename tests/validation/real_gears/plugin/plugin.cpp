@@ -17,7 +17,7 @@ void add_dry_netting(Plugin& plugin) {
   e.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water on the netting below the surface");
   e.data("u", &Triangle::Data::u, "1", "twine coordinate of the corners along u, in bars");
   e.data("v", &Triangle::Data::v, "1", "twine coordinate of the corners along v, in bars");
-  e.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched bar, from knot to knot");
+  e.data("bar_length", &Triangle::Data::bar_length, "m", "unstretched length of a bar, from knot to knot");
   e.term<DryNettingDrag, kDragBySurface>("drag", "drag that dry netting has not");
 }
 
