@@ -26,7 +26,7 @@ struct Bench {
   std::size_t dofs() const { return static_cast<std::size_t>(type.dofs()); }
   /// Whether a degree of freedom belongs to the rotation of a body.
   bool is_turn(std::size_t dof) const { return type.is_on_body() && dof / 3 == 1; }
-  /// "term elastic, element 12"
+  /// An element in words: "term elastic, element 12".
   std::string place(const netloft_term& term, const States& states, std::size_t lane) const;
   /// Shortest distance between two nodes of element `lane` [m], at least 1e-6 of its size; 1 m if it has a
   /// single node or is on a body.

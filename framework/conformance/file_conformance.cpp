@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kNamed = 3;
 
-/// "exports 12 more than netloft_plugin_v1: a, b, c …"
+/// A sentence such as "exports 12 more than netloft_plugin_v1: a, b, c …"
 std::string sentence(const std::vector<std::string>& extra) {
   std::string text = "exports " + std::to_string(extra.size()) + " more than netloft_plugin_v1: ";
   for (std::size_t i = 0; i < std::min(extra.size(), kNamed); ++i) text += (i ? ", " : "") + extra[i];

@@ -27,7 +27,7 @@ struct LawBench {
   LawAnswer evaluate(std::size_t part, const Flows& flows, bool derivatives) const;
   /// Calls the law with arrays of the caller. Returns false if it failed or threw.
   bool call(std::size_t part, const netloft_law_tile& flow, std::string& thrown) const;
-  /// "parameters 3, flow 12 (along the direction)"
+  /// A flow in words: "parameters 3, flow 12 (along the direction)".
   std::string place(std::size_t part, std::size_t lane) const;
   /// The speed by which checks vary a flow [m/s].
   double reach(const Flows& flows, std::size_t lane) const;

@@ -11,7 +11,7 @@ namespace netloft {
 enum class MarchStatus { finished, stopped, failed, out_of_time, out_of_work, interrupted };
 const char* name_of(MarchStatus status);
 
-/// "0.25 s"
+/// A time as text: "0.25 s".
 std::string seconds_text(double t);
 
 /// Describes the fastest node, by the velocities v of the unknowns: "net node 4 moves at 3.2 m/s".

@@ -146,7 +146,7 @@ bool is_stencil(std::uint32_t s) {
          s == NETLOFT_TRIANGLE_PAIR || s == NETLOFT_BODY;
 }
 
-/// "1 number in m", "3 pure numbers"
+/// A number of values in words: "1 number in m", "3 pure numbers".
 std::string numbers_in(std::uint32_t width, const std::string& unit) {
   const std::string noun = width == 1 ? "number" : "numbers";
   return std::to_string(width) + (unit == "1" ? " pure " + noun : " " + noun + " in " + unit);

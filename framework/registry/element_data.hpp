@@ -49,7 +49,7 @@ std::span<const HostDatum> data_on(std::uint32_t stencil);
 const HostDatum* find_datum_on(std::uint32_t stencil, std::string_view name);
 /// Returns the datum whose name is most similar to a misspelt one, or null if none is similar.
 const HostDatum* find_datum_meant(std::uint32_t stencil, std::string_view name);
-/// "rest_length, parallel"
+/// Names of the data that the host gives: "rest_length, parallel".
 std::string names_of_data_on(std::uint32_t stencil);
 bool declares(const ElementType& type, const HostDatum& datum);
 

@@ -21,7 +21,7 @@ struct CallFrame {
   Kind kind = Kind::host;
 };
 
-/// "rope/bar, term elastic" or "newton/newton, solve".
+/// A call in words: "rope/bar, term elastic" or "newton/newton, solve".
 std::string text_of(const CallFrame& frame);
 
 /// The nested calls of one thread, the outermost first. Only this thread writes, without a lock; other

@@ -39,7 +39,7 @@ std::string other_kind(const PluginContent& plugin, const std::string& type) {
 
 std::string plugin_of(const std::string& type) { return type.substr(0, type.find('/')); }
 
-/// "newton" is short for "newton/newton".
+/// Completes a short name: "newton" becomes "newton/newton".
 std::string full_name(const std::string& type) {
   return type.find('/') == std::string::npos ? type + "/" + type : type;
 }

@@ -79,7 +79,7 @@ std::vector<std::string> unused_plugins(const ScenePlan& plan, const Registry& r
 /// Whether a part has a real parameter that is not zero.
 bool sets(const Part& part, const ElementType& type, std::string_view parameter);
 
-/// "conservative, symmetric, constant"
+/// Names the traits: "conservative, symmetric, constant".
 std::string describe_traits(std::uint32_t traits);
 
 }  // namespace netloft

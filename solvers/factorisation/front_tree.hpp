@@ -16,7 +16,7 @@ struct Front {
   std::int32_t first = 0;    // first pivot of the front, in the order of elimination
   std::int32_t pivots = 0;   // number n of pivots
   std::int32_t others = 0;   // number u of other unknowns
-  std::int32_t parent = -1;  // the front that eliminates the first of the others
+  std::int32_t parent = -1;  // front that eliminates the first of the other unknowns
   // Indices of the first number of the front in each list:
   std::size_t indices = 0;  // other unknowns, in FrontTree::other and FrontTree::place
   std::size_t panels = 0;   // panels, in the factors

@@ -18,7 +18,7 @@ namespace netloft {
 /// The meaning of a real parameter for strategies that make a scene easier.
 enum class Role : std::uint32_t {
   plain = 0,
-  stiffness = NETLOFT_STIFFNESS,      // elastic forces grow in proportion to it
+  stiffness = NETLOFT_STIFFNESS,      // elastic forces are proportional to the parameter
   compression = NETLOFT_COMPRESSION,  // stiffness of slack twines and ropes
   damping = NETLOFT_DAMPING,          // tension per strain rate
 };

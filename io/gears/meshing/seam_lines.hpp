@@ -48,7 +48,7 @@ struct SeamLines {
   std::vector<std::array<std::size_t, 2>> rope_ends;
   std::vector<std::size_t> rope_middles;      // middles of ropes across a whole gear; else kNoPoint
   std::map<std::string, std::size_t> points;  // points by name
-  std::vector<bool> is_on_plane;              // whether each line is on the plane of half a gear
+  std::vector<bool> is_on_plane;              // whether each line is on the plane of symmetry of half a gear
   std::size_t number_of_points = 0;
 };
 

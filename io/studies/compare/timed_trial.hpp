@@ -16,7 +16,7 @@ struct Trial {
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
   std::string reason;  // why there is no answer, as a sentence
-  // "finished", "lost", "out of time", "out of work" or "interrupted"; empty: it is an equilibrium.
+  // End of a motion: "finished", "lost", "out of time", "out of work", "interrupted"; empty: no motion.
   std::string of_motion;
   // Processor time of the solver without the final checks of the host, in the fastest repeat.
   double cpu_seconds = 0;

@@ -13,13 +13,13 @@ namespace netloft {
 ///   (A + μ M) s = −r(u),  u ← u + t s,  G(t) = s·r(u + t s)                                  (1)
 ///   t = 1 if G(1) ≤ η |G(0)|, else where regula falsi finds |G(t)| ≤ η |G(0)|                (2)
 ///   A is made anew at u if G(0) is more than κ² times that of the step before, or |G(t)| > κ |G(0)|  (3)
-///   μ ← 0.1 μ after t > 0.9, 10 μ after t < 0.25, and where s leads uphill or no t serves    (4)
+///   μ ← 0.1 μ after t > 0.9, 10 μ after t < 0.25, and if s is uphill or no t satisfies (2)   (4)
 /// (2) is the line search of Matthies and Strang (Int. J. Numer. Meth. Eng. 14, 1979), which needs no energy:
 /// inertia and drag have none. ‖r‖ is not suitable, because it grows wherever slack twines tighten. −G(0) is
 /// the square of Newton's decrement, a length that no stiff twine dominates. A is the tangent, or its convex
 /// part where the tangent is not positive definite; M is the linear stiffness, in which slack twines resist,
-/// too: without a small μ M, steps are so long that they overstretch slack twines. The method begins with the
-/// factor that the host holds from the previous problem.
+/// too: without a small μ M, steps overstretch slack twines. η is the option `slope`, κ is `contraction`. The
+/// method begins with the factor that the host holds from the previous problem.
 struct Chord {
   struct Parameters {
     double damping = 0, contraction = 0, slope = 0, shortest_step = 0;
