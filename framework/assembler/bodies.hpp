@@ -84,8 +84,8 @@ class Bodies {
   struct Slopes {
     Matrix3 G;
     std::array<Matrix3, 3> second;           // second derivatives ∂²x_i/∂q²
-    Matrix3 velocity, acceleration_by_rate;  // ∂ẋ/∂q, ∂ẍ/∂q̇
-    Matrix3 acceleration;                    // ∂ẍ/∂q
+    Matrix3 velocity, acceleration_by_rate;  // derivatives ∂ẋ/∂q and ∂ẍ/∂q̇
+    Matrix3 acceleration;                    // derivative ∂ẍ/∂q
   };
   /// One product of (3): values[to] += P = Lᵀ values[from] R, where L and R are G or the identity. If
   /// `transposed`, Pᵀ is added instead; if `both`, P + Pᵀ.

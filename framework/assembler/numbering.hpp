@@ -53,8 +53,8 @@ class Numbering {
     return coordinate_[dof.at()];
   }
 
-  std::vector<std::int32_t> place_;        // index: 3 node + axis
-  std::vector<std::uint32_t> coordinate_;  // 3 node + axis; index: place
+  std::vector<std::int32_t> place_;        // place of each coordinate 3 node + axis
+  std::vector<std::uint32_t> coordinate_;  // coordinate 3 node + axis of each place
   std::int32_t unknowns_ = 0;
 };
 

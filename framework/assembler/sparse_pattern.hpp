@@ -9,8 +9,8 @@ namespace netloft {
 /// The entries of a sparse matrix that may be non-zero: compressed columns, rows ascending, every diagonal
 /// entry present. Symmetric matrices hold the lower triangle only.
 struct SparsePattern {
-  std::int32_t size = 0;                   // unknowns
-  std::vector<std::int32_t> column_start;  // size + 1
+  std::int32_t size = 0;                   // number of unknowns
+  std::vector<std::int32_t> column_start;  // size + 1 indices
   std::vector<std::int32_t> row;           // row of each entry
   std::vector<std::int32_t> node;          // unknown -> node, for orderings of the node graph; size long
   bool symmetric = true;

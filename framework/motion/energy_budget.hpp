@@ -65,7 +65,7 @@ class EnergyBudget {
   /// energy, the sum of their work.
   struct Account {
     std::string name;
-    std::vector<std::pair<std::size_t, std::size_t>> terms;  // (family, term)
+    std::vector<std::pair<std::size_t, std::size_t>> terms;  // indices of family and term
     bool in_the_middle = false;  // true: (5) is evaluated in the middle of each step
     double value = 0, first = 0;
   };

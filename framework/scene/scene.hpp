@@ -63,7 +63,7 @@ struct Current {
 struct SeaBed {
   bool is_there = false;
   double depth = 0;                 // [m]
-  double slope_x = 0, slope_y = 0;  // dz_b/dx, dz_b/dy
+  double slope_x = 0, slope_y = 0;  // slopes dz_b/dx, dz_b/dy
   Surface relief = {};              // height above that plane over x and y [m]; constant beyond its edges
 
   /// Height z_b of the bed at (x, y), its two first and its three second derivatives (xx, xy, yy).

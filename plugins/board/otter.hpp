@@ -41,8 +41,8 @@ struct Otter {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters : solids::Solid {
     double area = 0, chord = 0, span = 0;
-    double lift = 1, drag = 1;        // f_L, f_D
-    double parasite = 0;              // C_0
+    double lift = 1, drag = 1;        // factors f_L, f_D
+    double parasite = 0;              // coefficient C_0
     double ploughing = 0, power = 1;  // p [N/m] and exponent n of (5)
     netloft_table polar{}, polar_slip{}, pressure{}, bottom{};
   };

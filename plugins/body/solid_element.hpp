@@ -14,8 +14,8 @@ namespace netloft::bodies {
 struct BodySolid {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters : solids::Solid {
-    double drag_x = 0, drag_y = 0, drag_z = 0;           // A_i
-    double damping_x = 0, damping_y = 0, damping_z = 0;  // B_i
+    double drag_x = 0, drag_y = 0, drag_z = 0;           // areas A_i [m²]
+    double damping_x = 0, damping_y = 0, damping_z = 0;  // coefficients B_i [m⁵]
   };
   using Data = solids::Sided;
 

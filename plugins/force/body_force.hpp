@@ -18,7 +18,7 @@ struct OnBody {
     double x = 0, y = 0, z = 0;  // force F [N]
   };
   struct Data {
-    double side = 1;              // -1 to port
+    double side = 1;              // 1 to starboard, -1 to port
     std::array<double, 3> arm{};  // point of action, in the axes of a body to starboard [m]
   };
 

@@ -19,7 +19,7 @@ namespace netloft::hydro {
 /// Source: cross-flow principle, as in the trawl-gear paper, eqs. (2) and (4).
 struct CrossFlow {
   double shielding;   // factor r on W
-  double tangential;  // C_t
+  double tangential;  // friction C_t
 };
 
 /// The resistance factor k and the slope g of (2), (3).

@@ -192,7 +192,7 @@ void add_blocks(const Triangle::Lanes& p, const Blocks& U, const Blocks& V, std:
 
 void fill_metric(const Triangle::Lanes& p, std::uint32_t count, Blocks& blocks) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double m = p.bars[i] * std::max(p.EA[i], p.EA_compression[i]) / p.l0[i];  // axial (6)
+    const double m = p.bars[i] * std::max(p.EA[i], p.EA_compression[i]) / p.l0[i];  // bound by axial (6)
     for (int k = 0; k < 6; ++k) blocks.v[k][i] = k == 0 || k == 2 || k == 5 ? m : 0;
   }
 }

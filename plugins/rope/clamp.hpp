@@ -20,7 +20,7 @@ struct Clamp {
   enum Curvature : std::int64_t { of_bars, of_nodes };
 
   struct Parameters {
-    double EI = 0, angle = 0;  // β [rad]
+    double EI = 0, angle = 0;  // angle at rest β [rad]
     std::int64_t curvature = of_bars;
   };
   struct Data {

@@ -18,7 +18,7 @@ struct FrontSchedule {
     std::size_t first, last;  // first front, and one past the last
   };
   std::vector<Branch> branches;      // branches with most work first
-  std::vector<std::size_t> trunk;    // fronts
+  std::vector<std::size_t> trunk;    // fronts that belong to no branch
   std::vector<std::uint8_t> parity;  // parity of the depth of each front
   std::vector<std::size_t> update;   // where the update of each front begins in the block of its parity
   std::size_t room[2]{};             // size of the two blocks [doubles]

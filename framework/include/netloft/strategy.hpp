@@ -99,7 +99,7 @@ struct Stage {
   // Largest residual and load on a node [N], [N]; energy [J]; all zero if has_forces() is false.
   double residual = 0, load = 0, energy = 0;
   double rounding = 0;  // residual that rounding of the positions can cause [N]
-  double spent = 0;     // work
+  double spent = 0;     // work of the stage
   unsigned iterations = 0, factorisations = 0;
   Displacements growing = {};                    // a disturbance that grows; empty: not known
   double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; frequency 0: it does not oscillate

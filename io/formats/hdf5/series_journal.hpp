@@ -27,7 +27,7 @@ struct SeriesLayout {
 /// One output of a motion.
 struct SeriesState {
   double time = 0;
-  std::vector<double> points;               // 3n [m]
+  std::vector<double> points;               // positions, 3n [m]
   std::vector<std::vector<double>> fields;  // fields in the order of `changing`
   std::vector<double> row;                  // numbers in the order of the columns
 };

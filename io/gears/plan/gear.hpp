@@ -64,7 +64,7 @@ struct GearRope {
   std::string name;
   const Rope* rope = nullptr;
   bool is_mirrored = false;
-  double length = 0;                   // unstretched [m]
+  double length = 0;                   // unstretched length [m]
   std::vector<HungEdge> hung;          // edges from its start to its end
   std::array<std::string, 2> between;  // names in this gear of the points at its ends
   std::string middle;  // point tied to its middle, if it lies across the middle of a whole gear

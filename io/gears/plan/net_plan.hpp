@@ -42,7 +42,7 @@ struct Cut {
   int goes = 0;          // +1 if the panel becomes wider going aft, -1 if narrower, 0 if straight
   // Numbers of meshes in the plan; a cut without either takes the rest of the depth.
   std::optional<double> said_across, said_deep;
-  double across = 0, deep = 0;  // computed meshes
+  double across = 0, deep = 0;  // numbers of meshes, computed
   double selvedge = 0;          // meshes that are gathered into the seam along the cut
   formats::Place place;
   bool operator==(const Cut&) const = default;
@@ -101,7 +101,7 @@ struct Rope {
   Standing stands = Standing::alone;
   std::string part_name;
   formats::Value rope;                // a table of the properties of the rope: diameter, EA, density, …
-  double length = 0;                  // unstretched [m]
+  double length = 0;                  // unstretched length [m]
   std::optional<double> length_port;  // length of the rope to port, if different [m]
   // Tension at the start of the rope to starboard and to port, if the solver finds the length [N].
   std::optional<double> tension, tension_port;

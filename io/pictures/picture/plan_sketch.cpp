@@ -13,7 +13,7 @@ namespace netloft::pictures {
 
 namespace {
 
-constexpr double kTall = 420, kSketchMargin = 20, kNames = 150;  // pixels; room for names to the right
+constexpr double kTall = 420, kSketchMargin = 20, kNames = 150;  // [pixels]; kNames: room for names
 constexpr const char *kInk = "#222", *kPale = "#555";
 
 using Grid = std::array<long, 2>;  // a position in tenths of millimetres, so that equal corners compare equal

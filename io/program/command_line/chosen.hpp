@@ -46,10 +46,10 @@ void require_group(const CLI::App& command, const std::string& group, const std:
 
 // The commands, in the groups of `netloft --help`.
 void add_gear_commands(CLI::App& app, Chosen& chosen);     // check, draw, import, catalogue
-void add_scene_commands(CLI::App& app, Chosen& chosen);    // run, plan
+void add_scene_commands(CLI::App& app, Chosen& chosen);    // commands run, plan
 void add_result_commands(CLI::App& app, Chosen& chosen);   // report, view, diff, export
 void add_study_commands(CLI::App& app, Chosen& chosen);    // scope, study, calibrate
-void add_numeric_commands(CLI::App& app, Chosen& chosen);  // compare, refine
+void add_numeric_commands(CLI::App& app, Chosen& chosen);  // commands compare, refine
 void add_plugin_commands(CLI::App& app, Chosen& chosen);   // list, describe, schema, test, new, --cflags
 
 }  // namespace netloft::program

@@ -13,32 +13,32 @@ struct CatalogueOptions : CommonOptions {
 struct CheckOptions : SceneOptions {};  // `scene` is GEAR, a net plan
 
 struct DrawOptions : CommonOptions {
-  std::string file;    // GEAR
-  std::string output;  // -o
+  std::string file;    // argument GEAR
+  std::string output;  // option -o
   // options for a net plan
-  std::vector<std::string> set;  // --set path=value
-  bool mesh = false;             // --mesh
-  std::size_t nodes = 2000;      // --nodes
+  std::vector<std::string> set;  // option --set path=value
+  bool mesh = false;             // option --mesh
+  std::size_t nodes = 2000;      // option --nodes
   // options for a result
-  std::string view = "oblique";  // --view
-  std::string field;             // --field
-  int state = -1;                // --state; -1: the newest
-  std::size_t width = 1000;      // --width
-  std::string fit = "netting";   // --fit
-  bool dark = false;             // --dark
-  bool log = false;              // --log
-  bool elements = false;         // --elements
-  bool dimensions = false;       // --dimensions
+  std::string view = "oblique";  // option --view
+  std::string field;             // option --field
+  int state = -1;                // option --state; -1: the newest
+  std::size_t width = 1000;      // option --width
+  std::string fit = "netting";   // option --fit
+  bool dark = false;             // option --dark
+  bool log = false;              // option --log
+  bool elements = false;         // option --elements
+  bool dimensions = false;       // option --dimensions
 };
 
 struct ImportOptions : CommonOptions {
-  std::string format;   // FORMAT
-  std::string gear;     // GEAR
-  std::string output;   // -o
-  std::string mesh;     // --mesh
-  std::string folder;   // --check
-  bool divide = false;  // --divide
-  bool motion = false;  // --motion
+  std::string format;   // argument FORMAT
+  std::string gear;     // argument GEAR
+  std::string output;   // option -o
+  std::string mesh;     // option --mesh
+  std::string folder;   // option --check
+  bool divide = false;  // option --divide
+  bool motion = false;  // option --motion
 };
 
 /// The kinds of files that `draw` reads.

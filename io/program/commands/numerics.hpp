@@ -7,18 +7,18 @@
 namespace netloft::program {
 
 struct CompareOptions : SceneOptions {
-  std::vector<std::string> methods;      // --solver, --strategy or --integrator, at least once
-  std::string accuracy;                  // --accuracy LO:HI, for motions; empty: 1e-3:1e-1
-  std::string tolerance = "1e-10:1e-2";  // --tolerance LO:HI
-  std::string cells;                     // --cells [PART=]N,N,…
-  std::string reference;                 // --reference NAME[:key=value,…]
-  int repeats = 3;                       // --repeats
-  std::string csv, plot;                 // --csv FILE, -o FILE.svg|.html
+  std::vector<std::string> methods;      // options --solver, --strategy or --integrator, at least once
+  std::string accuracy;                  // option --accuracy LO:HI, for motions; empty: 1e-3:1e-1
+  std::string tolerance = "1e-10:1e-2";  // option --tolerance LO:HI
+  std::string cells;                     // option --cells [PART=]N,N,…
+  std::string reference;                 // option --reference NAME[:key=value,…]
+  int repeats = 3;                       // option --repeats
+  std::string csv, plot;                 // options --csv FILE, -o FILE.svg|.html
 };
 
 struct RefineOptions : MethodOptions {
-  std::vector<std::int64_t> nodes;  // --nodes N,N,…
-  std::string cells;                // --cells [PART=]N,N,…
+  std::vector<std::int64_t> nodes;  // option --nodes N,N,…
+  std::string cells;                // option --cells [PART=]N,N,…
 };
 
 int compare_command(const CompareOptions& options);  // compares speed and error of methods

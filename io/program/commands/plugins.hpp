@@ -5,17 +5,17 @@
 namespace netloft::program {
 
 struct DescribeOptions : PluginOptions {
-  std::string type;  // TYPE
+  std::string type;  // argument TYPE
 };
 
 struct TestOptions : PluginOptions {
-  std::string plugin;  // PLUGIN
+  std::string plugin;  // argument PLUGIN
   bool verbose = false;
-  double seconds = 60;  // --seconds. All checks of the largest built-in plugin take 1 s
+  double seconds = 60;  // option --seconds. All checks of the largest built-in plugin take 1 s
 };
 
 struct NewOptions {
-  std::string kind, name;  // KIND NAME
+  std::string kind, name;  // arguments KIND NAME
 };
 
 int list_command(const PluginOptions& options);        // lists all components

@@ -7,27 +7,27 @@
 namespace netloft::program {
 
 struct ReportOptions : CommonOptions {
-  std::string result;              // RESULT.hdf
-  bool html = false, csv = false;  // --html, --csv
-  std::string output;              // -o
+  std::string result;              // argument RESULT.hdf
+  bool html = false, csv = false;  // options --html, --csv
+  std::string output;              // option -o
 };
 
 struct ExportOptions : CommonOptions {
-  std::string result;           // RESULT.hdf
-  std::string output;           // FILE
-  std::string table = "nodes";  // --table
-  std::string field;            // --field
-  int state = -1;               // --state; -1: the newest
+  std::string result;           // argument RESULT.hdf
+  std::string output;           // argument FILE
+  std::string table = "nodes";  // option --table
+  std::string field;            // option --field
+  int state = -1;               // option --state; -1: the newest
 };
 
 struct ViewOptions : CommonOptions {
-  std::vector<std::string> results;  // RESULT.hdf
-  std::string output;                // -o
-  std::size_t states = 100;          // --states
+  std::vector<std::string> results;  // argument RESULT.hdf
+  std::string output;                // option -o
+  std::size_t states = 100;          // option --states
 };
 
 struct DiffOptions : CommonOptions {
-  std::string before, after;  // RESULT.hdf
+  std::string before, after;  // arguments RESULT.hdf
 };
 
 int report_command(const ReportOptions& options);  // reports an existing result

@@ -5,12 +5,12 @@
 namespace netloft::program {
 
 struct RunOptions : MethodOptions {
-  std::string output;              // -o
-  bool resume = false;             // --resume
-  bool overwrite = false;          // --overwrite
-  std::string start_from;          // --start-from RESULT.hdf
-  bool stages = false;             // --stages
-  bool error = false;              // --error
+  std::string output;              // option -o
+  bool resume = false;             // option --resume
+  bool overwrite = false;          // option --overwrite
+  std::string start_from;          // option --start-from RESULT.hdf
+  bool stages = false;             // option --stages
+  bool error = false;              // option --error
   std::vector<std::string> words;  // the command line, for the result file
 };
 

@@ -5,53 +5,53 @@
 namespace netloft::program {
 
 struct ScopeOptions : MethodOptions {
-  std::string depth;            // --depth LO:HI[:N]
-  std::string warp = "2:5:13";  // --warp, in the same form, as a multiple of the depth
-  std::string heel = "-5:5";    // --heel LO:HI
-  std::string spread;           // --spread LO:HI; empty: any
-  std::string output;           // -o
+  std::string depth;            // option --depth LO:HI[:N]
+  std::string warp = "2:5:13";  // option --warp, in the same form, as a multiple of the depth
+  std::string heel = "-5:5";    // option --heel LO:HI
+  std::string spread;           // option --spread LO:HI; empty: any
+  std::string output;           // option -o
 };
 
 struct CalibrateOptions : PluginOptions {
-  std::string file;  // CALIBRATION
+  std::string file;  // argument CALIBRATION
 };
 
 struct StudyPlanOptions : PluginOptions {
-  std::string file;    // STUDY
-  std::string output;  // -o
+  std::string file;    // argument STUDY
+  std::string output;  // option -o
 };
 
 /// Options of `missing` and `collect`.
 struct StudyOptions : CommonOptions {
-  std::string folder;  // FOLDER
+  std::string folder;  // argument FOLDER
 };
 
 struct StudyRunOptions : PluginOptions {
-  std::string folder;  // FOLDER
-  std::string items;   // --items 1-10,15
-  int jobs = 0;        // --jobs; 0: one per core of the machine
-  int threads = 0;     // --threads; 0: one
+  std::string folder;  // argument FOLDER
+  std::string items;   // option --items 1-10,15
+  int jobs = 0;        // option --jobs; 0: one per core of the machine
+  int threads = 0;     // option --threads; 0: one
 };
 
 struct StudySubmitOptions : PluginOptions {
-  std::string folder;  // FOLDER
-  std::string engine;  // --engine parallel, slurm
-  int jobs = 0;        // --jobs; 0: one per core of the machine
-  int chunk = 0;       // --chunk; 0: as many items as take at least a minute
+  std::string folder;  // argument FOLDER
+  std::string engine;  // option --engine parallel, slurm
+  int jobs = 0;        // option --jobs; 0: one per core of the machine
+  int chunk = 0;       // option --chunk; 0: as many items as take at least a minute
 };
 
 struct StudyShowOptions : StudyOptions {
-  std::vector<std::string> figures, at;  // --figure, --at NAME=VALUE
-  std::string over, by;                  // --over, --by
-  std::string output;                    // -o
+  std::vector<std::string> figures, at;  // options --figure, --at NAME=VALUE
+  std::string over, by;                  // options --over, --by
+  std::string output;                    // option -o
 };
 
 struct StudyEstimateOptions : StudyOptions {
-  std::vector<std::string> figures, at;  // --figure, --at NAME=VALUE
+  std::vector<std::string> figures, at;  // options --figure, --at NAME=VALUE
 };
 
 struct StudySobolOptions : StudyEstimateOptions {
-  std::string output;  // -o
+  std::string output;  // option -o
 };
 
 int scope_command(const ScopeOptions& options);          // lengths of warp for each depth

@@ -7,26 +7,26 @@ namespace netloft::program {
 
 /// Options of every command that has an answer.
 struct CommonOptions {
-  std::string color = "auto";  // --color
-  bool json = false;           // --json
+  std::string color = "auto";  // option --color
+  bool json = false;           // option --json
 };
 
 /// Options of commands that load plugins.
 struct PluginOptions : CommonOptions {
-  std::vector<std::string> plugins;  // --plugins DIR
+  std::vector<std::string> plugins;  // option --plugins DIR
 };
 
 /// Options of commands that read a scene.
 struct SceneOptions : PluginOptions {
-  std::string scene;             // SCENE
-  std::vector<std::string> set;  // --set path=value
-  int threads = 0;               // --threads; 0: one per core of the machine
-  bool scene_plugins = false;    // --scene-plugins
+  std::string scene;             // argument SCENE
+  std::vector<std::string> set;  // option --set path=value
+  int threads = 0;               // option --threads; 0: one per core of the machine
+  bool scene_plugins = false;    // option --scene-plugins
 };
 
 /// Options of commands that solve a scene by one method.
 struct MethodOptions : SceneOptions {
-  std::string strategy, solver;  // --strategy, --solver NAME[:key=value[,key=value]]
+  std::string strategy, solver;  // options --strategy, --solver NAME[:key=value[,key=value]]
 };
 
 /// An error of the command line: exit code 2.

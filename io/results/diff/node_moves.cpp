@@ -11,7 +11,7 @@ namespace netloft::results {
 namespace {
 
 using Position = std::array<double, 3>;
-using Place = std::array<double, 2>;  // U, V [meshes]
+using Place = std::array<double, 2>;  // coordinates U, V [meshes]
 // A place counts as inside a triangle if none of its barycentric coordinates is below minus this number.
 constexpr double kInside = 1e-6;
 

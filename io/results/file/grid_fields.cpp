@@ -20,7 +20,7 @@ bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
 }
 
-using PanelPoint = std::array<double, 2>;  // U, V [meshes]
+using PanelPoint = std::array<double, 2>;  // coordinates U, V [meshes]
 
 /// The panel coordinates of each node of a panel. A node on a seam that closes the panel to a tube has two
 /// pairs of coordinates.

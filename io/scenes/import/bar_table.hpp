@@ -24,7 +24,7 @@ struct TableNode {
 struct TableRope {
   struct Bar {
     std::array<std::uint32_t, 2> nodes{};
-    double length = 0;  // unstretched [m]
+    double length = 0;  // unstretched length [m]
   };
   std::string name;
   formats::Place place;

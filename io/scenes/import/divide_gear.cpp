@@ -28,7 +28,7 @@ namespace netloft::scenes::femnet {
 namespace {
 
 constexpr double kMostParts = 1e5;    // limit of parts along one side of a panel
-constexpr double kLongestSide = 100;  // mesh side [m]
+constexpr double kLongestSide = 100;  // limit of the mesh side [m]
 // Least distance of inner nodes from the border, as a fraction of the meshing step, so that no triangle is
 // flat. FEMNET has some nodes at 0.24.
 constexpr double kNearest = 0.2;

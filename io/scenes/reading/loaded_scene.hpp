@@ -70,7 +70,7 @@ struct Analysis {
 /// A row of the bill of materials of a gear; NaN marks a number that does not apply or is not given.
 struct BillItem {
   std::string kind;          // netting, rope, piece, body
-  std::string name;          // name in the plan
+  std::string name;          // name of the item in the plan
   std::string part_name;     // name in the catalogue; empty if the plan has numbers instead
   double number = 1;         // number of such items in the whole gear
   double length = 0;         // unstretched length of one rope [m]

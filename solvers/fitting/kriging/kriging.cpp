@@ -98,7 +98,7 @@ struct Factorised {
   Scales scales;
   Matrix at;
   Eigen::LLT<Matrix> factor, information;  // factors of K and of Fᵀ K⁻¹ F
-  Matrix solved_trend;                     // K⁻¹ F
+  Matrix solved_trend;                     // product K⁻¹ F
   Vector beta, weights;                    // weights: K⁻¹ (y − F β)
   double variance = 0;
 };

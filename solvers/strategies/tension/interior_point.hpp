@@ -52,7 +52,7 @@ class InteriorPoint {
   struct State {
     double z0;  // first coordinate of z; the others are w/l₀
     cone::Point y;
-    cone::Point dz{}, dy{};  // the step
+    cone::Point dz{}, dy{};  // step of z and y
   };
 
   void begin(std::span<const double> u);

@@ -68,7 +68,7 @@ class MixedNewton {
   void begin(const Stage& stage, std::span<const double> u);
   void update_geometry(std::span<const double> u);
   void follow_positions();
-  double stiffness(std::size_t e) const {  // k of (1)
+  double stiffness(std::size_t e) const {  // stiffness k of (1)
     return T_[e] > 0 ? laws_[e].EA : laws_[e].EA_compression;
   }
   double tension_at(std::size_t e, double strain) const {

@@ -22,7 +22,7 @@ struct MyIntegrator {
     const double share = (beta > 1.0 / 6 ? beta - 1.0 / 6 : 1.0 / 6 - beta) + p.damping;
     auto v0 = m.scratch(0), a0 = m.scratch(1);
     for (std::size_t i = 0; i < m.size(); ++i) {
-      const double known = m.u()[i] + h * m.v()[i] + h * h * (0.5 - beta) * m.a()[i];  // ũ
+      const double known = m.u()[i] + h * m.v()[i] + h * h * (0.5 - beta) * m.a()[i];  // ũ of (1)
       a0[i] = -ca * known;
       v0[i] = m.v()[i] + h * (1 - gamma) * m.a()[i] - cv * known;
       m.next_u()[i] = m.u()[i] + h * m.v()[i];  // initial guess

@@ -14,9 +14,9 @@
 /// more than η (3). (3) decides when rounding hides the change of E (Hager, Zhang, SIAM J. Optim. 16, 2005).
 struct MySolver {
   struct Parameters {
-    double damping = 0, overshoot = 0;  // μ, η
+    double damping = 0, overshoot = 0;  // damping μ, limit η
   };
-  static constexpr double kRounding = 1e-14;  // ε
+  static constexpr double kRounding = 1e-14;  // rounding ε
 
   static netloft::Outcome solve(const Parameters& p, netloft::Problem& problem) {
     using namespace netloft;

@@ -8,7 +8,7 @@
 /// previous one (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6).
 struct MyStrategy {
   struct Parameters {
-    double softest = 0, factor = 0;  // s, f
+    double softest = 0, factor = 0;  // s and f of (1)
   };
 
   static void run(const Parameters& p, netloft::Search& search) {
