@@ -43,7 +43,8 @@ void replace_file(const std::string& output, const std::string& content,
   for (const auto& source : sources)
     if (fs::equivalent(output, source, none))
       throw UsageError{output + " is an input of this command; name another file with -o"};
-  if (!has_one_of(output, endings)) throw UsageError{output + ": this is written as " + list_of(endings)};
+  if (!has_one_of(output, endings))
+    throw UsageError{output + ": the name of this file must end in " + list_of(endings)};
   formats::write_keeping(output, content);
 }
 
