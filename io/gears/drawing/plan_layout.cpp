@@ -90,7 +90,7 @@ class Sheet {
   /// Places the panel and all panels that are sewn to its fore and aft edges and not placed yet.
   void place(const Panel& panel, double x, double y) {
     if (!seen_.insert(&panel).second) return;
-    placed_.push_back({&panel, outline_of(panel), x, y, false});
+    placed_.push_back({&panel, panel.outline, x, y, false});
     const PlacedPanel own = placed_.back();
     if (panel.stands != Standing::alone) placed_.push_back({&panel, own.outline, mirror_about_, y, true});
     if (panel.stands == Standing::middle) placed_.back().x = x;

@@ -33,6 +33,7 @@ Panel geometry_of(const Panel& panel) {
   shape.is_round = panel.is_round;
   shape.outer = without_places(panel.outer);
   shape.inner = without_places(panel.inner);
+  shape.outline = panel.outline;
   return shape;
 }
 

@@ -78,7 +78,7 @@ void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   const EdgeUses uses(plan);
   for (const auto& panel : plan.panels) {
     const auto open = said_open(plan, panel, uses, diagnostics);
-    for (const auto& edge : outline_of(panel).edges) {
+    for (const auto& edge : panel.outline.edges) {
       const std::string name = name_of(panel, edge);
       if (edge.kind == EdgeKind::middle || uses.find(name) || open.contains(name)) continue;
       diagnostics.warning(

@@ -29,6 +29,7 @@ Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string
   side[which].rate = *parse_rate(rate);
   side[which].is_known = true;
   settle(side, panel.depth);
+  panel.outline = outline_of(panel);
   return panel;
 }
 
@@ -166,6 +167,7 @@ void check_selvedges(Panel& panel, formats::Diagnostics& diagnostics) {
                     "selvedge counts the meshes of one edge");
   for (auto* side : {&panel.outer, &panel.inner})
     for (auto& cut : *side) cut.selvedge = 0;
+  panel.outline = outline_of(panel);
 }
 
 }  // namespace

@@ -5,55 +5,78 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <map>
+#include <optional>
+#include <queue>
 #include <set>
+#include <unordered_map>
+#include <vector>
 
 namespace netloft::gears {
 
 namespace {
 
-/// A graph of points and ends of ropes, with ropes as connections, for shortest paths.
+/// A graph of points and of the start, middle and end of ropes, with halves of ropes as connections, for
+/// shortest paths. Vertices have numbers.
 class RopeWays {
  public:
   explicit RopeWays(const Gear& gear) {
     for (const auto& rope : gear.ropes) {
-      add(rope.name + ".start", rope.name + ".middle", rope.length / 2);
-      add(rope.name + ".middle", rope.name + ".end", rope.length / 2);
-      add(rope.name + ".start", rope.between[0], 0);
-      add(rope.name + ".end", rope.between[1], 0);
-      add(rope.name + ".middle", rope.middle, 0);
+      const std::size_t start = vertex(rope.name + ".start"), middle = vertex(rope.name + ".middle"),
+                        end = vertex(rope.name + ".end");
+      connect(start, middle, rope.length / 2);
+      connect(middle, end, rope.length / 2);
+      tie(start, rope.between[0]);
+      tie(end, rope.between[1]);
+      tie(middle, rope.middle);
     }
   }
 
-  /// Lengths of the shortest paths along ropes from one point to all points that are at most `most` [m] away
-  /// (E. W. Dijkstra 1959).
-  std::map<std::string, double> from(const std::string& start,
-                                     double most = std::numeric_limits<double>::infinity()) const {
-    std::map<std::string, double> reached;
-    std::set<std::pair<double, std::string>> next = {{0, start}};
-    while (!next.empty()) {
-      const auto [length, at] = *next.begin();
-      next.erase(next.begin());
-      if (length > most) break;
-      if (!reached.emplace(at, length).second) continue;
-      for (auto [way, end] = ways_.equal_range(at); way != end; ++way)
-        next.emplace(length + way->second.length, way->second.to);
+  /// The number of a vertex; empty if no rope leads to a point of this name.
+  std::optional<std::size_t> find(const std::string& name) const {
+    const auto at = numbers_.find(name);
+    return at == numbers_.end() ? std::nullopt : std::optional(at->second);
+  }
+
+  /// Lengths of the shortest paths along ropes from one vertex to each other one [m]; infinity for vertices
+  /// that are more than `most` away (E. W. Dijkstra 1959).
+  std::vector<double> from(std::size_t start, double most = kFar) const {
+    std::vector<double> lengths(ways_.size(), kFar);
+    using Reached = std::pair<double, std::size_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
+    for (next.push({0, start}); !next.empty() && next.top().first <= most;) {
+      const auto [length, at] = next.top();
+      next.pop();
+      if (lengths[at] < kFar) continue;
+      lengths[at] = length;
+      for (const Way& way : ways_[at]) next.push({length + way.length, way.to});
     }
-    return reached;
+    return lengths;
   }
 
  private:
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
   struct Way {
-    std::string to;
+    std::size_t to;
     double length;
   };
-  void add(const std::string& a, const std::string& b, double length) {
-    if (b.empty()) return;
-    ways_.emplace(a, Way{b, length});
-    ways_.emplace(b, Way{a, length});
+
+  std::size_t vertex(const std::string& name) {
+    const auto [at, is_new] = numbers_.emplace(name, ways_.size());
+    if (is_new) ways_.emplace_back();
+    return at->second;
   }
-  std::multimap<std::string, Way> ways_;
+  void tie(std::size_t vertex_of_rope, const std::string& point) {
+    if (!point.empty()) connect(vertex_of_rope, vertex(point), 0);
+  }
+  void connect(std::size_t a, std::size_t b, double length) {
+    ways_[a].push_back({b, length});
+    ways_[b].push_back({a, length});
+  }
+
+  std::unordered_map<std::string, std::size_t> numbers_;
+  std::vector<std::vector<Way>> ways_;
 };
 
 double distance(const GearPoint& a, const GearPoint& b) {
@@ -67,10 +90,6 @@ void say_too_short(const GearPoint& a, const GearPoint& b, double length, format
                     "give `at` in metres, x aft, y to starboard, z up, or lengthen the ropes");
 }
 
-}  // namespace
-
-namespace {
-
 /// Refuses a rope that begins and ends at the same point and has no edge hung on it: it would be a loose
 /// loop.
 void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& diagnostics) {
@@ -78,8 +97,8 @@ void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& d
     if (!rope.hung.empty() || rope.is_mirrored) continue;
     const bool is_across = !rope.middle.empty();
     const double length = is_across ? rope.length / 2 : rope.length;
-    const auto reached = ways.from(rope.name + ".end", length * 1e-6);
-    if (!reached.contains(rope.name + (is_across ? ".middle" : ".start"))) continue;
+    const auto reached = ways.from(*ways.find(rope.name + ".end"), length * 1e-6);
+    if (!std::isfinite(reached[*ways.find(rope.name + (is_across ? ".middle" : ".start"))])) continue;
     diagnostics.error(rope.rope->between_place,
                       fmt::format("ropes.{}.between: both ends of the rope are one point", rope.rope->name),
                       "a rope leads from one point to another");
@@ -95,13 +114,14 @@ void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
   std::set<std::pair<const Point*, const Point*>> said;  // port and starboard would give the same message
   for (std::size_t i = 0; i < gear.points.size(); ++i) {
     const GearPoint& a = gear.points[i];
-    if (!a.at) continue;
-    const auto reached = ways.from(a.name);
+    const auto start = ways.find(a.name);
+    if (!a.at || !start) continue;
+    const auto reached = ways.from(*start);
     for (std::size_t j = i + 1; j < gear.points.size(); ++j) {
       const GearPoint& b = gear.points[j];
-      const auto way = reached.find(b.name);
-      if (!b.at || way == reached.end() || distance(a, b) <= way->second * (1 + limits.short_rope)) continue;
-      if (said.emplace(a.point, b.point).second) say_too_short(a, b, way->second, diagnostics);
+      const auto other = ways.find(b.name);
+      if (!b.at || !other || distance(a, b) <= reached[*other] * (1 + limits.short_rope)) continue;
+      if (said.emplace(a.point, b.point).second) say_too_short(a, b, reached[*other], diagnostics);
     }
   }
 }

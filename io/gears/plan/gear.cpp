@@ -81,7 +81,7 @@ class GearMaker {
   }
 
   void add_panel(const Panel& panel) {
-    const Outline outline = outline_of(panel);
+    const Outline& outline = panel.outline;
     const bool doubled = is_whole() && panel.stands == Standing::middle;
     for (const Side side : sides_of(panel.stands)) {
       pieces_[&panel].push_back(gear_.panels.size());

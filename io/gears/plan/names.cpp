@@ -36,7 +36,7 @@ bool stands_for(const std::string& word, const OutlineEdge& edge) {
 
 std::vector<std::string> edge_names(const Panel& panel) {
   std::vector<std::string> names;
-  for (const auto& edge : outline_of(panel).edges)
+  for (const auto& edge : panel.outline.edges)
     if (edge.kind != EdgeKind::middle) names.push_back(panel.name + "." + edge.name);
   return names;
 }
@@ -108,7 +108,7 @@ EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::P
   if (!panel) return {};
   EdgeSet set{panel, {}};
   if (panel->is_empty()) return set;  // a panel without edges has been reported already
-  for (auto& edge : outline_of(*panel).edges)
+  for (const auto& edge : panel->outline.edges)
     if (stands_for(dotted.rest, edge)) set.edges.push_back(edge);
   if (set.edges.empty())
     diagnostics.error(place, path + ": the panel " + panel->name + " has no edge \"" + dotted.rest + "\"",

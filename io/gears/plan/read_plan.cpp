@@ -121,9 +121,10 @@ class PlanReader {
                          "names of panels, ropes, floats and points must all be different");
   }
 
-  /// Computes the aft edge of a panel from its cuttings if the plan does not state it.
+  /// Computes the aft edge of a panel from its cuttings if the plan does not state it, and draws the outline.
   void complete(Panel& panel) {
     if (!panel.states_aft) panel.aft = {{"aft", std::max(0.0, aft_by_cuttings(panel)), panel.place}};
+    panel.outline = outline_of(panel);
   }
 
   void close_tube(const Panel& panel) {

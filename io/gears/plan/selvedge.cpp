@@ -73,10 +73,12 @@ void add_strip(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, const
 }
 
 void gather(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, double meshes) {
-  for (auto& panel : plan.panels)
-    if (&panel == set.panel)
-      for (auto& cut : edge.kind == EdgeKind::outer ? panel.outer : panel.inner)
-        if (cut.name == edge.name) cut.selvedge = meshes;
+  for (auto& panel : plan.panels) {
+    if (&panel != set.panel) continue;
+    for (auto& cut : edge.kind == EdgeKind::outer ? panel.outer : panel.inner)
+      if (cut.name == edge.name) cut.selvedge = meshes;
+    panel.outline = outline_of(panel);
+  }
 }
 
 void say_not_a_side(const Join& join, const std::string& edge, formats::Diagnostics& diagnostics) {

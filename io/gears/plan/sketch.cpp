@@ -53,7 +53,7 @@ std::array<double, 3> GearPanel::sketched(PanelPoint point) const {
   const bool is_middle = panel->stands == Standing::middle,
              is_port = is_mirrored || (is_middle && point.x < 0);
   const double t = point.y / panel->depth;
-  const double s = fraction_across(side_ends(outline_of(*panel)), is_middle ? std::abs(point.x) : point.x, t);
+  const double s = fraction_across(side_ends(panel->outline), is_middle ? std::abs(point.x) : point.x, t);
   Place3 at = between(between(corner[0], corner[1], s), between(corner[3], corner[2], s), t);
   if (is_port) at[1] = -at[1];
   return at;

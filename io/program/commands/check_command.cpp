@@ -33,7 +33,7 @@ Json panel_json(const gears::Panel& panel) {
                {"fore", panel.count(panel.fore)},
                {"aft", panel.count(panel.aft)},
                {"depth", panel.depth}};
-  for (const auto& edge : gears::outline_of(panel).edges)
+  for (const auto& edge : panel.outline.edges)
     json["edges"].push_back({{"name", edge.name},
                              {"meshes", edge.meshes},
                              {"from", {edge.from.x, edge.from.y}},

@@ -59,11 +59,12 @@ class Joiner {
   std::optional<Collapse> find_collapse(const std::vector<int>& nodes_per_element) {
     std::set<std::uint32_t> gathered;  // leaders of the nodes in which netting is gathered
     for (const auto& nodes : gathered_) gathered.insert(find(nodes[0]));
+    std::vector<std::uint32_t> corners;
     for (std::size_t p = 0; p < geometries_.size(); ++p) {
       const auto width = static_cast<std::size_t>(nodes_per_element[p]);
       const auto& own = geometries_[p].elements;
       for (std::size_t i = 0; i < own.size(); i += width) {
-        std::vector<std::uint32_t> corners;
+        corners.clear();
         for (std::size_t k = i; k < i + width; ++k) corners.push_back(find(first_[p] + own[k]));
         if (is_collapsed(corners, gathered)) return Collapse{p, i / width};
       }

@@ -73,6 +73,22 @@ TEST(Outline, CornersOfASideOfSeveralCutsLieBetweenThem) {
   EXPECT_NE(std::find(corners.begin(), corners.end(), "breast-cut-aft"), corners.end());
 }
 
+/// Every change of counts and cuttings draws the stored outline again: selvedges that are gathered, and rates
+/// that the check replaces.
+TEST(Outline, IsStoredAsItIsDrawn) {
+  const auto expect_drawn = [](const NetPlan& plan) {
+    for (const auto& panel : plan.panels) EXPECT_TRUE(panel.outline == outline_of(panel)) << panel.name;
+  };
+  expect_drawn(check_text(library_text("83-112-eastern.toml")).plan);
+  std::string plan = library_text("83-112-eastern.toml");
+  const std::string rate = "\"5B1P in\"";
+  ASSERT_NE(plan.find(rate), std::string::npos);
+  plan.replace(plan.find(rate), rate.size(), "\"5B1F in\"");
+  const auto mended = check_text(plan);
+  EXPECT_GT(mended.diagnostics.errors(), 0);
+  expect_drawn(mended.plan);
+}
+
 /// The bag is sewn to a cover. The seams gather three meshes on each side of both, so 14 of 20 remain.
 std::string laced_plan() {
   return kGoodPlan + R"(
@@ -92,6 +108,7 @@ selvedge = 3
 TEST(Selvedge, TakesItsMeshesOfThePanel) {
   const auto checked = check_text(laced_plan());
   const Outline outline = outline_of(*checked.plan.find_panel("cover"));
+  EXPECT_TRUE(checked.plan.find_panel("cover")->outline == outline);
   expect_closed_outline(outline);
   EXPECT_DOUBLE_EQ(edge(outline, "fore").meshes, 7);
   EXPECT_DOUBLE_EQ(edge(outline, "sides").from.x, 7);

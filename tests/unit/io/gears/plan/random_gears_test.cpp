@@ -48,6 +48,7 @@ class Draw {
       if (stands != Standing::middle) panel.inner = side("inner", depth);
     } while (narrowest(panel) < 0.5);
     panel.aft = {{"aft", aft_by_cuttings(panel), {}}};
+    panel.outline = outline_of(panel);
     return panel;
   }
 
