@@ -2,6 +2,7 @@
 #include "io/gears/meshing/gear_mesh.hpp"
 
 #include "io/formats/work/long_work.hpp"
+#include "io/gears/meshing/cannot_divide.hpp"
 #include "io/gears/meshing/gear_size.hpp"
 #include "io/gears/meshing/knots.hpp"
 #include "io/gears/meshing/seam_lines.hpp"
@@ -25,7 +26,9 @@ constexpr double kNear = 0.05;   // accepted relative deviation from the request
 constexpr int kTrials = 8;       // number of sizes that are tried to reach the requested number
 constexpr double kGrid = 1e-10;  // relative rounding of positions, by which port mirrors starboard exactly
 
-constexpr int kPartings = 5;  // most rounds in which coincident sides of two cloths are separated
+constexpr double kSamePlace = 1e-6;  // distance of places on a middle line that are one [meshes]
+
+constexpr int kPartings = 20;  // most rounds in which coincident sides are separated
 
 /// The border of a cloth, a piece of netting: its nodes and their positions in the undeformed panel.
 struct Border {
@@ -89,32 +92,16 @@ class Divider {
   }
 
   /// Finds, for each cloth, whether triangles that are counter-clockwise in the cloth are also
-  /// counter-clockwise seen from outside the net. If this is the same for two cloths that are sewn together,
-  /// their borders run along the seam in opposite directions. The first panel is assumed to be the upper one;
-  /// on its starboard side, seen from above, the turn from outwards to aft is clockwise.
+  /// counter-clockwise seen from outside the net. The first panel is assumed to be the upper one; on its
+  /// starboard side, seen from above, the turn from outwards to aft is clockwise.
   void find_senses() {
-    std::vector<std::vector<std::pair<std::size_t, bool>>> users(lines_.lines.size());
-    for (std::size_t s = 0; s < cloths_.sides.size(); ++s)
-      for (const auto& run : lines_.sides[s])
-        users[run.line].push_back({cloths_.sides[s].cloth, run.is_forward});
-    senses_.assign(cloths_.cloths.size(), 0);
-    for (std::size_t first = 0; first < senses_.size(); ++first)
-      if (senses_[first] == 0) {
-        senses_[first] = cloths_.cloths[first].is_port ? 1 : -1;
-        spread_sense(first, users);
-      }
-  }
-
-  void spread_sense(std::size_t first, const std::vector<std::vector<std::pair<std::size_t, bool>>>& users) {
-    std::vector<std::size_t> reached{first};
-    for (std::size_t k = 0; k < reached.size(); ++k)
-      for (const std::size_t s : cloths_.cloths[reached[k]].sides)
-        for (const auto& run : lines_.sides[s])
-          for (const auto& [other, is_forward] : users[run.line])
-            if (senses_[other] == 0) {
-              senses_[other] = senses_[reached[k]] * (is_forward != run.is_forward ? 1 : -1);
-              reached.push_back(other);
-            }
+    std::map<std::size_t, int> senses;  // of the pieces that stand for all that are connected with them
+    for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) {
+      const auto [root, is_turned] = lines_.faces.root(c);
+      const int turn = is_turned ? -1 : 1;
+      const auto sense = senses.emplace(root, turn * (cloths_.cloths[c].is_port ? 1 : -1)).first;
+      senses_.push_back(turn * sense->second);
+    }
   }
 
   Border border_of(const Cloth& cloth) const {
@@ -159,9 +146,9 @@ class Divider {
       return fineness_.knots ? connect_points(points, knots_within(*panel.panel, cloth.sign, points))
                              : triangulate(points, size_of(cloth));
     } catch (const std::invalid_argument& e) {
-      throw std::invalid_argument(fmt::format(
-          "panels.{}: the border of the panel encloses no netting, because {}: do its cuttings meet?",
-          panel.panel->name, e.what()));
+      throw CannotDivide::panel(
+          panel.panel->name, std::string("the border of the panel encloses no netting, because ") + e.what(),
+          "its cuttings may meet: shorten a cut, or give the panel more meshes");
     }
   }
 
@@ -196,9 +183,9 @@ class Divider {
     return std::minmax(tag(c, side[0]), tag(c, side[1]));
   }
 
-  /// Separates triangle sides of different cloths that are not sewn together but coincide, because they
-  /// connect the same two nodes of the gear. This happens near sharp corners and where seams end in a point.
-  /// Each such side gets its own node in its middle. Returns whether there were such sides.
+  /// Separates triangle sides that are not sewn together but coincide, because they connect the same two
+  /// nodes of the gear, and sides whose ends are one node. This happens near sharp corners and where seams
+  /// end in a point. Each such side gets its own node in its middle. Returns whether there were such sides.
   bool part_doubled_sides() {
     std::map<std::pair<Tag, Tag>, int> times;
     for (const auto& nodes : line_nodes_)
@@ -211,7 +198,10 @@ class Divider {
     }
     bool was_any = false;
     for (std::size_t c = 0; c < planes_.size(); ++c) {
-      std::erase_if(sides[c], [&](const PlaneSide& side) { return times[tags(c, side)] < 2; });
+      std::erase_if(sides[c], [&](const PlaneSide& side) {
+        const auto [from, to] = tags(c, side);
+        return from != to && times[{from, to}] < 2;
+      });
       if (sides[c].empty()) continue;
       planes_[c] = split_sides(planes_[c], borders_[c].nodes.size(), size_of(cloths_.cloths[c]), sides[c],
                                fineness_.knots ? Smoothing::none : Smoothing::all);
@@ -267,8 +257,14 @@ class Divider {
     PanelMesh& panel = mesh_.panels[cloth.panel];
     const auto own = static_cast<std::uint32_t>(panel.nodes.size());
     if (meshes[0] == 0) {
-      const auto [first, is_new] = in_middle_[cloth.panel].emplace(node, own);
-      if (!is_new && cloth.sign < 0) return first->second;
+      auto& places = in_middle_[cloth.panel][node];
+      if (cloth.sign < 0)
+        if (const auto same = std::ranges::find_if(
+                places,
+                [&](std::uint32_t o) { return std::abs(panel.meshes[o][1] - meshes[1]) < kSamePlace; });
+            same != places.end())
+          return *same;
+      places.push_back(own);
     }
     panel.nodes.push_back(node);
     panel.meshes.push_back({meshes[0] == 0 ? 0 : meshes[0], meshes[1]});
@@ -374,8 +370,9 @@ class Divider {
   std::vector<std::vector<std::uint32_t>> line_nodes_;
   std::vector<Border> borders_;    // border of each cloth
   std::vector<PlaneMesh> planes_;  // triangles of each cloth
-  // For each panel, its own numbers of the nodes in its middle, by node of the gear
-  std::map<std::size_t, std::map<std::uint32_t, std::uint32_t>> in_middle_;
+  // For each panel, its own numbers of the nodes in its middle, by node of the gear; seams and ropes may
+  // bring several places of the middle to one node
+  std::map<std::size_t, std::map<std::uint32_t, std::vector<std::uint32_t>>> in_middle_;
   std::vector<int> senses_;  // orientation of each cloth
   GearMesh mesh_;
 };

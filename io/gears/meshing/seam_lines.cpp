@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/seam_lines.hpp"
 
+#include "io/gears/meshing/cannot_divide.hpp"
 #include "io/gears/meshing/gear_size.hpp"
 #include "io/gears/meshing/knots.hpp"
 #include "io/gears/meshing/rope_course.hpp"
@@ -79,6 +80,7 @@ class LineMaker {
 
   void add_side_lines() {
     all_.sides.resize(cloths_.sides.size());
+    all_.faces = Faces(cloths_.cloths.size());
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s) {
       const auto& breaks = borders_.breaks[s];
       for (std::size_t b = 0; b + 1 < breaks.size(); ++b)
@@ -111,16 +113,63 @@ class LineMaker {
     return runs;
   }
 
-  void share_lines(const std::array<Row, 2>& seam) {
-    const auto a = runs_of(seam[0]), b = runs_of(seam[1]);
-    if (a.size() != b.size()) throw cannot_sew(gear_, cloths_, seam);
+  void share_lines(const SewnRows& seam) {
+    const auto a = runs_of(seam.rows[0]), b = runs_of(seam.rows[1]);
+    if (a.size() != b.size()) refuse_seam(gear_, cloths_, seam);
     for (std::size_t k = 0; k < a.size(); ++k) {
       const std::size_t line = add_line();
       use(line, a[k].side, a[k].run);
       const auto ends = all_.lines[line].ends;
       use(line, b[k].side, b[k].run);
-      if (all_.lines[line].ends != ends) throw cannot_sew(gear_, cloths_, seam);
+      if (all_.lines[line].ends != ends) refuse_seam(gear_, cloths_, seam);
+      state_faces(seam, a[k].side, b[k].side);
     }
+  }
+
+  /// Neighbours along a seam show the same face outwards if their borders run along it in opposite
+  /// directions.
+  void state_faces(const SewnRows& seam, const DirectedSide& a, const DirectedSide& b) {
+    const std::size_t one = cloths_.sides[a.side].cloth, other = cloths_.sides[b.side].cloth;
+    if (!all_.faces.state(one, other, a.is_forward == b.is_forward)) refuse_twist(seam, one, other);
+    neighbours_.push_back({one, other, &seam});
+  }
+
+  struct Neighbours {
+    std::size_t one, other;
+    const SewnRows* seam;
+  };
+
+  /// The seams on the shortest way between two cloths.
+  std::vector<const SewnRows*> way_between(std::size_t from, std::size_t to) const {
+    std::map<std::size_t, const Neighbours*> reached{{from, nullptr}};
+    std::vector<std::size_t> next{from};
+    for (std::size_t k = 0; k < next.size() && !reached.contains(to); ++k)
+      for (const auto& n : neighbours_)
+        if (n.one == next[k] || n.other == next[k])
+          if (const auto at = n.one == next[k] ? n.other : n.one; reached.emplace(at, &n).second)
+            next.push_back(at);
+    std::vector<const SewnRows*> way;
+    for (std::size_t at = to; at != from;) {
+      const Neighbours& n = *reached.at(at);
+      if (n.seam->join) way.push_back(n.seam);
+      at = n.one == at ? n.other : n.one;
+    }
+    return way;
+  }
+
+  [[noreturn]] void refuse_twist(const SewnRows& seam, std::size_t one, std::size_t other) const {
+    const auto name = [&](const SewnRows& s) {
+      return fmt::format("{} and {}", gears::name_of(gear_, cloths_, s.rows[0]),
+                         gears::name_of(gear_, cloths_, s.rows[1]));
+    };
+    std::string others;
+    for (const SewnRows* s : way_between(one, other)) others += (others.empty() ? "" : ", ") + name(*s);
+    throw CannotDivide::seam(
+        seam.join.value_or(0),
+        fmt::format("the seam of {}{} would twist the net, so that its outside becomes its inside",
+                    name(seam), others.empty() ? "" : ", together with those of " + others + ","),
+        "seams run outwards along fore and aft edges, and aft along sides: sew one of these edges to another "
+        "edge, or turn its panel in the plan");
   }
 
   /// Lets a run of a side use a line. If two sides give the line different lengths, for instance because of
@@ -265,6 +314,7 @@ class LineMaker {
   Borders borders_;
   std::vector<std::size_t> numbers_;
   double elements_ = 0;  // number of elements of all lines so far
+  std::vector<Neighbours> neighbours_;
   SeamLines all_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/gears/meshing/cloths.hpp"
+#include "io/gears/meshing/faces.hpp"
 #include "io/gears/meshing/gear_mesh.hpp"
 
 #include <cstdint>
@@ -50,11 +51,13 @@ struct SeamLines {
   std::map<std::string, std::size_t> points;  // points by name
   std::vector<bool> is_on_plane;              // whether each line is on the plane of symmetry of half a gear
   std::size_t number_of_points = 0;
+  Faces faces{0};  // of cloths
 };
 
 inline constexpr std::size_t kNoPoint = ~std::size_t{0};
 
-/// Makes and divides the lines of a gear. `size`: size of elements in half-open netting [m].
+/// Makes and divides the lines of a gear. `size`: size of elements in half-open netting [m]. Throws
+/// CannotDivide about seams that cannot be sewn.
 SeamLines seam_lines(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size);
 
 }  // namespace netloft::gears

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/seam_matcher.hpp"
 
+#include "io/gears/meshing/cannot_divide.hpp"
+#include "io/gears/meshing/faces.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,11 +19,14 @@ struct Knot {
   std::size_t point = 0;
 };
 
-bool is_forward(const ClothSide& side, bool to_starboard, bool is_port) {
-  if (!side.is_across()) return side.goes_aft;
-  const bool outwards = side.to.x > side.from.x;
-  return outwards == !(to_starboard && is_port);
-}
+// Sides of which less than this fraction lies beside each other are not taken for neighbours.
+constexpr double kBeside = 0.1;
+
+/// The way in which the rows of a seam run.
+struct Way {
+  bool to_starboard = false;  // from port to starboard, so that port sides run the other way
+  bool sides_aft = true;      // whether sides to starboard run aft
+};
 
 /// Finds which points of sewn edges coincide; the member functions are steps in the order of execution.
 class Sewer {
@@ -31,7 +37,7 @@ class Sewer {
   Borders sew() {
     for (const auto& cloth : cloths_.cloths) add_corners(cloth);
     join_halves();
-    for (const auto& seam : gear_.seams) add_seam(seam);
+    add_seams();
     for (const auto& seam : borders_.seams) match(seam);
     return std::move(borders_);
   }
@@ -55,7 +61,7 @@ class Sewer {
     for (std::size_t s = 0; s < cloths_.sides.size(); ++s) {
       if (!cloths_.sides[s].is_inside) continue;
       const auto [half, is_first] = first.emplace(cloths_.sides[s].edge.panel, s);
-      if (!is_first) borders_.seams.push_back({Row{{half->second, true}}, Row{{s, true}}});
+      if (!is_first) borders_.seams.push_back({{Row{{half->second, true}}, Row{{s, true}}}, {}});
     }
     join_tips();
   }
@@ -71,20 +77,72 @@ class Sewer {
     }
   }
 
-  void add_seam(const Seam& seam) {
-    std::array<Row, 2> rows;
-    const bool to_starboard = !is_to_port(seam);
-    for (std::size_t r = 0; r < 2; ++r) rows[r] = row_of(seam.edges[r], to_starboard);
-    if (seam.is_to_itself) fold(rows);
-    if (!rows[0].empty() && !rows[1].empty()) borders_.seams.push_back(std::move(rows));
+  /// Adds all seams. First those that can run in one way only are known, so that the others follow them.
+  void add_seams() {
+    Faces faces(cloths_.cloths.size());
+    for (const auto& halves : borders_.seams) state_faces(halves.rows, faces);
+    std::vector<SewnRows> seams;
+    for (const auto& seam : gear_.seams) seams.push_back({rows_of(seam, true), seam.join});
+    for (const auto& seam : seams)
+      if (!is_mixed(seam.rows)) state_faces(seam.rows, faces);
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+      if (!is_mixed(seams[s].rows)) continue;
+      if (!are_faces_possible(seams[s].rows, faces))
+        if (auto other = rows_of(gear_.seams[s], false); are_faces_possible(other, faces))
+          seams[s].rows = std::move(other);
+      state_faces(seams[s].rows, faces);
+    }
+    for (auto& seam : seams)
+      if (!seam.rows[0].empty() && !seam.rows[1].empty()) borders_.seams.push_back(std::move(seam));
   }
 
-  /// Divides edges that are sewn to their mirror image into a starboard row and a port row. Rows of fore or
-  /// aft edges then both run from the middle outwards.
+  std::array<Row, 2> rows_of(const Seam& seam, bool sides_aft) const {
+    const Way way{!is_to_port(seam), sides_aft};
+    std::array<Row, 2> rows{row_of(seam.edges[0], way), row_of(seam.edges[1], way)};
+    if (seam.is_to_itself) fold(rows);
+    return rows;
+  }
+
+  /// Whether a seam joins sides to fore or aft edges.
+  bool is_mixed(const std::array<Row, 2>& rows) const {
+    std::array<bool, 2> has{};
+    for (const auto& row : rows)
+      for (const auto& s : row) has[side(s).is_across()] = true;
+    return has[0] && has[1];
+  }
+
+  /// Calls `visit` with every two cloths of a seam whose sides lie beside each other, and whether they then
+  /// show opposite faces outwards.
+  template <class Visit>
+  void visit_neighbours(const std::array<Row, 2>& rows, const Visit& visit) const {
+    if (rows[0].empty() || rows[1].empty()) return;
+    const bool counted = is_counted(rows);
+    const auto a = fractions(rows[0], counted), b = fractions(rows[1], counted);
+    for (std::size_t i = 0; i < rows[0].size(); ++i)
+      for (std::size_t j = 0; j < rows[1].size(); ++j)
+        if (std::min(a[i + 1], b[j + 1]) - std::max(a[i], b[j]) >
+            kBeside * std::min(a[i + 1] - a[i], b[j + 1] - b[j]))
+          visit(side(rows[0][i]).cloth, side(rows[1][j]).cloth,
+                rows[0][i].is_forward == rows[1][j].is_forward);
+  }
+
+  void state_faces(const std::array<Row, 2>& rows, Faces& faces) const {
+    visit_neighbours(rows, [&](std::size_t a, std::size_t b, bool turned) { faces.state(a, b, turned); });
+  }
+
+  bool are_faces_possible(const std::array<Row, 2>& rows, const Faces& faces) const {
+    bool all = true;
+    Faces then = faces;
+    visit_neighbours(
+        rows, [&](std::size_t a, std::size_t b, bool turned) { all = then.state(a, b, turned) && all; });
+    return all;
+  }
+
+  /// Divides edges that are sewn to their mirror image into a starboard row and a port row, which then run in
+  /// the same way.
   void fold(std::array<Row, 2>& rows) const {
     std::erase_if(rows[0], [&](const auto& s) { return is_port(s); });
     std::erase_if(rows[1], [&](const auto& s) { return !is_port(s); });
-    if (rows[1].empty() || !side(rows[1].front()).is_across()) return;
     std::reverse(rows[1].begin(), rows[1].end());
     for (auto& s : rows[1]) s.is_forward = !s.is_forward;
   }
@@ -97,19 +155,25 @@ class Sewer {
     return true;
   }
 
-  Row row_of(const std::vector<EdgeRef>& edges, bool to_starboard) const {
+  Row row_of(const std::vector<EdgeRef>& edges, Way way) const {
     Row row;
     for (const auto& ref : edges)
       for (auto s : sides_of(cloths_, ref)) {
-        s.is_forward = is_forward(side(s), to_starboard, cloths_.cloths[side(s).cloth].is_port);
+        s.is_forward = is_forward(s, way);
         row.push_back(s);
       }
-    order_panel_by_panel(row, to_starboard);
+    order_panel_by_panel(row, way);
     if (const auto last = gear_.last_of_ring(edges)) {
       turn_side_panels(row);
-      close_ring(row, *last, to_starboard);
+      close_ring(row, *last, way);
     }
     return row;
+  }
+
+  bool is_forward(const DirectedSide& s, Way way) const {
+    const ClothSide& c = side(s);
+    const bool runs = c.is_across() ? c.to.x > c.from.x : c.goes_aft == way.sides_aft;
+    return runs != (way.to_starboard && is_port(s));
   }
 
   bool is_port(const DirectedSide& s) const { return cloths_.cloths[side(s).cloth].is_port; }
@@ -156,40 +220,40 @@ class Sewer {
 
   /// Reverses the last panel of a row round the net (Gear::last_of_ring), and moves its port half to the
   /// beginning of the row.
-  void close_ring(Row& row, std::size_t last_panel, bool to_starboard) const {
+  void close_ring(Row& row, std::size_t last_panel, Way way) const {
     const auto last = std::stable_partition(row.begin(), row.end(), [&](const auto& s) {
       return cloths_.cloths[side(s).cloth].panel != last_panel;
     });
-    std::stable_sort(last, row.end(), [&](const auto& a, const auto& b) {
-      return position(a, to_starboard) > position(b, to_starboard);
-    });
+    std::stable_sort(last, row.end(),
+                     [&](const auto& a, const auto& b) { return position(a, way) > position(b, way); });
     for (auto s = last; s != row.end(); ++s) s->is_forward = !s->is_forward;
     const auto starboard = std::stable_partition(last, row.end(), [&](const auto& s) { return is_port(s); });
     std::rotate(row.begin(), last, starboard);
   }
 
   /// Orders consecutive edges of one panel in a row by their position on the panel.
-  void order_panel_by_panel(Row& row, bool to_starboard) const {
+  void order_panel_by_panel(Row& row, Way way) const {
     const auto panel = [&](const DirectedSide& s) { return cloths_.cloths[side(s).cloth].panel; };
     for (auto first = row.begin(); first != row.end();) {
       const auto last =
           std::find_if(first, row.end(), [&](const auto& s) { return panel(s) != panel(*first); });
-      std::stable_sort(first, last, [&](const auto& a, const auto& b) {
-        return position(a, to_starboard) < position(b, to_starboard);
-      });
+      std::stable_sort(first, last,
+                       [&](const auto& a, const auto& b) { return position(a, way) < position(b, way); });
       first = last;
     }
   }
 
-  double position(const DirectedSide& s, bool to_starboard) const {
+  /// The place of a side in a row, which may begin to port.
+  std::pair<bool, double> position(const DirectedSide& s, Way way) const {
     const ClothSide& c = side(s);
-    if (!c.is_across()) return c.from.y + c.to.y;
-    const bool is_turned = to_starboard && cloths_.cloths[c.cloth].is_port;
-    return (is_turned ? -1 : 1) * (c.from.x + c.to.x);
+    const double along = c.is_across() ? c.from.x + c.to.x : (way.sides_aft ? 1 : -1) * (c.from.y + c.to.y);
+    const bool is_turned = way.to_starboard && is_port(s);
+    return {!is_turned, is_turned ? -along : along};
   }
 
   /// Adds points to both rows of a seam, so that each row has a point wherever either row has a corner.
-  void match(const std::array<Row, 2>& rows) {
+  void match(const SewnRows& seam) {
+    const auto& rows = seam.rows;
     const bool counted = is_counted(rows);
     for (const auto& row : rows) chain(row);
     const std::array<std::vector<double>, 2> ends{fractions(rows[0], counted), fractions(rows[1], counted)};
@@ -201,7 +265,7 @@ class Sewer {
       for (const auto& knot : knots[r]) own.insert(borders_.points.root(knot.point));
       for (const auto& knot : knots[1 - r])
         if (!own.contains(borders_.points.root(knot.point)))
-          insert(rows, r, ends[r], {moved(knot.fraction, common, 1 - r), knot.point});
+          insert(seam, r, ends[r], {moved(knot.fraction, common, 1 - r), knot.point});
     }
   }
 
@@ -297,10 +361,9 @@ class Sewer {
     return at_a + (fraction - a) / (b - a) * (at_b - at_a);
   }
 
-  void insert(const std::array<Row, 2>& rows, std::size_t r, const std::vector<double>& ends,
-              const Knot& knot) {
-    if (!(knot.fraction > 0 && knot.fraction < 1)) throw cannot_sew(gear_, cloths_, rows);
-    const Row& row = rows[r];
+  void insert(const SewnRows& seam, std::size_t r, const std::vector<double>& ends, const Knot& knot) {
+    if (!(knot.fraction > 0 && knot.fraction < 1)) refuse_seam(gear_, cloths_, seam);
+    const Row& row = seam.rows[r];
     std::size_t k = 0;
     while (k + 1 < row.size() && ends[k + 1] < knot.fraction) ++k;
     double fraction = (knot.fraction - ends[k]) / (ends[k + 1] - ends[k]);
@@ -321,10 +384,20 @@ class Sewer {
 
 Borders sew(const Gear& gear, const Cloths& cloths, double snap) { return Sewer(gear, cloths, snap).sew(); }
 
-std::invalid_argument cannot_sew(const Gear& gear, const Cloths& cloths, const std::array<Row, 2>& rows) {
-  const auto name = [&](const Row& row) { return gear.name_of(cloths.sides[row.front().side].edge); };
-  return std::invalid_argument("the seam of " + name(rows[0]) + " and " + name(rows[1]) +
-                               " would join points of one edge to each other: are the right edges sewn?");
+std::string name_of(const Gear& gear, const Cloths& cloths, const Row& row) {
+  return gear.name_of(cloths.sides[row.front().side].edge);
+}
+
+void refuse_seam(const Gear& gear, const Cloths& cloths, const SewnRows& seam) {
+  if (!seam.join)
+    throw CannotDivide::panel(gear.panels[cloths.sides[seam.rows[0].front().side].edge.panel].panel->name,
+                              "points of its middle would be joined to each other",
+                              "lead seams and ropes to other points of the panel");
+  throw CannotDivide::seam(
+      *seam.join,
+      "the seam of " + name_of(gear, cloths, seam.rows[0]) + " and " + name_of(gear, cloths, seam.rows[1]) +
+          " would join points of one edge to each other",
+      "sew other edges to each other: other seams, or ropes, already join ends of these edges");
 }
 
 Row sides_of(const Cloths& cloths, const EdgeRef& edge) {

@@ -3,7 +3,7 @@
 #include "io/gears/meshing/cloths.hpp"
 #include "io/gears/meshing/equal_points.hpp"
 
-#include <stdexcept>
+#include <optional>
 
 namespace netloft::gears {
 
@@ -20,12 +20,18 @@ struct DirectedSide {
 };
 using Row = std::vector<DirectedSide>;
 
+/// Two rows of sides that are sewn together.
+struct SewnRows {
+  std::array<Row, 2> rows;
+  std::optional<std::size_t> join;  // index in NetPlan::joins; none for the halves of a middle panel
+};
+
 /// The borders of cloths with their corners, sewn together.
 struct Borders {
   const Cloths& cloths;
   EqualPoints points;
   std::vector<std::vector<Break>> breaks;  // points of each side, increasing from 0 to 1
-  std::vector<std::array<Row, 2>> seams;   // both sides have the same number of runs between breaks
+  std::vector<SewnRows> seams;             // both rows have the same number of runs between breaks
 
   std::size_t start(DirectedSide s) const {
     const auto& all = breaks[s.side];
@@ -35,11 +41,18 @@ struct Borders {
 };
 
 /// Finds the common points of all seams; corners closer than `snap` [m] along a seam are merged.
+///
+/// Rows run outwards along fore and aft edges, and aft along sides. Where sides are sewn to a fore or aft
+/// edge, they run forward instead if the net would otherwise be twisted (faces.hpp). A row from port to
+/// starboard runs the other way on its port half, which mirrors the starboard half.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 
-/// The error, with a sentence for the user, for a seam that joins points of one edge to each other, so that
-/// the joined edges cannot lie side by side.
-std::invalid_argument cannot_sew(const Gear& gear, const Cloths& cloths, const std::array<Row, 2>& rows);
+/// The name of the first edge of a row.
+std::string name_of(const Gear& gear, const Cloths& cloths, const Row& row);
+
+/// Throws CannotDivide about a seam that joins points of one of its edges to each other, so that its rows
+/// cannot lie side by side.
+[[noreturn]] void refuse_seam(const Gear& gear, const Cloths& cloths, const SewnRows& seam);
 
 /// The sides that form an edge, in the direction of the edge. An edge across the middle may have two sides.
 Row sides_of(const Cloths& cloths, const EdgeRef& edge);

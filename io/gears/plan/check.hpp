@@ -41,6 +41,10 @@ void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics);
 /// no rope may lead from a point to itself. The plan must be free of errors.
 void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 
+/// Checks whether the seams can be sewn all at once: none joins points of one edge to each other, and none
+/// twists the net. The plan must be free of errors.
+void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics);
+
 /// Numbers as net makers write them: 43, 25.8, +1.7 %.
 std::string in_meshes(double meshes);
 std::string in_metres(double metres);

@@ -170,10 +170,56 @@ void check_selvedges(Panel& panel, formats::Diagnostics& diagnostics) {
   panel.outline = outline_of(panel);
 }
 
+/// The corners of one side of an outline from fore to aft.
+std::vector<PanelPoint> side_of(const Outline& outline, bool is_outer) {
+  std::vector<PanelPoint> corners;
+  for (const auto& edge : outline.edges)
+    if (edge.kind == EdgeKind::outer
+            ? is_outer
+            : !is_outer && edge.kind != EdgeKind::fore && edge.kind != EdgeKind::aft) {
+      if (corners.empty()) corners.push_back(edge.from);
+      corners.push_back(edge.to);
+    }
+  if (!is_outer) std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
+/// The innermost place of the outer side at a depth, or the outermost one of the inner side.
+double place_at(const std::vector<PanelPoint>& side, double y, bool is_outer) {
+  const double none = (is_outer ? 1 : -1) * std::numeric_limits<double>::infinity();
+  double most = none;
+  for (std::size_t k = 0; k + 1 < side.size(); ++k) {
+    const PanelPoint &a = side[k], &b = side[k + 1];
+    if (y < a.y || y > b.y) continue;
+    const double t = b.y > a.y ? (y - a.y) / (b.y - a.y) : 0, x = a.x + t * (b.x - a.x);
+    for (const double at : {x, b.y > a.y ? x : b.x})
+      most = is_outer ? std::min(most, at) : std::max(most, at);
+  }
+  return most;
+}
+
+/// Refuses a panel whose sides meet or cross between its fore and its aft edge.
+void check_width(const Panel& panel, formats::Diagnostics& diagnostics) {
+  constexpr double kNone = 1e-9;  // [meshes]
+  const Outline outline = outline_of(panel);
+  const auto outer = side_of(outline, true), inner = side_of(outline, false);
+  for (const auto* side : {&outer, &inner})
+    for (const auto& corner : *side) {
+      if (corner.y < kNone || corner.y > panel.depth - kNone) continue;
+      if (place_at(outer, corner.y, true) - place_at(inner, corner.y, false) > kNone) continue;
+      return diagnostics.error(
+          panel.place,
+          fmt::format("{}: its sides meet {} meshes aft of its fore end: no netting is left between them",
+                      panel.name, in_meshes(corner.y)),
+          "shorten a cut, let one of the sides go out instead of in, or divide the panel there");
+    }
+}
+
 }  // namespace
 
 void check_panels(NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   for (auto& panel : plan.panels) {
+    const int errors_before = diagnostics.errors();
     mend_side(panel, true, limits, diagnostics);
     mend_side(panel, false, limits, diagnostics);
     check_edge_names(panel, diagnostics);
@@ -185,6 +231,7 @@ void check_panels(NetPlan& plan, const CheckLimits& limits, formats::Diagnostics
                 diagnostics);
     check_depth(panel, panel.inner, "inner", limits, diagnostics);
     check_closing(panel, limits, diagnostics);
+    if (diagnostics.errors() == errors_before) check_width(panel, diagnostics);
   }
 }
 

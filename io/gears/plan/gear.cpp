@@ -62,7 +62,11 @@ class GearMaker {
 
   Gear make() {
     for (const auto& panel : plan_.panels) add_panel(panel);
-    for (const auto& join : plan_.joins) add_seam(join);
+    for (std::size_t j = 0; j < plan_.joins.size(); ++j) {
+      const std::size_t first = gear_.seams.size();
+      add_seam(plan_.joins[j]);
+      for (std::size_t s = first; s < gear_.seams.size(); ++s) gear_.seams[s].join = j;
+    }
     for (const auto& rope : plan_.ropes) add_rope(rope);
     for (const auto& point : plan_.points) add_point(point);
     for (const auto& body : plan_.bodies)

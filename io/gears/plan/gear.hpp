@@ -50,6 +50,7 @@ struct Seam {
   /// Whether edges are sewn to their mirror image; edges that cross the middle are then on both sides of the
   /// seam.
   bool is_to_itself = false;
+  std::size_t join = 0;  // index in NetPlan::joins
 };
 
 /// An edge hung on a rope, and the length of rope that it takes [m].

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/hdf5/journal.hpp"
 #include "io/gears/drawing/drawing.hpp"
+#include "io/gears/meshing/cannot_divide.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
 #include "io/program/commands/draw_polars.hpp"
@@ -67,12 +68,16 @@ int draw_polars_command(const DrawOptions& options) {
   return kDone;
 }
 
-std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes) {
+/// The picture of a divided plan; empty after an error.
+std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes, formats::Diagnostics& diagnostics) {
   const gears::Gear gear = gears::make_gear(plan, gears::Extent::whole);
   gears::Fineness fineness;
   fineness.nodes = nodes;
   try {
     return gears::draw_mesh(plan, gear, gears::divide(gear, fineness));
+  } catch (const gears::CannotDivide& refused) {
+    refused.report(plan, diagnostics);
+    return {};
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
@@ -86,8 +91,11 @@ int draw_plan(const DrawOptions& options) {
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
   if (const int code = say(diagnostics, terminal); code != kDone) return code;
   const std::string output = output_of(options);
-  replace_file(output, options.mesh ? draw_divided(plan, options.nodes) : gears::draw_plan(plan),
-               files_of(plan), {".svg"});
+  formats::Diagnostics of_division = diagnostics.without_messages();
+  const std::string picture =
+      options.mesh ? draw_divided(plan, options.nodes, of_division) : gears::draw_plan(plan);
+  if (const int code = say(of_division, terminal); code != kDone) return code;
+  replace_file(output, picture, files_of(plan), {".svg"});
   report_written(output, terminal);
   return kDone;
 }

@@ -4,6 +4,7 @@
 #include "io/formats/toml/merge.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/gears/catalogue/part_kinds.hpp"
+#include "io/gears/meshing/cannot_divide.hpp"
 #include "io/gears/plan/twine_coordinates.hpp"
 #include "io/scenes/reading/gear_model.hpp"
 #include "io/scenes/reading/idle_keys.hpp"
@@ -71,6 +72,9 @@ bool GearParts::divide() {
   if (!is_sound_) return false;
   try {
     division_ = divisions_.of(plan_, gear_.extent, fineness_);
+  } catch (const gears::CannotDivide& refused) {
+    refused.report(plan_, diagnostics_);
+    return false;
   } catch (const std::invalid_argument& cannot_be_meshed) {
     diagnostics_.error(place_, cannot_be_meshed.what());
     return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/gear_mesh.hpp"
 
+#include "io/gears/meshing/cannot_divide.hpp"
 #include "io/gears/meshing/cloths.hpp"
 #include "io/gears/plan/twine_coordinates.hpp"
 #include "tests/unit/io/gears/plan/divided.hpp"
@@ -424,6 +425,52 @@ TEST(GearMesh, TubesOfSeveralCutsAreSewnCutToCut) {
     EXPECT_EQ(std::set<std::uint32_t>(port.begin(), port.end()),
               std::set<std::uint32_t>(starboard.begin(), starboard.end()));
   }
+}
+
+TEST(GearMesh, ATubeMayBeSewnToARing) {
+  const auto all = divided(panel_of("ring", "round = 60") + join_of("\"ring.fore\"", "\"ring.aft\""),
+                           Extent::whole, by_nodes(300));
+  expect_closed_and_oriented(all.gear, all.mesh);
+  expect_areas(all.gear, all.mesh);
+}
+
+const std::string kFlat = "stands = \"alone\"\nfore = 30\nouter = \"AN\"\ninner = \"AN\"\n";
+
+TEST(GearMesh, ASideIsSewnToAnEndFromTheirCommonCorner) {
+  const auto all = divided(
+      panel_of("flat", kFlat + "open = [\"inner\", \"aft\"]") + join_of("\"flat.fore\"", "\"flat.outer\""),
+      Extent::whole, by_nodes(200));
+  expect_closed_and_oriented(all.gear, all.mesh);
+  expect_areas(all.gear, all.mesh);
+  auto fore = all.nodes("flat", "fore");
+  std::reverse(fore.begin(), fore.end());
+  EXPECT_EQ(fore, all.nodes("flat", "outer"));
+}
+
+TEST(GearMesh, SidesInARowAreMirrorImages) {
+  const std::string plan = panel_of("upper", "fore = 30\nsides = \"AN\"\nopen = [\"fore\", \"aft\"]") +
+                           panel_of("lower", "fore = 60\nsides = \"AN\"\nopen = [\"sides\", \"aft\"]") +
+                           join_of("\"upper.sides\"", "\"lower.fore\"");
+  const auto all = divided(plan, Extent::whole, by_nodes(300));
+  expect_closed_and_oriented(all.gear, all.mesh);
+  EXPECT_EQ(all.mesh.points.at("upper.port-fore-outer"), all.mesh.points.at("lower.fore-inner"));
+  EXPECT_EQ(all.mesh.points.at("upper.starboard-fore-outer"), all.mesh.points.at("lower.fore-inner"));
+  EXPECT_EQ(all.mesh.points.at("upper.port-aft-outer"), all.mesh.points.at("lower.port-fore-outer"));
+}
+
+TEST(GearMesh, SeamsThatTwistTheNetAreRefusedWithTheirNames) {
+  const std::string panels = panel_of("ahead", kFlat + "open = [\"inner\", \"fore\"]") +
+                             panel_of("behind", kFlat + "open = [\"inner\", \"aft\"]");
+  const auto checked = check_text(panels + join_of("\"ahead.aft\"", "\"behind.fore\"") +
+                                  join_of("\"ahead.outer\"", "\"behind.outer\""));
+  const std::string said = checked.said();
+  EXPECT_NE(said.find("the seam of ahead.outer and behind.outer, together with those of ahead.aft and "
+                      "behind.fore, would twist the net"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(checked.diagnostics.errors(), 1) << said;
+  for (const auto& finding : checked.diagnostics.sorted()) EXPECT_EQ(finding.place.line, 21) << said;
+  EXPECT_THROW(divide(make_gear(checked.plan, Extent::whole), by_nodes(300)), CannotDivide);
 }
 
 TEST(GearMesh, AnEndMayBeSewnToItsMirrorImage) {

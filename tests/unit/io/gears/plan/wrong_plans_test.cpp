@@ -124,6 +124,10 @@ const Wrong kSewing[] = {
     {"DoesNotClose", "aft = 20\n", "aft = 30\n",
      "error: body.aft: the cuttings give 20 meshes, but the plan says 30, -33.3 %", 2},
     {"WrongDirection", "inner = \"AB out\"", "inner = \"AB in\"", "wing: its sides meet before the aft edge"},
+    {"SidesThatMeetHalfway", "depth = 50\nsides = \"AN\"",
+     "depth = 50\nsides = [{ cut = \"AB in\", depth = 10 }, { cut = \"AB out\", depth = 10 }, { cut = \"AN\" "
+     "}]",
+     "bag: its sides meet 10 meshes aft of its fore end: no netting is left between them"},
     {"SideTooDeep", "outer = \"AN\"", "outer = [{ name = \"o\", cut = \"AN\", depth = 30 }]",
      "wing.outer: its cuttings go 30 meshes deep, but the panel 20, +50.0 %"},
     {"SideTooShallow", "outer = \"AN\"", "outer = [{ name = \"o\", cut = \"AN\", depth = 18.9 }]",
