@@ -20,7 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SCENES = ["gear-library/scenes", "gear-library/scenes/dynamics", "-dict=tests/fuzz/scene.dict"]
 FUZZERS = {"plan": ["gear-library/gears", "-dict=tests/fuzz/plan.dict"], "scene": SCENES,
-           "catalogue": ["gear-library/catalogue", "-dict=tests/fuzz/scene.dict"], "table": [], "result": [], "part": [],
+           "topology": [], "catalogue": ["gear-library/catalogue", "-dict=tests/fuzz/scene.dict"], "table": [], "result": [], "part": [],
            "study": ["-dict=tests/fuzz/scene.dict"], "import": ["tests/validation/femnet_files", "-dict=tests/fuzz/import.dict"]}
 # Times of libFuzzer are those of the clock on the wall, which a busy machine stretches: only an endless loop reaches this one.
 LIMITS = ["-max_len=8192", "-timeout=600", "-rss_limit_mb=2000", "-print_final_stats=1"]
