@@ -7,11 +7,8 @@
 namespace netloft {
 
 const FamilyGroup& ElementTiles::group_of(std::size_t family) const {
-  const auto found = std::ranges::find_if(groups, [&](const FamilyGroup& group) {
-    return std::ranges::find(group.families, family) != group.families.end();
-  });
-  assert(found != groups.end() && "each family is in a group");
-  return *found;
+  assert(family < group_at.size() && "each family is in a group");
+  return groups[group_at[family]];
 }
 
 std::size_t ElementTiles::most_dofs() const {
@@ -23,8 +20,11 @@ std::size_t ElementTiles::most_dofs() const {
 ElementTiles make_element_tiles(std::span<const std::unique_ptr<ElementFamily>> families, const Scene& nodes,
                                 const Numbering& numbering, const NodeBlocks& blocks,
                                 const SparsePattern& pattern) {
-  ElementTiles all{families, find_family_groups(families), 0, pattern.symmetric};
-  for (FamilyGroup& group : all.groups) {
+  ElementTiles all{families, find_family_groups(families), std::vector<std::size_t>(families.size()), 0,
+                   pattern.symmetric};
+  for (std::size_t g = 0; g < all.groups.size(); ++g) {
+    FamilyGroup& group = all.groups[g];
+    for (const std::size_t family : group.families) all.group_at[family] = g;
     group.tiling = make_tiling(*families[group.families.front()], nodes, numbering, blocks, pattern.symmetric,
                                pattern.slots + 9 * all.count);
     group.first_tile = all.count;

@@ -12,8 +12,9 @@ namespace netloft {
 struct ElementTiles {
   std::span<const std::unique_ptr<ElementFamily>> families;
   std::vector<FamilyGroup> groups;
-  std::size_t count = 0;  // tiles of all groups
-  bool symmetric = true;  // matrices hold their lower triangle only
+  std::vector<std::size_t> group_at;  // for each family: the index of its group
+  std::size_t count = 0;              // tiles of all groups
+  bool symmetric = true;              // matrices hold their lower triangle only
   // Length of the array of matrix values, with unused blocks that collect entries of held nodes.
   std::size_t values = 0;
 

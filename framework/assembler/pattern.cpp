@@ -43,16 +43,12 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(
     if (moves(row) && moves(column) && (!symmetric || row >= column)) near[column].push_back(row);
   };
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) add(n, n);
-  const auto is_rider = [&](const auto& family) {
-    return std::any_of(families.data(), &family,
-                       [&](const auto& other) { return have_same_nodes(*other, *family); });
-  };
-  for (const auto& family : families) {
-    if (is_rider(family)) continue;
-    for (std::size_t e = 0; e < family->size(); ++e)
-      for (int i = 0; i < family->all_nodes_per_element(); ++i)
-        for (int j = 0; j < family->all_nodes_per_element(); ++j)
-          if (i != j) add(family->node(e, i), family->node(e, j));
+  for (const FamilyGroup& group : find_family_groups(families)) {
+    const ElementFamily& family = *families[group.families.front()];
+    for (std::size_t e = 0; e < family.size(); ++e)
+      for (int i = 0; i < family.all_nodes_per_element(); ++i)
+        for (int j = 0; j < family.all_nodes_per_element(); ++j)
+          if (i != j) add(family.node(e, i), family.node(e, j));
   }
   join_bodies(scene, add, near);
   for (auto& rows : near) {

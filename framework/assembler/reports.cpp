@@ -27,20 +27,47 @@ const ElementFamily& ElementReports::family_at(std::size_t family) const {
   return *elements_.tiles().families[family];
 }
 
+/// Adds the force of a term at its own nodes: bodies have not received the forces at their points yet.
+bool ElementReports::add_term(std::span<const double> x, std::size_t family, std::size_t term,
+                              std::span<double> residual, const Kinematics& motion) {
+  const ElementTiles& tiles = elements_.tiles();
+  const Tiling& tiling = tiles.group_of(family).tiling;
+  return elements_.visit(x, motion, family, caller_of(family_at(family), term),
+                         [&](std::size_t tile, const netloft_tile&, TileSums& of_tile) {
+                           scatter(tiling, tile, tiles.symmetric, of_tile, residual.data(), nullptr);
+                         });
+}
+
 bool ElementReports::evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
                                    std::span<double> residual, const Kinematics& motion) {
   assert(residual.size() == x.size());
   std::fill(residual.begin(), residual.end(), 0.0);
-  const ElementTiles& tiles = elements_.tiles();
-  const Tiling& tiling = tiles.group_of(family).tiling;
-  const bool done =
-      elements_.visit(x, motion, family, caller_of(family_at(family), term),
-                      [&](std::size_t tile, const netloft_tile&, TileSums& of_tile) {
-                        scatter(tiling, tile, tiles.symmetric, of_tile, residual.data(), nullptr);
-                      });
+  const bool done = add_term(x, family, term, residual, motion);
   bodies_.hand_on(x, {}, residual.data(), {}, false);
   frames_.turn(residual.data());
   return done;
+}
+
+/// Takes time in proportion to the elements, however many families they belong to: after each term only the
+/// entries of its nodes are added and cleared.
+std::vector<double> ElementReports::sum_terms(std::span<const double> x, bool (*counts)(std::uint32_t)) {
+  const ElementTiles& tiles = elements_.tiles();
+  std::vector<double> sum(x.size(), 0.0), alone(x.size(), 0.0);
+  for (std::size_t f = 0; f < tiles.families.size(); ++f) {
+    const auto& terms = family_at(f).active_terms();
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      if (!counts(terms[t].traits)) continue;
+      const bool done = add_term(x, f, t, alone, {});
+      for (const std::int32_t dof : tiles.group_of(f).tiling.vector_map) {
+        const auto i = static_cast<std::size_t>(dof);
+        if (done) sum[i] += alone[i];
+        alone[i] = 0;
+      }
+    }
+  }
+  bodies_.hand_on(x, {}, sum.data(), {}, false);
+  frames_.turn(sum.data());
+  return sum;
 }
 
 bool ElementReports::term_energy(std::span<const double> x, std::size_t family, std::size_t term,

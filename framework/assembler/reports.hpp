@@ -22,6 +22,9 @@ class ElementReports {
   /// Force of one term alone, as a residual over all dofs [N].
   bool evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
                      std::span<double> residual, const Kinematics& motion = {});
+  /// Force of all terms whose traits `counts` accepts, as a residual over all dofs [N]. Terms that cannot be
+  /// evaluated are left out.
+  std::vector<double> sum_terms(std::span<const double> x, bool (*counts)(std::uint32_t traits));
   /// Energy of one term alone [J]; zero if it has none.
   bool term_energy(std::span<const double> x, std::size_t family, std::size_t term, double& energy,
                    const Kinematics& motion = {});
@@ -43,6 +46,8 @@ class ElementReports {
 
  private:
   const ElementFamily& family_at(std::size_t family) const;
+  bool add_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> residual,
+                const Kinematics& motion);
 
   TileEvaluator& elements_;
   Bodies& bodies_;

@@ -37,28 +37,16 @@ double largest_extent(const Assembler& assembler, std::span<const double> x) {
 Scales::Scales(Assembler& assembler) : assembler_(assembler), gear_size_(largest_distance(assembler)) {
   if (const double largest = largest_extent(assembler, assembler.start()); largest > 0)
     element_size_ = largest;
-  const auto dead =
-      sum_of_terms(assembler.start(), [](std::uint32_t traits) { return (traits & NETLOFT_CONSTANT) != 0; });
+  const auto dead = assembler.reports().sum_terms(
+      assembler.start(), [](std::uint32_t traits) { return (traits & NETLOFT_CONSTANT) != 0; });
   for_nodes(assembler.numbering(), 0, assembler.pattern().size, dead,
             [&](std::uint32_t, double norm, std::int32_t, std::int32_t) {
               dead_load_ = std::max(dead_load_, norm);
             });
 }
 
-std::vector<double> Scales::sum_of_terms(std::span<const double> x, bool (*counts)(std::uint32_t traits)) {
-  std::vector<double> term(x.size()), sum(x.size(), 0.0);
-  for (std::size_t f = 0; f < assembler_.families().size(); ++f) {
-    const auto& terms = assembler_.families()[f]->active_terms();
-    for (std::size_t t = 0; t < terms.size(); ++t) {
-      if (!counts(terms[t].traits) || !assembler_.reports().evaluate_term(x, f, t, term)) continue;
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += term[i];
-    }
-  }
-  return sum;
-}
-
 Scales::DrivingLoad Scales::driving_load() {
-  const auto sum = sum_of_terms(assembler_.start(), [](std::uint32_t traits) {
+  const auto sum = assembler_.reports().sum_terms(assembler_.start(), [](std::uint32_t traits) {
     return (traits & NETLOFT_CONSTANT) != 0 || (traits & NETLOFT_CONSERVATIVE) == 0;
   });
   DrivingLoad load;
@@ -72,7 +60,7 @@ Scales::DrivingLoad Scales::driving_load() {
 
 bool Scales::is_driven(std::span<const double> x) {
   if (!is_driven_) {
-    const auto sum = sum_of_terms(x, [](std::uint32_t traits) {
+    const auto sum = assembler_.reports().sum_terms(x, [](std::uint32_t traits) {
       return (traits & (NETLOFT_CONSTANT | NETLOFT_FROM_OUTSIDE)) != 0 ||
              (traits & NETLOFT_CONSERVATIVE) == 0;
     });

@@ -50,8 +50,6 @@ class Scales {
   bool is_driven(std::span<const double> x);
 
  private:
-  std::vector<double> sum_of_terms(std::span<const double> x, bool (*counts)(std::uint32_t traits));
-
   Assembler& assembler_;
   double element_size_ = 1, gear_size_ = 1, dead_load_ = 0;
   std::optional<bool> is_driven_;  // empty before the first call

@@ -2,6 +2,9 @@
 #include "framework/scene/scene_plan.hpp"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace netloft {
 
@@ -12,46 +15,64 @@ bool meets_flow(const Scene& scene, AnalysisKind kind) {
   return scene.current.flows() || (kind == AnalysisKind::dynamics && scene.water.density > 0);
 }
 
-/// The laws of a part, slot by slot: the part's choice, or the slot's default.
-std::vector<LawPlan> laws_of(const Scene& scene, const Part& part, const ElementType& type,
-                             Registry& registry, AnalysisKind kind) {
-  std::vector<LawPlan> laws;
-  if (!meets_flow(scene, kind)) return std::vector<LawPlan>(type.laws.size());  // no term will use them
-  for (const auto& slot : type.laws) {
-    const auto given = part.laws.find(slot.name);
-    LawPlan law{slot.name, nullptr, given == part.laws.end() ? LawChoice{slot.fallback, {}} : given->second};
-    law.type = &registry.law(law.choice.type);
-    if (!(law.type->law.kind & slot.accepts))
-      throw SceneError({{part.name, law.choice.type + " is not a law that " + type.type + " can use as its " +
-                                        slot.name}});
-    laws.push_back(law);
+/// The choices that the parts of a family have in common.
+struct FamilyKey {
+  const ElementType* type;
+  double viscosity_ratio;
+  std::vector<std::pair<std::string, Values>> laws;  // type and parameters, slot by slot; empty if none acts
+
+  bool operator<(const FamilyKey& other) const {
+    return std::tie(type, viscosity_ratio, laws) < std::tie(other.type, other.viscosity_ratio, other.laws);
+  }
+};
+
+FamilyKey key_of(const Part& part, const ElementType& type, bool asks_laws) {
+  FamilyKey key{&type, part.viscosity_ratio, {}};
+  if (!asks_laws) return key;
+  for (const auto& slot : type.laws)
+    if (const auto given = part.laws.find(slot.name); given != part.laws.end())
+      key.laws.emplace_back(given->second.type, given->second.parameters);
+    else
+      key.laws.emplace_back(slot.fallback, Values{});
+  return key;
+}
+
+/// Looks up the laws that a part has chosen.
+std::vector<LawPlan> laws_of(const Part& part, const FamilyKey& key, Registry& registry) {
+  std::vector<LawPlan> laws(key.type->laws.size());
+  for (std::size_t i = 0; i < key.laws.size(); ++i) {
+    const auto& slot = key.type->laws[i];
+    const auto& [type, parameters] = key.laws[i];
+    laws[i] = {slot.name, &registry.law(type), {type, parameters}};
+    if (!(laws[i].type->law.kind & slot.accepts))
+      throw SceneError(
+          {{part.name, type + " is not a law that " + key.type->type + " can use as its " + slot.name}});
   }
   return laws;
 }
 
-/// Whether a part chooses the same laws as a family of its type.
-bool has_laws_of(const FamilyPlan& family, const Part& part) {
-  return std::all_of(family.laws.begin(), family.laws.end(), [&](const LawPlan& law) {
-    const auto& slot = family.type->laws[static_cast<std::size_t>(&law - family.laws.data())];
-    const auto given = part.laws.find(slot.name);
-    if (given != part.laws.end()) return law.choice == given->second;
-    return law.choice.type == slot.fallback && law.choice.parameters.empty();
-  });
-}
+/// Sorts parts into families (elements of one type with the same laws). Laws are looked up only for the first
+/// part of a family.
+class FamilySorter {
+ public:
+  FamilySorter(const Scene& scene, Registry& registry, AnalysisKind kind)
+      : registry_(registry), asks_laws_(meets_flow(scene, kind)) {}
 
-/// Finds or makes the family (elements of one type with the same laws) to which a part belongs. Laws are
-/// looked up only for the first part of a family.
-FamilyPlan& family_of(std::vector<FamilyPlan>& families, const Scene& scene, const Part& part,
-                      Registry& registry, AnalysisKind kind) {
-  const ElementType& type = registry.element(part.type);
-  const bool asks_laws = meets_flow(scene, kind);
-  for (auto& f : families)
-    if (f.type == &type && f.viscosity_ratio == part.viscosity_ratio && (!asks_laws || has_laws_of(f, part)))
-      return f;
-  families.push_back(
-      {&type, laws_of(scene, part, type, registry, kind), {}, 0, {}, {}, part.viscosity_ratio});
-  return families.back();
-}
+  /// Finds or makes the family to which a part belongs.
+  FamilyPlan& family_of(const Part& part, std::vector<FamilyPlan>& families) {
+    const ElementType& type = registry_.element(part.type);
+    FamilyKey key = key_of(part, type, asks_laws_);
+    if (const auto known = known_.find(key); known != known_.end()) return families[known->second];
+    families.push_back({&type, laws_of(part, key, registry_), {}, 0, {}, {}, part.viscosity_ratio});
+    known_.emplace(std::move(key), families.size() - 1);
+    return families.back();
+  }
+
+ private:
+  Registry& registry_;
+  bool asks_laws_;
+  std::map<FamilyKey, std::size_t> known_;  // indices of families
+};
 
 bool any_part_sets(std::string_view name, const FamilyPlan& family, const Scene& scene) {
   return std::any_of(family.parts.begin(), family.parts.end(),
@@ -146,8 +167,9 @@ ScenePlan make_scene_plan(const Scene& scene, Registry& registry, TangentChoice 
   plan.tangent = tangent;
   plan.kind = kind;
   plan.ground = scene.ground;
+  FamilySorter sorter(scene, registry, kind);
   for (std::uint32_t p = 0; p < scene.parts.size(); ++p) {
-    FamilyPlan& family = family_of(plan.families, scene, scene.parts[p], registry, kind);
+    FamilyPlan& family = sorter.family_of(scene.parts[p], plan.families);
     family.parts.push_back(p);
     family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(family.type->nodes());
   }

@@ -4,6 +4,7 @@
 #include "framework/registry/descriptors.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace netloft::runs {
 
@@ -12,8 +13,8 @@ namespace {
 /// A setting without effect ("rope.damping"), the reason ("the analysis is static"), and the parts that have
 /// it.
 struct IdleChoice {
-  std::string what, reason;
-  std::vector<std::string> parts;
+  std::string what, reason, first_part;
+  std::set<std::string> parts;
 };
 
 bool needs(const netloft_term& term, const std::string& parameter) {
@@ -59,18 +60,18 @@ class IdleChoices {
     const auto known = std::find_if(found_.begin(), found_.end(), [&](const IdleChoice& c) {
       return c.what == what && c.reason == reason;
     });
-    IdleChoice& choice = known == found_.end() ? found_.emplace_back(IdleChoice{what, reason, {}}) : *known;
-    if (std::find(choice.parts.begin(), choice.parts.end(), part.name) == choice.parts.end())
-      choice.parts.push_back(part.name);
+    IdleChoice& choice =
+        known == found_.end() ? found_.emplace_back(IdleChoice{what, reason, part.name, {}}) : *known;
+    choice.parts.insert(part.name);
   }
 
   bool motion_is_asked_for_;
   std::vector<IdleChoice> found_;
 };
 
-std::string first_of(const std::vector<std::string>& parts) {
-  const std::size_t more = parts.size() - 1;
-  return parts.front() + (more ? " and " + std::to_string(more) + " more" : "");
+std::string parts_of(const IdleChoice& choice) {
+  const std::size_t more = choice.parts.size() - 1;
+  return choice.first_part + (more ? " and " + std::to_string(more) + " more" : "");
 }
 
 }  // namespace
@@ -81,8 +82,8 @@ void warn_of_idle_choices(const scenes::LoadedScene& loaded, const ScenePlan& pl
   for (const FamilyPlan& family : plan.families)
     for (const auto part : family.parts) choices.look_at(family, loaded.scene.parts[part]);
   for (const IdleChoice& c : choices.found())
-    diagnostics.warning(loaded.place_of(c.parts.front()),
-                        first_of(c.parts) + ": " + c.what + " has no effect: " + c.reason);
+    diagnostics.warning(loaded.place_of(c.first_part),
+                        parts_of(c) + ": " + c.what + " has no effect: " + c.reason);
 }
 
 }  // namespace netloft::runs

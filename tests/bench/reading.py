@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Does the time to read a scene grow as the scene does?
 
-    reading.py PROGRAM [--kinds ropes,floats,…] [--most 100000] [--check 20]
+    reading.py PROGRAM [--kinds ropes,floats,…] [--most 100000] [--seconds 1000] [--check 20]
 
 For each kind, `netloft plan` reads scenes of 10, 100, … such things. The table has the processor time of the whole program, the
 time for each thing once the start of the program is taken off, and the ratio to the scene of a tenth. With --check
@@ -18,6 +18,7 @@ from pathlib import Path
 LINES_OF_A_FILE = 40000  # a file may have 16 MiB
 ROPE = 'rope = { diameter = "20 mm", EA = "1 MN", density = 1200 }'
 FLOAT = 'float = { buoyancy = "10 N", mass = "1 kg", diameter = "20 cm" }'
+TWINE = 'twine = { diameter = "2 mm", EA = "10 kN", density = 950 }'
 SOLID = "body = { mass = 900, volume = 0.1, inertia_x = 60, inertia_y = 200, inertia_z = 200, drag_x = 0.5, drag_y = 1, drag_z = 1 }"
 NET = ['[panels.net]\nmesh = "50 mm"\ntwine = "pe-braided-2mm"\nfore = 90\ndepth = 36\nsides = "AN"\nopen = ["aft", "sides"]',
        f'[ropes.headline]\nlength = "3 m"\n{ROPE}\nstands = "middle"',
@@ -80,6 +81,36 @@ def bodies(n):
         yield hold(f'"b{i}.origin"')
 
 
+def beds(n):
+    """Nodes of one rope, each on a bed of its own, and each bed another plane."""
+    yield rope("r", n, 0)
+    yield from (f'[parts.b{i}]\ntype = "seabed/plane"\non = "r.node-{i}"\nseabed = {{ depth = {50 + i / n}, stiffness = 1e5 }}' for i in range(n))
+    yield hold('["r.start", "r.end"]')
+
+
+def laws(n):
+    """Ropes in a current, each with a law of its own."""
+    yield "[water]\ncurrent = [1, 0, 0]"
+    for i in range(n):
+        yield rope(f"r{i}", 1, 10 * i) + f'\ndrag = {{ law = "hydro/morison", normal = {1 + i / n} }}'
+        yield hold(f'["r{i}.start", "r{i}.end"]')
+
+
+def panels(n):
+    """Panels side by side, each held along an edge."""
+    for i in range(n):
+        yield (f'[parts.p{i}]\ntype = "priour/triangle"\npanel = {{ across = 4, along = 4, bar = "0.1 m" }}\ncells = [2, 2]\n{TWINE}\n'
+               f'sketch = [[{i}, 0, 0], [{i + 0.5}, 0, 0], [{i + 0.5}, 0, -0.5], [{i}, 0, -0.5]]')
+        yield hold(f'"p{i}.fore"')
+
+
+def idle(n):
+    """Ropes whose damping has no effect."""
+    for i in range(n):
+        yield rope(f"r{i}", 1, 10 * i).replace("density", "damping = 1, density")
+        yield hold(f'["r{i}.start", "r{i}.end"]')
+
+
 def results(n):
     """Results of one rope."""
     yield rope("r", 2, 0)
@@ -95,6 +126,17 @@ def plan_floats(n):
     yield hold('"headline"')
 
 
+def plan_panels(n):
+    """Panels of a net plan, sewn one behind another."""
+    net, *rest = NET
+    yield from (net.replace('"aft", ', ""), *rest)
+    for i in range(n):
+        ends = '["aft", "sides"]' if i + 1 == n else '["sides"]'
+        yield f'[panels.p{i}]\nmesh = "50 mm"\ntwine = "pe-braided-2mm"\nfore = 90\ndepth = 2\nsides = "AN"\nopen = {ends}'
+        yield f'[[join]]\nedges = ["{f"p{i - 1}" if i else "net"}.aft", "p{i}.fore"]'
+    yield hold('"headline"')
+
+
 def plan_ropes(n):
     """Ropes of a net plan, one after another."""
     yield from NET
@@ -104,7 +146,8 @@ def plan_ropes(n):
     yield hold('"headline"')
 
 
-KINDS = {kind.__name__: kind for kind in (ropes, floats, points, bundle, nodes, bodies, results, plan_floats, plan_ropes)}
+KINDS = {kind.__name__: kind for kind in (
+    ropes, floats, points, bundle, nodes, bodies, beds, laws, panels, idle, results, plan_floats, plan_panels, plan_ropes)}
 
 
 def write(folder, lines):
@@ -136,13 +179,14 @@ def main():
     options.add_argument("program")
     options.add_argument("--kinds", default=",".join(KINDS))
     options.add_argument("--most", type=int, default=100000)
+    options.add_argument("--seconds", type=float, default=1000, help="no scene that will take longer, by the one of a tenth")
     options.add_argument("--check", type=float, default=0)
     arguments = options.parse_args()
     program, is_linear = os.path.abspath(arguments.program), True
     print(f"{'kind':<12} {'number':>8} {'[s]':>8} {'[us] each':>10} {'ratio':>6}", flush=True)
     for kind in arguments.kinds.split(","):
-        number, start, before = 10, None, None
-        while number <= arguments.most:
+        number, start, before, took = 10, None, None, 0
+        while number <= arguments.most and 10 * took <= arguments.seconds:
             with tempfile.TemporaryDirectory() as folder:
                 write(folder, KINDS[kind](number))
                 took = seconds(program, folder)

@@ -4,6 +4,7 @@
 #include "io/gears/plan/names.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -65,11 +66,27 @@ class Sheet {
         if (seam) seams_.push_back(*seam);
       }
     }
+    for (const Seam& seam : seams_) {
+      sewn_[seam.aft.panel].push_back({&seam.aft, &seam.fore});
+      sewn_[seam.fore.panel].push_back({&seam.fore, &seam.aft});
+    }
+  }
+
+  /// An edge of a panel, and the edge of another panel that is sewn to it.
+  struct Neighbour {
+    const EdgeSet *own, *other;
+  };
+
+  const std::vector<Neighbour>& neighbours_of(const Panel& panel) const {
+    static const std::vector<Neighbour> none;
+    const auto known = sewn_.find(&panel);
+    return known == sewn_.end() ? none : known->second;
   }
 
   bool is_behind_a_middle_one(const Panel& panel) const {
-    return std::any_of(seams_.begin(), seams_.end(), [&](const Seam& seam) {
-      return seam.fore.panel == &panel && seam.aft.panel->stands == Standing::middle;
+    const auto& all = neighbours_of(panel);
+    return std::any_of(all.begin(), all.end(), [](const Neighbour& n) {
+      return n.own->edges[0].kind == EdgeKind::fore && n.other->panel->stands == Standing::middle;
     });
   }
 
@@ -87,30 +104,49 @@ class Sheet {
     next_ += (1 + kGap) * (right - left);
   }
 
-  /// Places the panel and all panels that are sewn to its fore and aft edges and not placed yet.
-  void place(const Panel& panel, double x, double y) {
-    if (!seen_.insert(&panel).second) return;
-    placed_.push_back({&panel, panel.outline, x, y, false});
-    const PlacedPanel own = placed_.back();
-    if (panel.stands != Standing::alone) placed_.push_back({&panel, own.outline, mirror_about_, y, true});
-    if (panel.stands == Standing::middle) placed_.back().x = x;
-    for (const auto& seam : seams_) {
-      if (seam.aft.panel == &panel) place_at(seam.fore, middle_of(seam.aft), own);
-      if (seam.fore.panel == &panel) place_at(seam.aft, middle_of(seam.fore), own);
+  /// A panel that is to be placed, unless it has been, and the line about which its pair is mirrored.
+  struct Next {
+    const Panel* panel;
+    double x, y, mirror_about;
+  };
+
+  /// Places the panel and all panels that are sewn to its fore and aft edges and not placed yet. A list of
+  /// what is next, the last first, instead of calls within calls: a plan may have very many panels in a row.
+  void place(const Panel& first, double x, double y) {
+    std::vector<Next> next{{&first, x, y, mirror_about_}};
+    while (!next.empty()) {
+      const Next now = next.back();
+      next.pop_back();
+      mirror_about_ = now.mirror_about;
+      if (!seen_.insert(now.panel).second) continue;
+      const PlacedPanel own = place_one(now);
+      const auto& all = neighbours_of(*now.panel);
+      for (auto n = all.rbegin(); n != all.rend(); ++n)
+        next.push_back(place_of(*n->other, middle_of(*n->own), own));
     }
   }
 
-  /// Places a panel so that its edge meets the point `at` of a placed panel.
-  void place_at(const EdgeSet& edge, PanelPoint at, const PlacedPanel& there) {
+  PlacedPanel place_one(const Next& now) {
+    const Panel& panel = *now.panel;
+    const PlacedPanel own{&panel, panel.outline, now.x, now.y, false};
+    placed_.push_back(own);
+    if (panel.stands != Standing::alone)
+      placed_.push_back({&panel, own.outline, now.mirror_about, now.y, true});
+    if (panel.stands == Standing::middle) placed_.back().x = now.x;
+    return own;
+  }
+
+  /// The place of a panel whose edge meets the point `at` of a placed panel.
+  static Next place_of(const EdgeSet& edge, PanelPoint at, const PlacedPanel& there) {
     const PanelPoint target = there.on_sheet(at), own = middle_of(edge);
     const double across = kHalfWidth * edge.panel->mesh, aft = length_of_mesh(*edge.panel);
     const double x = edge.panel->stands == Standing::middle ? there.x : target.x - across * own.x;
-    mirror_about_ = 2 * there.x - x;
-    place(*edge.panel, x, target.y - aft * own.y);
+    return {edge.panel, x, target.y - aft * own.y, 2 * there.x - x};
   }
 
   const NetPlan& plan_;
   std::vector<Seam> seams_;
+  std::map<const Panel*, std::vector<Neighbour>> sewn_;
   std::vector<PlacedPanel> placed_;
   std::set<const Panel*> seen_;
   double next_ = 0, mirror_about_ = 0;

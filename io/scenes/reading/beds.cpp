@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace netloft::scenes {
 
@@ -33,10 +32,25 @@ std::vector<Bed> beds_of(const LoadedScene& loaded) {
   return beds;
 }
 
-void check_height(const Bed& bed, const Scene& scene, formats::Diagnostics& diagnostics) {
-  double highest = -std::numeric_limits<double>::infinity(), held = 0;
-  for (std::size_t x = 0; x < scene.positions.size(); x += 3)
-    highest = std::max(highest, bed.above(&scene.positions[x]));
+/// The height of the gear above a bed: of its highest node, or of the first node found that is above
+/// `enough` [m]. `first` is the node that is looked at first: one above another bed is likely to serve again.
+double height_above(const Bed& bed, const std::vector<double>& positions, double enough, std::size_t& first) {
+  double highest = -std::numeric_limits<double>::infinity();
+  const std::size_t nodes = positions.size() / 3;
+  for (std::size_t k = 0; k < nodes && highest < enough; ++k) {
+    const std::size_t node = first + k < nodes ? first + k : first + k - nodes;
+    highest = std::max(highest, bed.above(&positions[3 * node]));
+    if (highest >= enough) first = node;
+  }
+  return highest;
+}
+
+/// `above_others`: a node above the beds that were checked before.
+void check_height(const Bed& bed, const Scene& scene, std::size_t& above_others,
+                  formats::Diagnostics& diagnostics) {
+  const double sinking = std::max(bed.softness, 1e-3);
+  const double highest = height_above(bed, scene.positions, -sinking, above_others);
+  double held = 0;
   std::string lowest_held;
   for (const auto node : bed.part->nodes) {
     const double above = bed.above(&scene.positions[3 * std::size_t{node}]);
@@ -45,7 +59,6 @@ void check_height(const Bed& bed, const Scene& scene, formats::Diagnostics& diag
       lowest_held = scene.node_name(node);
     }
   }
-  const double sinking = std::max(bed.softness, 1e-3);
   if (highest < -sinking)
     diagnostics.error(
         bed.place,
@@ -59,24 +72,49 @@ void check_height(const Bed& bed, const Scene& scene, formats::Diagnostics& diag
                         "hold it above the bed, or lower the bed");
 }
 
-/// Reports two beds on the same node as an error, because both would push at it. `is_first`: whether `a` is
-/// the first bed of the scene, from which the report measures heights; if so, and if `b` is another plane,
-/// warns.
-void check_pair(const Bed& a, const Bed& b, bool is_first, formats::Diagnostics& diagnostics) {
-  const std::set<std::uint32_t> carried(a.part->nodes.begin(), a.part->nodes.end());
-  const bool shares = std::any_of(b.part->nodes.begin(), b.part->nodes.end(),
-                                  [&](auto node) { return carried.contains(node); });
-  const std::string other = a.part->name + " at " + diagnostics.where(a.place);
-  if (shares)
-    diagnostics.error(b.place,
-                      b.part->name + " and " + other + " carry the same nodes, so that both push at them",
-                      "make one bed with everything in `on`");
-  else if (is_first && a.plane != b.plane)
-    diagnostics.warning(
-        b.place, b.part->name + " and " + other + " are different planes",
-        "give both the same depth and slopes, unless you want two beds; the report gives heights above " +
-            a.part->name);
-}
+/// Finds beds that differ from those before them.
+class BedComparison {
+ public:
+  BedComparison(const std::vector<Bed>& beds, const Scene& scene)
+      : beds_(beds), carrier_(scene.node_count(), kNobody) {}
+
+  /// Reports a bed on a node of an earlier bed as an error, because both push at it. `warns`: also warns of a
+  /// bed that is another plane than the first, above which the report gives heights.
+  void compare(std::size_t bed, bool warns, formats::Diagnostics& diagnostics) {
+    const Bed &own = beds_[bed], &first = beds_.front();
+    if (const std::size_t other = claim_nodes(bed); other != kNobody)
+      diagnostics.error(
+          own.place,
+          pair_of(own, beds_[other], diagnostics) + " carry the same nodes, so that both push at them",
+          "make one bed with everything in `on`");
+    else if (warns && first.plane != own.plane)
+      diagnostics.warning(
+          own.place, pair_of(own, first, diagnostics) + " are different planes",
+          "give both the same depth and slopes, unless you want two beds; the report gives heights above " +
+              first.part->name);
+  }
+
+ private:
+  static constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+
+  /// Notes the bed for nodes that no earlier bed carries. Returns the first of the earlier beds with which it
+  /// shares a node.
+  std::size_t claim_nodes(std::size_t bed) {
+    std::size_t other = kNobody;
+    for (const auto node : beds_[bed].part->nodes) {
+      if (carrier_[node] == kNobody) carrier_[node] = bed;
+      if (carrier_[node] != bed) other = std::min(other, carrier_[node]);
+    }
+    return other;
+  }
+
+  static std::string pair_of(const Bed& own, const Bed& other, const formats::Diagnostics& diagnostics) {
+    return own.part->name + " and " + other.part->name + " at " + diagnostics.where(other.place);
+  }
+
+  const std::vector<Bed>& beds_;
+  std::vector<std::size_t> carrier_;  // for each node: the first bed that carries it
+};
 
 }  // namespace
 
@@ -89,10 +127,11 @@ std::optional<BedPlane> bed_plane_of(const Part& part) {
 
 void check_beds(const LoadedScene& loaded, formats::Diagnostics& diagnostics) {
   const auto beds = beds_of(loaded);
+  BedComparison comparison(beds, loaded.scene);
+  std::size_t above_others = 0;
   for (std::size_t i = 0; i < beds.size(); ++i) {
-    check_height(beds[i], loaded.scene, diagnostics);
-    for (std::size_t k = 0; k < i; ++k)
-      check_pair(beds[k], beds[i], k == 0 && !loaded.scene.bed.is_there, diagnostics);
+    check_height(beds[i], loaded.scene, above_others, diagnostics);
+    comparison.compare(i, !loaded.scene.bed.is_there, diagnostics);
   }
 }
 

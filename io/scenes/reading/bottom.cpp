@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace netloft::scenes {
@@ -63,11 +64,10 @@ SeaBottom::SeaBottom(const Values& values, formats::TableReader bed) {
 }
 
 bool SeaBottom::is_symmetric() const {
-  return std::ranges::all_of(rows_, [&](const auto& row) {
-    return std::ranges::any_of(rows_, [&](const auto& other) {
-      return other[0] == row[0] && other[1] == -row[1] &&
-             std::equal(other.begin() + 2, other.end(), row.begin() + 2);
-    });
+  const std::set<std::vector<double>> rows(rows_.begin(), rows_.end());
+  return std::ranges::all_of(rows_, [&](std::vector<double> row) {
+    row[1] = -row[1];
+    return rows.contains(row);
   });
 }
 

@@ -4,8 +4,8 @@
 #include "io/formats/units/units.hpp"
 #include "io/gears/drawing/plan_layout.hpp"
 
-#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace netloft::scenes {
 
@@ -83,14 +83,13 @@ std::vector<BillItem> bill_of(const gears::NetPlan& plan) {
 }
 
 std::map<std::string, SheetPlace> sheet_of(const gears::NetPlan& plan, const gears::Gear& gear) {
+  std::map<std::pair<const gears::Panel*, bool>, SheetPlace> places;
+  for (const auto& placed : gears::lay_out(plan))
+    places.try_emplace({placed.panel, placed.is_mirrored}, place_of(placed));
   std::map<std::string, SheetPlace> sheet;
-  const auto placed = gears::lay_out(plan);
-  for (const auto& panel : gear.panels) {
-    const auto at = std::find_if(placed.begin(), placed.end(), [&](const gears::PlacedPanel& one) {
-      return one.panel == panel.panel && one.is_mirrored == panel.is_mirrored;
-    });
-    if (at != placed.end()) sheet[panel.name] = place_of(*at);
-  }
+  for (const auto& panel : gear.panels)
+    if (const auto at = places.find({panel.panel, panel.is_mirrored}); at != places.end())
+      sheet[panel.name] = at->second;
   return sheet;
 }
 

@@ -29,29 +29,53 @@ class PanelsInRow {
     }
   }
 
-  /// The number of meshes behind the aft edge of a panel, averaged over the nodes of the edge.
+  /// The number of meshes behind the aft edge of a panel, averaged over the nodes of the edge. Panels behind
+  /// it are counted before it: by a list instead of calls within calls, as very many may follow one another.
   double behind(std::size_t panel) {
-    Panel& p = panels_[panel];
-    if (p.is_counted) return p.behind;
-    p.is_counted = true;  // set before the recursion, which would not end if panels are sewn in a ring
-    double sum = 0, count = 0;
-    for (const auto node : p.aft_edge)
-      if (const double most = most_behind(node, panel); most > 0) sum += most, ++count;
-    return p.behind = count > 0 ? sum / count : 0;
+    std::vector<std::size_t> to_count{panel};
+    while (!to_count.empty()) {
+      const std::size_t now = to_count.back();
+      const std::size_t waiting = to_count.size();
+      if (panels_[now].state == State::uncounted) {
+        panels_[now].state =
+            State::waits;  // what waits for itself, in panels sewn in a ring, has none behind
+        for (const auto node : panels_[now].aft_edge) add_those_behind(node, now, to_count);
+      }
+      if (to_count.size() > waiting) continue;
+      to_count.pop_back();
+      if (panels_[now].state == State::waits) count(now);
+    }
+    return panels_[panel].behind;
   }
 
  private:
+  enum class State { uncounted, waits, counted };
   struct Panel {
     std::vector<std::uint32_t> aft_edge;  // nodes of the aft edge
     double behind = 0;
-    bool is_counted = false;
+    State state = State::uncounted;
   };
 
+  void add_those_behind(std::uint32_t node, std::size_t panel, std::vector<std::size_t>& to_count) const {
+    for (const auto& [other, meshes] : seams_.at(node))
+      if (other != panel && meshes >= kOnEdge && panels_[other].state == State::uncounted)
+        to_count.push_back(other);
+  }
+
+  void count(std::size_t panel) {
+    Panel& p = panels_[panel];
+    double sum = 0, nodes = 0;
+    for (const auto node : p.aft_edge)
+      if (const double most = most_behind(node, panel); most > 0) sum += most, ++nodes;
+    p.behind = nodes > 0 ? sum / nodes : 0;
+    p.state = State::counted;
+  }
+
   /// The largest number of meshes behind a node, in the panels other than `panel` that continue there.
-  double most_behind(std::uint32_t node, std::size_t panel) {
+  double most_behind(std::uint32_t node, std::size_t panel) const {
     double most = 0;
-    for (const auto& [other, meshes] : seams_[node])
-      if (other != panel && meshes >= kOnEdge) most = std::max(most, meshes + behind(other));
+    for (const auto& [other, meshes] : seams_.at(node))
+      if (other != panel && meshes >= kOnEdge) most = std::max(most, meshes + panels_[other].behind);
     return most;
   }
 

@@ -32,7 +32,7 @@ COMMANDS = {  # what it is called with
     "steering.py": (SOURCE,),
     "stage_counts.py": (PROGRAM, SOURCE, "--only", "cod-end"),
     # A search through all others for each thing would make ten thousand take thirty times as long as one thousand, or more.
-    "reading.py": (PROGRAM, "--most", "10000", "--check", "20"),
+    "reading.py": (PROGRAM, "--most", "10000", "--seconds", "20", "--check", "20"),
 }
 # Minutes on the least that they take, compiling among it, and an independent integrator that is not built everywhere.
 NOT_HERE = {"cold_start.py", "time_schemes.py", "real_time.py", "trawl_in_motion.py", "stability_limit.py"}

@@ -57,6 +57,20 @@ TEST(ScenePlan, MakesOneFamilyOfPartsOfOneType) {
   EXPECT_EQ(plan.families[0].elements, 2u);
 }
 
+TEST(ScenePlan, MakesAFamilyOfEachChoiceOfLawsInFlowingWater) {
+  Sketch s;
+  const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0);
+  const double normal[] = {1, 1.1, 1};
+  for (int i = 0; i < 3; ++i)
+    s.rope("rope-" + std::to_string(i), {a, b}, 1).laws["drag"] = {"hydro/morison", {{"normal", normal[i]}}};
+  EXPECT_EQ(make_scene_plan(s.scene, plugins()).families.size(), 1u);
+  s.scene.current.samples = {{0, {1, 0, 0}}};
+  const ScenePlan plan = make_scene_plan(s.scene, plugins());
+  ASSERT_EQ(plan.families.size(), 2u);
+  EXPECT_EQ(plan.families[0].parts, (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(plan.families[1].parts, std::vector<std::uint32_t>{1});
+}
+
 TEST(ScenePlan, SwitchesWeightOffWithoutGravityAndSaysWhy) {
   Scene scene = sample::hanging_rope(4);
   EXPECT_TRUE(term(make_scene_plan(scene, plugins()), "rope/bar", "weight").on);

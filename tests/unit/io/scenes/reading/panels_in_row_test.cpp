@@ -40,5 +40,20 @@ TEST(PanelsInRow, ThatFollowOneAnotherInARingAreCountedOnceRound) {
   EXPECT_EQ(counted({0, 1, 2, 1, 0, 3}, {5, 0, 0, 7, 0, 0}), (Meshes{17, 12, 12, 12, 5, 5}));
 }
 
+// A call for each panel behind another would use up the stack.
+TEST(PanelsInRow, MayBeAHundredThousand) {
+  constexpr std::uint32_t kPanels = 100000;
+  std::vector<std::uint32_t> nodes;
+  Meshes to_aft;
+  for (std::uint32_t i = 0; i < kPanels; ++i) {
+    nodes.insert(nodes.end(), {i, i + 1, i + 1});
+    to_aft.insert(to_aft.end(), {2, 0, 0});
+  }
+  const Meshes all = counted(nodes, to_aft);
+  EXPECT_EQ(all.front(), 2.0 * kPanels);
+  EXPECT_EQ(all[3], 2.0 * (kPanels - 1));
+  EXPECT_EQ(all.back(), 0);
+}
+
 }  // namespace
 }  // namespace netloft::scenes
